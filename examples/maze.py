@@ -1,0 +1,72 @@
+# A maze of 6 by 6 cells, each 0.8 m wide, with one way from the start to the cone, and a Roomba with three infrared sensors.
+from org.SEAR.POJOs import Box, Cone, Cylinder, Distance, Dynamics, Floor, Odometer, SEARrobot, Wheel
+
+# A wall is a letter of the upper line of a cell (-) or on its left side (|); north is up.
+PLAN = ["+-+-+-+-+-+-+",
+        "|   |       |",
+        "+ + + +-+-+ +",
+        "| | |   |   |",
+        "+ + +-+ + +-+",
+        "| |   | |   |",
+        "+ +-+ + +-+ +",
+        "|   | |   | |",
+        "+-+ + +-+ + +",
+        "|   |   | | |",
+        "+ +-+-+ + + +",
+        "|     |     |",
+        "+-+-+-+-+-+-+"]
+CELL = 0.8
+THICK = 0.06
+
+Floor("floor", 6 * CELL + 1, 6 * CELL + 1)
+
+def place(row, column):
+    """The middle of a cell or wall: x is north, z is east, the maze's middle is the origin."""
+    return (6 - row) * CELL / 2, (column - 6) * CELL / 2
+
+def walls():
+    """Walls in a row are one box, so that they have no seams."""
+    number = 0
+    for row in range(0, 13, 2):
+        column = 1
+        while column < 13:
+            start = column
+            while column < 13 and PLAN[row][column] == "-":
+                column += 2
+            if column > start:
+                number += 1
+                wall(number, THICK, (column - start) / 2.0 * CELL + THICK, row, (start + column - 2) / 2.0)
+            column += 2
+    for column in range(0, 13, 2):
+        row = 1
+        while row < 13:
+            start = row
+            while row < 13 and PLAN[row][column] == "|":
+                row += 2
+            if row > start:
+                number += 1
+                wall(number, (row - start) / 2.0 * CELL + THICK, THICK, (start + row - 2) / 2.0, column)
+            row += 2
+
+def wall(number, length, width, row, column):
+    x, z = place(row, column)
+    box = Box("wall %02d" % number, length, width, 0.3, 0, "textures/brick.png")
+    box.move(x, 0.15, z)
+
+walls()
+
+x, z = place(11, 11)
+goal = Cone("goal", 0.1, 0.3, 0.5)
+goal.move(x, 0.15, z)
+
+x, z = place(11, 1)
+robot = SEARrobot("maze Roomba")
+dynamics = Dynamics("drive", 4, 60, 0.3, 0.4, 10000, 0.1, x, 0.1, z, 0, 0, 0)
+dynamics.setPorts("/dev/my_Robot01", "/dev/SEAR_Robot_01")
+robot.addComponent(dynamics)
+robot.addComponent(Cylinder("Roomba Body", 0.1666875, 0.0762, 4, "textures/roomba.jpg"))
+for name, kind, wx, wz in (("frontWheel", 0, 0, 0.16), ("rightWheel", 1, -0.16, 0), ("leftWheel", 1, 0.16, 0), ("backWheel", 0, 0, -0.16)):
+    robot.addWheel(Wheel(name, 0.0381, 0.03, kind, wx, 0, wz))
+for name, wx, wz, turn in (("frontEye", 0, 0.16, 0), ("leftEye", 0.16, 0, 90), ("rightEye", -0.16, 0, -90)):
+    robot.addComponent(Distance(name, "GP2Y0A21", wx, 0.03, wz, 0, turn, 0))
+robot.addComponent(Odometer("odometer"))

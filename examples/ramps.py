@@ -1,0 +1,46 @@
+# A course of ramps: up, level, down, a side slope and steps, and a Roomba with an accelerometer and a gyroscope.
+from org.SEAR.POJOs import Accelerometer, Box, Compass, Cylinder, Dynamics, Floor, Gyroscope, Odometer, SEARrobot, Wheel
+from math import cos, radians, sin
+
+Floor("lawn", 16, 10, "textures/grass.png")
+
+WIDTH = 1.2
+THICK = 0.1
+
+def ramp(name, length, x, y, z, degrees, image):
+    """Starts at (x, y, z), goes north by length along its slope, rises by so many degrees."""
+    part = Box(name, length, WIDTH, THICK, 0, image)
+    rise = radians(degrees)
+    part.move(x + length / 2 * cos(rise) + THICK / 2 * sin(rise), y + length / 2 * sin(rise) - THICK / 2 * cos(rise), z)
+    part.rotate(0, 0, degrees)
+    return x + length * cos(rise), y + length * sin(rise)
+
+x, y = ramp("gentle ramp up", 2, -4, 0, 0, 6, "textures/tiles.png")
+x, y = ramp("plateau", 1.5, x, y, 0, 0, "textures/container.png")
+x, y = ramp("gentle ramp down", 2, x, y, 0, -6, "textures/tiles.png")
+
+x, y = ramp("steep ramp up", 1.5, -4, 0, 2.5, 12, "textures/container.png")
+x, y = ramp("high plateau", 2, x, y, 2.5, 0, "textures/container.png")
+x, y = ramp("steep ramp down", 1.5, x, y, 2.5, -12, "textures/container.png")
+
+side = Box("side slope", 4, WIDTH, THICK, 0, "textures/tiles.png")
+side.move(-1, 0.02, -2.5)
+side.rotate(5, 0, 0)
+
+for step in range(3):
+    part = Box("step %d" % (step + 1), 1.5 - 0.5 * step, WIDTH, 0.015, 0, "textures/brick.png")
+    part.move(3.5 + 0.25 * step, 0.0075 + 0.015 * step, -2.5)
+
+robot = SEARrobot("climber")
+dynamics = Dynamics("drive", 4, 60, 0.3, 0.4, 10000, 0.1, -5, 0.1, 0, 0, 90, 0)
+dynamics.setPorts("/dev/my_Robot01", "/dev/SEAR_Robot_01")
+robot.addComponent(dynamics)
+robot.addComponent(Cylinder("Roomba Body", 0.1666875, 0.0762, 4, "textures/roomba.jpg"))
+for name, kind, wx, wz in (("frontWheel", 0, 0, 0.16), ("rightWheel", 1, -0.16, 0), ("leftWheel", 1, 0.16, 0), ("backWheel", 0, 0, -0.16)):
+    robot.addWheel(Wheel(name, 0.0381, 0.03, kind, wx, 0, wz))
+accelerometer = Accelerometer("accel", 20)
+accelerometer.setGravity(True)
+robot.addComponent(accelerometer)
+robot.addComponent(Gyroscope("gyro", 20))
+robot.addComponent(Compass("compass"))
+robot.addComponent(Odometer("odometer"))

@@ -1,0 +1,56 @@
+# A yard with obstacles of every kind, and a Roomba with every sensor.
+from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, LIDAR, Model, Noise, \
+    Odometer, SEARrobot, Wheel
+
+Floor("yard", 20, 20, False, "textures/grass.png")  # wide beams would see it in front of the robot
+
+container = Box("container", 6, 2.4, 2.6, 0, "textures/container.png")
+container.move(6, 1.3, -4)
+container.rotate(0, 20, 0)
+
+for number in range(6):
+    box = Box("crate %d" % (number + 1), 0.5, 0.5, 0.5, 2)
+    box.move(2.5, 0.25 + 0.5 * (number // 3), -1.2 + 0.7 * (number % 3))
+
+for number in range(5):
+    cone = Cone("cone %d" % (number + 1), 0.18, 0.6, 1.5)
+    cone.move(-3 + 1.2 * number, 0.3, 3)
+
+bin = Cylinder("recycling bin", 0.3, 1, 8)
+bin.move(-2, 0.5, -2.5)
+
+tree = Model("Tree1_name", "models/Tree/Tree.mesh.xml")
+tree.move(5, 0, 4)
+old = Model("old tree", "models/Tree/Tree.mesh.xml")
+old.scale(1.4)
+old.move(-5, 0, -5)
+
+robot = SEARrobot("myRoomba")
+dynamics = Dynamics("robotDynamics1", 4, 60, 0.3, 0.4, 10000, 0.1, 0, 0.1, 0, 0, 90, 0)
+dynamics.setPorts("/dev/my_Robot01", "/dev/SEAR_Robot_01")
+robot.addComponent(dynamics)
+robot.addComponent(Cylinder("Roomba Body", 0.1666875, 0.0762, 4, "textures/roomba.jpg"))
+for name, kind, x, z in (("frontWheel", 0, 0, 0.16), ("rightWheel", 1, -0.16, 0), ("leftWheel", 1, 0.16, 0), ("backWheel", 0, 0, -0.16)):
+    robot.addWheel(Wheel(name, 0.0381, 0.03, kind, x, 0, z))
+
+lidar = LIDAR("myLidar", 8.191, 180, 0.5, 0, 0.15, 0.1)
+lidar.setPorts("/dev/my_Lidar01", "/dev/SEAR_LIDAR_01")
+robot.addComponent(lidar)
+
+gps = GPS("gpsUnit1", 33.61, 182.5, -80.865)
+gps.setPorts("/dev/my_GPS_01", "/dev/SEAR_GPS_01")
+robot.addComponent(gps)
+
+robot.addComponent(Compass("compass", True))
+robot.addComponent(Accelerometer("accel", 30))
+robot.addComponent(Gyroscope("gyro", 30))
+robot.addComponent(Odometer("odometer"))
+
+robot.addComponent(Distance("frontPing", "PING)))", 0, 0.06, 0.16, 0, 0, 0))
+robot.addComponent(Distance("leftEZ1", "LV-EZ1", 0.12, 0.06, 0.1, 0, 60, 0))
+robot.addComponent(Distance("rightEZ0", "LV-EZ0", -0.12, 0.06, 0.1, 0, -60, 0))
+robot.addComponent(Distance("backInfrared", "GP2Y0A02", 0, 0.06, -0.16, 0, 180, 0))
+robot.addComponent(Distance("laser", "laser", 0, 0.1, 0.16, 0, 0, 0))
+noisy = Distance("noisyPing", [BeamCone(15, 2, "#00ffff", 24), [5, 3, "#0080ff"], [8, 0.6, "#8000ff", 12, 40, 0]], 0, 0.08, 0.16, 0, 0, 0)
+noisy.setNoise(Noise().setWhite(0.01).setDropout(0.05))
+robot.addComponent(noisy)

@@ -1,0 +1,43 @@
+#!/bin/sh
+# Builds with the Gradle on the PATH. On Debian or Ubuntu, as root or with password-free sudo, it installs first what is missing: Gradle and a JDK,
+# and for the tests a virtual display, a browser and the third-party drivers that SEAR is tried with. Elsewhere it says what to install.
+# Ends a test run with the line "N passed, N failed, N skipped".
+cd "$(dirname "$0")" || exit 1
+
+needed="javac:default-jdk-headless gradle:gradle"
+case " $* " in
+    *" test "*|*" check "*|*" build "*)
+        needed="$needed Xvfb:xvfb xdotool:xdotool chromium:chromium chromedriver:chromium-driver gpsd:gpsd gpspipe:gpsd-clients rawlog-grabber:mrpt-apps"
+        needed="$needed python3:python3 pip3:python3-pip" ;;
+esac
+
+missing=
+for pair in $needed; do
+    PATH="$PATH:/usr/sbin:/sbin" command -v "${pair%%:*}" >/dev/null 2>&1 || missing="$missing ${pair#*:}"
+done
+case "$missing" in *xvfb*) missing="$missing libgl1-mesa-dri libgl1 libegl1 libxrandr2 libxcursor1 libxi6 libxxf86vm1 libxinerama1" ;; esac
+
+can_install() { command -v apt-get >/dev/null 2>&1 && { [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; }; }
+as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo -n "$@"; fi; }
+
+if [ -n "$missing" ]; then
+    if ! can_install; then
+        echo "gradlew: these are missing, install them and call again (on Debian: sudo apt-get install$missing)" >&2
+        exit 1
+    fi
+    echo "gradlew: installing$missing (once)"
+    log=$(mktemp)
+    if as_root apt-get update >"$log" 2>&1 &&
+        as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing >>"$log" 2>&1; then
+        rm -f "$log"
+    else
+        cat "$log"; echo "gradlew: could not install$missing" >&2; exit 1
+    fi
+fi
+
+rm -f build/test-summary.txt
+[ -t 0 ] && SEAR_TERMINAL=1 && export SEAR_TERMINAL
+gradle "$@"
+status=$?
+[ -f build/test-summary.txt ] && cat build/test-summary.txt
+exit $status

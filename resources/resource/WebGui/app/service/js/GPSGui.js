@@ -1,0 +1,145 @@
+// Panel of the GPS service: the table of the last fix, a track in metres, the raw sentences.
+angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 'mrl', function($scope, mrl) {
+    var self = this
+    var msg = this.msg
+
+    var LATITUDE = 2
+    var LONGITUDE = 4
+    var ALTITUDE = 9
+    var QUALITIES = {0: 'no fix', 1: 'GPS', 2: 'differential GPS', 6: 'dead reckoning', 7: 'manual', 8: 'simulator'}
+    var MOST_SENTENCES = 40
+    var LONGEST_TRACK = 2000
+    // WGS84: metres in a degree, as series in the latitude
+    var METRES_PER_DEGREE = 111132.954
+    var EQUATOR_DEGREE = 111412.84
+
+    $scope.bauds = [4800, 9600, 14400, 19200, 38400, 57600, 115200]
+    $scope.models = ['FV-M8', 'MT3301', 'MT3329', 'NMEA']
+    $scope.form = {port: '', baud: 38400, model: 'FV-M8', raw: false}
+    $scope.ports = []
+    $scope.sentences = []
+    $scope.statuses = []
+    $scope.tokens = null
+    $scope.position = null
+    $scope.track = []
+    var touched = false
+    var start = null
+
+    this.updateState = function(service) {
+        $scope.service = service
+        if (!touched && service.config) {
+            $scope.form.port = service.config.port || $scope.form.port
+            $scope.form.baud = service.config.baud || $scope.form.baud
+            $scope.form.model = service.config.model || $scope.form.model
+        }
+    }
+
+    this.onMsg = function(inMsg) {
+        var data = inMsg.data[0]
+        switch (inMsg.method) {
+        case 'onState':
+            self.updateState(data)
+            break
+        case 'onGGAData':
+            $scope.tokens = data
+            break
+        case 'onGPS':
+            onPosition(data)
+            break
+        case 'onSentence':
+            $scope.sentences.unshift(data)
+            $scope.sentences.splice(MOST_SENTENCES)
+            break
+        case 'onPortNames':
+            $scope.ports = data
+            break
+        case 'onStatus':
+            if (data && data.level !== 'info') {
+                $scope.statuses.unshift({level: data.level, text: data.detail})
+                $scope.statuses.splice(5)
+            }
+            break
+        default:
+            return
+        }
+        $scope.$applyAsync()
+    }
+
+    function onPosition(position) {
+        $scope.position = position
+        start = start || position
+        var latitude = start[0] * Math.PI / 180
+        var north = (position[0] - start[0]) * (METRES_PER_DEGREE - 559.82 * Math.cos(2 * latitude) + 1.175 * Math.cos(4 * latitude))
+        var turn = position[1] - start[1]
+        turn = turn > 180 ? turn - 360 : turn < -180 ? turn + 360 : turn
+        var east = turn * (EQUATOR_DEGREE * Math.cos(latitude) - 93.5 * Math.cos(3 * latitude))
+        $scope.track.push([east, north])
+        $scope.track.splice(0, $scope.track.length - LONGEST_TRACK)
+        $scope.plot = plot()
+    }
+
+    /** The track as an SVG polyline in a square of 100 units, with the scale that it has. */
+    function plot() {
+        var reach = 1
+        $scope.track.forEach(function(point) {
+            reach = Math.max(reach, Math.abs(point[0]), Math.abs(point[1]))
+        })
+        var step = Math.pow(10, Math.floor(Math.log(reach) / Math.LN10))
+        reach = Math.ceil(reach / step) * step
+        return {
+            reach: reach,
+            points: $scope.track.map(function(point) {
+                return (point[0] / reach * 45).toFixed(2) + ',' + (-point[1] / reach * 45).toFixed(2)
+            }).join(' '),
+            last: $scope.track[$scope.track.length - 1].map(function(metres, axis) {
+                return (axis ? -1 : 1) * metres / reach * 45
+            })
+        }
+    }
+
+    $scope.token = function(index) {
+        return $scope.tokens && $scope.tokens[index] !== '' ? $scope.tokens[index] : '–'
+    }
+    $scope.latitude = LATITUDE
+    $scope.longitude = LONGITUDE
+    $scope.altitude = ALTITUDE
+    $scope.quality = function() {
+        return $scope.tokens ? QUALITIES[$scope.tokens[6] || 0] || 'quality ' + $scope.tokens[6] : '–'
+    }
+    $scope.time = function() {
+        var utc = $scope.tokens && $scope.tokens[1]
+        return utc ? utc.substring(0, 2) + ':' + utc.substring(2, 4) + ':' + utc.substring(4) + ' UTC' : '–'
+    }
+
+    $scope.touch = function() {
+        touched = true
+    }
+    $scope.connect = function() {
+        touched = false
+        msg.send('setModel', $scope.form.model)
+        msg.send('connect', $scope.form.port, Number($scope.form.baud))
+    }
+    $scope.setBaud = function() {
+        if ($scope.service.connected) {
+            msg.send('setBaud', Number($scope.form.baud))
+        } else {
+            touched = true
+        }
+    }
+    $scope.refreshPorts = function() {
+        msg.send('getPortNames')
+    }
+    $scope.clearTrack = function() {
+        $scope.track = []
+        $scope.plot = null
+        start = null
+    }
+
+    msg.subscribe('publishGGAData')
+    msg.subscribe('publishGPS')
+    msg.subscribe('publishSentence')
+    msg.subscribe('publishStatus')
+    msg.subscribe('getPortNames')
+    msg.subscribe(this)
+    msg.send('getPortNames')
+}])

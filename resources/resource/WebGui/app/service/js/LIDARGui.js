@@ -1,0 +1,266 @@
+// Panel of the LIDAR service: a live polar plot of the last scan, the device's settings, the scan as a table and as a CSV file.
+angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scope', '$timeout', 'mrl', function($scope, $timeout, mrl) {
+    var self = this
+    var msg = this.msg
+
+    var MARGIN = 28
+    var ANGLE_STEP = 30
+    var RING_STEPS = [0.25, 0.5, 1, 2, 5, 10, 20]
+    var MOST_RINGS = 6
+    var EMPTY_REACH = 8         // metres, the range of most scanners
+    var FULL_CIRCLE = 180.5
+
+    $scope.bauds = [9600, 19200, 38400, 500000]
+    $scope.modes = [
+        {label: '180° / 1°', spread: 180, resolution: 1}, {label: '180° / 0.5°', spread: 180, resolution: 0.5},
+        {label: '100° / 1°', spread: 100, resolution: 1}, {label: '100° / 0.5°', spread: 100, resolution: 0.5},
+        {label: '100° / 0.25°', spread: 100, resolution: 0.25}]
+    $scope.form = {port: '', baud: 9600, mode: $scope.modes[0], table: false, rings: 'auto'}
+    $scope.ports = []
+    $scope.scan = null
+    $scope.rate = 0
+    $scope.statuses = []
+    var touched = false
+    var arrivals = []
+
+    this.updateState = function(service) {
+        $scope.service = service
+        if (!touched && service.config) {
+            $scope.form.port = service.config.port || $scope.form.port
+            $scope.form.baud = service.config.baud || $scope.form.baud
+        }
+        $timeout(draw)
+    }
+
+    this.onMsg = function(inMsg) {
+        var data = inMsg.data[0]
+        switch (inMsg.method) {
+        case 'onState':
+            self.updateState(data)
+            $scope.$apply()
+            break
+        case 'onScan':
+            onScan(data)
+            break
+        case 'onPortNames':
+            $scope.ports = data
+            $scope.$apply()
+            break
+        case 'onStatus':
+            if (data && data.level !== 'info') {
+                $scope.statuses.unshift({level: data.level, text: data.detail, time: new Date()})
+                $scope.statuses.splice(5)
+                $scope.$apply()
+            }
+            break
+        default:
+            break
+        }
+    }
+
+    // Scans may come faster than the screen is drawn: only the newest one is drawn.
+    var waiting = false
+    function onScan(scan) {
+        $scope.scan = scan
+        var now = Date.now()
+        arrivals.push(now)
+        while (arrivals.length > 20 || arrivals[0] < now - 5000) {
+            arrivals.shift()
+        }
+        $scope.rate = arrivals.length > 1 ? (arrivals.length - 1) * 1000 / (now - arrivals[0]) : 0
+        if (!waiting) {
+            waiting = true
+            window.requestAnimationFrame(function() {
+                waiting = false
+                draw()
+                $scope.$applyAsync()
+            })
+        }
+    }
+
+    $scope.touch = function() {
+        touched = true
+    }
+    $scope.connect = function() {
+        touched = false
+        msg.send('connect', $scope.form.port, Number($scope.form.baud))
+    }
+    $scope.refreshPorts = function() {
+        msg.send('getPortNames')
+    }
+    $scope.setBaud = function() {
+        if ($scope.service.connected) {
+            msg.send('setBaud', Number($scope.form.baud))
+        } else {
+            touched = true
+        }
+    }
+    $scope.setMode = function() {
+        msg.send('setScanMode', $scope.form.mode.spread, $scope.form.mode.resolution)
+    }
+
+    // ---- the plot: sensor at the bottom in the middle, 0 degrees to the right, 90 ahead --------------------------------------------------
+    function canvas() {
+        return $scope.service ? document.getElementById('lidar-plot-' + $scope.service.name) : null
+    }
+
+    /** Metres at the outermost ring: a round number beyond the farthest distance. */
+    $scope.reach = function() {
+        var farthest = 0
+        if ($scope.form.rings !== 'auto') {
+            return Number($scope.form.rings)
+        }
+        ($scope.scan ? $scope.scan.metres : []).forEach(function(metres) {
+            if (metres !== null && metres > farthest) {
+                farthest = metres
+            }
+        })
+        farthest = farthest || EMPTY_REACH
+        var step = ringStep(farthest)
+        return Math.ceil(farthest / step) * step
+    }
+
+    function ringStep(reach) {
+        for (var i = 0; i < RING_STEPS.length; i++) {
+            if (reach / RING_STEPS[i] <= MOST_RINGS) {
+                return RING_STEPS[i]
+            }
+        }
+        return RING_STEPS[RING_STEPS.length - 1]
+    }
+
+    /** Where in the plot a distance at an angle lies; also what tests compare with the scan. */
+    $scope.geometry = function() {
+        var element = canvas()
+        var width = element ? element.clientWidth : 0
+        var height = element ? element.clientHeight : 0
+        var full = $scope.scan && $scope.scan.spread > FULL_CIRCLE
+        var radius = full ? Math.min(width, height) / 2 - MARGIN : Math.min(width / 2 - MARGIN, height - 2 * MARGIN)
+        return {x: width / 2, y: full ? height / 2 : height - MARGIN, radius: radius, reach: $scope.reach(), full: full}
+    }
+
+    $scope.point = function(geometry, metres, degrees) {
+        var pixels = metres / geometry.reach * geometry.radius
+        var angle = degrees * Math.PI / 180
+        return {x: geometry.x + pixels * Math.cos(angle), y: geometry.y - pixels * Math.sin(angle)}
+    }
+
+    function draw() {
+        var element = canvas()
+        if (!element || !element.clientWidth) {
+            return
+        }
+        var ratio = window.devicePixelRatio || 1
+        element.width = element.clientWidth * ratio
+        element.height = element.clientHeight * ratio
+        var pen = element.getContext('2d')
+        pen.scale(ratio, ratio)
+        var colour = window.getComputedStyle(element).color
+        var geometry = $scope.geometry()
+        drawGrid(pen, geometry, colour)
+        if ($scope.scan) {
+            drawScan(pen, geometry)
+        }
+        pen.fillStyle = colour
+        pen.beginPath()
+        pen.arc(geometry.x, geometry.y, 4, 0, 2 * Math.PI)
+        pen.fill()
+    }
+
+    function drawGrid(pen, geometry, colour) {
+        pen.strokeStyle = colour
+        pen.fillStyle = colour
+        pen.font = '11px sans-serif'
+        pen.lineWidth = 1
+        pen.globalAlpha = 0.35
+        var step = ringStep(geometry.reach)
+        for (var ring = step; ring <= geometry.reach + 1e-9; ring += step) {
+            pen.beginPath()
+            pen.arc(geometry.x, geometry.y, ring / geometry.reach * geometry.radius, geometry.full ? 0 : Math.PI, 2 * Math.PI)
+            pen.stroke()
+        }
+        var last = geometry.full ? 359 : 180
+        for (var degrees = 0; degrees <= last; degrees += ANGLE_STEP) {
+            var end = $scope.point(geometry, geometry.reach, degrees)
+            pen.beginPath()
+            pen.moveTo(geometry.x, geometry.y)
+            pen.lineTo(end.x, end.y)
+            pen.stroke()
+        }
+        pen.globalAlpha = 0.9
+        for (ring = step; ring <= geometry.reach + 1e-9; ring += step) {
+            pen.textAlign = 'center'
+            pen.fillText(label(ring), geometry.x + ring / geometry.reach * geometry.radius, geometry.y + 14)
+        }
+        for (degrees = 0; degrees <= last; degrees += ANGLE_STEP) {
+            end = $scope.point(geometry, geometry.reach * (1 + 14 / geometry.radius), degrees)
+            pen.textAlign = degrees < 80 ? 'left' : degrees > 100 && degrees < 260 ? 'right' : 'center'
+            pen.fillText(degrees + '°', end.x, end.y + (degrees > 0 && degrees < 180 ? 0 : -3))
+        }
+        pen.globalAlpha = 1
+    }
+
+    function label(metres) {
+        return $scope.scan && $scope.scan.unit === 'cm' ? Math.round(metres * 100) + ' cm' : metres + ' m'
+    }
+
+    function drawScan(pen, geometry) {
+        var scan = $scope.scan
+        pen.beginPath()
+        pen.moveTo(geometry.x, geometry.y)
+        for (var i = 0; i < scan.angles.length; i++) {
+            var metres = scan.metres[i] === null ? geometry.reach : Math.min(scan.metres[i], geometry.reach)
+            var at = $scope.point(geometry, metres, scan.angles[i])
+            pen.lineTo(at.x, at.y)
+        }
+        pen.closePath()
+        pen.fillStyle = 'rgba(51, 122, 183, 0.18)'
+        pen.fill()
+        pen.fillStyle = '#d9534f'
+        for (i = 0; i < scan.angles.length; i++) {
+            if (scan.metres[i] !== null && scan.metres[i] <= geometry.reach) {
+                at = $scope.point(geometry, scan.metres[i], scan.angles[i])
+                pen.fillRect(at.x - 1.5, at.y - 1.5, 3, 3)
+            }
+        }
+    }
+
+    // ---- table and file ------------------------------------------------------------------------------------------------------------------
+    $scope.rows = function() {
+        var scan = $scope.scan
+        return scan ? scan.angles.map(function(angle, i) {
+            return {angle: angle, raw: scan.raw[i], metres: scan.metres[i]}
+        }) : []
+    }
+
+    $scope.download = function() {
+        var lines = ['angle_deg,raw_' + $scope.scan.unit + ',metres']
+        $scope.rows().forEach(function(row) {
+            lines.push(row.angle + ',' + row.raw + ',' + (row.metres === null ? '' : row.metres))
+        })
+        var link = document.createElement('a')
+        link.href = 'data:text/csv;charset=utf-8,' + encodeURIComponent(lines.join('\r\n') + '\r\n')
+        link.download = $scope.service.name + '-scan.csv'
+        document.body.appendChild(link)
+        link.click()
+        document.body.removeChild(link)
+    }
+
+    $scope.redraw = function() {
+        $timeout(draw)
+    }
+    window.addEventListener('resize', draw)
+    $scope.$on('$destroy', function() {
+        window.removeEventListener('resize', draw)
+    })
+    $scope.$watch(function() {
+        var element = canvas()
+        return element ? element.clientWidth : 0
+    }, draw)
+
+    msg.subscribe('publishScan')
+    msg.subscribe('publishStatus')
+    msg.subscribe('getPortNames')
+    msg.subscribe(this)
+    msg.send('getPortNames')
+}])

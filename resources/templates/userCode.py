@@ -1,0 +1,67 @@
+# userCode.py: drives a simulated robot and asks its microcontroller (controller.py) for the simple sensors, over a serial port as with real
+# hardware. Change names, ports and the folder of controller.py to your own.
+
+controllerFile = "SEARproject/controller.py"
+robotPort = "/dev/SEAR_Robot_01"
+controllerPort = "/dev/user_CONTROLLER_01"
+
+SONAR_1 = 0x2B
+SONAR_2 = 0x2C
+ACCELEROMETER = 0x2D
+GYROSCOPE = 0x2E
+COMPASS = 0x2F
+
+sear = Runtime.start("SEAR", "SEAR")
+if not sear.isRunning():
+    sear.startSimulation()
+sear.simSleep(1)                        # things fall into their places
+python.execFile(controllerFile)         # the microcontroller
+
+def connectRoomba(roomba, port):
+    """MyRobotLab's Roomba service lets go of its port at once and talks through the service named "serial": this connects that."""
+    roomba.connect(port)
+    line = Runtime.getService("serial")
+    if line is not None and not line.isConnected():
+        line.connect(port, 57600, 8, 1, 0)
+
+roomba = Runtime.start("robot_Dynamics1", "Roomba")
+connectRoomba(roomba, robotPort)
+roomba.startup()
+roomba.control()
+
+# ---- the conversation with the controller --------------------------------------------------------------------------------------------------
+
+msgBuffer = []
+
+def receiveMessage(data):
+    """Called with each byte that arrives, 0 to 255."""
+    msgBuffer.append(data)
+
+userSerial = Runtime.start("userSerial", "Serial")
+userSerial.disconnect()
+userSerial.connect(controllerPort, 9600, 8, 1, 0)
+userSerial.addListener("publishRX", python.getName(), "receiveMessage")
+
+def ask(sensorNumber, count):
+    """Requests a sensor, waits for its 16-bit numbers (high byte first), and answers them."""
+    del msgBuffer[:]
+    userSerial.write(0x8E)
+    userSerial.write(sensorNumber)
+    deadline = sear.getTime() + 5
+    while len(msgBuffer) < 2 * count and sear.getTime() < deadline:
+        sear.simSleep(0.02)
+    if len(msgBuffer) < 2 * count:
+        raise RuntimeError("sensor " + str(sensorNumber) + " sent " + str(len(msgBuffer)) + " of " + str(2 * count) + " bytes")
+    return [msgBuffer[2 * i] * 256 + msgBuffer[2 * i + 1] for i in range(count)]
+
+def metresPerSecondSquared(counts):
+    return ((counts + 0.5) * 3.3 / 1024 - 1.5) / 0.3 * 9.80665
+
+def degreesPerSecond(counts):
+    return ((counts + 0.5) * 3.3 / 1024 - 1.35) / 0.002
+
+print "Sonar 1: " + str(ask(SONAR_1, 1)[0]) + " cm"
+print "Sonar 2: " + str(ask(SONAR_2, 1)[0]) + " cm"
+print "Acceleration x, y, z: " + ", ".join(["%.1f" % metresPerSecondSquared(value) for value in ask(ACCELEROMETER, 3)]) + " m/s^2"
+print "Rotation x, y, z: " + ", ".join(["%.0f" % degreesPerSecond(value) for value in ask(GYROSCOPE, 3)]) + " degrees/s"
+print "Heading: " + str(ask(COMPASS, 1)[0] / 10.0) + " degrees"

@@ -1,0 +1,114 @@
+# The demo: builds a small world and a Roomba with a LIDAR, sonar, GPS and compass out of objects, drives it over the Roomba protocol, scans over the
+# SICK LMS200 protocol, and prints what it reads. Run it with "./gradlew run" or "sear scripts/demo.py".
+import os
+from java.lang import System
+from org.SEAR.POJOs import Box, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, LIDAR, SEARrobot, Wheel
+
+sear = Runtime.start("SEAR", "SEAR")
+if os.path.exists("SEARproject") and not os.path.exists("SEARproject/robot/demoRoomba.xml"):
+    print "Your project is kept in " + sear.newProject()
+
+# ---- the world: a room of 6 m by 6 m with a few things in it --------------------------------------------------------------------------------
+Floor("floor", 20, 20, False)
+for (name, x, z, length, width) in (("northWall", 3, 0, 0.1, 6), ("southWall", -3, 0, 0.1, 6), ("eastWall", 0, 3, 6, 0.1), ("westWall", 0, -3, 6, 0.1)):
+    wall = Box(name, length, width, 1, 0)
+    wall.setImage("textures/brick.png")
+    wall.move(x, 0.5, z)
+crate = Box("crate", 0.4, 0.4, 0.4, 0)
+crate.move(1.5, 0.2, 1.2)
+crate.rotate(0, 30, 0)
+bin = Cylinder("bin", 0.2, 0.6, 5)
+bin.move(-1, 0.3, 1.8)
+cone = Cone("cone", 0.2, 0.5, 1)
+cone.move(1, 0.25, -1.5)
+
+# ---- the robot ------------------------------------------------------------------------------------------------------------------------------
+robot = SEARrobot("demoRoomba")
+drive = Dynamics("demoDrive", 4, 60, 0.3, 0.4, 10000, 0.1, 0, 0.1, 0, 0, 0, 0)
+drive.setPorts("/dev/my_Robot01", "/dev/SEAR_Robot_01")
+robot.addComponent(drive)
+robot.addComponent(Cylinder("demoBody", 0.1666875, 0.0762, 4, "textures/roomba.jpg"))
+for (name, x, z, driven) in (("frontWheel", 0, 0.16, 0), ("rightWheel", -0.16, 0, 1), ("leftWheel", 0.16, 0, 1), ("backWheel", 0, -0.16, 0)):
+    wheel = Wheel(name, 0.0381, 0.03, driven)
+    wheel.move(x, 0, z)
+    robot.addWheel(wheel)
+scanner = LIDAR("demoLidar")
+scanner.setRange(8.191)
+scanner.setSpread(180)
+scanner.setResolution(1)
+scanner.setPorts("/dev/my_Lidar01", "/dev/SEAR_LIDAR_01")
+scanner.setBaud(38400)
+scanner.move(0, 0.15, 0.1)
+scanner.LMS(1)
+robot.addComponent(scanner)
+ping = Distance("demoPing", "PING)))")
+ping.move(0, 0.1, 0.15)
+robot.addComponent(ping)
+robot.addComponent(Compass("demoCompass"))
+receiver = GPS("demoGps", 33.61, 182.5, -80.865)
+receiver.setPorts("/dev/my_GPS_01", "/dev/SEAR_GPS_01")
+robot.addComponent(receiver)
+
+# ---- the services that would talk to the real hardware just the same ------------------------------------------------------------------------
+def connectRoomba(roomba, port):
+    """MyRobotLab's Roomba service lets go of its port at once and talks through the service named "serial": this connects that."""
+    roomba.connect(port)
+    line = Runtime.getService("serial")
+    if line is not None and not line.isConnected():
+        line.connect(port, 57600, 8, 1, 0)
+
+def onScan(data):
+    near = min(data)
+    angle = data.index(near) - 90
+    side = "ahead" if angle == 0 else ("%d degrees to the %s" % (abs(angle), "left" if angle > 0 else "right"))
+    hits = len([value for value in data if value < 8183])
+    print "   LIDAR: %d beams, %d of them hit something; nearest %.2f m, %s" % (len(data), hits, near / 1000.0, side)
+
+position = []
+
+def onPosition(data):
+    position[:] = data
+
+sear.startSimulation()
+sear.simSleep(1)
+print "The simulation runs with the sensors " + ", ".join(sear.getSensorNames()) + "."
+
+lidar = Runtime.start("demoLidarService", "LIDAR")
+lidar.connect("/dev/SEAR_LIDAR_01", 38400)
+lidar.addListener("publishLidarData", python.getName(), "onScan")
+gps = Runtime.start("demoGpsService", "GPS")
+gps.connect("/dev/SEAR_GPS_01")
+gps.addListener("publishGGAData", python.getName(), "onPosition")
+roomba = Runtime.start("demoRoombaService", "Roomba")
+connectRoomba(roomba, "/dev/SEAR_Robot_01")
+roomba.startup()
+roomba.control()
+
+def report(what):
+    pose = sear.getPose("demoRoomba")
+    print "%s" % what
+    print "   at %.1f s: x %.2f m, z %.2f m, heading %.0f degrees, driven %.2f m, sonar %.2f m" % (sear.getTime(), pose[0], pose[2],
+        sear.getCompassResult("demoCompass"), sear.getOdomResult(), sear.getDistanceResult("demoPing"))
+    if position:
+        print "   GPS: latitude %s, longitude %s, altitude %s m" % (position[2], position[4], position[9])
+    lidar.singleScan()
+    sear.simSleep(1)
+
+report("Standing still")
+for (what, command, seconds) in (("Forward", roomba.goForward, 3), ("Turning left", roomba.spinLeft, 1.2), ("Forward", roomba.goForward, 3),
+                                 ("Turning right", roomba.spinRight, 1.2), ("Backward", roomba.goBackward, 2)):
+    command()
+    sear.simSleep(seconds)
+    roomba.stop()
+    sear.simSleep(0.5)
+    report(what + " for " + str(seconds) + " s")
+
+# With a terminal the simulation goes on until Enter, with --keep until Ctrl+C; its tabs show it meanwhile.
+keep = System.getProperty("sear.keep") == "true"
+if keep or os.environ.get("SEAR_TERMINAL"):
+    print "The simulation goes on; see its tabs at http://localhost:8888. " + ("Ctrl+C" if keep else "Enter") + " ends it."
+if os.environ.get("SEAR_TERMINAL") and not keep:
+    raw_input()
+if not keep:
+    sear.stopSimulation()
+print "Done."

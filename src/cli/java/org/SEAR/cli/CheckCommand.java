@@ -1,0 +1,60 @@
+package org.SEAR.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.SEAR.project.Bundle;
+import org.SEAR.project.Problem;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectException;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code sear check FOLDER_OR_FILE.sear}: 0, or 2 and every problem. */
+@Command(name = "check", mixinStandardHelpOptions = true,
+    description = "Reads a project or bundle and prints everything that is wrong with it: file, line, field, value, what is legal.",
+    footer = "Exit status: 0 when all is well, 2 when there are problems.")
+final class CheckCommand implements Callable<Integer> {
+    private static final int PROBLEMS = 2;
+    private static final String PROJECT = "SEARproject";
+
+    @Parameters(paramLabel = "FOLDER_OR_FILE.sear", description = "A SEARproject folder, the folder that it lies in, or a bundle.")
+    private Path path;
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() {
+        PrintWriter out = spec.commandLine().getOut();
+        PrintWriter err = spec.commandLine().getErr();
+        try {
+            List<String> warnings = Files.isDirectory(path) ? Project.read(project()).getWarnings() : Bundle.check(path);
+            warnings.forEach(warning -> out.println("warning: " + warning));
+            out.println(path + ": no problems");
+            return ExitCode.OK;
+        } catch (ProjectException e) {
+            for (Problem problem : e.getProblems()) {
+                out.println(problem);
+            }
+            err.println(path + ": problems: " + e.getProblems().size());
+        } catch (IOException e) {
+            err.println("sear check: " + path + " can't be read: " + reason(e));
+        }
+        return PROBLEMS;
+    }
+
+    private static String reason(IOException e) {
+        return e instanceof java.nio.file.NoSuchFileException ? "there is no such file or folder" : String.valueOf(e.getMessage());
+    }
+
+    private Path project() {
+        Path inside = path.resolve(PROJECT);
+        return Files.isDirectory(inside) ? inside : path;
+    }
+}

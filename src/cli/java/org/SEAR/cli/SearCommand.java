@@ -1,0 +1,88 @@
+package org.SEAR.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import org.SEAR.cli.install.InstallCommand;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code sear SCRIPT.py [options]}, and the other commands of the program. */
+@Command(name = "sear", mixinStandardHelpOptions = true, versionProvider = Version.class,
+    subcommands = {CheckCommand.class, SensorsCommand.class, InstallCommand.class},
+    description = "Runs a Python script in a small MyRobotLab with SEAR in it. The project is the folder SEARproject in the present folder.",
+    footer = "Exit status: 0 when the script ends, 1 when it raises, 2 when the command makes no sense.")
+public final class SearCommand implements Callable<Integer> {
+    private static final int USAGE = CommandLine.ExitCode.USAGE;
+
+    @Parameters(paramLabel = "SCRIPT.py", arity = "0..1", description = "The script, Python 2.7 as MyRobotLab has it (Jython).")
+    private Path script;
+    @Option(names = "--headless", description = "Open no window.")
+    private boolean headless;
+    @Option(names = "--speed", paramLabel = "FACTOR|max", description = "Simulated seconds a second; max: as fast as possible, in lock-step with "
+        + "the script, the same every time. Default: 1.")
+    private String speed;
+    @Option(names = "--seed", paramLabel = "N", description = "Where the random numbers of the sensors begin, a whole number.")
+    private Long seed;
+    @Option(names = "--port", paramLabel = "N|none", defaultValue = "8888", description = "Port of the tabs in the browser: http://localhost:N. "
+        + "Default: ${DEFAULT-VALUE}.")
+    private String port;
+    @Option(names = "--keep", description = "Stay when the script has ended, until Ctrl+C or Runtime.shutdown().")
+    private boolean keep;
+    @Spec
+    private CommandSpec spec;
+
+    public static void main(String[] arguments) {
+        Console.quiet();
+        int status = commandLine().execute(arguments);
+        System.out.flush();
+        System.exit(status);
+    }
+
+    /** The whole command line, for main and for tests. */
+    static CommandLine commandLine() {
+        return new CommandLine(new SearCommand());
+    }
+
+    @Override
+    public Integer call() throws Exception {
+        if (script == null) {
+            PrintWriter err = spec.commandLine().getErr();
+            spec.commandLine().usage(err);
+            return USAGE;
+        }
+        if (headless) {
+            System.setProperty("sear.headless", "true");
+        }
+        if (speed != null) {
+            System.setProperty("sear.speed", checkedSpeed());
+        }
+        if (seed != null) {
+            System.setProperty("sear.seed", seed.toString());
+        }
+        System.setProperty("sear.keep", String.valueOf(keep));
+        return new ScriptRun(script, checkedPort(), keep, spec.commandLine().getErr()).run();
+    }
+
+    private String checkedSpeed() {
+        if (!speed.equals("max") && !(speed.matches("[0-9]*\\.?[0-9]+") && Double.parseDouble(speed) > 0)) {
+            throw new ParameterException(spec.commandLine(), "--speed is \"" + speed + "\", legal: a number above 0, or max");
+        }
+        return speed;
+    }
+
+    private int checkedPort() {
+        if (port.equals("none")) {
+            return ScriptRun.NO_PORT;
+        }
+        if (!port.matches("[0-9]{1,5}") || Integer.parseInt(port) < 1 || Integer.parseInt(port) > ScriptRun.HIGHEST_PORT) {
+            throw new ParameterException(spec.commandLine(), "--port is \"" + port + "\", legal: 1 to " + ScriptRun.HIGHEST_PORT + ", or none");
+        }
+        return Integer.parseInt(port);
+    }
+}

@@ -1,0 +1,13 @@
+package org.SEAR.cli;
+
+import org.SEAR.project.Project;
+import picocli.CommandLine.IVersionProvider;
+
+/** The version of SEAR, as its jar says. */
+final class Version implements IVersionProvider {
+    @Override
+    public String[] getVersion() {
+        String version = Project.class.getPackage().getImplementationVersion();
+        return new String[] {"SEAR " + (version == null ? "(development)" : version)};
+    }
+}

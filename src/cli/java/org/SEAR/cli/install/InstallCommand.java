@@ -1,0 +1,64 @@
+package org.SEAR.cli.install;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code sear install MRL_FOLDER [--remove] [--dry-run]}: 0 when done, 1 with a message when nothing was changed. */
+@Command(name = "install", mixinStandardHelpOptions = true,
+    description = "Puts plug-in, libraries, panels and picker entries into a MyRobotLab, or takes them out again. Again = update.")
+public final class InstallCommand implements Callable<Integer> {
+    @Parameters(paramLabel = "MRL_FOLDER", description = "The folder that holds myrobotlab.jar.")
+    private Path folder;
+    @Option(names = "--remove", description = "Take out exactly what was put in.")
+    private boolean remove;
+    @Option(names = "--dry-run", description = "Only say what would be done.")
+    private boolean dryRun;
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() {
+        PrintWriter out = spec.commandLine().getOut();
+        try {
+            Installer installer = new Installer(folder);
+            Path plugin = pluginFolder();
+            Plan plan = remove ? installer.remove(plugin) : installer.install(plugin);
+            out.println("MyRobotLab: " + installer.root()
+                + (installer.installedVersion() == null ? "" : ", with SEAR " + installer.installedVersion()));
+            plan.describe().forEach(line -> out.println("  " + line));
+            if (plan.isEmpty()) {
+                out.println("Nothing to do: SEAR " + installer.installedVersion() + " is installed and complete.");
+            } else if (dryRun) {
+                out.println("Nothing was changed (--dry-run).");
+            } else {
+                plan.apply();
+                if (remove) {
+                    installer.removeEmptyFolders();
+                }
+                out.println(remove ? "SEAR was removed." : "Done. Start MyRobotLab; SEAR, LIDAR and GPS are among its services.");
+            }
+            return 0;
+        } catch (InstallException e) {
+            spec.commandLine().getErr().println("sear install: " + e.getMessage());
+        } catch (IOException e) {
+            spec.commandLine().getErr().println("sear install: " + e + ". Everything is as it was before.");
+        }
+        return 1;
+    }
+
+    /** The start script names the distribution's folder. */
+    private static Path pluginFolder() throws InstallException {
+        String home = System.getProperty("sear.home");
+        if (home == null) {
+            throw new InstallException("Start this command as bin/sear of the distribution (./gradlew installDist makes one).");
+        }
+        return Path.of(home, "plugin");
+    }
+}

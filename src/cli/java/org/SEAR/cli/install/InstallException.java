@@ -1,0 +1,14 @@
+package org.SEAR.cli.install;
+
+/** Why nothing was installed or removed, and what to do about it. */
+public final class InstallException extends Exception {
+    private static final long serialVersionUID = 1L;
+
+    InstallException(String message) {
+        super(message);
+    }
+
+    InstallException(String message, Throwable cause) {
+        super(message, cause);
+    }
+}

@@ -1,0 +1,296 @@
+package org.SEAR.cli.install;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Properties;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipFile;
+
+/**
+ * Puts the plug-in into a MyRobotLab and takes it out again. Everything is decided first, as a {@link Plan}; nothing is written before that.
+ * Any one thread.
+ */
+public final class Installer {
+    /** Services by simple name, with the line that the service picker shows. */
+    private static final Map<String, String> SERVICES = services();
+    private static final String PANELS = "resource/";
+    private static final String JARS = "libraries/jar/";
+    private static final String SERVICE_DATA = "libraries/serviceData.json";
+    private static final String RECEIPT = "libraries/sear-install.json";
+    /** What the services put below the resource root at run time, by name, as SHA-256. */
+    private static final String COPIED = "resource/.sear-files.properties";
+    private static final Pattern BARE = Pattern.compile("(?s)\\A(---\\s*)?!!org\\.myrobotlab\\.service\\.config\\.ServiceConfig\\b.*");
+    private static final Pattern TYPE = Pattern.compile("(?m)^type:\\s*['\"]?(?:org\\.myrobotlab\\.service\\.)?(\\w+)['\"]?\\s*$");
+
+    private final MrlFolder mrl;
+    private final Receipt old;
+
+    /** @param folder MyRobotLab's folder, or the one right above it */
+    public Installer(Path folder) throws InstallException, IOException {
+        mrl = MrlFolder.find(folder);
+        old = Receipt.read(mrl.receipt());
+    }
+
+    private static Map<String, String> services() {
+        Map<String, String> services = new TreeMap<>();
+        services.put("SEAR", "Robot simulator: worlds and robots from scripts, with the sensors and serial protocols of real hardware");
+        services.put("LIDAR", "SICK LMS200 laser scanner, real or simulated");
+        services.put("GPS", "GPS receiver that sends NMEA 0183, real or simulated");
+        return Collections.unmodifiableMap(services);
+    }
+
+    /** MyRobotLab's folder. */
+    public Path root() {
+        return mrl.root();
+    }
+
+    /** Version that is installed, or null. */
+    public String installedVersion() {
+        return old == null ? null : old.version;
+    }
+
+    /**
+     * What installing the distribution would do.
+     *
+     * @param plugin the distribution's folder with sear.jar and its libraries
+     */
+    public Plan install(Path plugin) throws InstallException, IOException {
+        Payload payload = new Payload(plugin);
+        mrl.refuseIfRunning();
+        mrl.refuseIfNotWritable();
+        if (old != null && Versions.compare(old.version, payload.version()) > 0) {
+            throw new InstallException("SEAR " + old.version + " is installed in " + mrl.root() + ", which is newer than this " + payload.version()
+                + ". To go back, remove it first: sear install --remove " + mrl.root());
+        }
+        Receipt receipt = new Receipt();
+        receipt.version = payload.version();
+        Plan plan = new Plan(mrl.root());
+        for (Map.Entry<String, byte[]> file : filesToAdd(payload, plan).entrySet()) {
+            plan.write(file.getKey(), file.getValue());
+            receipt.added.put(file.getKey(), Receipt.hash(file.getValue()));
+        }
+        addPickerEntries(plan, receipt);
+        repairConfigs(plan, receipt);
+        if (old != null) {
+            for (Map.Entry<String, String> file : old.added.entrySet()) {
+                if (!receipt.added.containsKey(file.getKey())) {
+                    deleteIfOurs(plan, file.getKey(), file.getValue());
+                }
+            }
+            receipt.folders.addAll(old.folders);
+        }
+        receipt.folders.addAll(plan.newFolders());
+        if (!plan.isEmpty() || old == null || !old.version.equals(receipt.version)) {
+            plan.write(RECEIPT, receipt.bytes());
+        }
+        return plan;
+    }
+
+    private Map<String, byte[]> filesToAdd(Payload payload, Plan plan) throws IOException, InstallException {
+        Map<String, byte[]> files = new TreeMap<>();
+        files.put(JARS + Payload.PLUGIN, Files.readAllBytes(payload.plugin()));
+        Set<String> there = jarsOfMrl();
+        Set<String> own = mrl.ownEntries();
+        for (Path library : payload.libraries()) {
+            String name = library.getFileName().toString();
+            if (Payload.isThere(library, there, own)) {
+                plan.note("keep    " + name + ": MyRobotLab has this library");
+            } else {
+                files.put(JARS + name, Files.readAllBytes(library));
+            }
+        }
+        if (Files.isDirectory(mrl.resources())) {
+            Map<String, String> copied = copiedByServices();
+            for (Map.Entry<String, byte[]> panel : panels(payload.plugin()).entrySet()) {
+                Path file = mrl.root().resolve(panel.getKey());
+                String present = Files.exists(file) ? Receipt.hash(Files.readAllBytes(file)) : null;
+                if (present != null && !present.equals(Receipt.hash(panel.getValue())) && !present.equals(copied.get(panel.getKey()))
+                        && (old == null || !present.equals(old.added.get(panel.getKey())))) {
+                    plan.note("keep    " + panel.getKey() + ": it was changed by hand");
+                } else {
+                    files.put(panel.getKey(), panel.getValue());
+                }
+            }
+        } else {
+            plan.note("later   panels: MyRobotLab unpacks its resource folder at its first start; the services add their panels then");
+        }
+        return files;
+    }
+
+    private Set<String> jarsOfMrl() throws IOException {
+        Set<String> names = new HashSet<>();
+        if (Files.isDirectory(mrl.jars())) {
+            try (DirectoryStream<Path> jars = Files.newDirectoryStream(mrl.jars(), "*.jar")) {
+                for (Path jar : jars) {
+                    String name = jar.getFileName().toString();
+                    if (old == null || !old.added.containsKey(JARS + name)) {
+                        names.add(name);
+                    }
+                }
+            }
+        }
+        return names;
+    }
+
+    /** The files that the services serve from MRL's resource root, by path. */
+    private static Map<String, byte[]> panels(Path plugin) throws IOException {
+        Map<String, byte[]> files = new TreeMap<>();
+        try (ZipFile jar = new ZipFile(plugin.toFile())) {
+            for (ZipEntry entry : Collections.list(jar.entries())) {
+                if (entry.getName().startsWith(PANELS) && !entry.isDirectory()) {
+                    try (InputStream in = jar.getInputStream(entry)) {
+                        files.put(entry.getName(), in.readAllBytes());
+                    }
+                }
+            }
+        }
+        return files;
+    }
+
+    private Map<String, String> copiedByServices() throws IOException {
+        Map<String, String> files = new TreeMap<>();
+        Path record = mrl.root().resolve(COPIED);
+        if (Files.exists(record)) {
+            Properties names = new Properties();
+            try (InputStream in = Files.newInputStream(record)) {
+                names.load(in);
+            }
+            names.forEach((name, hash) -> files.put(PANELS + name, (String) hash));
+        }
+        return files;
+    }
+
+    private void addPickerEntries(Plan plan, Receipt receipt) throws IOException, InstallException {
+        if (!Files.exists(mrl.serviceData())) {
+            plan.note("later   service picker: libraries/serviceData.json is not there yet; start MyRobotLab once, then install again");
+            return;
+        }
+        byte[] now = Files.readAllBytes(mrl.serviceData());
+        ServiceDataFile data = new ServiceDataFile(new String(now, StandardCharsets.UTF_8));
+        boolean changed = false;
+        for (Map.Entry<String, String> service : SERVICES.entrySet()) {
+            changed |= data.add(service.getKey(), service.getValue(), "SEAR".equals(service.getKey()) ? "simulator" : "sensors");
+        }
+        change(plan, receipt, SERVICE_DATA, now, changed ? data.text().getBytes(StandardCharsets.UTF_8) : now);
+    }
+
+    /** A yml that MRL wrote while the plug-in was missing has lost its type; MRL then answers null for the service until it is mended. */
+    private void repairConfigs(Plan plan, Receipt receipt) throws IOException {
+        for (Path yml : mrl.serviceConfigs()) {
+            byte[] now = Files.readAllBytes(yml);
+            String text = new String(now, StandardCharsets.UTF_8);
+            Matcher type = TYPE.matcher(text);
+            String path = mrl.root().relativize(yml).toString().replace('\\', '/');
+            if (BARE.matcher(text).matches() && type.find() && SERVICES.containsKey(type.group(1))) {
+                byte[] mended = text.replaceFirst("config\\.ServiceConfig\\b", "config." + type.group(1) + "Config").getBytes(StandardCharsets.UTF_8);
+                change(plan, receipt, path, now, mended);
+            } else if (old != null && old.changed.containsKey(path)) {
+                change(plan, receipt, path, now, now);
+            }
+        }
+    }
+
+    /** Changes a file that MRL owns; the receipt keeps what it was before the first installation. */
+    private void change(Plan plan, Receipt receipt, String path, byte[] now, byte[] then) throws IOException {
+        boolean oursSoFar = old != null && Receipt.hash(now).equals(old.changed.get(path));
+        byte[] original = oursSoFar ? old.original(path) : now;
+        if (java.util.Arrays.equals(original, then)) {
+            return;
+        }
+        plan.write(path, then);
+        receipt.changed.put(path, Receipt.hash(then));
+        receipt.keepOriginal(path, original);
+    }
+
+    /** What taking the plug-in out would do. @param plugin this distribution's plug-in folder, whose panels the services may have copied */
+    public Plan remove(Path plugin) throws InstallException, IOException {
+        if (old == null) {
+            throw new InstallException("SEAR is not installed in " + mrl.root() + ": there is no " + RECEIPT + ".");
+        }
+        mrl.refuseIfRunning();
+        mrl.refuseIfNotWritable();
+        Plan plan = new Plan(mrl.root());
+        Map<String, String> ours = new TreeMap<>();
+        Path installed = mrl.jars().resolve(Payload.PLUGIN);
+        for (Map.Entry<String, byte[]> panel : panels(Files.exists(installed) ? installed : new Payload(plugin).plugin()).entrySet()) {
+            ours.put(panel.getKey(), Receipt.hash(panel.getValue()));
+        }
+        ours.putAll(copiedByServices());
+        ours.putAll(old.added);
+        plan.delete(COPIED);
+        for (Map.Entry<String, String> file : ours.entrySet()) {
+            deleteIfOurs(plan, file.getKey(), file.getValue());
+        }
+        for (Map.Entry<String, String> file : old.changed.entrySet()) {
+            restore(plan, file.getKey(), file.getValue());
+        }
+        if (!old.changed.containsKey(SERVICE_DATA)) {
+            restore(plan, SERVICE_DATA, "");
+        }
+        plan.delete(RECEIPT);
+        return plan;
+    }
+
+    private void restore(Plan plan, String path, String written) throws IOException, InstallException {
+        Path file = mrl.root().resolve(path);
+        if (!Files.exists(file)) {
+            return;
+        }
+        byte[] now = Files.readAllBytes(file);
+        if (Receipt.hash(now).equals(written)) {
+            plan.write(path, old.original(path));
+        } else if (path.equals(SERVICE_DATA)) {
+            ServiceDataFile data = new ServiceDataFile(new String(now, StandardCharsets.UTF_8));
+            boolean there = false;
+            for (String service : SERVICES.keySet()) {
+                there |= data.remove(service);
+            }
+            if (there) {
+                plan.write(path, data.text().getBytes(StandardCharsets.UTF_8));
+            }
+        } else {
+            plan.note("keep    " + path + ": it was changed since");
+        }
+    }
+
+    private void deleteIfOurs(Plan plan, String path, String hash) throws IOException {
+        Path file = mrl.root().resolve(path);
+        if (Files.exists(file)) {
+            if (Receipt.hash(Files.readAllBytes(file)).equals(hash)) {
+                plan.delete(path);
+            } else {
+                plan.note("keep    " + path + ": it was changed by hand");
+            }
+        }
+    }
+
+    /** Deletes the folders that the installation made, where they are empty now. Call after {@link #remove}'s plan was applied. */
+    public void removeEmptyFolders() throws IOException {
+        List<String> folders = new ArrayList<>(old.folders);
+        Collections.reverse(folders);
+        for (String folder : folders) {
+            Path path = mrl.root().resolve(folder);
+            if (Files.isDirectory(path)) {
+                try (DirectoryStream<Path> content = Files.newDirectoryStream(path)) {
+                    if (content.iterator().hasNext()) {
+                        continue;
+                    }
+                }
+                Files.delete(path);
+            }
+        }
+    }
+}

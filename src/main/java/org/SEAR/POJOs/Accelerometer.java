@@ -1,0 +1,54 @@
+package org.SEAR.POJOs;
+
+/** Acceleration along the body axes, m/s^2: velocity difference over the bandwidth's window. */
+@Described("acceleration along the three body axes, m/s^2")
+public class Accelerometer extends SensorObject {
+    @Param(doc = "readings a second that differ from each other", unit = "Hz", min = 0.01, max = 10000)
+    private double bandwidth = 60;
+    @Param(doc = "whether gravity is part of the reading, as in the real thing")
+    private boolean gravity;
+
+    /** For reading from a file. */
+    protected Accelerometer() {
+    }
+
+    /** 60 Hz. */
+    public Accelerometer(String name) {
+        this(name, 60);
+    }
+
+    /** @param bandwidth Hz */
+    public Accelerometer(String name, double bandwidth) {
+        this(name, bandwidth, 0, 0, 0, 0, 0, 0);
+    }
+
+    /** At (x, y, z) of the body frame, metres, turned by (rx, ry, rz), degrees. */
+    public Accelerometer(String name, double bandwidth, double x, double y, double z, double rx, double ry, double rz) {
+        super(name);
+        this.bandwidth = bandwidth;
+        place(x, y, z, rx, ry, rz);
+        created(Accelerometer.class);
+    }
+
+    /** Hz. */
+    public double getBandwidth() {
+        return bandwidth;
+    }
+
+    /** Whether gravity is part of the reading. */
+    public boolean isGravity() {
+        return gravity;
+    }
+
+    /** @param hertz 0.01 to 10000 */
+    public void setBandwidth(double hertz) {
+        bandwidth = checked("bandwidth", hertz);
+        changed();
+    }
+
+    /** Whether gravity is part of the reading (proper acceleration); false at first. */
+    public void setGravity(boolean on) {
+        gravity = checked("gravity", on);
+        changed();
+    }
+}

@@ -1,0 +1,83 @@
+package org.SEAR.POJOs;
+
+/** Angle of the forward axis to north, degrees clockwise. */
+@Described("angle of the forward axis to north, degrees clockwise")
+public class Compass extends SensorObject {
+    @Param(doc = "whether north is magnetic north at the robot's place and date")
+    private boolean declination;
+    @Param(doc = "a point that lies in the north: x", unit = "m", min = -1e7, max = 1e7)
+    private double northX = 100000;
+    @Param(doc = "a point that lies in the north: y", unit = "m", min = -1e7, max = 1e7)
+    private double northY;
+    @Param(doc = "a point that lies in the north: z", unit = "m", min = -1e7, max = 1e7)
+    private double northZ;
+
+    /** For reading from a file. */
+    protected Compass() {
+    }
+
+    /** To true north, which lies at +X. */
+    public Compass(String name) {
+        this(name, false);
+    }
+
+    /** @param declination whether to answer magnetic north */
+    public Compass(String name, boolean declination) {
+        this(name, declination, 0, 0, 0, 0, 0, 0);
+    }
+
+    /** At (x, y, z) of the body frame, metres, turned by (rx, ry, rz), degrees. */
+    public Compass(String name, boolean declination, double x, double y, double z, double rx, double ry, double rz) {
+        super(name);
+        this.declination = declination;
+        place(x, y, z, rx, ry, rz);
+        created(Compass.class);
+    }
+
+    @Override
+    protected void crossCheck(Faults faults) {
+        if (northX == 0 && northZ == 0) {
+            faults.add("northX", northX, "a point that isn't straight above or below the origin");
+        }
+    }
+
+    /** Whether north is magnetic north. */
+    public boolean isDeclination() {
+        return declination;
+    }
+
+    /** A point in the north: x, metres. */
+    public double getNorthX() {
+        return northX;
+    }
+
+    /** A point in the north: y, metres. */
+    public double getNorthY() {
+        return northY;
+    }
+
+    /** A point in the north: z, metres. */
+    public double getNorthZ() {
+        return northZ;
+    }
+
+    /** Whether north is magnetic north. */
+    public void setDeclination(boolean on) {
+        declination = checked("declination", on);
+        changed();
+    }
+
+    /** @param x metres, a point of the world that lies in the north; not straight above or below the origin */
+    public void setNorth(double x, double y, double z) {
+        if (x == 0 && z == 0) {
+            throw new IllegalArgumentException(this + ": north is (0, " + Parameter.format(y) + ", 0), legal: a point that isn't straight above or"
+                + " below the origin");
+        }
+        double checkedX = checked("northX", x);
+        double checkedY = checked("northY", y);
+        northZ = checked("northZ", z);
+        northX = checkedX;
+        northY = checkedY;
+        changed();
+    }
+}

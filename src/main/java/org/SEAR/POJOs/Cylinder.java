@@ -1,0 +1,65 @@
+package org.SEAR.POJOs;
+
+/** An upright cylinder about the y axis, centred on its origin. Its default picture is a recycling bin. */
+@Described("an upright cylinder about the y axis")
+public class Cylinder extends Shape {
+    @Param(doc = "radius", unit = "m", min = SMALL, max = LARGE, required = true)
+    private double radius;
+    @Param(doc = "size along y", unit = "m", min = SMALL, max = LARGE, required = true)
+    private double height;
+
+    /** For reading from a file. */
+    protected Cylinder() {
+    }
+
+    /** Fixed in place, mass 0. */
+    public Cylinder(String name, double radius, double height) {
+        this(name, radius, height, 0);
+    }
+
+    /** With its centre in the origin and the default picture of a recycling bin. @param mass kg, 0 fixes it in place */
+    public Cylinder(String name, double radius, double height, double mass) {
+        this(name, radius, height, mass, null);
+    }
+
+    /** @param image path below assets; null for the default picture */
+    public Cylinder(String name, double radius, double height, double mass, String image) {
+        this(name, radius, height, mass, image, 0, 0, 0, 0, 0, 0);
+    }
+
+    /** With its centre at (x, y, z), metres. */
+    public Cylinder(String name, double radius, double height, double mass, double x, double y, double z) {
+        this(name, radius, height, mass, null, x, y, z, 0, 0, 0);
+    }
+
+    /** With its centre at (x, y, z), metres, turned by (rx, ry, rz), degrees. */
+    public Cylinder(String name, double radius, double height, double mass, double x, double y, double z, double rx, double ry, double rz) {
+        this(name, radius, height, mass, null, x, y, z, rx, ry, rz);
+    }
+
+    /** With everything. */
+    public Cylinder(String name, double radius, double height, double mass, String image,
+            double x, double y, double z, double rx, double ry, double rz) {
+        super(name, mass);
+        this.radius = radius;
+        this.height = height;
+        wrap(image);
+        place(x, y, z, rx, ry, rz);
+        created(Cylinder.class);
+    }
+
+    /** Radius, metres, before scaling. */
+    public double getRadius() {
+        return radius;
+    }
+
+    /** Size along y, metres, before scaling. */
+    public double getHeight() {
+        return height;
+    }
+
+    @Override
+    protected String defaultPicture() {
+        return "textures/recycling.png";
+    }
+}

@@ -1,0 +1,14 @@
+package org.SEAR.POJOs;
+
+import java.lang.annotation.ElementType;
+import java.lang.annotation.Retention;
+import java.lang.annotation.RetentionPolicy;
+import java.lang.annotation.Target;
+
+/** What a class of the grammar is, in one sentence without a full stop, for {@code docs/objects.md} and {@code sear sensors}. */
+@Retention(RetentionPolicy.RUNTIME)
+@Target(ElementType.TYPE)
+public @interface Described {
+    /** The sentence. */
+    String value();
+}

@@ -1,0 +1,158 @@
+package org.SEAR.POJOs;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** Nested cones of beams; the nearest hit of all their lines counts. The cones are a named beam's, or the user's own. */
+@Described("a distance sensor: nested cones of beams, of which the nearest hit counts")
+public class Distance extends SensorObject {
+    private static final String DEFAULT_BEAM = "ultrasonic";
+    private static final int MAX_CONES = 100;
+
+    @Param(doc = "name of a beam that comes with SEAR or lies in the project's beams folder; not together with cones of its own",
+        text = TextRule.NAME)
+    private String beam;
+    @Param(doc = "a cone of its own", element = "cone", maxEntries = MAX_CONES)
+    private List<BeamCone> cones = new ArrayList<>();
+    @Param(doc = "lines of each cone; 0 leaves each cone its own number", max = BeamCone.MAX_LINES)
+    private int lines;
+    @Param(doc = "whether its beams see parts of the own robot")
+    private boolean seesOwnRobot;
+    private Beam shape;
+
+    /** For reading from a file. */
+    protected Distance() {
+    }
+
+    /** A sensor that is named like a beam has that beam, else it is a plain ultrasonic sensor. */
+    public Distance(String name) {
+        this(name, Stores.get().beamNames().contains(name) ? name : DEFAULT_BEAM);
+    }
+
+    /** @param beam for example PING))), LV-EZ1, GP2Y0A21, ultrasonic, SONAR, RADAR, infrared, laser */
+    public Distance(String name, String beam) {
+        this(name, beam, 0, 0, 0, 0, 0, 0);
+    }
+
+    /** At (x, y, z) of the body frame, metres, turned by (rx, ry, rz), degrees. */
+    public Distance(String name, String beam, double x, double y, double z, double rx, double ry, double rz) {
+        super(name);
+        this.beam = beam;
+        place(x, y, z, rx, ry, rz);
+        this.shape = named(beam);
+        created(Distance.class);
+    }
+
+    /** A single cone of 36 lines. @param halfAngle degrees @param range metres */
+    public Distance(String name, double halfAngle, double range) {
+        this(name, Collections.singletonList(new BeamCone(halfAngle, range)));
+    }
+
+    /** @param cones each a {@link BeamCone}, or a list of half-angle, range, colour, lines, yaw, pitch (the first two are needed) */
+    public Distance(String name, List<?> cones) {
+        this(name, cones, 0, 0, 0, 0, 0, 0);
+    }
+
+    /** With everything. */
+    public Distance(String name, List<?> cones, double x, double y, double z, double rx, double ry, double rz) {
+        super(name);
+        this.cones = listed(cones);
+        place(x, y, z, rx, ry, rz);
+        created(Distance.class);
+    }
+
+    private Beam named(String wanted) {
+        try {
+            return Stores.get().beam(wanted);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException(label() + ": " + e.getMessage(), e);
+        }
+    }
+
+    private List<BeamCone> listed(List<?> entries) {
+        if (entries == null || entries.isEmpty()) {
+            throw new IllegalArgumentException(label() + ": cone is missing, legal: 1 to " + MAX_CONES + " cones");
+        }
+        try {
+            return entries.stream().map(BeamCone::of).collect(Collectors.toList());
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException(label() + ": " + e.getMessage(), e);
+        }
+    }
+
+    /** Gives a sensor that was read from a file the shape of its named beam. */
+    void link(Beam named) {
+        shape = named;
+    }
+
+    @Override
+    protected void crossCheck(Faults faults) {
+        if (beam == null && cones.isEmpty()) {
+            faults.add("beam", "", "the name of a beam, or cones");
+        }
+        if (beam != null && !cones.isEmpty()) {
+            faults.add("beam", beam, "either a beam or cones, not both");
+        }
+    }
+
+    /** The cones of the named beam, or its own; at least one. */
+    public List<BeamCone> getCones() {
+        List<BeamCone> effective = shape == null ? cones : shape.getCones();
+        if (lines > 0) {
+            return effective.stream().map(c -> c.withLines(lines)).collect(Collectors.toUnmodifiableList());
+        }
+        return Collections.unmodifiableList(effective);
+    }
+
+    /** Name of the beam; null if it has cones of its own. */
+    public String getBeam() {
+        return beam;
+    }
+
+    /** The data of the named beam (nearest distance, voltages); null if it has cones of its own. */
+    public Beam getShape() {
+        return shape;
+    }
+
+    /** Lines of each cone; 0 if each cone has its own number. */
+    public int getLines() {
+        return lines;
+    }
+
+    /** Whether its beams see parts of the own robot. */
+    public boolean isSeesOwnRobot() {
+        return seesOwnRobot;
+    }
+
+    /** @param count lines of each cone, 1 to 360; 0 leaves each cone its own number */
+    public void setLines(int count) {
+        lines = checked("lines", count);
+        changed();
+    }
+
+    /** Whether its beams see parts of the own robot; false at first. */
+    public void setSeesOwnRobot(boolean on) {
+        seesOwnRobot = checked("seesOwnRobot", on);
+        changed();
+    }
+
+    /** @param newBeam name of a beam, in place of what the sensor had */
+    public void setBeam(String newBeam) {
+        String legal = checked("beam", newBeam);
+        shape = named(legal);
+        beam = legal;
+        cones = new ArrayList<>();
+        changed();
+    }
+
+    /** @param newCones as in the constructor, in place of what the sensor had */
+    public void setCones(List<?> newCones) {
+        checkChangeable();
+        cones = listed(newCones);
+        beam = null;
+        shape = null;
+        changed();
+    }
+}

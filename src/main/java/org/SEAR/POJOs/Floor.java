@@ -1,0 +1,64 @@
+package org.SEAR.POJOs;
+
+/** A flat fixed box, length along x and width along z; its top is at y = its own y. It may be invisible to beams. */
+@Described("a flat fixed box 0.1 m thick, length along x and width along z; its top is at its own y")
+public class Floor extends Shape {
+    /** How far a floor reaches down below its top, metres. */
+    public static final double THICKNESS = 0.1;
+
+    @Param(doc = "size along x", unit = "m", min = SMALL, max = LARGE, required = true)
+    private double length;
+    @Param(doc = "size along z", unit = "m", min = SMALL, max = LARGE, required = true)
+    private double width;
+
+    /** For reading from a file. */
+    protected Floor() {
+    }
+
+    /** With the top at height 0, tiled, seen by beams. */
+    public Floor(String name, double length, double width) {
+        this(name, length, width, true, null);
+    }
+
+    /** @param visible whether beams see it */
+    public Floor(String name, double length, double width, boolean visible) {
+        this(name, length, width, visible, null);
+    }
+
+    /** @param image path below assets; null for tiles */
+    public Floor(String name, double length, double width, String image) {
+        this(name, length, width, true, image);
+    }
+
+    /** With visibility and picture. */
+    public Floor(String name, double length, double width, boolean visible, String image) {
+        this(name, length, width, visible, image, 0, 0, 0, 0, 0, 0);
+    }
+
+    /** With everything: the middle of the top at (x, y, z), metres, turned by (rx, ry, rz), degrees. */
+    public Floor(String name, double length, double width, boolean visible, String image,
+            double x, double y, double z, double rx, double ry, double rz) {
+        super(name, 0);
+        this.length = length;
+        this.width = width;
+        show(visible);
+        wrap(image);
+        place(x, y, z, rx, ry, rz);
+        created(Floor.class);
+    }
+
+    /** Size along x, metres, before scaling. */
+    public double getLength() {
+        return length;
+    }
+
+    /** Size along z, metres, before scaling. */
+    public double getWidth() {
+        return width;
+    }
+
+    @Override
+    protected String defaultPicture() {
+        return "textures/tiles.png";
+    }
+}

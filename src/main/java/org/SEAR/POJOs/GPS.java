@@ -1,0 +1,134 @@
+package org.SEAR.POJOs;
+
+/**
+ * Where the robot is on Earth; behind its ports a receiver that sends NMEA 0183 sentences. Latitude, altitude and longitude are those of the centre
+ * of the world: degrees, metres, degrees, north and east positive.
+ */
+@Described("where the robot is on Earth; behind its ports a receiver that sends NMEA 0183")
+public class GPS extends SensorObject implements SerialObject {
+    @Param(doc = "latitude of the world's centre, north positive", unit = "deg", min = -90, max = 90, required = true)
+    private double latitude;
+    @Param(doc = "altitude of the world's centre", unit = "m", min = -12000, max = 100000, required = true)
+    private double altitude;
+    @Param(doc = "longitude of the world's centre, east positive", unit = "deg", min = -180, max = 180, required = true)
+    private double longitude;
+    @Param(doc = "port of the simulated device's end")
+    private String uartPort;
+    @Param(doc = "port that the user opens")
+    private String userPort;
+    @Param(doc = "speed of the device's line at power-on", unit = "baud", min = 300, max = 1e6)
+    private int baud = 38400;
+    @Param(doc = "receiver behind the ports", text = TextRule.NAME)
+    private String model = "MT3301";
+    @Param(doc = "fixes a second", unit = "Hz", min = 0.1, max = 5)
+    private double rate = 1;
+    @Param(doc = "simulated seconds after power-on or a cold start without a fix", unit = "s", max = 1e6)
+    private double timeToFix;
+
+    /** For reading from a file. */
+    protected GPS() {
+    }
+
+    /** @param latitude degrees @param altitude metres @param longitude degrees */
+    public GPS(String name, double latitude, double altitude, double longitude) {
+        this(name, latitude, altitude, longitude, 0, 0, 0);
+    }
+
+    /** With ports. @param uart the device's end @param user the end that the user opens */
+    public GPS(String name, double latitude, double altitude, double longitude, String uart, String user) {
+        super(name);
+        this.latitude = latitude + 0.0;
+        this.altitude = altitude + 0.0;
+        this.longitude = longitude + 0.0;
+        checkPorts(uart, user);
+        uartPort = uart;
+        userPort = user;
+        created(GPS.class);
+    }
+
+    /** With its antenna at (x, y, z) of the body frame, metres. */
+    public GPS(String name, double latitude, double altitude, double longitude, double x, double y, double z) {
+        super(name);
+        this.latitude = latitude + 0.0;
+        this.altitude = altitude + 0.0;
+        this.longitude = longitude + 0.0;
+        place(x, y, z, 0, 0, 0);
+        created(GPS.class);
+    }
+
+    /** Degrees, north positive. */
+    public double getLatitude() {
+        return latitude;
+    }
+
+    /** Metres. */
+    public double getAltitude() {
+        return altitude;
+    }
+
+    /** Degrees, east positive. */
+    public double getLongitude() {
+        return longitude;
+    }
+
+    @Override
+    public String getUartPort() {
+        return uartPort;
+    }
+
+    @Override
+    public String getUserPort() {
+        return userPort;
+    }
+
+    @Override
+    public int getBaud() {
+        return baud;
+    }
+
+    /** Name of the receiver. */
+    public String getModel() {
+        return model;
+    }
+
+    /** Fixes a second. */
+    public double getRate() {
+        return rate;
+    }
+
+    /** @param uart the device's end @param user the end that the user opens */
+    public void setPorts(String uart, String user) {
+        checkPorts(uart, user);
+        uartPort = uart;
+        userPort = user;
+        changed();
+    }
+
+    /** @param newBaud speed at power-on, 300 to 1000000 */
+    public void setBaud(int newBaud) {
+        baud = checked("baud", newBaud);
+        changed();
+    }
+
+    /** @param newModel the receiver, for example MT3301 */
+    public void setModel(String newModel) {
+        model = checked("model", newModel);
+        changed();
+    }
+
+    /** @param hertz fixes a second, 0.1 to 5 */
+    public void setRate(double hertz) {
+        rate = checked("rate", hertz);
+        changed();
+    }
+
+    /** Simulated seconds after power-on or a cold start without a fix; default 0. */
+    public double getTimeToFix() {
+        return timeToFix;
+    }
+
+    public void setTimeToFix(double seconds) {
+        timeToFix = checked("timeToFix", seconds);
+        changed();
+    }
+}

@@ -1,0 +1,41 @@
+package org.SEAR.POJOs;
+
+/** Rates of turn about the body axes, rad/s. */
+@Described("rates of turn about the three body axes, rad/s")
+public class Gyroscope extends SensorObject {
+    @Param(doc = "readings a second that differ from each other", unit = "Hz", min = 0.01, max = 10000)
+    private double bandwidth = 60;
+
+    /** For reading from a file. */
+    protected Gyroscope() {
+    }
+
+    /** 60 Hz. */
+    public Gyroscope(String name) {
+        this(name, 60);
+    }
+
+    /** @param bandwidth Hz */
+    public Gyroscope(String name, double bandwidth) {
+        this(name, bandwidth, 0, 0, 0, 0, 0, 0);
+    }
+
+    /** At (x, y, z) of the body frame, metres, turned by (rx, ry, rz), degrees. */
+    public Gyroscope(String name, double bandwidth, double x, double y, double z, double rx, double ry, double rz) {
+        super(name);
+        this.bandwidth = bandwidth;
+        place(x, y, z, rx, ry, rz);
+        created(Gyroscope.class);
+    }
+
+    /** Hz. */
+    public double getBandwidth() {
+        return bandwidth;
+    }
+
+    /** @param hertz 0.01 to 10000 */
+    public void setBandwidth(double hertz) {
+        bandwidth = checked("bandwidth", hertz);
+        changed();
+    }
+}

@@ -1,0 +1,159 @@
+package org.SEAR.POJOs;
+
+/** A plane of beams; behind its ports a SICK LMS200 if LMS(1). */
+@Described("a plane of beams; behind its ports a SICK LMS200")
+public class LIDAR extends SensorObject implements SerialObject {
+    private static final int MAX_BEAMS = 36001;
+
+    @Param(doc = "farthest distance", unit = "m", min = 0.01, max = 10000)
+    private double range = 8.191;
+    @Param(doc = "angle from the rightmost to the leftmost beam", unit = "deg", min = 0.01, max = 360)
+    private double spread = 180;
+    @Param(doc = "angle between two beams", unit = "deg", min = 0.01, max = 360)
+    private double resolution = 1;
+    @Param(doc = "port of the simulated device's end")
+    private String uartPort;
+    @Param(doc = "port that the user opens")
+    private String userPort;
+    @Param(doc = "speed of the device's line at power-on", unit = "baud", min = 300, max = 1e6)
+    private int baud = 9600;
+    @Param(doc = "device behind the ports: 1 SICK LMS200, 0 none", values = {"0", "1"}, max = 1)
+    private int lms = 1;
+    @Param(doc = "whether the LMS200 obeys the baud telegrams with a wrong checksum that MyRobotLab's old driver sends")
+    private boolean lenient;
+    @Param(doc = "whether its beams see parts of the own robot")
+    private boolean seesOwnRobot;
+
+    /** For reading from a file. */
+    protected LIDAR() {
+    }
+
+    /** 8.191 m, 180 degrees, 1 degree. */
+    public LIDAR(String name) {
+        super(name);
+        created(LIDAR.class);
+    }
+
+    /** @param range m @param spread degrees @param resolution degrees */
+    public LIDAR(String name, double range, double spread, double resolution) {
+        this(name, range, spread, resolution, 0, 0, 0, 0, 0, 0);
+    }
+
+    /** At (x, y, z) of the body frame, metres. */
+    public LIDAR(String name, double range, double spread, double resolution, double x, double y, double z) {
+        this(name, range, spread, resolution, x, y, z, 0, 0, 0);
+    }
+
+    /** At (x, y, z) of the body frame, metres, turned by (rx, ry, rz), degrees. */
+    public LIDAR(String name, double range, double spread, double resolution, double x, double y, double z, double rx, double ry, double rz) {
+        super(name);
+        this.range = range;
+        this.spread = spread;
+        this.resolution = resolution;
+        place(x, y, z, rx, ry, rz);
+        created(LIDAR.class);
+    }
+
+    @Override
+    protected void crossCheck(Faults faults) {
+        if (resolution > spread) {
+            faults.add("resolution", resolution, "at most the spread, " + Parameter.format(spread) + " deg");
+        } else if (spread / resolution > MAX_BEAMS - 1) {
+            faults.add("resolution", resolution, "at most " + MAX_BEAMS + " beams: at least " + Parameter.format(spread / (MAX_BEAMS - 1)) + " deg");
+        }
+    }
+
+    /** Farthest distance, metres. */
+    public double getRange() {
+        return range;
+    }
+
+    /** Angle from the rightmost to the leftmost beam, degrees. */
+    public double getSpread() {
+        return spread;
+    }
+
+    /** Angle between two beams, degrees. */
+    public double getResolution() {
+        return resolution;
+    }
+
+    @Override
+    public String getUartPort() {
+        return uartPort;
+    }
+
+    @Override
+    public String getUserPort() {
+        return userPort;
+    }
+
+    @Override
+    public int getBaud() {
+        return baud;
+    }
+
+    /** 1 for a SICK LMS200 behind the ports, 0 for none. */
+    public int getLms() {
+        return lms;
+    }
+
+    /** Whether its beams see parts of the own robot. */
+    public boolean isSeesOwnRobot() {
+        return seesOwnRobot;
+    }
+
+    /** @param uart the device's end @param user the end that the user opens */
+    public void setPorts(String uart, String user) {
+        checkPorts(uart, user);
+        uartPort = uart;
+        userPort = user;
+        changed();
+    }
+
+    /** @param metres 0.01 to 10000 */
+    public void setRange(double metres) {
+        range = checked("range", metres);
+        changed();
+    }
+
+    /** @param degrees from the rightmost to the leftmost beam, 0.01 to 360 */
+    public void setSpread(double degrees) {
+        spread = checked("spread", degrees);
+        changed();
+    }
+
+    /** @param degrees between two beams, 0.01 to 360 */
+    public void setResolution(double degrees) {
+        resolution = checked("resolution", degrees);
+        changed();
+    }
+
+    /** @param newBaud speed at power-on, 300 to 1000000 */
+    public void setBaud(int newBaud) {
+        baud = checked("baud", newBaud);
+        changed();
+    }
+
+    /** @param type 1 for a SICK LMS200 behind the ports, 0 for none */
+    public void LMS(int type) {
+        lms = checked("lms", type);
+        changed();
+    }
+
+    /** Whether its beams see parts of the own robot; false at first. */
+    public void setSeesOwnRobot(boolean on) {
+        seesOwnRobot = checked("seesOwnRobot", on);
+        changed();
+    }
+
+    /** Whether the LMS200 obeys the baud telegrams with a wrong checksum that MyRobotLab's old driver sends: a real one answers NAK. At first not. */
+    public boolean isLenient() {
+        return lenient;
+    }
+
+    public void setLenient(boolean obey) {
+        lenient = checked("lenient", obey);
+        changed();
+    }
+}

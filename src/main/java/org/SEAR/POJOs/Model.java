@@ -1,0 +1,77 @@
+package org.SEAR.POJOs;
+
+/**
+ * A model from a file below assets: OGRE mesh.xml, .j3o, .obj, .gltf, .glb or .blend. An obstacle, a part of a robot, or the terrain, whose centre
+ * then is the world's origin. It may be invisible to beams.
+ */
+@Described("a model from a file: an obstacle, a part of a robot, or the terrain")
+public class Model extends Shape {
+    @Param(doc = "the model's file, below assets: .mesh.xml, .j3o, .obj, .gltf, .glb or .blend", text = TextRule.ASSET, required = true)
+    private String path;
+    @Param(doc = "whether it is the terrain: fixed, its centre becomes the world's origin")
+    private boolean terrain;
+
+    /** For reading from a file. */
+    protected Model() {
+    }
+
+    /** Fixed in place, mass 0. @param path below assets */
+    public Model(String name, String path) {
+        this(name, path, 0);
+    }
+
+    /** @param mass kg, 0 fixes it in place */
+    public Model(String name, String path, double mass) {
+        this(name, path, mass, 0, 0, 0, 0, 0, 0);
+    }
+
+    /** With its own picture instead of the textures that the model names. @param image path below assets */
+    public Model(String name, String path, double mass, String image) {
+        this(name, path, mass, image, 0, 0, 0, 0, 0, 0);
+    }
+
+    /** At (x, y, z), metres. */
+    public Model(String name, String path, double mass, double x, double y, double z) {
+        this(name, path, mass, x, y, z, 0, 0, 0);
+    }
+
+    /** At (x, y, z), metres, turned by (rx, ry, rz), degrees. */
+    public Model(String name, String path, double mass, double x, double y, double z, double rx, double ry, double rz) {
+        this(name, path, mass, null, x, y, z, rx, ry, rz);
+    }
+
+    /** With everything. */
+    public Model(String name, String path, double mass, String image, double x, double y, double z, double rx, double ry, double rz) {
+        super(name, mass);
+        this.path = path;
+        wrap(image);
+        place(x, y, z, rx, ry, rz);
+        created(Model.class);
+    }
+
+    @Override
+    protected void crossCheck(Faults faults) {
+        if (terrain && getMass() != 0) {
+            faults.add("mass", getMass(), "0 kg for a terrain");
+        }
+    }
+
+    /** Path of the file below assets. */
+    public String getPath() {
+        return path;
+    }
+
+    /** Whether it is the terrain. */
+    public boolean isTerrain() {
+        return terrain;
+    }
+
+    /** Makes it the terrain: fixed, its centre is the world's origin. @throws IllegalArgumentException if it has a mass */
+    public void setTerrain(boolean on) {
+        if (on && getMass() != 0) {
+            throw new IllegalArgumentException(label() + ": mass is " + Parameter.format(getMass()) + ", legal: 0 kg for a terrain");
+        }
+        terrain = checked("terrain", on);
+        changed();
+    }
+}

@@ -1,0 +1,26 @@
+package org.SEAR.POJOs;
+
+import java.io.IOException;
+import java.util.List;
+
+/**
+ * Where objects of the grammar keep themselves: the present SEARproject folder. The project room implements it; found by
+ * {@link java.util.ServiceLoader}. Any thread.
+ */
+public interface ObjectStore {
+    /** Writes an object's file, whole or not at all. @param part whether it goes to {@code robot/} instead of {@code environment/} */
+    void write(SearObject object, boolean part) throws IOException;
+
+    /** Removes the file of an object if there is one. @param part whether it lies in {@code robot/} */
+    void remove(String name, boolean part) throws IOException;
+
+    /**
+     * A named beam: one of the project's own ({@code beams/} of the folder), or a built-in one.
+     *
+     * @throws IllegalArgumentException that names the beams there are
+     */
+    Beam beam(String name);
+
+    /** Names of all beams, the project's own included, in order. */
+    List<String> beamNames();
+}

@@ -1,0 +1,16 @@
+package org.SEAR.POJOs;
+
+/** Path of the robot's centre in millimetres, 16 bit, cleared when it is read. */
+@Described("path of the robot's centre in millimetres, 16 bit, cleared when it is read")
+public class Odometer extends SensorObject {
+
+    /** For reading from a file. */
+    protected Odometer() {
+    }
+
+    /** Counts like a Roomba's. */
+    public Odometer(String name) {
+        super(name);
+        created(Odometer.class);
+    }
+}

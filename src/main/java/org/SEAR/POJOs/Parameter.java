@@ -1,0 +1,236 @@
+package org.SEAR.POJOs;
+
+import java.lang.reflect.Field;
+import java.lang.reflect.ParameterizedType;
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.regex.Pattern;
+
+/** The description of one parameter of a class of the grammar, taken from a field and its {@link Param}. Immutable, any thread. */
+public final class Parameter {
+    /** What kind of value a parameter has. */
+    public enum Kind {
+        /** A finite number. */
+        NUMBER,
+        /** A whole number. */
+        WHOLE,
+        /** true or false. */
+        SWITCH,
+        /** A line of text. */
+        TEXT,
+        /** A group of parameters. */
+        GROUP
+    }
+
+    private static final Pattern PLAIN_NUMBER = Pattern.compile("[-+]?[0-9]*\\.?[0-9]+([eE][-+]?[0-9]+)?|[-+]?[0-9]+\\.");
+
+    private final Field field;
+    private final Param param;
+    private final Class<?> type;
+    private final Kind kind;
+
+    Parameter(Field field) {
+        this.field = field;
+        this.param = field.getAnnotation(Param.class);
+        this.type = isList() ? (Class<?>) ((ParameterizedType) field.getGenericType()).getActualTypeArguments()[0] : field.getType();
+        this.kind = kindOf(type);
+        field.setAccessible(true);
+    }
+
+    private static Kind kindOf(Class<?> type) {
+        if (type == double.class) {
+            return Kind.NUMBER;
+        }
+        if (type == int.class) {
+            return Kind.WHOLE;
+        }
+        if (type == boolean.class) {
+            return Kind.SWITCH;
+        }
+        return type == String.class ? Kind.TEXT : Kind.GROUP;
+    }
+
+    /** Name of the XML element. */
+    public String getName() {
+        return param.element().isEmpty() ? field.getName() : param.element();
+    }
+
+    /** What it means. */
+    public String getDoc() {
+        return param.doc();
+    }
+
+    /** Unit, may be empty. */
+    public String getUnit() {
+        return param.unit();
+    }
+
+    /** What kind of value it has. */
+    public Kind getKind() {
+        return kind;
+    }
+
+    /** Smallest legal number. */
+    public double getMin() {
+        return param.min();
+    }
+
+    /** Largest legal number. */
+    public double getMax() {
+        return param.max();
+    }
+
+    /** What a text has to look like. */
+    public TextRule getTextRule() {
+        return param.text();
+    }
+
+    /** Whether there may be several. */
+    public boolean isList() {
+        return field.getType() == List.class;
+    }
+
+    /** Most entries of a list; 1 for a single value. */
+    public int getMaxEntries() {
+        return param.maxEntries();
+    }
+
+    /** Whether a file has to have it. */
+    public boolean isRequired() {
+        return param.required();
+    }
+
+    /** The class of a group's parameters; for others the value's own type. */
+    public Class<?> getType() {
+        return type;
+    }
+
+    /** What is legal, in words: {@code 0 to 1000000 kg}. */
+    public String legal() {
+        if (param.values().length > 0) {
+            return String.join(", ", param.values()) + (param.unit().isEmpty() ? "" : " " + param.unit());
+        }
+        switch (kind) {
+            case NUMBER:
+                return "a number from " + range();
+            case WHOLE:
+                return "a whole number from " + range();
+            case SWITCH:
+                return "true or false";
+            case TEXT:
+                return param.text().legal();
+            default:
+                return "a group of " + String.join(", ", ParameterTable.of(type).names());
+        }
+    }
+
+    private String range() {
+        return format(param.min()) + " to " + format(param.max()) + (param.unit().isEmpty() ? "" : " " + param.unit());
+    }
+
+    /** Whether a single value (an entry of a list) is legal. Null is legal for an optional text or group. */
+    public boolean isLegal(Object value) {
+        if (value == null) {
+            return !param.required() && (kind == Kind.TEXT || kind == Kind.GROUP);
+        }
+        switch (kind) {
+            case NUMBER:
+            case WHOLE:
+                double number = ((Number) value).doubleValue();
+                return number >= param.min() && number <= param.max() && isListed(format(number));
+            case TEXT:
+                return param.text().isLegal((String) value) && isListed((String) value);
+            default:
+                return true;
+        }
+    }
+
+    private boolean isListed(String text) {
+        return param.values().length == 0 || Arrays.asList(param.values()).contains(text);
+    }
+
+    /**
+     * A value from its text in a file.
+     *
+     * @throws IllegalArgumentException if it isn't of this kind, or not legal
+     */
+    public Object parse(String text) {
+        String trimmed = text.trim();
+        Object value;
+        switch (kind) {
+            case NUMBER:
+                value = Double.parseDouble(plainNumber(trimmed)) + 0.0;
+                break;
+            case WHOLE:
+                value = Integer.parseInt(plainNumber(trimmed));
+                break;
+            case SWITCH:
+                if (!trimmed.equals("true") && !trimmed.equals("false")) {
+                    throw new IllegalArgumentException(legal());
+                }
+                value = trimmed.equals("true");
+                break;
+            default:
+                value = trimmed;
+                break;
+        }
+        if (!isLegal(value)) {
+            throw new IllegalArgumentException(legal());
+        }
+        return value;
+    }
+
+    /** Java reads 1f, 0x1p3 and NaN as numbers; a file of ours has digits, sign, point and exponent only. */
+    private String plainNumber(String text) {
+        if (text.length() > 40 || !PLAIN_NUMBER.matcher(text).matches()) {
+            throw new IllegalArgumentException(legal());
+        }
+        return text;
+    }
+
+    /** The value in an object: a boxed number, Boolean, String, group, List, or null. */
+    public Object get(Object object) {
+        try {
+            return field.get(object);
+        } catch (IllegalAccessException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    /** Puts a value into an object without any check, as reading a file does. */
+    public void set(Object object, Object value) {
+        try {
+            field.set(object, value);
+        } catch (IllegalAccessException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    /** The values in an object as a list: the entries, or the one value, or nothing if that is null. */
+    public List<Object> values(Object object) {
+        Object value = get(object);
+        List<Object> values = new ArrayList<>();
+        if (value instanceof List) {
+            values.addAll((List<?>) value);
+        } else if (value != null) {
+            values.add(value);
+        }
+        return values;
+    }
+
+    /** A value as text, as it stands in a file: {@code 0.25}, {@code 10}, {@code true}. */
+    public static String format(Object value) {
+        if (!(value instanceof Double)) {
+            return String.valueOf(value);
+        }
+        double number = (Double) value;
+        double size = Math.abs(number);
+        if (size != 0 && (size < 1e-9 || size >= 1e15) || Double.isNaN(number)) {
+            return Double.toString(number);
+        }
+        BigDecimal decimal = new BigDecimal(Double.toString(number)).stripTrailingZeros();
+        return decimal.signum() == 0 ? "0" : decimal.toPlainString();
+    }
+}

@@ -1,0 +1,167 @@
+package org.SEAR.POJOs;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/**
+ * A robot: components and wheels, no shape of its own. Its XML file in {@code robot/} has the names of its components, each of which has a file
+ * beside it, and the wheels themselves.
+ */
+@Described("a robot: the names of its components, whose files lie beside its own, and its wheels")
+public class SEARrobot extends SearObject {
+    /** Most components of a robot. */
+    private static final int MAX_COMPONENTS = 1000;
+    /** Most wheels of a robot. */
+    private static final int MAX_WHEELS = 100;
+
+    @Param(doc = "name of a component, whose file lies beside this one", element = "component", text = TextRule.NAME, maxEntries = MAX_COMPONENTS)
+    private List<String> componentNames = new ArrayList<>();
+    @Param(doc = "a wheel", element = "wheel", maxEntries = MAX_WHEELS)
+    private List<Wheel> wheels = new ArrayList<>();
+    private final List<SearObject> components = new ArrayList<>();
+
+    /** For reading from a file. */
+    protected SEARrobot() {
+    }
+
+    /** A robot without parts. A robot of that name in the project is replaced. */
+    public SEARrobot(String name) {
+        super(name);
+        created(SEARrobot.class);
+    }
+
+    @Override
+    boolean isRobotPart() {
+        return true;
+    }
+
+    /**
+     * Makes an object a part of this robot: its pose now is in the body frame, and its XML file moves to {@code robot/}.
+     *
+     * @param component a shape, a sensor or the dynamics, not null
+     * @throws IllegalArgumentException if it is a part already, a robot, a wheel (see {@link #addWheel}), or has the name of another part
+     */
+    public void addComponent(SearObject component) {
+        checkChangeable();
+        checkPart(component, "a component");
+        if (component instanceof SEARrobot || component instanceof Floor) {
+            throw new IllegalArgumentException(label() + ": " + component.label() + " can't be a component,"
+                + " legal: a shape, a model, a sensor, dynamics");
+        }
+        if (component instanceof Wheel) {
+            throw new IllegalArgumentException(label() + ": " + component.label() + " is a wheel, legal: robot.addWheel(wheel)");
+        }
+        if (component instanceof Model && ((Model) component).isTerrain()) {
+            throw new IllegalArgumentException(label() + ": " + component.label() + " is the terrain, which can't be a component");
+        }
+        if (component instanceof Dynamics && components.stream().anyMatch(c -> c instanceof Dynamics)) {
+            throw new IllegalArgumentException(label() + ": " + component.label() + " would be its second Dynamics, legal: one");
+        }
+        if (components.size() >= MAX_COMPONENTS) {
+            throw new IllegalArgumentException(label() + ": component is " + component.label() + ", legal: at most " + MAX_COMPONENTS
+                + " components");
+        }
+        adopt(component);
+    }
+
+    private void adopt(SearObject component) {
+        boolean wasPart = component.isRobotPart();
+        component.setRobot(this);
+        components.add(component);
+        componentNames.add(component.getName());
+        boolean done = false;
+        try {
+            component.changed();
+            changed();
+            done = true;
+        } finally {
+            if (!done) {
+                component.setRobot(null);
+                components.remove(component);
+                componentNames.remove(component.getName());
+            }
+        }
+        if (!wasPart) {
+            removeFile(component.getName(), false);
+        }
+    }
+
+    /**
+     * Gives the robot a wheel; its XML now stands in the robot's file.
+     *
+     * @throws IllegalArgumentException if it is a part already, or has the name of another part
+     */
+    public void addWheel(Wheel wheel) {
+        checkChangeable();
+        checkPart(wheel, "a wheel");
+        if (wheels.size() >= MAX_WHEELS) {
+            throw new IllegalArgumentException(label() + ": wheel is " + wheel.label() + ", legal: at most " + MAX_WHEELS + " wheels");
+        }
+        wheel.setRobot(this);
+        wheels.add(wheel);
+        boolean done = false;
+        try {
+            changed();
+            done = true;
+        } finally {
+            if (!done) {
+                wheel.setRobot(null);
+                wheels.remove(wheel);
+            }
+        }
+        removeFile(wheel.getName(), true);
+    }
+
+    private void removeFile(String name, boolean part) {
+        try {
+            Stores.get().remove(name, part);
+        } catch (IOException e) {
+            throw new UncheckedIOException(label() + ": the old file of \"" + name + "\" could not be removed: " + e.getMessage(), e);
+        }
+    }
+
+    private void checkPart(SearObject part, String what) {
+        if (part == null) {
+            throw new IllegalArgumentException(label() + ": " + what + " is null, legal: an object");
+        }
+        if (part.robot() != null) {
+            throw new IllegalArgumentException(label() + ": " + part.label() + " is already a part of " + part.robot().label()
+                + ", legal: an object that isn't part of a robot");
+        }
+        part.checkChangeable();
+        List<String> names = new ArrayList<>(componentNames);
+        names.addAll(wheels.stream().map(SearObject::getName).collect(Collectors.toList()));
+        names.add(getName());
+        for (String taken : names) {
+            if (taken.equalsIgnoreCase(part.getName())) {
+                throw new IllegalArgumentException(label() + ": " + part.label() + " has the name of another part, legal: a name that differs from "
+                    + names + " by more than capitals");
+            }
+        }
+    }
+
+    /** Puts a component that was read from its own file in its place. */
+    void link(SearObject component) {
+        component.setRobot(this);
+        components.add(component);
+    }
+
+    /** The components in the order they were added; a view. */
+    public List<SearObject> getComponents() {
+        return Collections.unmodifiableList(components);
+    }
+
+    /** Names of the components in the order they were added; a view. */
+    public List<String> getComponentNames() {
+        return Collections.unmodifiableList(componentNames);
+    }
+
+    /** The wheels in the order they were added; a view. */
+    public List<Wheel> getWheels() {
+        return Collections.unmodifiableList(wheels);
+    }
+}

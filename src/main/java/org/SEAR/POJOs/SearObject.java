@@ -1,0 +1,231 @@
+package org.SEAR.POJOs;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.List;
+
+/**
+ * Anything of the object grammar: a name and a pose. An object that a script or program creates writes its XML file when it is created and after
+ * each change; an object that was read from a file belongs to its {@code Project} and never changes. One thread at a time.
+ *
+ * <p>How to write a class of the grammar: fields with {@link Param}, a constructor without arguments for reading, constructors that end with
+ * {@code created(MyClass.class)}, and setters of the form {@code mass = checked("mass", newMass); changed();}.
+ */
+public abstract class SearObject {
+    /** Metres from the origin that an object may be away. */
+    static final double FAR = 100000;
+    /** Degrees that an object may be turned at once. */
+    static final double TURNS = 36000;
+
+    @Param(doc = "name of the object, and of its file", text = TextRule.NAME, required = true)
+    private String name;
+    @Param(doc = "position northwards; to the left on a robot", unit = "m", min = -FAR, max = FAR)
+    private double x;
+    @Param(doc = "position upwards", unit = "m", min = -FAR, max = FAR)
+    private double y;
+    @Param(doc = "position eastwards; forwards on a robot", unit = "m", min = -FAR, max = FAR)
+    private double z;
+    @Param(doc = "rotation about the x axis", unit = "deg", min = -TURNS, max = TURNS)
+    private double rx;
+    @Param(doc = "rotation about the y axis, counter-clockwise seen from above", unit = "deg", min = -TURNS, max = TURNS)
+    private double ry;
+    @Param(doc = "rotation about the z axis", unit = "deg", min = -TURNS, max = TURNS)
+    private double rz;
+
+    private enum Life { BEING_MADE, LIVE, READ }
+
+    private Life life;
+    private SEARrobot robot;
+
+    /** For reading from a file. */
+    protected SearObject() {
+        life = Life.READ;
+    }
+
+    /** @param name becomes the name of the file */
+    protected SearObject(String name) {
+        life = Life.BEING_MADE;
+        this.name = name;
+    }
+
+    /**
+     * Has to be the last call of each public constructor: checks all values, then writes the file.
+     *
+     * @param constructed the class that the constructor belongs to, so that a subclass's constructor can go on
+     * @throws IllegalArgumentException with everything that is wrong; nothing is written then
+     */
+    protected final void created(Class<?> constructed) {
+        if (getClass() != constructed) {
+            return;
+        }
+        List<String> problems = ParameterTable.of(constructed).problems(this, "");
+        crossCheck((element, value, legal) -> problems.add(element + " is " + ParameterTable.quote(value) + ", legal: " + legal));
+        if (!problems.isEmpty()) {
+            throw new IllegalArgumentException(label() + ": " + String.join("; ", problems));
+        }
+        life = Life.LIVE;
+        changed();
+    }
+
+    /** Adds what is wrong with the values together, beyond the legal range of each. Called when it is created and when it was read. */
+    protected void crossCheck(Faults faults) {
+    }
+
+    /** @throws IllegalArgumentException unless both are names of two ports, or both null for none */
+    final void checkPorts(String uart, String user) {
+        if (uart == null && user == null) {
+            checkChangeable();
+            return;
+        }
+        if (uart == null || user == null || uart.trim().isEmpty() || user.trim().isEmpty() || uart.equals(user)) {
+            throw new IllegalArgumentException(label() + ": ports are " + ParameterTable.quote(uart) + " and " + ParameterTable.quote(user)
+                + ", legal: two different names");
+        }
+        checked("uartPort", uart);
+        checked("userPort", user);
+    }
+
+    /** Writes the file again. @throws UncheckedIOException if it can't be written; the old file is whole then */
+    protected final void changed() {
+        if (life != Life.LIVE) {
+            return;
+        }
+        try {
+            save();
+        } catch (IOException e) {
+            throw new UncheckedIOException(label() + " could not be written: " + e.getMessage(), e);
+        }
+    }
+
+    /** Writes this object's file. */
+    void save() throws IOException {
+        Stores.get().write(this, isRobotPart());
+    }
+
+    /** Whether the file lies in {@code robot/} even before the object is added to a robot. */
+    boolean isRobotPart() {
+        return robot != null;
+    }
+
+    /** A value that may be assigned. @throws IllegalArgumentException that names object, parameter, value and legal range */
+    protected final double checked(String parameter, double value) {
+        check(parameter, value);
+        return value + 0.0;
+    }
+
+    /** A value that may be assigned. @throws IllegalArgumentException that names object, parameter, value and legal values */
+    protected final int checked(String parameter, int value) {
+        check(parameter, value);
+        return value;
+    }
+
+    /** A value that may be assigned. @throws IllegalArgumentException that names object, parameter, value and legal form */
+    protected final String checked(String parameter, String value) {
+        check(parameter, value);
+        return value;
+    }
+
+    /** A value that may be assigned. @throws IllegalStateException if the object was read from a file */
+    protected final boolean checked(String parameter, boolean value) {
+        check(parameter, value);
+        return value;
+    }
+
+    private void check(String parameter, Object value) {
+        checkChangeable();
+        Parameter described = ParameterTable.of(getClass()).get(parameter);
+        if (!described.isLegal(value)) {
+            throw new IllegalArgumentException(label() + ": " + parameter + " is " + ParameterTable.quote(value) + ", legal: " + described.legal());
+        }
+    }
+
+    final void checkChangeable() {
+        if (life == Life.READ) {
+            throw new IllegalStateException(label() + " was read from a project and can't be changed; create objects with their constructors");
+        }
+    }
+
+    /** {@code Box "Box1_name"}. */
+    final String label() {
+        return getClass().getSimpleName() + " \"" + name + "\"";
+    }
+
+    final SEARrobot robot() {
+        return robot;
+    }
+
+    final void setRobot(SEARrobot newRobot) {
+        robot = newRobot;
+    }
+
+    /** The name, which is also the name of the XML file. */
+    public String getName() {
+        return name;
+    }
+
+    /** Metres. */
+    public double getX() {
+        return x;
+    }
+
+    /** Metres. */
+    public double getY() {
+        return y;
+    }
+
+    /** Metres. */
+    public double getZ() {
+        return z;
+    }
+
+    /** Degrees about x. */
+    public double getRx() {
+        return rx;
+    }
+
+    /** Degrees about y. */
+    public double getRy() {
+        return ry;
+    }
+
+    /** Degrees about z. */
+    public double getRz() {
+        return rz;
+    }
+
+    /** Puts the object there: metres, world frame; body frame once it is a component of a robot. */
+    public void move(double newX, double newY, double newZ) {
+        double checkedX = checked("x", newX);
+        double checkedY = checked("y", newY);
+        z = checked("z", newZ);
+        x = checkedX;
+        y = checkedY;
+        changed();
+    }
+
+    /** Turns the object: degrees about the three axes, applied as jME's Quaternion.fromAngles. */
+    public void rotate(double newRx, double newRy, double newRz) {
+        double checkedX = checked("rx", newRx);
+        double checkedY = checked("ry", newRy);
+        rz = checked("rz", newRz);
+        rx = checkedX;
+        ry = checkedY;
+        changed();
+    }
+
+    /** Sets the pose while the object is being made; {@link #created} checks it. */
+    protected final void place(double newX, double newY, double newZ, double newRx, double newRy, double newRz) {
+        x = newX + 0.0;
+        y = newY + 0.0;
+        z = newZ + 0.0;
+        rx = newRx + 0.0;
+        ry = newRy + 0.0;
+        rz = newRz + 0.0;
+    }
+
+    /** {@code Box "Box1_name"}. */
+    @Override
+    public String toString() {
+        return label();
+    }
+}

@@ -1,0 +1,118 @@
+package org.SEAR.POJOs;
+
+/** A thing with a surface, a mass and a picture. */
+public abstract class Shape extends SearObject {
+    /** Smallest size of anything, metres. */
+    static final double SMALL = 0.0001;
+    /** Largest size of anything, metres. */
+    static final double LARGE = 100000;
+    /** Heaviest thing, kg. */
+    static final double HEAVY = 1e6;
+
+    @Param(doc = "mass; 0 fixes the object in place", unit = "kg", max = HEAVY)
+    private double mass;
+    @Param(doc = "picture wrapped around the surface: a file below assets; without it the default picture", text = TextRule.ASSET)
+    private String image;
+    @Param(doc = "factor on the size along x", min = 0.0001, max = 10000)
+    private double scaleX = 1;
+    @Param(doc = "factor on the size along y", min = 0.0001, max = 10000)
+    private double scaleY = 1;
+    @Param(doc = "factor on the size along z", min = 0.0001, max = 10000)
+    private double scaleZ = 1;
+    @Param(doc = "whether beams of distance sensors and LIDARs see the object")
+    private boolean visibleToSensors = true;
+
+    /** For reading from a file. */
+    protected Shape() {
+    }
+
+    /** @param mass kg, 0 to fix it */
+    protected Shape(String name, double mass) {
+        super(name);
+        this.mass = mass + 0.0;
+    }
+
+    /** Sets the picture while the object is being made. */
+    final void wrap(String newImage) {
+        image = newImage;
+    }
+
+    /** Sets the visibility while the object is being made. */
+    final void show(boolean visible) {
+        visibleToSensors = visible;
+    }
+
+    /** kg; 0 for an object that is fixed in place. */
+    public double getMass() {
+        return mass;
+    }
+
+    /** Path of the picture below assets; null for the default picture. */
+    public String getImage() {
+        return image;
+    }
+
+    /** Path below assets of the picture to show: its own, else the default picture of its kind; null for the model's own textures. */
+    public final String getPicture() {
+        String path = image == null ? defaultPicture() : image;
+        return path != null && path.startsWith("./") ? path.substring(2) : path;
+    }
+
+    /** The picture of a shape without one, which comes with SEAR; null for none. */
+    protected String defaultPicture() {
+        return null;
+    }
+
+    /** Factor on the size along x. */
+    public double getScaleX() {
+        return scaleX;
+    }
+
+    /** Factor on the size along y. */
+    public double getScaleY() {
+        return scaleY;
+    }
+
+    /** Factor on the size along z. */
+    public double getScaleZ() {
+        return scaleZ;
+    }
+
+    /** Whether beams see it. */
+    public boolean isVisibleToSensors() {
+        return visibleToSensors;
+    }
+
+    /** @param kg 0 to 1e6; 0 fixes the object in place, untouched by gravity and collisions */
+    public void setMass(double kg) {
+        mass = checked("mass", kg);
+        changed();
+    }
+
+    /** Wraps a picture around it. @param newImage path below assets; null for the default picture */
+    public void setImage(String newImage) {
+        image = checked("image", newImage);
+        changed();
+    }
+
+    /** Whether beams see it. */
+    public void setVisibleToSensors(boolean visible) {
+        visibleToSensors = checked("visibleToSensors", visible);
+        changed();
+    }
+
+    /** Stretches the object along its own axes. @param sx factor, 0.0001 to 10000 */
+    public void scale(double sx, double sy, double sz) {
+        double checkedX = checked("scaleX", sx);
+        double checkedY = checked("scaleY", sy);
+        scaleZ = checked("scaleZ", sz);
+        scaleX = checkedX;
+        scaleY = checkedY;
+        changed();
+    }
+
+    /** Stretches the object along all axes. @param factor 0.0001 to 10000 */
+    public void scale(double factor) {
+        scale(factor, factor, factor);
+    }
+}

@@ -1,0 +1,85 @@
+package org.SEAR.POJOs;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.Set;
+import java.util.regex.Pattern;
+
+/** What a text parameter may look like; each rule says in words what is legal. Immutable, any thread. */
+public enum TextRule {
+    /** Any text in one line. */
+    ANY("one line of at most 200 characters") {
+        @Override
+        boolean allows(String text) {
+            return true;
+        }
+    },
+    /** The name of an object, which is the name of its file on every system. */
+    NAME("a name of 1 to 100 characters that can be a file name on every system: none of / \\ : * ? \" < > |, no dot or blank at either end,"
+        + " not a device name such as CON") {
+        @Override
+        boolean allows(String text) {
+            String stem = text.split("\\.", 2)[0].trim().toUpperCase(Locale.ROOT);
+            return text.length() <= 100
+                && text.getBytes(StandardCharsets.UTF_8).length <= MAX_BYTES
+                && !text.isEmpty() && !FORBIDDEN.matcher(text).find() && !EDGES.matcher(text).find()
+                && !DEVICES.contains(stem);
+        }
+    },
+    /** A file below assets, with forward slashes. */
+    ASSET("a file below assets: forward slashes, no '..', neither drive nor leading slash, at most 200 characters") {
+        @Override
+        boolean allows(String text) {
+            String path = text.startsWith("./") ? text.substring(2) : text;
+            if (path.isEmpty() || path.endsWith("/")) {
+                return false;
+            }
+            for (String part : path.split("/")) {
+                if (!NAME.allows(part)) {
+                    return false;
+                }
+            }
+            return true;
+        }
+    },
+    /** A colour. */
+    COLOR("a colour as #rrggbb") {
+        @Override
+        boolean allows(String text) {
+            return HEX_COLOR.matcher(text).matches();
+        }
+    };
+
+    private static final Pattern FORBIDDEN = Pattern.compile("[/\\\\:*?\"<>|\\p{Cntrl}\\x{fffe}\\x{ffff}]");
+    private static final Pattern EDGES = Pattern.compile("^[.\\s\\p{Z}]|[.\\s\\p{Z}]$");
+    private static final Pattern HEX_COLOR = Pattern.compile("#[0-9a-fA-F]{6}");
+    private static final Pattern LINE_BREAKS = Pattern.compile("[\\p{Cntrl}\\x{fffe}\\x{ffff}]");
+    private static final Set<String> DEVICES = Set.of("CON", "PRN", "AUX", "NUL", "COM1", "COM2", "COM3", "COM4", "COM5", "COM6", "COM7", "COM8",
+        "COM9", "LPT1", "LPT2", "LPT3", "LPT4", "LPT5", "LPT6", "LPT7", "LPT8", "LPT9");
+    private static final int MAX_LENGTH = 200;
+    /** File systems end at 255 bytes, and a temporary file's name is a little longer. */
+    private static final int MAX_BYTES = 200;
+
+    private final String legal;
+
+    TextRule(String legal) {
+        this.legal = legal;
+    }
+
+    abstract boolean allows(String text);
+
+    /** Whether a text is legal. @param text not null */
+    public boolean isLegal(String text) {
+        return text.length() <= MAX_LENGTH && !LINE_BREAKS.matcher(text).find() && wellFormed(text) && allows(text);
+    }
+
+    /** What is legal, in words. */
+    public String legal() {
+        return legal;
+    }
+
+    /** Half of a surrogate pair can be written to no file. */
+    private static boolean wellFormed(String text) {
+        return text.codePoints().noneMatch(c -> c >= Character.MIN_SURROGATE && c <= Character.MAX_SURROGATE);
+    }
+}

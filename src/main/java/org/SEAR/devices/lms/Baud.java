@@ -1,0 +1,49 @@
+package org.SEAR.devices.lms;
+
+/** The speeds of the LMS200's line. */
+public enum Baud {
+    B9600(0x42, 9600, 0x8067),
+    B19200(0x41, 19200, 0x8033),
+    B38400(0x40, 38400, 0x8019),
+    B500000(0x48, 500000, 0x8001);
+
+    private final int mode;
+    private final int rate;
+    private final int status;
+
+    Baud(int mode, int rate, int status) {
+        this.mode = mode;
+        this.rate = rate;
+        this.status = status;
+    }
+
+    /** The speed that telegram {@code 20 mode} chooses; null for other modes. */
+    public static Baud ofMode(int mode) {
+        for (Baud baud : values()) {
+            if (baud.mode == mode) {
+                return baud;
+            }
+        }
+        return null;
+    }
+
+    /** The speed of so many bits a second; null if an LMS200 has none such. */
+    public static Baud ofRate(int rate) {
+        for (Baud baud : values()) {
+            if (baud.rate == rate) {
+                return baud;
+            }
+        }
+        return null;
+    }
+
+    /** Bits a second. */
+    public int getRate() {
+        return rate;
+    }
+
+    /** The word at offset 116 of the status telegram. */
+    public int getStatusWord() {
+        return status;
+    }
+}

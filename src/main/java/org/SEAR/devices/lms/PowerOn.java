@@ -1,0 +1,20 @@
+package org.SEAR.devices.lms;
+
+/** What one LMS200 is set to when its power comes on. Immutable. */
+public final class PowerOn {
+    /** Variant until another is chosen. */
+    public final Variant variant;
+    /** Bits a second. */
+    public final int baud;
+    /** Whether the baud telegrams of MyRobotLab's old driver are obeyed although their checksum is wrong. */
+    public final boolean lenient;
+    /** Type, serial number, address. */
+    public final Identity identity;
+
+    public PowerOn(Variant variant, int baud, boolean lenient, Identity identity) {
+        this.variant = variant;
+        this.baud = baud;
+        this.lenient = lenient;
+        this.identity = identity;
+    }
+}

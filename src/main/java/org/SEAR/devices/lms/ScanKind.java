@@ -1,0 +1,58 @@
+package org.SEAR.devices.lms;
+
+/** Which values of a scan a telegram carries, and in what form. Immutable. */
+final class ScanKind {
+    /** Every value, B0h. */
+    static final ScanKind ALL = new ScanKind(Form.EVERY, 1, 1, 0, 0);
+    /** One turn of the mirror, B0h. */
+    static final ScanKind PARTIAL = new ScanKind(Form.PARTIAL, 1, 1, 0, 0);
+    /** The smallest distance from the line through the device's sides, B0h. */
+    static final ScanKind MINIMUM = new ScanKind(Form.MINIMUM, 1, 1, 0, 0);
+    /** The taught contour, B0h. */
+    static final ScanKind CONTOUR = new ScanKind(Form.CONTOUR, 1, 1, 0, 0);
+
+    /** Forms of the values. */
+    enum Form { EVERY, PARTIAL, MINIMUM, CONTOUR, MEAN, RANGE, MEAN_RANGE }
+
+    final Form form;
+    /** Every so many-th value. */
+    final int stride;
+    /** Number of scans the mean is taken of. */
+    final int scans;
+    /** First and last value of a sub-range, from 1. */
+    final int first;
+    final int last;
+
+    private ScanKind(Form form, int stride, int scans, int first, int last) {
+        this.form = form;
+        this.stride = stride;
+        this.scans = scans;
+        this.first = first;
+        this.last = last;
+    }
+
+    /** Every {@code stride}-th value, B0h. */
+    static ScanKind every(int stride) {
+        return new ScanKind(Form.EVERY, stride, 1, 0, 0);
+    }
+
+    /** Mean of so many scans, B6h. */
+    static ScanKind mean(int scans) {
+        return new ScanKind(Form.MEAN, 1, scans, 0, 0);
+    }
+
+    /** Values first to last, from 1, B7h. */
+    static ScanKind range(int first, int last) {
+        return new ScanKind(Form.RANGE, 1, 1, first, last);
+    }
+
+    /** Mean of values first to last, BFh. */
+    static ScanKind meanRange(int scans, int first, int last) {
+        return new ScanKind(Form.MEAN_RANGE, 1, scans, first, last);
+    }
+
+    /** Seconds that one of the scans takes. */
+    double scanTime(Variant variant) {
+        return form == Form.PARTIAL ? Variant.TURN : variant.getScanTime();
+    }
+}

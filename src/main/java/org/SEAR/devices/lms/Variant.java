@@ -1,0 +1,56 @@
+package org.SEAR.devices.lms;
+
+/** A scanning angle with its resolution. The first value is the rightmost; the 100 degree fans cover 40 to 140 degrees of the 180. */
+public enum Variant {
+    V100_1(100, 100),
+    V100_HALF(100, 50),
+    V100_QUARTER(100, 25),
+    V180_1(180, 100),
+    V180_HALF(180, 50);
+
+    /** One turn of the mirror at 75 turns a second, seconds (SICK telegram listing, table 10-17). */
+    public static final double TURN = 0.01332;
+
+    private final int spread;
+    private final int resolution;
+
+    Variant(int spread, int resolution) {
+        this.spread = spread;
+        this.resolution = resolution;
+    }
+
+    /** The variant of a telegram; null if an LMS200 has none such. @param spread degrees @param resolution 1/100 degree */
+    public static Variant of(int spread, int resolution) {
+        for (Variant variant : values()) {
+            if (variant.spread == spread && variant.resolution == resolution) {
+                return variant;
+            }
+        }
+        return null;
+    }
+
+    /** Degrees. */
+    public int getSpread() {
+        return spread;
+    }
+
+    /** 1/100 degree. */
+    public int getResolution() {
+        return resolution;
+    }
+
+    /** Number of values of a whole scan. */
+    public int getValues() {
+        return spread * 100 / resolution + 1;
+    }
+
+    /** Turns of the mirror a whole scan takes: it measures each whole degree in a turn. */
+    public int getTurns() {
+        return 100 / resolution;
+    }
+
+    /** Seconds that a whole scan takes. */
+    public double getScanTime() {
+        return getTurns() * TURN;
+    }
+}

@@ -1,0 +1,110 @@
+package org.SEAR.devices.oi;
+
+import org.SEAR.simulator.RobotHardware;
+
+/** The wheels as commands 137, 145 and 146 set them. Velocities in mm/s, radius in mm, positive to the left. */
+final class Drive {
+    static final int MAX_VELOCITY = 500;
+    private static final int MAX_RADIUS = 2000;
+    private static final int STRAIGHT = 0x7FFF;
+    private static final int STRAIGHT_SCI = -0x8000;
+    private static final int CLOCKWISE = -1;
+    private static final int COUNTER_CLOCKWISE = 1;
+    private static final double MAX_PWM = 255;
+    private static final double MILLIMETRES = 1000;
+
+    private final RobotHardware hardware;
+    private double left;
+    private double right;
+    private int velocity;
+    private int radius;
+    private int requestedRight;
+    private int requestedLeft;
+
+    Drive(RobotHardware hardware) {
+        this.hardware = hardware;
+    }
+
+    /** Command 137. Radius 8000h and 7FFFh are straight on, -1 and 1 turn in place. A wheel that would be too fast slows both. */
+    void arc(int wantedVelocity, int wantedRadius) {
+        velocity = clamp(wantedVelocity, MAX_VELOCITY);
+        radius = wantedRadius;
+        requestedLeft = 0;
+        requestedRight = 0;
+        if (wantedRadius == STRAIGHT || wantedRadius == STRAIGHT_SCI || wantedRadius == 0) {
+            set(velocity, velocity);
+        } else if (wantedRadius == CLOCKWISE) {
+            set(velocity, -velocity);
+        } else if (wantedRadius == COUNTER_CLOCKWISE) {
+            set(-velocity, velocity);
+        } else {
+            radius = clamp(wantedRadius, MAX_RADIUS);
+            double share = hardware.getWheelBase() * MILLIMETRES / 2 / radius;
+            double slow = Math.min(1, MAX_VELOCITY / (Math.abs(velocity) * (1 + Math.abs(share)) + 1e-9));
+            set(velocity * (1 - share) * slow, velocity * (1 + share) * slow);
+        }
+    }
+
+    /** Command 145. */
+    void direct(int wantedRight, int wantedLeft) {
+        velocity = 0;
+        radius = 0;
+        requestedRight = clamp(wantedRight, MAX_VELOCITY);
+        requestedLeft = clamp(wantedLeft, MAX_VELOCITY);
+        set(requestedLeft, requestedRight);
+    }
+
+    /** Command 146: shares of the battery's voltage, -255 to 255. */
+    void pwm(int wantedRight, int wantedLeft) {
+        velocity = 0;
+        radius = 0;
+        requestedRight = 0;
+        requestedLeft = 0;
+        set(clamp(wantedLeft, (int) MAX_PWM) / MAX_PWM * MAX_VELOCITY, clamp(wantedRight, (int) MAX_PWM) / MAX_PWM * MAX_VELOCITY);
+    }
+
+    void stop() {
+        direct(0, 0);
+    }
+
+    private void set(double newLeft, double newRight) {
+        left = newLeft;
+        right = newRight;
+        hardware.setWheelSpeeds(left / MILLIMETRES, right / MILLIMETRES);
+    }
+
+    boolean isForward() {
+        return left + right > 0;
+    }
+
+    /** Whether it goes backwards round a centre that lies under the robot's body. */
+    boolean isBackwardAndTight() {
+        double sum = left + right;
+        double turn = Math.abs(right - left);
+        return sum < 0 && hardware.getWheelBase() / 2 * -sum < turn * hardware.getBodyRadius();
+    }
+
+    boolean isMoving() {
+        return left != 0 || right != 0;
+    }
+
+    int getVelocity() {
+        return velocity;
+    }
+
+    int getRadius() {
+        return radius;
+    }
+
+    int getRequestedRight() {
+        return requestedRight;
+    }
+
+    int getRequestedLeft() {
+        return requestedLeft;
+    }
+
+    private static int clamp(int value, int limit) {
+        return Math.max(-limit, Math.min(limit, value));
+    }
+}

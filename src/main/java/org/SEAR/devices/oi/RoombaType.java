@@ -1,0 +1,21 @@
+package org.SEAR.devices.oi;
+
+import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.simulator.DeviceContext;
+import org.SEAR.simulator.DeviceType;
+import org.SEAR.simulator.SerialDevice;
+
+/** Puts the drive of a Roomba 400, Create or Create 2 behind the ports of a robot's dynamics. */
+public final class RoombaType implements DeviceType {
+    @Override
+    public Class<? extends SearObject> parameterType() {
+        return Dynamics.class;
+    }
+
+    @Override
+    public SerialDevice create(SearObject parameters, DeviceContext context) {
+        Dynamics dynamics = (Dynamics) parameters;
+        return new Roomba(OiModel.of(dynamics.getModel()), dynamics.getBaud(), dynamics.isStreamHeaderSummed(), context);
+    }
+}

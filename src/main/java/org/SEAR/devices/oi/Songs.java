@@ -1,0 +1,50 @@
+package org.SEAR.devices.oi;
+
+/** The songs that a robot remembers, and which one sounds. Durations are in 1/64 s. */
+final class Songs {
+    private static final int MAX_NOTES = 16;
+    private static final double TICK = 1 / 64.0;
+
+    private final double[] durations;
+    private int number;
+    private double end = Double.NEGATIVE_INFINITY;
+
+    Songs(int count) {
+        durations = new double[count];
+    }
+
+    /** Command 140: number, count, then note and duration for each. @return whether there is room for such a song */
+    boolean define(int[] arguments) {
+        int notes = arguments[1];
+        if (arguments[0] >= durations.length || notes == 0 || notes > MAX_NOTES) {
+            return false;
+        }
+        double sum = 0;
+        for (int i = 0; i < notes; i++) {
+            sum += arguments[2 * i + 3] * TICK;
+        }
+        durations[arguments[0]] = sum;
+        return true;
+    }
+
+    /** Command 141; a song that sounds is not disturbed. @return whether there is such a song */
+    boolean play(int song, double time) {
+        if (song >= durations.length || durations[song] == 0) {
+            return false;
+        }
+        if (!isPlaying(time)) {
+            number = song;
+            end = time + durations[song];
+        }
+        return true;
+    }
+
+    boolean isPlaying(double time) {
+        return time < end;
+    }
+
+    /** Packet 36: the song last played. */
+    int getNumber() {
+        return number;
+    }
+}

@@ -1,0 +1,50 @@
+package org.SEAR.project;
+
+import java.util.List;
+import org.SEAR.POJOs.Model;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.Shape;
+import org.SEAR.POJOs.Wheel;
+
+/** Checks that the pictures and models that objects name are there: a missing picture is a warning, a missing model a problem. */
+final class AssetCheck {
+    private final Assets assets;
+    private final ProblemList problems;
+    private final List<String> warnings;
+
+    AssetCheck(Assets assets, ProblemList problems, List<String> warnings) {
+        this.assets = assets;
+        this.problems = problems;
+        this.warnings = warnings;
+    }
+
+    void check(List<ParsedObject> objects) {
+        for (ParsedObject parsed : objects) {
+            if (parsed.object instanceof Shape) {
+                checkImage(parsed, (Shape) parsed.object);
+            }
+            if (parsed.object instanceof SEARrobot) {
+                for (Wheel wheel : ((SEARrobot) parsed.object).getWheels()) {
+                    checkImage(parsed, wheel);
+                }
+            }
+            if (parsed.object instanceof Model) {
+                checkModel(parsed, ((Model) parsed.object).getPath());
+            }
+        }
+    }
+
+    private void checkImage(ParsedObject parsed, Shape shape) {
+        if (shape.getImage() != null && !assets.has(shape.getImage())) {
+            warnings.add(parsed.file + ": there is no picture \"" + shape.getImage() + "\" in assets; " + shape + " gets the default picture");
+        }
+    }
+
+    private void checkModel(ParsedObject parsed, String path) {
+        if (!ModelLoader.isModel(path)) {
+            problems.add(parsed.file, parsed.line("path"), "path", path, "a model: " + String.join(", ", ModelLoader.ENDINGS));
+        } else if (!assets.has(path)) {
+            problems.add(parsed.file, parsed.line("path"), "path", path, "a file below assets, and there is none of that name");
+        }
+    }
+}

@@ -1,0 +1,73 @@
+package org.SEAR.project;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.List;
+import org.SEAR.POJOs.Beam;
+import org.SEAR.POJOs.ObjectStore;
+import org.SEAR.POJOs.SearObject;
+
+/** Keeps objects as XML files of the present SEARproject folder. Each file is written beside its place and then moved there: whole or not at all. */
+public final class FileStore implements ObjectStore {
+    private static final Object LOCK = new Object();
+    /** Keeps the temporary files of two programs that work on one project apart. */
+    private static final long PROCESS = ProcessHandle.current().pid();
+
+    @Override
+    public void write(SearObject object, boolean part) throws IOException {
+        synchronized (LOCK) {
+            ProjectSwap.recover(ProjectFolder.present());
+            Path file = ProjectFolder.file(ProjectFolder.present(), part, object.getName());
+            Files.createDirectories(file.getParent());
+            refuseOtherCapitals(file, object.getName());
+            writeAtomically(file, Xml.write(object).getBytes(StandardCharsets.UTF_8));
+        }
+    }
+
+    private static void refuseOtherCapitals(Path file, String name) throws IOException {
+        String wanted = file.getFileName().toString();
+        if (Files.exists(file)) {
+            return;
+        }
+        try (DirectoryStream<Path> others = Files.newDirectoryStream(file.getParent())) {
+            for (Path other : others) {
+                if (other.getFileName().toString().equalsIgnoreCase(wanted)) {
+                    throw new IllegalArgumentException("name is \"" + name + "\", legal: a name that differs from that of " + other
+                        + " by more than capitals, since some systems take both for the same file");
+                }
+            }
+        }
+    }
+
+    static void writeAtomically(Path file, byte[] bytes) throws IOException {
+        Path temporary = file.resolveSibling("." + file.getFileName() + "." + PROCESS + ProjectFolder.TEMPORARY);
+        try {
+            Files.write(temporary, bytes);
+            Files.move(temporary, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        } catch (IOException e) {
+            Files.deleteIfExists(temporary);
+            throw e;
+        }
+    }
+
+    @Override
+    public void remove(String name, boolean part) throws IOException {
+        synchronized (LOCK) {
+            Files.deleteIfExists(ProjectFolder.file(ProjectFolder.present(), part, name));
+        }
+    }
+
+    @Override
+    public Beam beam(String name) {
+        return new Beams(ProjectFolder.present()).get(name);
+    }
+
+    @Override
+    public List<String> beamNames() {
+        return new Beams(ProjectFolder.present()).names();
+    }
+}

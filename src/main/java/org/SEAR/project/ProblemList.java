@@ -1,0 +1,50 @@
+package org.SEAR.project;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** Collects the problems of a project, file by file. */
+final class ProblemList {
+    private static final int LONGEST_VALUE = 80;
+    /** So many problems that more would help nobody. */
+    private static final int MOST = 1000;
+
+    private final List<Problem> problems = new ArrayList<>();
+
+    void add(String file, int line, String field, Object value, String legal) {
+        if (!isFull()) {
+            problems.add(new Problem(file, line, field, shortened(String.valueOf(value)), legal));
+        }
+    }
+
+    private static String shortened(String value) {
+        StringBuilder text = new StringBuilder();
+        value.codePoints().limit(LONGEST_VALUE).forEach(c -> text.appendCodePoint(Character.isISOControl(c) ? ' ' : c));
+        return value.length() > LONGEST_VALUE ? text + "..." : text.toString();
+    }
+
+    int size() {
+        return problems.size();
+    }
+
+    /** Whether no more problems are taken, so that nobody needs to look for them. */
+    boolean isFull() {
+        return problems.size() >= MOST;
+    }
+
+    boolean isEmpty() {
+        return problems.isEmpty();
+    }
+
+    @Override
+    public String toString() {
+        return problems.stream().map(Problem::toString).collect(Collectors.joining("; "));
+    }
+
+    void throwIfAny() throws ProjectException {
+        if (!problems.isEmpty()) {
+            throw new ProjectException(problems);
+        }
+    }
+}

@@ -1,0 +1,169 @@
+package org.SEAR.project;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.SEAR.POJOs.Assembly;
+import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Model;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.SerialObject;
+import org.SEAR.POJOs.Wheel;
+
+/** Puts components to their robots and checks what the objects of a project are to each other. One use. */
+final class ProjectLinker {
+    private final Map<String, ParsedObject> environment;
+    private final Map<String, ParsedObject> parts;
+    private final ProblemList problems;
+    private final List<String> warnings;
+    private final Map<ParsedObject, String> owners = new LinkedHashMap<>();
+
+    ProjectLinker(Map<String, ParsedObject> environment, Map<String, ParsedObject> parts, ProblemList problems, List<String> warnings) {
+        this.environment = environment;
+        this.parts = parts;
+        this.problems = problems;
+        this.warnings = warnings;
+    }
+
+    void link() {
+        for (ParsedObject parsed : parts.values()) {
+            if (parsed.object instanceof SEARrobot) {
+                linkRobot(parsed, (SEARrobot) parsed.object);
+            }
+        }
+        for (ParsedObject parsed : parts.values()) {
+            if (parsed.object instanceof Wheel) {
+                problems.add(parsed.file, parsed.line(""), "", "a wheel without a robot",
+                    "robot.addWheel(wheel), or a <wheel> in the robot's file");
+            } else if (!parsed.isBroken() && !(parsed.object instanceof SEARrobot) && !owners.containsKey(parsed)) {
+                warnings.add(parsed.file + ": " + parsed.object + " is not a component of any robot and"
+                    + " is left out; robot.addComponent(...) adds it");
+            }
+        }
+        checkNames();
+        checkPorts();
+        checkTerrain();
+    }
+
+    private void linkRobot(ParsedObject parsed, SEARrobot robot) {
+        int index = 0;
+        boolean hasDynamics = false;
+        for (String name : robot.getComponentNames()) {
+            int line = parsed.line("component#" + index++);
+            ParsedObject part = parts.get(name);
+            if (part == null) {
+                problems.add(parsed.file, line, "component", name, "the name of a file in robot/, without .xml");
+            } else if (part.isBroken()) {
+                owners.put(part, robot.getName());
+            } else if (part.object instanceof SEARrobot || part.object instanceof Wheel) {
+                problems.add(parsed.file, line, "component", name, "a shape, a model, a sensor or dynamics");
+            } else if (owners.containsKey(part)) {
+                problems.add(parsed.file, line, "component", name, "a component that no robot has yet; " + owners.get(part) + " has it");
+            } else if (part.object instanceof Dynamics && hasDynamics) {
+                problems.add(parsed.file, line, "component", name, "only one Dynamics");
+            } else {
+                hasDynamics |= part.object instanceof Dynamics;
+                owners.put(part, robot.getName());
+                Assembly.link(robot, (SearObject) part.object);
+            }
+        }
+    }
+
+    /** Scripts ask by name, so a name means one thing in the whole project; some systems take capitals for small letters. */
+    private void checkNames() {
+        Map<String, String> seen = new HashMap<>();
+        environment.values().forEach(parsed -> checkName(seen, parsed, "name", parsed.object));
+        for (ParsedObject parsed : parts.values()) {
+            if (parsed.object instanceof SEARrobot) {
+                checkName(seen, parsed, "name", parsed.object);
+                int index = 0;
+                for (Wheel wheel : ((SEARrobot) parsed.object).getWheels()) {
+                    checkName(seen, parsed, "wheel#" + index++, wheel);
+                }
+            } else if (owners.containsKey(parsed)) {
+                checkName(seen, parsed, "name", parsed.object);
+            }
+        }
+    }
+
+    private void checkName(Map<String, String> seen, ParsedObject parsed, String element, Object object) {
+        if (object == null) {
+            return;
+        }
+        String name = ((SearObject) object).getName();
+        String other = seen.putIfAbsent(name.toLowerCase(Locale.ROOT), parsed.file);
+        if (other != null) {
+            problems.add(parsed.file, parsed.line(element), "name", name, "a name of its own (capitals don't count); " + other + " has it too");
+        }
+    }
+
+    private void checkPorts() {
+        Map<String, String> seen = new HashMap<>();
+        for (ParsedObject parsed : owners.keySet()) {
+            if (parsed.object instanceof SerialObject) {
+                SerialObject device = (SerialObject) parsed.object;
+                if ((device.getUartPort() == null) != (device.getUserPort() == null)) {
+                    problems.add(parsed.file, parsed.line("uartPort"), "", "one of two ports", "both uartPort and userPort, or neither");
+                }
+                checkPort(seen, parsed, "uartPort", device.getUartPort());
+                checkPort(seen, parsed, "userPort", device.getUserPort());
+            }
+        }
+    }
+
+    private void checkPort(Map<String, String> seen, ParsedObject parsed, String element, String port) {
+        if (port == null) {
+            return;
+        }
+        if (port.isEmpty()) {
+            problems.add(parsed.file, parsed.line(element), element, port, "the name of a port");
+            return;
+        }
+        String other = seen.putIfAbsent(port, parsed.file);
+        if (other != null) {
+            problems.add(parsed.file, parsed.line(element), element, port, "a port of its own; " + other + " has it too");
+        }
+    }
+
+    private void checkTerrain() {
+        String first = null;
+        for (ParsedObject parsed : environment.values()) {
+            if (parsed.object instanceof Model && ((Model) parsed.object).isTerrain()) {
+                if (first != null) {
+                    problems.add(parsed.file, parsed.line("terrain"), "terrain", "true", "one terrain; " + first + " is it already");
+                }
+                first = parsed.file;
+            }
+        }
+        for (ParsedObject parsed : owners.keySet()) {
+            if (parsed.object instanceof Model && ((Model) parsed.object).isTerrain()) {
+                problems.add(parsed.file, parsed.line("terrain"), "terrain", "true", "false for a component of a robot");
+            }
+        }
+    }
+
+    List<SearObject> environment() {
+        List<SearObject> objects = new ArrayList<>();
+        environment.values().stream().filter(p -> !p.isBroken()).forEach(p -> objects.add((SearObject) p.object));
+        return objects;
+    }
+
+    List<SEARrobot> robots() {
+        List<SEARrobot> robots = new ArrayList<>();
+        parts.values().stream().filter(p -> p.object instanceof SEARrobot).forEach(p -> robots.add((SEARrobot) p.object));
+        return robots;
+    }
+
+    /** Everything that will be part of the project. */
+    List<ParsedObject> all() {
+        List<ParsedObject> all = new ArrayList<>(environment.values());
+        parts.values().stream().filter(p -> p.object instanceof SEARrobot).forEach(all::add);
+        all.addAll(owners.keySet());
+        all.removeIf(ParsedObject::isBroken);
+        return all;
+    }
+}

@@ -1,0 +1,127 @@
+package org.SEAR.project;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.SEAR.POJOs.Assembly;
+import org.SEAR.POJOs.Beam;
+import org.SEAR.POJOs.Distance;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Parameter;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Shape;
+import org.SEAR.POJOs.Wheel;
+
+/** Reads a SEARproject folder: first each file for itself, then what the objects are to each other. One use. */
+final class ProjectReader {
+    private static final int MAX_FILES = 10000;
+
+    private final Path folder;
+    private final ProblemList problems = new ProblemList();
+    private final List<String> warnings = new ArrayList<>();
+    private final ObjectClasses classes = ObjectClasses.find();
+
+    ProjectReader(Path folder) {
+        this.folder = folder.toAbsolutePath().normalize();
+    }
+
+    Project read() throws ProjectException {
+        try {
+            ProjectSwap.recover(folder);
+        } catch (IOException e) {
+            problems.add(folder.toString(), 0, "", "it can't be opened (" + e.getMessage() + ")", "a SEARproject folder");
+        }
+        if (!Files.isDirectory(folder)) {
+            problems.add(folder.toString(), 0, "", "there is no such folder", "a SEARproject folder; creating an object makes one");
+            problems.throwIfAny();
+        }
+        Map<String, ParsedObject> environment = readFolder(ProjectFolder.ENVIRONMENT);
+        Map<String, ParsedObject> parts = readFolder(ProjectFolder.ROBOT);
+        linkBeams(parts);
+        ProjectLinker linker = new ProjectLinker(environment, parts, problems, warnings);
+        linker.link();
+        new AssetCheck(new Assets(folder), problems, warnings).check(linker.all());
+        problems.throwIfAny();
+        return new Project(folder, linker.environment(), linker.robots(), warnings);
+    }
+
+    private Map<String, ParsedObject> readFolder(String name) {
+        Map<String, ParsedObject> objects = new LinkedHashMap<>();
+        Map<String, Class<? extends SearObject>> roots = roots(name);
+        for (Path file : list(folder.resolve(name), name)) {
+            String fileName = file.getFileName().toString();
+            ParsedObject parsed = Xml.read(file, name + "/" + fileName, roots, problems);
+            String stem = fileName.substring(0, fileName.length() - ProjectFolder.XML.length());
+            objects.put(stem, parsed == null ? ParsedObject.broken(name + "/" + fileName, 0) : parsed);
+            if (parsed != null && !parsed.isBroken()) {
+                checkFile(parsed, (SearObject) parsed.object, stem);
+            }
+        }
+        return objects;
+    }
+
+    private void checkFile(ParsedObject parsed, SearObject object, String stem) {
+        if (!object.getName().equals(stem)) {
+            problems.add(parsed.file, parsed.line("name"), "name", object.getName(), "the name of the file without .xml, \"" + stem + "\"");
+        }
+        Assembly.crossCheck(object, (element, value, legal) ->
+            problems.add(parsed.file, parsed.line(element), element, Parameter.format(value), legal));
+    }
+
+    /** What may stand in a folder: in environment what has a place of its own, in robot everything but floors. */
+    private Map<String, Class<? extends SearObject>> roots(String name) {
+        Map<String, Class<? extends SearObject>> roots = new TreeMap<>();
+        for (Class<? extends SearObject> type : classes.all()) {
+            boolean environment = Shape.class.isAssignableFrom(type) && type != Wheel.class;
+            if (name.equals(ProjectFolder.ENVIRONMENT) ? environment : type != Floor.class) {
+                roots.put(type.getSimpleName(), type);
+            }
+        }
+        return roots;
+    }
+
+    private List<Path> list(Path directory, String name) {
+        if (!Files.isDirectory(directory)) {
+            return List.of();
+        }
+        try (Stream<Path> all = Files.list(directory)) {
+            List<Path> files = all.filter(ProjectReader::isObjectFile).sorted().limit(MAX_FILES + 1L).collect(Collectors.toList());
+            if (files.size() > MAX_FILES) {
+                problems.add(name, 0, "", "it has more than " + MAX_FILES + " files", "at most " + MAX_FILES + " objects");
+                return List.of();
+            }
+            return files;
+        } catch (IOException e) {
+            problems.add(name, 0, "", "it can't be read (" + e + ")", "a readable folder");
+            return List.of();
+        }
+    }
+
+    private static boolean isObjectFile(Path file) {
+        String name = file.getFileName().toString();
+        return name.endsWith(ProjectFolder.XML) && !name.startsWith(".");
+    }
+
+    private void linkBeams(Map<String, ParsedObject> parts) {
+        Beams beams = new Beams(folder);
+        Map<String, Beam> own = beams.own(problems);
+        for (ParsedObject parsed : parts.values()) {
+            if (parsed.object instanceof Distance && ((Distance) parsed.object).getBeam() != null) {
+                Distance sensor = (Distance) parsed.object;
+                try {
+                    Beam beam = own.get(sensor.getBeam());
+                    Assembly.link(sensor, beam != null ? beam : beams.get(sensor.getBeam()));
+                } catch (IllegalArgumentException e) {
+                    problems.add(parsed.file, parsed.line("beam"), "beam", sensor.getBeam(), String.join(", ", beams.names()));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,174 @@
+package org.SEAR.project;
+
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.file.FileVisitResult;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * Puts a whole new project in the place of the present one, so that after a crash at any moment either the old or the new one is there.
+ *
+ * <p>The new project is made ready beside the old one as {@code SEARproject.loading}, then renamed to {@code SEARproject.next}: from then on it
+ * counts as soon as {@code SEARproject} is missing. The old one is renamed to {@code SEARproject.backup-N}, then the new one to {@code SEARproject}.
+ * A crash between these two is mended by {@link #recover}, which everything that opens a project calls first. The lock keeps two programs apart.
+ */
+final class ProjectSwap implements AutoCloseable {
+    private static final String LOADING = ".loading";
+    private static final String NEXT = ".next";
+    private static final String BACKUP = ".backup-";
+    /** Older backups are removed. */
+    private static final int BACKUPS = 10;
+
+    private final Path folder;
+    private final FileChannel channel;
+    private final FileLock lock;
+
+    private ProjectSwap(Path folder, FileChannel channel, FileLock lock) {
+        this.folder = folder;
+        this.channel = channel;
+        this.lock = lock;
+    }
+
+    /** Locks a project folder against other loads and cleans up after a crash. @throws IOException if another program has the lock */
+    static ProjectSwap lock(Path folder) throws IOException {
+        Files.createDirectories(folder.getParent());
+        Path file = folder.resolveSibling("." + folder.getFileName() + ".lock");
+        FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        FileLock lock = null;
+        try {
+            lock = tryLock(channel);
+            if (lock == null) {
+                throw new IOException("another program is just replacing the project in " + folder + "; try again when it is done");
+            }
+            ProjectSwap swap = new ProjectSwap(folder, channel, lock);
+            swap.finishOrCleanUp();
+            return swap;
+        } finally {
+            if (lock == null) {
+                channel.close();
+            }
+        }
+    }
+
+    private static FileLock tryLock(FileChannel channel) throws IOException {
+        try {
+            return channel.tryLock();
+        } catch (OverlappingFileLockException e) {
+            throw new IOException("this program is just replacing the project; try again when it is done", e);
+        }
+    }
+
+    /** Finishes what a crash left halfway. Cheap when there is nothing to do. */
+    static void recover(Path folder) throws IOException {
+        if (!Files.exists(folder, LinkOption.NOFOLLOW_LINKS) && Files.exists(beside(folder, NEXT), LinkOption.NOFOLLOW_LINKS)) {
+            lock(folder).close();
+        }
+    }
+
+    private static Path beside(Path folder, String ending) {
+        return folder.resolveSibling(folder.getFileName() + ending);
+    }
+
+    private void finishOrCleanUp() throws IOException {
+        Path next = beside(folder, NEXT);
+        if (Files.exists(next, LinkOption.NOFOLLOW_LINKS)) {
+            if (Files.exists(folder, LinkOption.NOFOLLOW_LINKS)) {
+                delete(next);
+            } else {
+                Files.move(next, folder, StandardCopyOption.ATOMIC_MOVE);
+            }
+        }
+        delete(beside(folder, LOADING));
+    }
+
+    /** An empty folder to make the new project ready in. */
+    Path staging() throws IOException {
+        return Files.createDirectory(beside(folder, LOADING));
+    }
+
+    /** Puts the staged project in the place of the present one. @return where the old one went; null if there was none */
+    Path putInPlace() throws IOException {
+        Path next = beside(folder, NEXT);
+        Files.move(beside(folder, LOADING), next, StandardCopyOption.ATOMIC_MOVE);
+        Path backup = retire();
+        Files.move(next, folder, StandardCopyOption.ATOMIC_MOVE);
+        return backup;
+    }
+
+    /** Renames the present project to a backup. @return the backup; null if there was no project */
+    Path retire() throws IOException {
+        if (!Files.isDirectory(folder)) {
+            return null;
+        }
+        TreeMap<Integer, Path> backups = backups();
+        int number = backups.isEmpty() ? 1 : backups.lastKey() + 1;
+        Path backup = beside(folder, BACKUP + number);
+        Files.move(folder, backup, StandardCopyOption.ATOMIC_MOVE);
+        List<Integer> old = new ArrayList<>(backups.keySet());
+        for (int i = 0; i <= old.size() - BACKUPS; i++) {
+            delete(backups.get(old.get(i)));
+        }
+        return backup;
+    }
+
+    private TreeMap<Integer, Path> backups() throws IOException {
+        String start = folder.getFileName() + BACKUP;
+        TreeMap<Integer, Path> backups = new TreeMap<>();
+        try (Stream<Path> all = Files.list(folder.getParent())) {
+            for (Path path : all.collect(Collectors.toList())) {
+                String name = path.getFileName().toString();
+                if (name.startsWith(start) && name.substring(start.length()).matches("[1-9][0-9]{0,8}")) {
+                    backups.put(Integer.parseInt(name.substring(start.length())), path);
+                }
+            }
+        }
+        return backups;
+    }
+
+    /** Removes a folder with everything in it; what links point to stays. */
+    static void delete(Path root) throws IOException {
+        if (!Files.exists(root, LinkOption.NOFOLLOW_LINKS)) {
+            return;
+        }
+        Files.walkFileTree(root, new SimpleFileVisitor<Path>() {
+            @Override
+            public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) throws IOException {
+                Files.delete(file);
+                return FileVisitResult.CONTINUE;
+            }
+
+            @Override
+            public FileVisitResult postVisitDirectory(Path directory, IOException failure) throws IOException {
+                if (failure != null) {
+                    throw failure;
+                }
+                Files.delete(directory);
+                return FileVisitResult.CONTINUE;
+            }
+        });
+    }
+
+    /** Removes what is left of a load that failed, and lets go of the lock. */
+    @Override
+    public void close() throws IOException {
+        try {
+            delete(beside(folder, LOADING));
+        } finally {
+            lock.release();
+            channel.close();
+        }
+    }
+}

@@ -1,0 +1,169 @@
+package org.SEAR.raycast;
+
+import java.util.Arrays;
+import org.SEAR.project.Triangles;
+
+/**
+ * The exact geometry that beams meet: boxes, cylinders, cones and triangle meshes, each with a pose in the world.
+ *
+ * <p>Building and moving ({@code add...}, {@link #setPose}, {@link #setVisible}, {@link #commit}) belong to the simulation thread; between two
+ * commits any number of threads may cast at the same time and get the same bytes. Casting allocates nothing.
+ *
+ * <p>A shape has an owner: -1 for the world, else the number of the robot whose beams do not see it. Surfaces belong to their shapes: a beam that
+ * starts on one answers 0. Where two surfaces are equally near, the shape that was added first is the one that was hit.
+ */
+public final class BeamScene {
+    /** The owner of shapes that belong to no robot; as {@code ignoredOwner}: nothing is ignored. */
+    public static final int WORLD = -1;
+
+    private static final int POSE = 7;
+    private static final ThreadLocal<Casters> CASTERS = ThreadLocal.withInitial(Casters::new);
+
+    private final Shapes shapes = new Shapes();
+    private final ShapeTree tree = new ShapeTree(shapes);
+    private double[] poses = new double[16 * POSE];
+    private boolean[] seen = new boolean[16];
+    private boolean[] changed = new boolean[16];
+    private int[] changes = new int[16];
+    private int changeCount;
+
+    /** What one thread needs to cast. */
+    static final class Casters {
+        final RayCaster rays = new RayCaster();
+        final FanCaster fans = new FanCaster(rays);
+        final BundleCaster bundles = new BundleCaster(rays);
+    }
+
+    /** The casters of the calling thread; their counters tell the work done. */
+    static Casters casters() {
+        return CASTERS.get();
+    }
+
+    /** Adds a box with its centre in the origin. @return the shape's number, counted from 0 @param halfX metres */
+    public int addBox(double halfX, double halfY, double halfZ, int owner) {
+        return add(Shapes.BOX, owner, null, halfX, halfY, halfZ);
+    }
+
+    /** Adds a solid cylinder about the y axis, centred in the origin. @param radius metres */
+    public int addCylinder(double radius, double halfHeight, int owner) {
+        return add(Shapes.ROUND, owner, null, radius, 0, halfHeight);
+    }
+
+    /** Adds a solid cone about the y axis, apex at +halfHeight, base at -halfHeight. @param radius of the base, metres */
+    public int addCone(double radius, double halfHeight, int owner) {
+        return add(Shapes.ROUND, owner, null, radius / 2, -radius / (2 * halfHeight), halfHeight);
+    }
+
+    /** Adds triangles, seen from both sides, scaled by (sx, sy, sz). The hierarchy of the same triangles is built only once. */
+    public int addMesh(Triangles triangles, double sx, double sy, double sz, int owner) {
+        return add(Shapes.MESH, owner, Mesh.of(triangles), sx, sy, sz);
+    }
+
+    private int add(byte kind, int owner, Mesh mesh, double a, double b, double c) {
+        int shape = shapes.add(kind, owner, mesh, a, b, c);
+        if (shape == changed.length) {
+            int size = 2 * shape;
+            poses = Arrays.copyOf(poses, size * POSE);
+            seen = Arrays.copyOf(seen, size);
+            changed = Arrays.copyOf(changed, size);
+            changes = Arrays.copyOf(changes, size);
+        }
+        poses[shape * POSE + 6] = 1;
+        seen[shape] = true;
+        change(shape);
+        return shape;
+    }
+
+    private void change(int shape) {
+        if (!changed[shape]) {
+            changed[shape] = true;
+            changes[changeCount++] = shape;
+        }
+    }
+
+    /** Moves a shape; counts from the next {@link #commit}. The quaternion has to have unit length. */
+    public void setPose(int shape, double x, double y, double z, double qx, double qy, double qz, double qw) {
+        int at = check(shape) * POSE;
+        boolean same = poses[at] == x && poses[at + 1] == y && poses[at + 2] == z && poses[at + 3] == qx && poses[at + 4] == qy
+            && poses[at + 5] == qz && poses[at + 6] == qw;
+        if (same) {
+            return;
+        }
+        poses[at] = x;
+        poses[at + 1] = y;
+        poses[at + 2] = z;
+        poses[at + 3] = qx;
+        poses[at + 4] = qy;
+        poses[at + 5] = qz;
+        poses[at + 6] = qw;
+        change(shape);
+    }
+
+    /** Whether beams see the shape at all (true after adding); counts from the next {@link #commit}. */
+    public void setVisible(int shape, boolean visible) {
+        if (seen[check(shape)] != visible) {
+            seen[shape] = visible;
+            change(shape);
+        }
+    }
+
+    private int check(int shape) {
+        if (shape < 0 || shape >= shapes.count) {
+            throw new IllegalArgumentException("beam scene: shape " + shape + ", legal: 0 to " + (shapes.count - 1) + ", as add... returned it");
+        }
+        return shape;
+    }
+
+    /** Makes all changes since the last commit count, new shapes included. Costs nothing for shapes that did not change. */
+    public void commit() {
+        for (int i = 0; i < changeCount; i++) {
+            int shape = changes[i];
+            changed[shape] = false;
+            shapes.visible[shape] = seen[shape];
+            shapes.place(shape, poses, shape * POSE);
+        }
+        tree.update(changes, changeCount);
+        changeCount = 0;
+    }
+
+    /** Number of shapes. */
+    public int size() {
+        return shapes.count;
+    }
+
+    /**
+     * The distance along a unit direction to the nearest surface, {@code Double.POSITIVE_INFINITY} where nothing is within maxRange. From inside a
+     * solid it is the way out to its surface.
+     *
+     * @param hit takes the number of the shape and the surface normal when something was hit; null if nobody asks
+     */
+    public double cast(double ox, double oy, double oz, double dx, double dy, double dz, double maxRange, int ignoredOwner, Hit hit) {
+        return casters().rays.cast(shapes, tree.tree(), ox, oy, oz, dx, dy, dz, maxRange, ignoredOwner, hit);
+    }
+
+    /**
+     * All beams of a plane fan at once: beam i leaves the pose's origin in the direction (sin a, 0, cos a) of the pose's frame, a = startAngle + i *
+     * stepAngle radians; positive angles are to the left (+x), counter-clockwise from above. Answers what {@link #cast} would, but for rounding in
+     * the last digits. Much faster than single beams while 0 &lt; stepAngle &lt;= 0.2 and the fan makes no more than a turn.
+     *
+     * @param ranges takes a distance or {@code Double.POSITIVE_INFINITY} for each beam
+     * @param shapes takes the number of the shape that was hit, or -1; null if nobody asks
+     */
+    public void castFan(Pose pose, double startAngle, double stepAngle, int count, double maxRange, int ignoredOwner, double[] ranges, int[] shapes) {
+        casters().fans.cast(this.shapes, tree.tree(), pose, startAngle, stepAngle, count, maxRange, ignoredOwner, ranges, shapes);
+    }
+
+    /**
+     * The shortest of several beams from one point, as {@link #cast} would answer them one by one. Fast when they make a narrow bundle.
+     *
+     * @param directions unit vectors, x, y and z of each beam
+     * @param ranges of the beams, metres
+     * @param shortest takes its length, {@code Double.POSITIVE_INFINITY} if none meets anything within its range
+     * @return the number of the shortest beam, the first one if several are, or -1
+     */
+    public int castBundle(double ox, double oy, double oz, double[] directions, double[] ranges, int ignoredOwner, double[] shortest) {
+        BundleCaster bundles = casters().bundles;
+        shortest[0] = bundles.cast(shapes, tree.tree(), ox, oy, oz, directions, ranges, ignoredOwner);
+        return bundles.getLine();
+    }
+}

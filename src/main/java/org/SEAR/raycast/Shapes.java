@@ -1,0 +1,82 @@
+package org.SEAR.raycast;
+
+import java.util.Arrays;
+
+/**
+ * The shapes of a scene in flat arrays. {@link #data} holds {@link #STRIDE} numbers a shape: rotation matrix (world = R * own, row by row),
+ * position, sizes (half sizes of a box; radius in the middle, slope and half height of a round solid; scale of a mesh).
+ */
+final class Shapes {
+    static final byte BOX = 0;
+    static final byte ROUND = 1;
+    static final byte MESH = 2;
+    static final int STRIDE = 16;
+    static final int POSITION = 9;
+    static final int SIZE = 12;
+
+    int count;
+    byte[] kind = new byte[16];
+    int[] owner = new int[16];
+    boolean[] visible = new boolean[16];
+    Mesh[] mesh = new Mesh[16];
+    double[] data = new double[16 * STRIDE];
+
+    int add(byte kindOfShape, int ownerOfShape, Mesh triangles, double a, double b, double c) {
+        if (count == kind.length) {
+            int size = 2 * count;
+            kind = Arrays.copyOf(kind, size);
+            owner = Arrays.copyOf(owner, size);
+            visible = Arrays.copyOf(visible, size);
+            mesh = Arrays.copyOf(mesh, size);
+            data = Arrays.copyOf(data, size * STRIDE);
+        }
+        int shape = count++;
+        kind[shape] = kindOfShape;
+        owner[shape] = ownerOfShape;
+        mesh[shape] = triangles;
+        data[shape * STRIDE + SIZE] = a;
+        data[shape * STRIDE + SIZE + 1] = b;
+        data[shape * STRIDE + SIZE + 2] = c;
+        return shape;
+    }
+
+    boolean isSeen(int shape, int ignoredOwner) {
+        return visible[shape] && (owner[shape] == BeamScene.WORLD || owner[shape] != ignoredOwner);
+    }
+
+    void place(int shape, double[] pose, int at) {
+        int i = shape * STRIDE;
+        Rotations.matrix(pose[at + 3], pose[at + 4], pose[at + 5], pose[at + 6], data, i);
+        System.arraycopy(pose, at, data, i + POSITION, 3);
+    }
+
+    /** Writes the world-aligned bounds of a shape, rounded outward. */
+    void bounds(int shape, float[] out, int at) {
+        int i = shape * STRIDE;
+        int size = i + SIZE;
+        for (int k = 0; k < 3; k++) {
+            double centre = data[i + POSITION + k];
+            int row = i + 3 * k;
+            double half;
+            if (kind[shape] == BOX) {
+                half = Math.abs(data[row]) * data[size] + Math.abs(data[row + 1]) * data[size + 1] + Math.abs(data[row + 2]) * data[size + 2];
+            } else if (kind[shape] == ROUND) {
+                double axis = data[row + 1];
+                double radius = data[size] + Math.abs(data[size + 1]) * data[size + 2];
+                half = Math.abs(axis) * data[size + 2] + Math.sqrt(Math.max(0, 1 - axis * axis)) * radius;
+            } else {
+                float[] root = mesh[shape].tree.data;
+                half = 0;
+                for (int j = 0; j < 3; j++) {
+                    double low = root.length == 0 ? 0 : root[j] * data[size + j];
+                    double high = root.length == 0 ? 0 : root[j + 3] * data[size + j];
+                    centre += data[row + j] * (low + high) / 2;
+                    half += Math.abs(data[row + j] * (high - low)) / 2;
+                }
+            }
+            double slack = 1e-12 * (Math.abs(centre) + half);
+            out[at + k] = Math.nextDown((float) (centre - half - slack));
+            out[at + k + 3] = Math.nextUp((float) (centre + half + slack));
+        }
+    }
+}

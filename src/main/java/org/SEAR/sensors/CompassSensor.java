@@ -1,0 +1,126 @@
+package org.SEAR.sensors;
+
+import java.time.Instant;
+import java.time.LocalDateTime;
+import java.time.ZoneOffset;
+import java.util.Collections;
+import java.util.List;
+import org.SEAR.POJOs.Compass;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.raycast.Pose;
+
+/**
+ * Heading of the sensor's forward axis, degrees clockwise from north, (-180, 180]; boxed in a Double, NaN when the reading dropped out.
+ *
+ * <p>True heading = angle, seen from above, from the direction sensor-to-north-point to the forward axis. The north point is the object's (at first
+ * 100 km along +x). With declination it is the magnetic heading = true heading - declination, east positive, by the magnetic model of the
+ * {@link Earth} at the robot's place, height and simulated date. Only the horizontal part of the axis counts; straight up or down it has no
+ * heading and answers 0. No error unless the object has noise.
+ */
+public final class CompassSensor extends Sensor<Double> {
+    private static final double METRES_PER_KILOMETRE = 1000;
+    private static final double AT_THE_POLE = 1e-6;
+
+    private final Compass compass;
+    private final ErrorModel errors;
+
+    /** @param seed of the simulation */
+    public CompassSensor(Compass parameters, long seed) {
+        super(parameters);
+        this.compass = parameters;
+        this.errors = ErrorModel.of(parameters, seed, 1);
+    }
+
+    @Override
+    public void track(Truth truth) {
+        errors.track(truth);
+    }
+
+    @Override
+    public void reset() {
+        super.reset();
+        errors.reset();
+    }
+
+    @Override
+    protected Double measure(Truth truth) {
+        if (errors.drops(truth.step(), 0)) {
+            return Double.NaN;
+        }
+        Pose pose = pose(truth);
+        double[] forward = pose.rotate(0, 0, 1);
+        double heading = angle(forward[0], forward[2]) - north(pose);
+        if (compass.isDeclination() && truth.earth().getOrigin() != null) {
+            heading -= declination(truth, pose);
+        }
+        return wrap(errors.apply(wrap(heading), truth.step(), 0, 0));
+    }
+
+    /** Degrees clockwise from +x, seen from above. */
+    private static double angle(double x, double z) {
+        return Math.toDegrees(Math.atan2(z, x));
+    }
+
+    private double north(Pose pose) {
+        double x = compass.getNorthX() - pose.x;
+        double z = compass.getNorthZ() - pose.z;
+        return Math.hypot(x, z) < AT_THE_POLE ? angle(compass.getNorthX(), compass.getNorthZ()) : angle(x, z);
+    }
+
+    private static double declination(Truth truth, Pose pose) {
+        GeoOrigin.GeoPoint place = truth.earth().getOrigin().at(pose.x, pose.y, pose.z);
+        double year = decimalYear(truth);
+        return truth.earth().getMagneticModel().field(place.latitude, place.longitude, place.altitude / METRES_PER_KILOMETRE, year).declination();
+    }
+
+    /** The simulated date as a year with fraction. */
+    private static double decimalYear(Truth truth) {
+        long millis = truth.epochMillis() + Math.round(truth.time() * 1000);
+        LocalDateTime date = LocalDateTime.ofInstant(Instant.ofEpochMilli(millis), ZoneOffset.UTC);
+        double day = date.getDayOfYear() - 1 + date.toLocalTime().toNanoOfDay() / 86400e9;
+        return date.getYear() + day / date.toLocalDate().lengthOfYear();
+    }
+
+    /** The same angle in (-180, 180]. */
+    static double wrap(double degrees) {
+        double turned = Math.IEEEremainder(degrees, 360);
+        return turned <= -180 ? turned + 360 : turned + 0.0;
+    }
+
+    @Override
+    public List<String> warnings(Truth truth) {
+        if (!compass.isDeclination()) {
+            return Collections.emptyList();
+        }
+        if (truth.earth().getOrigin() == null) {
+            return Collections.singletonList("compass " + getName() + " answers true north: no robot has a GPS that says where on the Earth the world"
+                + " lies, so there is no declination; add a GPS");
+        }
+        MagneticModel model = truth.earth().getMagneticModel();
+        double year = decimalYear(truth);
+        if (model.covers(year)) {
+            return Collections.emptyList();
+        }
+        return Collections.singletonList(String.format(java.util.Locale.ROOT, "compass %s: %s is made for %.1f to %.1f, the simulated date is %.1f;"
+            + " its declination is less accurate; put the coefficients of that time into assets/%s", getName(), model.getName(), model.getEpoch(),
+            model.getEpoch() + MagneticModel.YEARS_VALID, year, Earth.MODEL_FILE));
+    }
+
+    /** The registry entry. */
+    public static final class Type implements SensorType {
+        @Override
+        public Class<? extends SearObject> parameterType() {
+            return Compass.class;
+        }
+
+        @Override
+        public String description() {
+            return "heading of the sensor's forward axis, clockwise from north: degrees, above -180 to 180";
+        }
+
+        @Override
+        public Sensor<?> create(SearObject parameters, long seed) {
+            return new CompassSensor((Compass) parameters, seed);
+        }
+    }
+}

@@ -1,0 +1,111 @@
+package org.SEAR.sensors;
+
+import java.util.Collections;
+import org.SEAR.POJOs.Beam;
+import org.SEAR.POJOs.Distance;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.raycast.BeamScene;
+import org.SEAR.raycast.Hit;
+import org.SEAR.raycast.Pose;
+
+/**
+ * An ultrasonic, infrared, radar, sonar or laser range sensor: the distance along the line on which anything is nearest, of all lines of all cones,
+ * metres; no return if no line meets anything within its own length. Things nearer than the product can tell answer that nearest distance. Infrared
+ * beams answer their voltage as well; it is that of the true nearness, so it folds back below the nearest distance. Parts of its own robot are
+ * invisible to it unless the object says otherwise. Errors are along the line.
+ */
+public final class DistanceSensor extends Sensor<DistanceReading> {
+    private final BeamPattern pattern;
+    private final ErrorModel errors;
+    private final Distance distance;
+    private final double minRange;
+    private final VoltageCurve voltages;
+    private final Rotation rotation = new Rotation();
+    private final Hit hit = new Hit();
+    private final double[] directions;
+    private final double[] shortest = new double[1];
+    private double nearest;
+
+    /** @param seed of the simulation */
+    public DistanceSensor(Distance parameters, long seed) {
+        super(parameters);
+        this.distance = parameters;
+        this.pattern = BeamPattern.of(parameters.getCones());
+        this.directions = new double[3 * pattern.size()];
+        Beam shape = parameters.getShape();
+        this.minRange = shape == null ? 0 : shape.getMinRange();
+        this.voltages = new VoltageCurve(shape == null ? Collections.emptyList() : shape.getVoltages());
+        this.errors = ErrorModel.of(parameters, seed, 1);
+    }
+
+    @Override
+    public void track(Truth truth) {
+        errors.track(truth);
+    }
+
+    @Override
+    public void reset() {
+        super.reset();
+        errors.reset();
+    }
+
+    @Override
+    protected DistanceReading measure(Truth truth) {
+        Pose pose = pose(truth);
+        rotation.set(pose);
+        int ignored = distance.isSeesOwnRobot() ? BeamScene.WORLD : truth.owner();
+        int line = errors.drops(truth.step(), 0) ? -1 : nearestLine(truth.scene(), pose, ignored);
+        if (line < 0) {
+            return new DistanceReading(voltages.at(Double.POSITIVE_INFINITY), pattern, pose);
+        }
+        double dx = directionX(line);
+        double dy = directionY(line);
+        double dz = directionZ(line);
+        truth.scene().cast(pose.x, pose.y, pose.z, dx, dy, dz, pattern.getRange(line), ignored, hit);
+        double[] point = {pose.x + nearest * dx, pose.y + nearest * dy, pose.z + nearest * dz};
+        double measured = Math.max(0, Math.min(pattern.getMaxRange(), errors.apply(nearest, truth.step(), 0, 0)));
+        return new DistanceReading(Math.max(minRange, measured), voltages.at(measured), pattern, pose, line, point, truth.objectName(hit.shape));
+    }
+
+    /** The line on which anything is nearest, the first if there are several, or -1; leaves the distance in {@link #nearest}. */
+    private int nearestLine(BeamScene scene, Pose pose, int ignored) {
+        for (int line = 0; line < pattern.size(); line++) {
+            directions[3 * line] = directionX(line);
+            directions[3 * line + 1] = directionY(line);
+            directions[3 * line + 2] = directionZ(line);
+        }
+        int found = scene.castBundle(pose.x, pose.y, pose.z, directions, pattern.ranges(), ignored, shortest);
+        nearest = shortest[0];
+        return found;
+    }
+
+    private double directionX(int line) {
+        return rotation.outX(pattern.getX(line), pattern.getY(line), pattern.getZ(line));
+    }
+
+    private double directionY(int line) {
+        return rotation.outY(pattern.getX(line), pattern.getY(line), pattern.getZ(line));
+    }
+
+    private double directionZ(int line) {
+        return rotation.outZ(pattern.getX(line), pattern.getY(line), pattern.getZ(line));
+    }
+
+    /** The registry entry. */
+    public static final class Type implements SensorType {
+        @Override
+        public Class<? extends SearObject> parameterType() {
+            return Distance.class;
+        }
+
+        @Override
+        public String description() {
+            return "distance to the nearest thing in nested cones of lines: m (scripts get the longest line's length where nothing is)";
+        }
+
+        @Override
+        public Sensor<?> create(SearObject parameters, long seed) {
+            return new DistanceSensor((Distance) parameters, seed);
+        }
+    }
+}

@@ -1,0 +1,51 @@
+package org.SEAR.sensors;
+
+import net.sf.geographiclib.Geodesic;
+import net.sf.geographiclib.GeodesicData;
+import net.sf.geographiclib.GeodesicMask;
+
+/**
+ * Where on the Earth the world's origin lies. A point (x north, y up, z east) of the world is the end of the WGS84 geodesic of length hypot(x, z)
+ * that leaves the origin with azimuth atan2(z, x); near the origin this is x and z divided by the lengths of a degree at its latitude. It has no
+ * singular place: equator, poles and the date line are like everywhere. Immutable, any thread.
+ */
+public final class GeoOrigin {
+    private static final int WANTED = GeodesicMask.LATITUDE | GeodesicMask.LONGITUDE | GeodesicMask.AZIMUTH;
+
+    private final double latitude;
+    private final double altitude;
+    private final double longitude;
+
+    /** @param latitude degrees, + north @param altitude metres @param longitude degrees, + east */
+    public GeoOrigin(double latitude, double altitude, double longitude) {
+        this.latitude = latitude;
+        this.altitude = altitude;
+        this.longitude = longitude;
+    }
+
+    /** The place of a point of the world, metres. */
+    public GeoPoint at(double x, double y, double z) {
+        double azimuth = Math.toDegrees(Math.atan2(z, x));
+        GeodesicData end = Geodesic.WGS84.Direct(latitude, longitude, azimuth, Math.hypot(x, z), WANTED);
+        return new GeoPoint(end.lat2, end.lon2 >= 180 ? end.lon2 - 360 : end.lon2, altitude + y, end.azi2 - azimuth);
+    }
+
+    /** A place on the Earth. Immutable. */
+    public static final class GeoPoint {
+        /** Degrees, + north. */
+        public final double latitude;
+        /** Degrees, + east, [-180, 180). */
+        public final double longitude;
+        /** Metres. */
+        public final double altitude;
+        /** Degrees that true north here lies counter-clockwise of the world's +x axis: what to add to an angle from +x to get one from north. */
+        public final double convergence;
+
+        GeoPoint(double latitude, double longitude, double altitude, double convergence) {
+            this.latitude = latitude;
+            this.longitude = longitude;
+            this.altitude = altitude;
+            this.convergence = convergence;
+        }
+    }
+}

@@ -1,0 +1,84 @@
+package org.SEAR.sensors;
+
+import org.SEAR.POJOs.GPS;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.raycast.Pose;
+
+/**
+ * Place and motion of the antenna on WGS84.
+ *
+ * <p>Latitude and longitude are the end of the geodesic from the object's reference point to (x north, z east) of the world ({@link GeoOrigin}),
+ * altitude = reference altitude + y. Speed is that of the antenna over ground; the course is counted from true north where the robot is. The time is
+ * the simulation's. Errors are metres in the world: to the north, up, and to the east.
+ */
+public final class GpsSensor extends Sensor<GpsFix> {
+    /** Slower than this is standing: no course. */
+    private static final double STANDING = 0.005;
+    private static final int NORTH = 0;
+    private static final int UP = 1;
+    private static final int EAST = 2;
+
+    private final GeoOrigin origin;
+    private final ErrorModel errors;
+
+    /** @param seed of the simulation */
+    public GpsSensor(GPS parameters, long seed) {
+        super(parameters);
+        this.origin = new GeoOrigin(parameters.getLatitude(), parameters.getAltitude(), parameters.getLongitude());
+        this.errors = ErrorModel.of(parameters, seed, 3);
+    }
+
+    @Override
+    public void track(Truth truth) {
+        errors.track(truth);
+    }
+
+    @Override
+    public void reset() {
+        super.reset();
+        errors.reset();
+    }
+
+    @Override
+    protected GpsFix measure(Truth truth) {
+        long step = truth.step();
+        long time = truth.epochMillis() + Math.round(truth.time() * 1000);
+        if (errors.drops(step, 0)) {
+            return GpsFix.none(time);
+        }
+        Pose pose = pose(truth);
+        GeoOrigin.GeoPoint place = origin.at(errors.apply(pose.x, step, NORTH, NORTH), errors.apply(pose.y, step, UP, UP),
+            errors.apply(pose.z, step, EAST, EAST));
+        double[] arm = truth.body().rotate(getMount().x, getMount().y, getMount().z);
+        double[] turn = truth.angularVelocity();
+        double north = truth.velocity()[0] + turn[1] * arm[2] - turn[2] * arm[1];
+        double east = truth.velocity()[2] + turn[0] * arm[1] - turn[1] * arm[0];
+        double speed = Math.hypot(north, east);
+        double course = speed < STANDING ? 0 : course(Math.toDegrees(Math.atan2(east, north)) + place.convergence);
+        return new GpsFix(place.latitude, place.longitude, place.altitude, speed, course, time);
+    }
+
+    /** The same angle in [0, 360). */
+    private static double course(double degrees) {
+        double turned = degrees - 360 * Math.floor(degrees / 360);
+        return turned >= 360 ? 0 : turned;
+    }
+
+    /** The registry entry. */
+    public static final class Type implements SensorType {
+        @Override
+        public Class<? extends SearObject> parameterType() {
+            return GPS.class;
+        }
+
+        @Override
+        public String description() {
+            return "place on WGS84: latitude and longitude in degrees, altitude in m, speed in m/s, course in degrees, UTC";
+        }
+
+        @Override
+        public Sensor<?> create(SearObject parameters, long seed) {
+            return new GpsSensor((GPS) parameters, seed);
+        }
+    }
+}

@@ -1,0 +1,46 @@
+package org.SEAR.sensors;
+
+import org.SEAR.POJOs.SearObject;
+
+/** A three-axis sensor of the robot's motion that answers the mean of a window of 1 / bandwidth. Simulation thread. */
+abstract class InertialSensor extends Sensor<VectorReading> {
+    private final double bandwidth;
+    private final ErrorModel errors;
+    private final Window window = new Window();
+
+    /** @param bandwidth Hz; from half the simulation's rate upwards the window is a single step */
+    InertialSensor(SearObject parameters, double bandwidth, long seed) {
+        super(parameters);
+        this.bandwidth = bandwidth;
+        this.errors = ErrorModel.of(parameters, seed, 3);
+    }
+
+    /** Puts the value of the last step into the window, along the sensor's axes. */
+    final void add(Truth truth, double x, double y, double z) {
+        window.add(Window.steps(bandwidth, truth.stepLength()), x, y, z);
+    }
+
+    @Override
+    public void track(Truth truth) {
+        errors.track(truth);
+    }
+
+    @Override
+    public void reset() {
+        super.reset();
+        errors.reset();
+        window.clear();
+    }
+
+    @Override
+    protected final VectorReading measure(Truth truth) {
+        if (errors.drops(truth.step(), 0)) {
+            return new VectorReading(Double.NaN, Double.NaN, Double.NaN);
+        }
+        return new VectorReading(axis(truth, 0), axis(truth, 1), axis(truth, 2));
+    }
+
+    private double axis(Truth truth, int axis) {
+        return errors.apply(window.mean(axis), truth.step(), axis, axis);
+    }
+}

@@ -1,0 +1,87 @@
+package org.SEAR.sensors;
+
+import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.raycast.BeamScene;
+import org.SEAR.raycast.Pose;
+
+/**
+ * A plane of beams: range i = distance from the sensor's origin to the nearest surface in the direction (sin a, 0, cos a) of its frame,
+ * a = i * resolution - spread / 2, + to the left; +infinity where nothing is within range. All beams of a scan are of the same instant. Parts of its
+ * own robot are invisible to it unless the object says otherwise. Each beam has its own white error and drop-out (a missing beam is one without
+ * return); bias and drift are common to all.
+ */
+public final class LidarSensor extends Sensor<LidarScan> implements LidarSource {
+    /** Share of a step that a spread may fall short of a whole number of steps. */
+    private static final double ROUNDING = 1e-9;
+
+    private final LIDAR lidar;
+    private final ErrorModel errors;
+
+    /** @param seed of the simulation */
+    public LidarSensor(LIDAR parameters, long seed) {
+        super(parameters);
+        this.lidar = parameters;
+        this.errors = ErrorModel.of(parameters, seed, 1);
+    }
+
+    @Override
+    public void track(Truth truth) {
+        errors.track(truth);
+    }
+
+    @Override
+    public void reset() {
+        super.reset();
+        errors.reset();
+    }
+
+    @Override
+    protected LidarScan measure(Truth truth) {
+        return scan(truth, lidar.getSpread(), lidar.getResolution());
+    }
+
+    @Override
+    public LidarScan scan(Truth truth, double spreadDegrees, double resolutionDegrees) {
+        if (!(spreadDegrees > 0 && spreadDegrees <= 360 && resolutionDegrees > 0 && resolutionDegrees <= spreadDegrees)) {
+            throw new IllegalArgumentException("LIDAR " + getName() + ": spread " + spreadDegrees + " and resolution " + resolutionDegrees
+                + " degrees, legal: spread above 0 to 360, resolution above 0 to the spread");
+        }
+        double[] ranges = new double[(int) Math.floor(spreadDegrees / resolutionDegrees + ROUNDING) + 1];
+        Pose pose = pose(truth);
+        truth.scene().castFan(pose, Math.toRadians(-spreadDegrees / 2), Math.toRadians(resolutionDegrees), ranges.length, lidar.getRange(),
+            lidar.isSeesOwnRobot() ? BeamScene.WORLD : truth.owner(), ranges, null);
+        if (!errors.isNone()) {
+            disturb(truth.step(), ranges);
+        }
+        return new LidarScan(spreadDegrees, resolutionDegrees, ranges);
+    }
+
+    private void disturb(long step, double[] ranges) {
+        for (int beam = 0; beam < ranges.length; beam++) {
+            if (errors.drops(step, beam)) {
+                ranges[beam] = Double.POSITIVE_INFINITY;
+            } else if (ranges[beam] != Double.POSITIVE_INFINITY) {
+                ranges[beam] = Math.max(0, Math.min(lidar.getRange(), errors.apply(ranges[beam], step, 0, beam)));
+            }
+        }
+    }
+
+    /** The registry entry. */
+    public static final class Type implements SensorType {
+        @Override
+        public Class<? extends SearObject> parameterType() {
+            return LIDAR.class;
+        }
+
+        @Override
+        public String description() {
+            return "distances in a plane of beams, right to left: m (scripts get the range where nothing was hit)";
+        }
+
+        @Override
+        public Sensor<?> create(SearObject parameters, long seed) {
+            return new LidarSensor((LIDAR) parameters, seed);
+        }
+    }
+}

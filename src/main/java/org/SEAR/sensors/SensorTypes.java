@@ -1,0 +1,66 @@
+package org.SEAR.sensors;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.ServiceLoader;
+import java.util.TreeMap;
+import org.SEAR.POJOs.SearObject;
+
+/**
+ * The kinds of sensors there are: those of SEAR and those that other jars register in {@code META-INF/services/org.SEAR.sensors.SensorType}. Jars are
+ * found by SEAR's own class loader and by the thread's context class loader. Immutable, any thread.
+ */
+public final class SensorTypes {
+    private final TreeMap<String, SensorType> types = new TreeMap<>();
+
+    private SensorTypes() {
+    }
+
+    /** Looks for all kinds that can be found now. */
+    public static SensorTypes load() {
+        SensorTypes found = new SensorTypes();
+        found.add(SensorTypes.class.getClassLoader());
+        ClassLoader context = Thread.currentThread().getContextClassLoader();
+        if (context != null) {
+            found.add(context);
+        }
+        return found;
+    }
+
+    private void add(ClassLoader loader) {
+        for (SensorType type : ServiceLoader.load(SensorType.class, loader)) {
+            types.putIfAbsent(type.parameterType().getSimpleName(), type);
+        }
+    }
+
+    /** All kinds, ordered by the simple name of their parameter class. */
+    public Collection<SensorType> all() {
+        return Collections.unmodifiableCollection(new ArrayList<>(types.values()));
+    }
+
+    /** Whether an object describes a sensor. */
+    public boolean isSensor(SearObject object) {
+        return find(object) != null;
+    }
+
+    /**
+     * A sensor for an object.
+     *
+     * @param seed of the simulation
+     * @throws IllegalArgumentException that names the kinds there are
+     */
+    public Sensor<?> create(SearObject object, long seed) {
+        SensorType type = find(object);
+        if (type == null) {
+            throw new IllegalArgumentException(object.getClass().getSimpleName() + " " + object.getName() + " is no sensor; sensors are "
+                + String.join(", ", types.keySet()));
+        }
+        return type.create(object, seed);
+    }
+
+    private SensorType find(SearObject object) {
+        SensorType type = types.get(object.getClass().getSimpleName());
+        return type != null && type.parameterType().isInstance(object) ? type : null;
+    }
+}

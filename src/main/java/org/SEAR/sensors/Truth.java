@@ -1,0 +1,48 @@
+package org.SEAR.sensors;
+
+import org.SEAR.raycast.BeamScene;
+import org.SEAR.raycast.Pose;
+
+/**
+ * What a sensor may know: the exact state of its robot after one step. The simulator fills it; sensors only read it. Simulation thread.
+ */
+public interface Truth {
+    /** Steps since start or reset; 0 before the first. */
+    long step();
+
+    /** Simulated seconds since start or reset. */
+    double time();
+
+    /** Length of a step, seconds. */
+    double stepLength();
+
+    /** UTC of simulated time 0, milliseconds since 1970. */
+    long epochMillis();
+
+    /** The robot's body in the world. */
+    Pose body();
+
+    /** Velocity of the body's origin in the world, m/s: {x, y, z}. Not to be kept or changed. */
+    double[] velocity();
+
+    /** Angular velocity in the world frame, rad/s: {x, y, z}. Not to be kept or changed. */
+    double[] angularVelocity();
+
+    /** Signed path of the body's origin along the body's forward axis since start or reset, metres. Vibration at rest does not count. */
+    double path();
+
+    /** What gravity gives to a falling body, m/s^2 along the world's -y; 9.81 unless the world says otherwise. */
+    double gravity();
+
+    /** Where the world lies on the Earth, and the magnetic field there: {@code Earth.of(project, robot)}, made once. */
+    Earth earth();
+
+    /** The geometry that beams meet, as of this step. */
+    BeamScene scene();
+
+    /** The owner number of this robot's parts in the scene. */
+    int owner();
+
+    /** Name of the object that a shape of the scene belongs to. */
+    String objectName(int shape);
+}

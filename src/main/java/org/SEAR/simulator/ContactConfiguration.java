@@ -1,0 +1,23 @@
+package org.SEAR.simulator;
+
+import com.bulletphysics.collision.broadphase.BroadphaseNativeType;
+import com.bulletphysics.collision.dispatch.CollisionAlgorithmCreateFunc;
+import com.bulletphysics.collision.dispatch.DefaultCollisionConfiguration;
+import java.util.EnumSet;
+import java.util.Set;
+
+/** jbullet's collision algorithms, but {@link ContactPatch} between boxes, cylinders and cones. */
+final class ContactConfiguration extends DefaultCollisionConfiguration {
+    private static final Set<BroadphaseNativeType> SOLIDS = EnumSet.of(BroadphaseNativeType.BOX_SHAPE_PROXYTYPE,
+        BroadphaseNativeType.CYLINDER_SHAPE_PROXYTYPE, BroadphaseNativeType.CONE_SHAPE_PROXYTYPE);
+
+    private final CollisionAlgorithmCreateFunc patches = new ContactPatch.Maker(simplexSolver, pdSolver);
+
+    @Override
+    public CollisionAlgorithmCreateFunc getCollisionAlgorithmCreateFunc(BroadphaseNativeType a, BroadphaseNativeType b) {
+        if (patches != null && SOLIDS.contains(a) && SOLIDS.contains(b)) {
+            return patches;
+        }
+        return super.getCollisionAlgorithmCreateFunc(a, b);
+    }
+}

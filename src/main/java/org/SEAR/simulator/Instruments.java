@@ -1,0 +1,164 @@
+package org.SEAR.simulator;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.ServiceLoader;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.SerialObject;
+import org.SEAR.raycast.BeamScene;
+import org.SEAR.raycast.Hit;
+import org.SEAR.raycast.Pose;
+import org.SEAR.sensors.Sensor;
+import org.SEAR.sensors.SensorTypes;
+
+/** The sensors of all robots and the devices behind their serial ports. Simulation thread. */
+final class Instruments {
+    private final List<RobotModel> robots;
+    private final TreeMap<String, Sensor<?>> sensors = new TreeMap<>();
+    private final TreeMap<String, RobotModel> carriers = new TreeMap<>();
+    private final List<Port> ports = new ArrayList<>();
+    private final List<SerialLine> lines = new ArrayList<>();
+    private final List<String> names;
+    private final Consumer<String> warnings;
+
+    Instruments(List<RobotModel> robots, long seed, Consumer<String> warnings) {
+        this.robots = robots;
+        this.warnings = warnings;
+        SensorTypes types = SensorTypes.load();
+        List<DeviceType> deviceTypes = deviceTypes();
+        for (RobotModel robot : robots) {
+            for (SearObject part : robot.getObject().getComponents()) {
+                Sensor<?> sensor = types.isSensor(part) ? types.create(part, seed) : null;
+                if (sensor != null) {
+                    robot.add(sensor);
+                    sensors.putIfAbsent(sensor.getName(), sensor);
+                    carriers.putIfAbsent(sensor.getName(), robot);
+                }
+                connect(part, robot, sensor, seed, deviceTypes);
+            }
+        }
+        names = List.copyOf(sensors.keySet());
+    }
+
+    private static List<DeviceType> deviceTypes() {
+        List<DeviceType> found = new ArrayList<>();
+        ServiceLoader.load(DeviceType.class, Instruments.class.getClassLoader()).forEach(found::add);
+        ClassLoader context = Thread.currentThread().getContextClassLoader();
+        if (context != null && context != Instruments.class.getClassLoader()) {
+            ServiceLoader.load(DeviceType.class, context).forEach(found::add);
+        }
+        return found;
+    }
+
+    private void connect(SearObject part, RobotModel robot, Sensor<?> sensor, long seed, List<DeviceType> types) {
+        if (!(part instanceof SerialObject) || ((SerialObject) part).getUartPort() == null || ((SerialObject) part).getUserPort() == null) {
+            return;
+        }
+        for (DeviceType type : types) {
+            if (type.parameterType().isInstance(part)) {
+                Port port = new Port(part, robot, sensor, seed, warnings);
+                SerialDevice device = type.create(part, port);
+                if (device != null) {
+                    port.getCable().attach(device);
+                    ports.add(port);
+                    lines.add(port.getCable());
+                }
+                return;
+            }
+        }
+    }
+
+    /** Everything as powered on. */
+    void restart() {
+        for (RobotModel robot : robots) {
+            for (Sensor<?> sensor : robot.getSensors()) {
+                sensor.reset();
+            }
+        }
+        for (Port port : ports) {
+            port.getCable().restart();
+        }
+    }
+
+    /** Says what is odd about the sensors in this world. */
+    void warn() {
+        Hit hit = new Hit();
+        for (RobotModel robot : robots) {
+            for (Sensor<?> sensor : robot.getSensors()) {
+                sensor.warnings(robot.truth()).forEach(warnings);
+                Pose pose = robot.getPose().times(sensor.getMount());
+                double[] ahead = pose.rotate(0, 0, 1);
+                BeamScene scene = robot.truth().scene();
+                double distance = scene.cast(pose.x, pose.y, pose.z, ahead[0], ahead[1], ahead[2], Double.MAX_VALUE, robot.getOwner(), hit);
+                if (distance < Double.POSITIVE_INFINITY && ahead[0] * hit.nx + ahead[1] * hit.ny + ahead[2] * hit.nz > 0) {
+                    warnings.accept("sensor " + sensor.getName() + " is inside " + robot.truth().objectName(hit.shape) + "; move one of them");
+                }
+            }
+        }
+    }
+
+    /** Commands phase: bytes from the users' ports. */
+    void accept(double time) {
+        for (int i = 0; i < ports.size(); i++) {
+            ports.get(i).getCable().accept(time);
+        }
+    }
+
+    /** Sensors phase: those with a memory look at the step. */
+    void track() {
+        for (int i = 0; i < robots.size(); i++) {
+            RobotModel robot = robots.get(i);
+            for (int k = 0; k < robot.getSensors().size(); k++) {
+                robot.getSensors().get(k).track(robot.truth());
+            }
+        }
+    }
+
+    /** Devices phase. @param end of the step */
+    void run(double end) {
+        for (int i = 0; i < ports.size(); i++) {
+            ports.get(i).getCable().run(end);
+        }
+    }
+
+    /** Outputs phase. @param end of the step */
+    void deliver(double end) {
+        for (int i = 0; i < ports.size(); i++) {
+            Cable cable = ports.get(i).getCable();
+            cable.deliver(end);
+            long dropped = cable.takeDropped();
+            if (dropped > 0) {
+                warnings.accept(cable.getObjectName() + ": more was written to " + cable.getUserPort() + " than its line can carry at "
+                    + cable.getDeviceBaud() + " baud; bytes beyond " + Cable.MAX_WAITING + " waiting ones are lost");
+            }
+        }
+    }
+
+    Sensor<?> sensor(String name) {
+        Sensor<?> sensor = sensors.get(name);
+        if (sensor == null) {
+            throw new IllegalArgumentException("no sensor is called \"" + name + "\", legal: "
+                + (names.isEmpty() ? "none, the project has no sensors" : String.join(", ", names)));
+        }
+        return sensor;
+    }
+
+    Object read(String name) {
+        return sensor(name).read(carriers.get(name).truth());
+    }
+
+    List<String> getNames() {
+        return names;
+    }
+
+    List<SerialLine> getLines() {
+        return Collections.unmodifiableList(lines);
+    }
+
+    List<Port> getPorts() {
+        return ports;
+    }
+}

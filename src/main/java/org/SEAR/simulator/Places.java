@@ -1,0 +1,38 @@
+package org.SEAR.simulator;
+
+import java.util.List;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.project.Project;
+import org.SEAR.raycast.Pose;
+
+/** Finds where things are by their names. Simulation thread. */
+final class Places {
+    private Places() {
+    }
+
+    static Pose find(Project project, World world, String name) {
+        List<SearObject> environment = project.getEnvironment();
+        for (int i = 0; i < environment.size(); i++) {
+            if (environment.get(i).getName().equals(name)) {
+                return world.getPoses().get(i);
+            }
+        }
+        for (RobotModel robot : world.getRobots()) {
+            Pose pose = robot.getPose();
+            if (robot.getObject().getName().equals(name) || robot.getDynamics().getName().equals(name)) {
+                return pose;
+            }
+            for (SearObject part : robot.getObject().getComponents()) {
+                if (part.getName().equals(name)) {
+                    return pose.times(Pose.ofDegrees(part.getX(), part.getY(), part.getZ(), part.getRx(), part.getRy(), part.getRz()));
+                }
+            }
+            for (RaycastWheel wheel : robot.getTrain().getWheels()) {
+                if (wheel.object.getName().equals(name)) {
+                    return pose.times(wheel.place());
+                }
+            }
+        }
+        throw new IllegalArgumentException("nothing is called \"" + name + "\", legal: the name of a robot, a part of a robot or an object");
+    }
+}

@@ -1,0 +1,89 @@
+package org.SEAR.simulator;
+
+import java.util.function.Consumer;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.SerialObject;
+import org.SEAR.sensors.Sensor;
+import org.SEAR.sensors.Truth;
+
+/** What one device's firmware can reach. Simulation thread. */
+final class Port implements DeviceContext {
+    private final Cable cable;
+    private final RobotModel robot;
+    private final Sensor<?> sensor;
+    private final long seed;
+    private final Consumer<String> warnings;
+
+    /** @param sensor null for a robot's drive */
+    Port(SearObject object, RobotModel robot, Sensor<?> sensor, long seed, Consumer<String> warnings) {
+        SerialObject serial = (SerialObject) object;
+        this.cable = new Cable(object.getName(), object.getClass().getSimpleName(), serial.getUartPort(), serial.getUserPort());
+        this.robot = robot;
+        this.sensor = sensor;
+        this.seed = seed;
+        this.warnings = warnings;
+    }
+
+    Cable getCable() {
+        return cable;
+    }
+
+    RobotModel getRobot() {
+        return robot;
+    }
+
+    @Override
+    public void send(byte[] bytes, double time) {
+        cable.send(bytes, time);
+    }
+
+    @Override
+    public double lineFreeAt() {
+        return cable.freeAt();
+    }
+
+    @Override
+    public void clearOutput() {
+        cable.clearOutput();
+    }
+
+    @Override
+    public RobotHardware robot() {
+        return robot;
+    }
+
+    @Override
+    public <R> R read(Sensor<R> other) {
+        return other.read(robot.truth());
+    }
+
+    @Override
+    public Sensor<?> sensor() {
+        return sensor;
+    }
+
+    @Override
+    public Truth truth() {
+        return robot.truth();
+    }
+
+    @Override
+    public double time() {
+        return robot.truth().time();
+    }
+
+    @Override
+    public long epochMillis() {
+        return robot.truth().epochMillis();
+    }
+
+    @Override
+    public long seed() {
+        return seed;
+    }
+
+    @Override
+    public void warn(String message) {
+        warnings.accept(cable.getObjectName() + ": " + message);
+    }
+}

@@ -1,0 +1,236 @@
+package org.SEAR.simulator;
+
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.Future;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectException;
+import org.SEAR.raycast.Pose;
+import org.SEAR.sensors.Sensor;
+
+/**
+ * A running world: physics, robots, sensors and devices, advanced in steps of 1/60 s.
+ *
+ * <p>One thread, the simulation thread, owns it: whoever calls {@link #step}. Any other thread may call {@link #post}, {@link #ask} and
+ * {@link #snapshot} only.
+ */
+public final class Simulation implements AutoCloseable {
+    /** Length of a step, simulated seconds. */
+    public static final double STEP = 1 / 60.0;
+    /** UTC of simulated time 0 unless set, milliseconds since 1970. */
+    public static final long EPOCH = Instant.parse("2026-01-01T12:00:00Z").toEpochMilli();
+
+    private final Project project;
+    private final World world;
+    private final Instruments instruments;
+    private final Observer observer;
+    private final Warnings warnings = new Warnings();
+    private final List<Robot> robots;
+    private final ConcurrentLinkedQueue<Consumer<Simulation>> commands = new ConcurrentLinkedQueue<>();
+    private final ConcurrentLinkedQueue<Runnable> questions = new ConcurrentLinkedQueue<>();
+    private volatile Runnable bell = () -> { };
+    private volatile Snapshot snapshot;
+    private volatile Thread thread;
+    private volatile boolean closed;
+    private long step;
+
+    private Simulation(Project project, long seed, long epochMillis) throws ProjectException {
+        this.project = project;
+        world = new World(project, epochMillis);
+        instruments = new Instruments(world.getRobots(), seed, warnings::add);
+        observer = new Observer(world, instruments, warnings);
+        robots = Collections.unmodifiableList(new ArrayList<Robot>(world.getRobots()));
+        start();
+    }
+
+    /** Reads a SEARproject folder and builds its world. */
+    public static Simulation load(Path folder, long seed) throws ProjectException {
+        return of(Project.read(folder), seed);
+    }
+
+    /** Builds the world of a project. */
+    public static Simulation of(Project project, long seed) throws ProjectException {
+        return of(project, seed, EPOCH);
+    }
+
+    /** Builds the world of a project. @param epochMillis UTC of simulated time 0, milliseconds since 1970 */
+    public static Simulation of(Project project, long seed, long epochMillis) throws ProjectException {
+        return new Simulation(project, seed, epochMillis);
+    }
+
+    private void start() {
+        step = 0;
+        warnings.restart(project.getWarnings(), world.getWarnings());
+        instruments.warn();
+        snapshot = observer.look(step);
+    }
+
+    /** Advances by one step: commands in, physics, truth, sensors, devices, outputs. Simulation thread. */
+    public void step() {
+        thread = Thread.currentThread();
+        obey();
+        instruments.accept(getTime());
+        world.step();
+        step++;
+        world.observe(step);
+        instruments.track();
+        instruments.run(getTime());
+        instruments.deliver(getTime());
+        snapshot = observer.look(step);
+        serve();
+    }
+
+    private void obey() {
+        for (Consumer<Simulation> command = commands.poll(); command != null; command = commands.poll()) {
+            try {
+                command.accept(this);
+            } catch (RuntimeException e) {
+                warnings.add("a command failed: " + e);
+            }
+        }
+    }
+
+    /** Runs what was asked for with {@link #ask}, without advancing. Simulation thread. */
+    public void serve() {
+        if (questions.isEmpty()) {
+            return;
+        }
+        thread = Thread.currentThread();
+        for (Runnable question = questions.poll(); question != null; question = questions.poll()) {
+            question.run();
+        }
+    }
+
+    /** Everything back to step 0, as a fresh start with the same seed. Who watches what and the speed of the user's ports stay. Simulation thread. */
+    public void reset() {
+        world.restart();
+        instruments.restart();
+        start();
+    }
+
+    /** A command for the start of the next step. Any thread. A command that throws becomes a warning. */
+    public void post(Consumer<Simulation> command) {
+        commands.add(command);
+    }
+
+    /** A question, answered on the simulation thread between two steps (while paused too). Any thread. Fails when the simulation has ended. */
+    public <T> Future<T> ask(Function<Simulation, T> question) {
+        CompletableFuture<T> answer = new CompletableFuture<>();
+        Runnable job = () -> {
+            if (closed) {
+                answer.completeExceptionally(new IllegalStateException("the simulation has ended"));
+                return;
+            }
+            try {
+                answer.complete(question.apply(this));
+            } catch (RuntimeException e) {
+                answer.completeExceptionally(e);
+            }
+        };
+        if (closed || Thread.currentThread() == thread) {
+            job.run();
+        } else {
+            questions.add(job);
+            bell.run();
+            if (closed) {
+                serve();
+            }
+        }
+        return answer;
+    }
+
+    /** Who is to be told that there is a question. */
+    void setBell(Runnable newBell) {
+        bell = newBell;
+    }
+
+    /** The state after the last step. Any thread. */
+    public Snapshot snapshot() {
+        return snapshot;
+    }
+
+    /** The project this world was made from; immutable. Any thread. */
+    public Project getProject() {
+        return project;
+    }
+
+    /** Simulated seconds. Simulation thread; others look at the snapshot. */
+    public double getTime() {
+        return step * STEP;
+    }
+
+    /** Steps since start or reset. Simulation thread. */
+    public long getStep() {
+        return step;
+    }
+
+    /** All robots, in the project's order. Simulation thread. */
+    public List<Robot> getRobots() {
+        return robots;
+    }
+
+    /** A sensor by name. @throws IllegalArgumentException that names the sensors there are. Simulation thread. */
+    public Sensor<?> getSensor(String name) {
+        return instruments.sensor(name);
+    }
+
+    /** The present reading of a sensor. Simulation thread. @throws IllegalArgumentException that names the sensors there are */
+    public Object read(String sensorName) {
+        return instruments.read(sensorName);
+    }
+
+    /** Names of all sensors, ordered. Any thread. */
+    public List<String> getSensorNames() {
+        return instruments.getNames();
+    }
+
+    /**
+     * Where something is in the world. Simulation thread.
+     *
+     * @param name of a robot, a part of a robot, or an environment object
+     * @throws IllegalArgumentException if there is none of that name
+     */
+    public Pose getPose(String name) {
+        return Places.find(project, world, name);
+    }
+
+    /** Whether snapshots carry the sensor's reading from now on; never changes any reading. Any thread, through {@link #post}. */
+    public void watch(String sensorName, boolean on) {
+        instruments.sensor(sensorName);
+        observer.watch(sensorName, on);
+        snapshot = observer.look(step);
+    }
+
+    /** Snapshots carry fresh readings and status lines every so many steps. Simulation thread. @param steps 1 or more, default 2 */
+    void setDisplayInterval(int steps) {
+        observer.setInterval(steps);
+    }
+
+    /** Whether snapshots carry the contact points of jbullet from now on; default false. Any thread, through {@link #post}. */
+    public void showContacts(boolean on) {
+        world.setWantsContacts(on);
+    }
+
+    /** The lines of all serial devices. Any thread (the list never changes). */
+    public List<SerialLine> getLines() {
+        return instruments.getLines();
+    }
+
+    World getWorld() {
+        return world;
+    }
+
+    /** Lets go of everything: questions that are still open fail. Simulation thread, after the last step. */
+    @Override
+    public void close() {
+        closed = true;
+        serve();
+    }
+}

@@ -1,0 +1,280 @@
+package org.SEAR.simulator;
+
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.LockSupport;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.BooleanSupplier;
+
+/**
+ * The body of the simulation thread: paces steps to real time, a factor of it, or as fast as possible; pauses; serves questions meanwhile. Whoever
+ * runs it gives it a thread. Every method but {@link #run} may be called from any thread.
+ *
+ * <p>Pacing keeps to the clock, not to the last step, so short delays are caught up; after a long one (the machine slept) time goes on from there.
+ */
+public final class SimulationRunner implements Runnable {
+    /** A delay longer than this is not caught up, ns. */
+    private static final long LONGEST_DELAY = 250_000_000L;
+    private static final double NANOS = 1e9;
+    /** Real time over which the speed is measured, ns, and how often. */
+    private static final long SPEED_WINDOW = 1_000_000_000L;
+    private static final int SPEED_SAMPLES = 8;
+    /** Snapshots carry fresh readings about this often in real time, per second. */
+    private static final double DISPLAY_RATE = 30;
+
+    private final Simulation simulation;
+    private final CopyOnWriteArrayList<Runnable> listeners = new CopyOnWriteArrayList<>();
+    private final ReentrantLock lock = new ReentrantLock();
+    private final Condition progress = lock.newCondition();
+    private final long[] sampleTimes = new long[SPEED_SAMPLES];
+    private final long[] sampleSteps = new long[SPEED_SAMPLES];
+    private int samples;
+    private volatile int waiting;
+    private volatile double speed = 1;
+    private volatile boolean paused;
+    private volatile boolean stopped;
+    private volatile boolean ended;
+    private volatile Throwable failure;
+    private volatile double measured;
+    private volatile Thread thread;
+    private volatile long done;
+    private volatile long ordered;
+    private volatile boolean newPace;
+    private long deadline;
+
+    public SimulationRunner(Simulation simulation) {
+        this.simulation = simulation;
+    }
+
+    /** Runs until {@link #stop}; then closes the simulation. The thread that calls this is the simulation thread. */
+    @Override
+    public void run() {
+        thread = Thread.currentThread();
+        simulation.setBell(() -> LockSupport.unpark(thread));
+        try {
+            newPace = true;
+            while (!stopped) {
+                simulation.serve();
+                if (paused && done >= ordered) {
+                    measured = 0;
+                    samples = 0;
+                    newPace = true;
+                    LockSupport.park(this);
+                } else if (isDue()) {
+                    advanceOne();
+                }
+            }
+        } catch (RuntimeException | Error e) {
+            failure = e;
+            throw e;
+        } finally {
+            simulation.close();
+            ended = true;
+            tell();
+        }
+    }
+
+    /** Whether the next step's time has come; waits a while if not. */
+    private boolean isDue() {
+        double factor = speed;
+        if (Double.isInfinite(factor)) {
+            newPace = true;
+            return true;
+        }
+        long now = System.nanoTime();
+        long length = (long) (Simulation.STEP * NANOS / factor);
+        if (newPace || now - deadline > Math.max(LONGEST_DELAY, 2 * length)) {
+            newPace = false;
+            deadline = now;
+        }
+        if (deadline - now > 0) {
+            LockSupport.parkNanos(this, deadline - now);
+            return false;
+        }
+        deadline += length;
+        return true;
+    }
+
+    private void advanceOne() {
+        simulation.step();
+        done++;
+        measure();
+        for (Runnable listener : listeners) {
+            listener.run();
+        }
+        if (waiting > 0) {
+            tell();
+        }
+    }
+
+    private void tell() {
+        lock.lock();
+        try {
+            progress.signalAll();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void measure() {
+        if (samples > 0 && done % SPEED_SAMPLES != 0) {
+            return;
+        }
+        long now = System.nanoTime();
+        int newest = (samples + SPEED_SAMPLES - 1) % SPEED_SAMPLES;
+        if (samples > 0 && now - sampleTimes[newest] < SPEED_WINDOW / SPEED_SAMPLES) {
+            return;
+        }
+        int slot = samples % SPEED_SAMPLES;
+        int oldest = samples < SPEED_SAMPLES ? 0 : slot;
+        if (samples > 0) {
+            measured = (done - sampleSteps[oldest]) * Simulation.STEP * NANOS / (now - sampleTimes[oldest]);
+            simulation.setDisplayInterval((int) Math.max(2, measured / Simulation.STEP / DISPLAY_RATE));
+        }
+        sampleTimes[slot] = now;
+        sampleSteps[slot] = done;
+        samples = samples == 2 * SPEED_SAMPLES - 1 ? SPEED_SAMPLES : samples + 1;
+    }
+
+    /** The world that is run. */
+    public Simulation getSimulation() {
+        return simulation;
+    }
+
+    /** Called on the simulation thread after each step. */
+    public void addStepListener(Runnable listener) {
+        listeners.add(listener);
+    }
+
+    /** Takes a listener away. */
+    public void removeStepListener(Runnable listener) {
+        listeners.remove(listener);
+    }
+
+    /** @param factor simulated seconds per real second, > 0; infinity = as fast as possible */
+    public void setSpeed(double factor) {
+        if (!(factor > 0)) {
+            throw new IllegalArgumentException("speed is " + factor + ", legal: above 0, infinity for as fast as possible");
+        }
+        speed = factor;
+        newPace = true;
+        LockSupport.unpark(thread);
+    }
+
+    /** The factor that was asked for; default 1. */
+    public double getSpeed() {
+        return speed;
+    }
+
+    /** Simulated seconds per real second over the last second or so; 0 while paused. */
+    public double getMeasuredSpeed() {
+        return measured;
+    }
+
+    /** While paused (and always in lock-step) time advances only by {@link #advance}. */
+    public void setPaused(boolean on) {
+        paused = on;
+        LockSupport.unpark(thread);
+    }
+
+    public boolean isPaused() {
+        return paused;
+    }
+
+    /** Whether {@link #run} has ended. */
+    public boolean isEnded() {
+        return ended;
+    }
+
+    /** Why {@link #run} ended by itself; null if it did not. */
+    public Throwable getFailure() {
+        return failure;
+    }
+
+    /**
+     * Advances by so many steps, also while paused, and returns when they are done, at the speed that is set.
+     *
+     * @throws IllegalStateException if the run ended before, or when called on the simulation thread
+     */
+    public void advance(long steps) throws InterruptedException {
+        notOnSimulationThread("advance");
+        lock.lock();
+        waiting++;
+        try {
+            ordered = Math.max(ordered, done) + steps;
+            long goal = ordered;
+            LockSupport.unpark(thread);
+            while (done < goal && !ended) {
+                progress.await();
+            }
+            if (done < goal) {
+                throw new IllegalStateException("the simulation has ended", failure);
+            }
+        } finally {
+            waiting--;
+            lock.unlock();
+        }
+    }
+
+    /** Waits until simulated time has reached {@code seconds}, or the run has ended. */
+    public void await(double seconds) throws InterruptedException {
+        notOnSimulationThread("await");
+        lock.lock();
+        waiting++;
+        try {
+            while (simulation.snapshot().time < seconds && !ended) {
+                progress.await();
+            }
+        } finally {
+            waiting--;
+            lock.unlock();
+        }
+    }
+
+    /**
+     * Waits until a condition holds that changes only with simulated time, or the real time is up, or the run has ended.
+     *
+     * @return whether the condition holds
+     */
+    public boolean await(BooleanSupplier condition, double realSeconds) throws InterruptedException {
+        notOnSimulationThread("await");
+        long left = (long) (realSeconds * NANOS);
+        lock.lock();
+        waiting++;
+        try {
+            while (!condition.getAsBoolean() && !ended && left > 0) {
+                left = progress.awaitNanos(left);
+            }
+            return condition.getAsBoolean();
+        } finally {
+            waiting--;
+            lock.unlock();
+        }
+    }
+
+    private void notOnSimulationThread(String method) {
+        if (Thread.currentThread() == thread) {
+            throw new IllegalStateException(method + " on the simulation thread would wait for itself");
+        }
+    }
+
+    /** Ends {@link #run} after the present step; waits for that unless called from the simulation thread or before {@link #run} began. */
+    public void stop() {
+        stopped = true;
+        Thread runs = thread;
+        if (runs == null || Thread.currentThread() == runs) {
+            return;
+        }
+        LockSupport.unpark(runs);
+        lock.lock();
+        try {
+            while (!ended) {
+                progress.await();
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } finally {
+            lock.unlock();
+        }
+    }
+}

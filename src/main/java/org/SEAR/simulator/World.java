@@ -1,0 +1,168 @@
+package org.SEAR.simulator;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import javax.vecmath.Vector3f;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Shape;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectException;
+import org.SEAR.raycast.Pose;
+import org.SEAR.sensors.Earth;
+
+/** The things of a project: environment and robots in physics and before the beams. Simulation thread. */
+final class World implements Physics.Touches {
+    private static final int MAX_CONTACTS = 256;
+
+    private final Physics physics = new Physics();
+    private final Scenes scenes;
+    private final List<Body> environment = new ArrayList<>();
+    private final List<RobotModel> robots = new ArrayList<>();
+    private final List<String> warnings = new ArrayList<>();
+    private final VirtualWalls virtualWalls = new VirtualWalls();
+    private List<Pose> poses;
+    private final List<double[]> contacts = new ArrayList<>();
+    private boolean wantsContacts;
+
+    World(Project project, long epochMillis) throws ProjectException {
+        scenes = new Scenes(hasInvisible(project));
+        for (SearObject object : project.getEnvironment()) {
+            Body body = body(object, project);
+            environment.add(body);
+            if (body != null) {
+                physics.add(body);
+                body.addTo(scenes, Collections.singletonList(((Shape) object).isVisibleToSensors()), -1, 1);
+                virtualWalls.consider(body);
+            }
+        }
+        for (SEARrobot robot : project.getRobots()) {
+            RobotBuilder builder = RobotBuilder.of(robot, project, warnings);
+            physics.add(builder.body);
+            builder.addTo(scenes, robots.size());
+            RobotTruth truth = new RobotTruth(builder.body, scenes, robots.size(), Earth.of(project, robot), epochMillis);
+            robots.add(new RobotModel(builder, robots.size(), scenes, truth, virtualWalls));
+        }
+        StartPoses.lift(physics.getBodies(), warnings);
+        restart();
+    }
+
+    private static boolean hasInvisible(Project project) {
+        List<SearObject> all = new ArrayList<>(project.getEnvironment());
+        for (SEARrobot robot : project.getRobots()) {
+            all.addAll(robot.getComponents());
+            all.addAll(robot.getWheels());
+        }
+        return all.stream().anyMatch(object -> object instanceof Shape && !((Shape) object).isVisibleToSensors());
+    }
+
+    private static Body body(SearObject object, Project project) throws ProjectException {
+        Solid solid = Solid.of(object, project);
+        if (solid == null) {
+            return null;
+        }
+        Pose place = solid.offset;
+        return new Body(object.getName(), ((Shape) object).getMass(), Collections.singletonList(solid), new Pose[] {place},
+            new double[] {place.x, place.y, place.z},
+            Pose.ofDegrees(object.getX(), object.getY(), object.getZ(), object.getRx(), object.getRy(), object.getRz()));
+    }
+
+    /** Everything back to its start. */
+    void restart() {
+        physics.restart();
+        for (Body body : environment) {
+            if (body != null) {
+                body.mirror(scenes);
+            }
+        }
+        for (RobotModel robot : robots) {
+            robot.restart(physics);
+            robot.mirror();
+        }
+        scenes.commit();
+        contacts.clear();
+        poses = poses();
+    }
+
+    /** The physics of a step: wheels find their ground, jbullet moves the bodies, wheels turn, beams' geometry follows. */
+    void step() {
+        for (int i = 0; i < robots.size(); i++) {
+            robots.get(i).prepare();
+        }
+        physics.step();
+        boolean moved = false;
+        for (int i = 0; i < environment.size(); i++) {
+            Body body = environment.get(i);
+            if (body != null && !body.isFixed() && physics.isAwake(body)) {
+                body.mirror(scenes);
+                moved = true;
+            }
+        }
+        for (int i = 0; i < robots.size(); i++) {
+            RobotModel robot = robots.get(i);
+            robot.follow(physics.isAwake(robot.getBody()));
+        }
+        contacts.clear();
+        physics.touches(this);
+        scenes.commit();
+        if (moved) {
+            poses = poses();
+        }
+    }
+
+    /** The truth of a step. */
+    void observe(long step) {
+        for (int i = 0; i < robots.size(); i++) {
+            RobotModel robot = robots.get(i);
+            robot.truth().update(step, physics.isAwake(robot.getBody()));
+        }
+    }
+
+    @Override
+    public void touch(Body a, Body b, Vector3f at, Vector3f normal) {
+        for (int i = 0; i < robots.size(); i++) {
+            RobotModel robot = robots.get(i);
+            if (robot.getBody() == a || robot.getBody() == b) {
+                robot.touch(at, normal);
+            }
+        }
+        if (wantsContacts && contacts.size() < MAX_CONTACTS) {
+            contacts.add(new double[] {at.x, at.y, at.z});
+        }
+    }
+
+    void setWantsContacts(boolean on) {
+        wantsContacts = on;
+    }
+
+    private List<Pose> poses() {
+        Pose[] all = new Pose[environment.size()];
+        for (int i = 0; i < all.length; i++) {
+            all[i] = environment.get(i) == null ? Pose.IDENTITY : environment.get(i).getPose();
+        }
+        return List.of(all);
+    }
+
+    /** Poses of the environment objects, in the project's order; the same list as long as nothing moves. */
+    List<Pose> getPoses() {
+        return poses;
+    }
+
+    List<double[]> getContacts() {
+        return contacts.isEmpty() ? Collections.emptyList() : List.copyOf(contacts);
+    }
+
+    List<RobotModel> getRobots() {
+        return robots;
+    }
+
+    /** What was put right before the start. */
+    List<String> getWarnings() {
+        return warnings;
+    }
+
+    Physics getPhysics() {
+        return physics;
+    }
+}

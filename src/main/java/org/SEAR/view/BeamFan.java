@@ -1,0 +1,43 @@
+package org.SEAR.view;
+
+import com.jme3.math.ColorRGBA;
+import org.SEAR.raycast.Pose;
+
+/** The beams of one sensor as they are drawn: directions in the sensor's frame, greatest lengths, colours. Immutable. */
+final class BeamFan {
+    final String sensor;
+    /** Number of the robot that carries the sensor. */
+    final int robot;
+    /** The sensor in the robot's body frame. */
+    final Pose mount;
+    /** Unit vectors x, y, z of each beam, sensor frame. */
+    final float[] directions;
+    /** Greatest length of each beam, metres. */
+    final float[] ranges;
+    /** Red, green, blue of each beam. */
+    final float[] colors;
+    /** Colour of the spheres where beams end on something. */
+    final ColorRGBA hitColor;
+    /** Radius of these spheres, metres. */
+    final float hitRadius;
+    /** Whether a beam ends where it hits; else it is drawn in full length and only the sphere shows the hit. */
+    final boolean cut;
+
+    BeamFan(String sensor, int robot, Pose mount, float[] directions, float[] ranges, float[] colors, ColorRGBA hitColor, float hitRadius,
+            boolean cut) {
+        this.sensor = sensor;
+        this.robot = robot;
+        this.mount = mount;
+        this.directions = directions;
+        this.ranges = ranges;
+        this.colors = colors;
+        this.hitColor = hitColor;
+        this.hitRadius = hitRadius;
+        this.cut = cut;
+    }
+
+    /** How many beams there are. */
+    int size() {
+        return ranges.length;
+    }
+}

@@ -1,0 +1,67 @@
+package org.SEAR.view;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import org.SEAR.raycast.Pose;
+
+/** What a window needs to know about the world after one step, in the window's own terms. Immutable, any thread. */
+final class Moment {
+    /** Steps since start or reset. */
+    final long step;
+    /** Simulated seconds. */
+    final double time;
+    /** Poses of the environment objects, in the project's order. */
+    final List<Pose> environment;
+    /** The robots, in the project's order. */
+    final List<RobotMoment> robots;
+    /** Lengths of a beam sensor's beams in metres, in the order of its {@link BeamFan}; infinite where nothing was hit. */
+    final Map<String, double[]> beams;
+    /** Readings in words with unit, by sensor name. */
+    final Map<String, String> values;
+    /** Contact points {x, y, z} in the world, metres. */
+    final List<double[]> contacts;
+    /** What the user should know, in plain words. */
+    final List<String> warnings;
+
+    Moment(long step, double time, List<Pose> environment, List<RobotMoment> robots, Map<String, double[]> beams, Map<String, String> values,
+            List<double[]> contacts, List<String> warnings) {
+        this.step = step;
+        this.time = time;
+        this.environment = Collections.unmodifiableList(environment);
+        this.robots = Collections.unmodifiableList(robots);
+        this.beams = Collections.unmodifiableMap(beams);
+        this.values = Collections.unmodifiableMap(values);
+        this.contacts = Collections.unmodifiableList(contacts);
+        this.warnings = Collections.unmodifiableList(warnings);
+    }
+
+    /** One robot's share. Immutable. */
+    static final class RobotMoment {
+        final String name;
+        final Pose pose;
+        /** m/s along the forward axis. */
+        final double speed;
+        /** rad/s about the up axis, + counter-clockwise. */
+        final double turnRate;
+        /** Wheels in the body frame, spin included. */
+        final List<Pose> wheels;
+        /** Status lines of its devices. */
+        final List<String> status;
+
+        RobotMoment(String name, Pose pose, double speed, double turnRate, List<Pose> wheels, List<String> status) {
+            this.name = name;
+            this.pose = pose;
+            this.speed = speed;
+            this.turnRate = turnRate;
+            this.wheels = wheels;
+            this.status = status;
+        }
+
+        /** Heading of the forward axis: degrees clockwise from north (+x), (-180, 180]. */
+        double heading() {
+            double[] forward = pose.rotate(0, 0, 1);
+            return Math.toDegrees(Math.atan2(forward[2], forward[0]));
+        }
+    }
+}

@@ -1,0 +1,135 @@
+package org.SEAR.view;
+
+import com.jme3.profile.AppProfiler;
+import com.jme3.post.SceneProcessor;
+import com.jme3.renderer.Camera;
+import com.jme3.renderer.RenderManager;
+import com.jme3.renderer.ViewPort;
+import com.jme3.renderer.queue.RenderQueue;
+import com.jme3.texture.FrameBuffer;
+import com.jme3.util.BufferUtils;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.ExecutorService;
+import java.util.function.Consumer;
+import javax.imageio.ImageIO;
+
+/** Writes the window's picture to files {@code sear-0001.png}, {@code sear-0002.png}, ... Read on the window's thread, written on another. */
+final class Screenshots implements SceneProcessor {
+    private static final int PIXEL = 4;
+    private static final int LAST = 9999;
+    private final Path folder;
+    private final ExecutorService writer;
+    private final Consumer<String> tell;
+    private RenderManager manager;
+    private int width;
+    private int height;
+    private boolean wanted;
+    private Path named;
+
+    /** @param writer writes the files @param tell takes the news, on the writer's thread */
+    Screenshots(Path folder, ExecutorService writer, Consumer<String> tell) {
+        this.folder = folder;
+        this.writer = writer;
+        this.tell = tell;
+    }
+
+    /** The frame being drawn, or else the next one, goes to a file. */
+    void take() {
+        wanted = true;
+    }
+
+    /** Likewise, to this file. */
+    void take(Path file) {
+        wanted = true;
+        named = file;
+    }
+
+    @Override
+    public void postFrame(FrameBuffer out) {
+        if (wanted) {
+            wanted = false;
+            Path file = named;
+            named = null;
+            ByteBuffer pixels = BufferUtils.createByteBuffer(width * height * PIXEL);
+            manager.getRenderer().readFrameBuffer(out, pixels);
+            int across = width;
+            int down = height;
+            writer.execute(() -> write(file, image(pixels, across, down)));
+        }
+    }
+
+    private static BufferedImage image(ByteBuffer pixels, int width, int height) {
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                int at = ((height - 1 - y) * width + x) * PIXEL;
+                image.setRGB(x, y, (pixels.get(at) & 0xff) << 16 | (pixels.get(at + 1) & 0xff) << 8 | pixels.get(at + 2) & 0xff);
+            }
+        }
+        return image;
+    }
+
+    private void write(Path file, BufferedImage image) {
+        Path target = file;
+        try {
+            target = file == null ? next() : file;
+            Files.createDirectories(target.toAbsolutePath().getParent());
+            ImageIO.write(image, "png", target.toFile());
+            tell.accept("picture saved: " + target);
+        } catch (IOException e) {
+            tell.accept("the picture can't be saved in " + folder + " (" + e.getMessage() + "); choose a folder that can be written");
+        }
+    }
+
+    private Path next() throws IOException {
+        for (int number = 1; number <= LAST; number++) {
+            Path file = folder.resolve(String.format("sear-%04d.png", number));
+            if (!Files.exists(file)) {
+                return file;
+            }
+        }
+        throw new IOException("there are " + LAST + " pictures already");
+    }
+
+    @Override
+    public void initialize(RenderManager renderManager, ViewPort view) {
+        manager = renderManager;
+        Camera camera = view.getCamera();
+        reshape(view, camera.getWidth(), camera.getHeight());
+    }
+
+    @Override
+    public void reshape(ViewPort view, int newWidth, int newHeight) {
+        width = newWidth;
+        height = newHeight;
+    }
+
+    @Override
+    public boolean isInitialized() {
+        return manager != null;
+    }
+
+    @Override
+    public void preFrame(float frameTime) {
+        // nothing to do before a frame
+    }
+
+    @Override
+    public void postQueue(RenderQueue queue) {
+        // nothing to do before drawing
+    }
+
+    @Override
+    public void cleanup() {
+        manager = null;
+    }
+
+    @Override
+    public void setProfiler(AppProfiler profiler) {
+        // not profiled
+    }
+}

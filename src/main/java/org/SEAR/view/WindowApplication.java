@@ -1,0 +1,237 @@
+package org.SEAR.view;
+
+import com.jme3.app.SimpleApplication;
+import com.jme3.app.state.AppState;
+import com.jme3.system.AppSettings;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import org.SEAR.project.ModelLoader;
+
+/** The window itself. Its own thread runs everything but {@link #open}, {@link #close} and {@link #isOpen}. */
+final class WindowApplication extends SimpleApplication implements WindowBody {
+    private static final Logger LOG = Logger.getLogger(WindowApplication.class.getName());
+    /** Held, so that its level stays. */
+    private static final Logger ENGINE = Logger.getLogger("com.jme3");
+    private static final int HARDWARE_FRAMES = 60;
+    private static final int SOFTWARE_FRAMES = 40;
+    /** Seconds that a machine may take to open a window. */
+    private static final long PATIENCE = 60;
+    private static final int DEPTH_BITS = 24;
+
+    private final WorldLink link;
+    private final WindowOptions options;
+    private final Runnable onShown;
+    private final ExecutorService background;
+    private final CountDownLatch settled = new CountDownLatch(1);
+    private volatile Thread thread;
+    private volatile String problem;
+    private volatile String glfwError;
+    private volatile boolean shown;
+    /** Pictures drawn since the window opened. */
+    volatile long frames;
+    private volatile boolean closing;
+    private boolean closedByUser;
+    private WindowScene scene;
+
+    WindowApplication(WorldLink link, WindowOptions options, Runnable onShown) {
+        super(new AppState[0]);
+        this.link = link;
+        this.options = options;
+        this.onShown = onShown;
+        background = Executors.newSingleThreadExecutor(task -> {
+            Thread helper = new Thread(task, "SEAR window helper");
+            helper.setDaemon(true);
+            return helper;
+        });
+    }
+
+    /** Opens the window and waits for its first picture, or for the reason why there is none. */
+    void open(String renderer) throws InterruptedException {
+        AppSettings wanted = new AppSettings(true);
+        wanted.setTitle(options.getTitle());
+        wanted.setResolution(options.getWidth(), options.getHeight());
+        wanted.setResizable(true);
+        wanted.setRenderer(renderer);
+        wanted.setAudioRenderer(null);
+        wanted.setGammaCorrection(false);
+        wanted.setVSync(false);
+        wanted.setFrameRate(HARDWARE_FRAMES);
+        wanted.setDepthBits(DEPTH_BITS);
+        wanted.setSamples(options.getSamples());
+        setSettings(wanted);
+        setShowSettings(false);
+        setPauseOnLostFocus(false);
+        quieten();
+        ClassLoader before = Thread.currentThread().getContextClassLoader();
+        Thread.currentThread().setContextClassLoader(WindowApplication.class.getClassLoader());
+        try {
+            Glfw.preferX11();
+            start();
+        } finally {
+            Thread.currentThread().setContextClassLoader(before);
+        }
+        if (!settled.await(PATIENCE, TimeUnit.SECONDS)) {
+            problem = "the window did not open within " + PATIENCE + " s";
+            stop();
+        }
+        if (problem != null) {
+            background.shutdownNow();
+            if (thread != null && thread != Thread.currentThread()) {
+                thread.join(TimeUnit.SECONDS.toMillis(PATIENCE));
+            }
+        }
+    }
+
+    /** jMonkeyEngine tells the console about every graphics card and every missing sound loader, unless somebody wants to hear it. */
+    private static void quieten() {
+        if (ENGINE.getLevel() == null) {
+            ENGINE.setLevel(Level.SEVERE);
+        }
+    }
+
+    @Override
+    public void simpleInitApp() {
+        thread = Thread.currentThread();
+        X11Guard.install(this::displayLost);
+        inputManager.deleteMapping(INPUT_MAPPING_EXIT);
+        ModelLoader.prepare(assetManager, link.project());
+        boolean software = isSoftware();
+        context.getSettings().setFrameRate(software ? SOFTWARE_FRAMES : HARDWARE_FRAMES);
+        scene = new WindowScene(this, link, options, background);
+    }
+
+    private boolean isSoftware() {
+        String card = org.lwjgl.opengl.GL11.glGetString(org.lwjgl.opengl.GL11.GL_RENDERER);
+        return card == null || card.contains("llvmpipe") || card.contains("softpipe") || card.contains("SWR") || card.contains("GDI Generic");
+    }
+
+    @Override
+    public void simpleUpdate(float frameTime) {
+        scene.update(frameTime);
+    }
+
+    @Override
+    public void update() {
+        super.update();
+        frames = frames + 1;
+        if (!shown && scene.hasPicture()) {
+            shown = true;
+            onShown.run();
+            settled.countDown();
+        }
+    }
+
+    @Override
+    public void reshape(int width, int height) {
+        super.reshape(Math.max(1, width), Math.max(1, height));
+        if (scene != null) {
+            scene.reshape();
+        }
+    }
+
+    @Override
+    public void loseFocus() {
+        super.loseFocus();
+        if (scene != null) {
+            scene.releaseKeys();
+        }
+    }
+
+    /**
+     * jMonkeyEngine calls this for what it can't go on with, and GLFW for everything down to a window position that the desktop doesn't like: only
+     * the former ends the window.
+     */
+    @Override
+    public void handleError(String message, Throwable error) {
+        String words = message + (error == null || message.equals(error.getMessage()) ? "" : ": " + error);
+        if (!message.startsWith("Uncaught exception") && !message.startsWith("Failed to create display")) {
+            glfwError = glfwError == null ? words : glfwError;
+            LOG.log(Level.FINE, words, error);
+            return;
+        }
+        if (shown) {
+            LOG.log(Level.WARNING, words, error);
+            options.getWarnings().accept("the simulator window has to close: " + words);
+        } else {
+            thread = Thread.currentThread();
+            problem = glfwError == null ? words : glfwError;
+            LOG.log(Level.FINE, words, error);
+        }
+        context.destroy(false);
+        settled.countDown();
+    }
+
+    /** The X server went away. What is left of the window is not touched again: any call could end the process. */
+    private void displayLost() {
+        if (!closing) {
+            options.getWarnings().accept("the display of the simulator window is lost; the simulation goes on without it");
+        }
+        context.destroy(false);
+    }
+
+    @Override
+    public void requestClose(boolean escape) {
+        closedByUser = true;
+        super.requestClose(escape);
+    }
+
+    @Override
+    public void destroy() {
+        super.destroy();
+        Glfw.freeLeftovers();
+        background.shutdown();
+        link.close();
+        shown = false;
+        if (closedByUser && !closing) {
+            Thread messenger = new Thread(this::tellClosed, "SEAR window closed");
+            messenger.setDaemon(true);
+            messenger.start();
+        }
+    }
+
+    private void tellClosed() {
+        awaitEnd();
+        options.getOnClosed().run();
+    }
+
+    private void awaitEnd() {
+        try {
+            thread.join();
+            background.awaitTermination(PATIENCE, TimeUnit.SECONDS);
+            NativeMemory.giveBack();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Override
+    public boolean isOpen() {
+        return shown && !closing;
+    }
+
+    @Override
+    public String problem() {
+        return problem;
+    }
+
+    @Override
+    public void close() {
+        if (problem != null || thread == null) {
+            return;
+        }
+        closing = true;
+        stop();
+        if (Thread.currentThread() != thread) {
+            awaitEnd();
+        }
+    }
+
+    /** What is on the window. Window thread. */
+    WindowScene scene() {
+        return scene;
+    }
+}

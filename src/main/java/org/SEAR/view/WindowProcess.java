@@ -1,0 +1,51 @@
+package org.SEAR.view;
+
+import java.io.BufferedInputStream;
+import java.io.BufferedOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.nio.file.Paths;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectException;
+
+/**
+ * A window in a process of its own. On macOS the first thread of a process must be the window's, and MyRobotLab's is not free; elsewhere this
+ * keeps a broken graphics driver away from MyRobotLab. States come in on standard input, {@link Wire} goes out on standard output; it ends when its
+ * input ends.
+ */
+public final class WindowProcess {
+    private WindowProcess() {
+    }
+
+    /** @param arguments project folder, title, width, height, debug shapes (true or false), folder for pictures */
+    public static void main(String[] arguments) throws IOException, ProjectException, InterruptedException {
+        DataOutputStream out = new DataOutputStream(new BufferedOutputStream(new FileOutputStream(FileDescriptor.out)));
+        System.setOut(System.err);
+        PipeLink world = new PipeLink(Project.read(Paths.get(arguments[0])), out);
+        WindowOptions options = new WindowOptions().setTitle(arguments[1])
+            .setSize(Integer.parseInt(arguments[2]), Integer.parseInt(arguments[3])).setDebugShapes(Boolean.parseBoolean(arguments[4]))
+            .setScreenshotFolder(Paths.get(arguments[5])).setWarnings(warning -> world.say(Wire.WARNING, warning))
+            .setOnClosed(() -> {
+                world.say(Wire.CLOSED);
+                Runtime.getRuntime().halt(0);
+            });
+        Thread receiver = new Thread(() -> receive(world), "SEAR window feed");
+        receiver.setDaemon(true);
+        receiver.start();
+        WindowBody window = WindowStart.open(world, options, () -> world.say(Wire.OPENED));
+        if (window.problem() != null) {
+            world.say(Wire.PROBLEM, window.problem());
+        }
+    }
+
+    private static void receive(PipeLink world) {
+        try {
+            world.receive(new DataInputStream(new BufferedInputStream(System.in)));
+        } catch (IOException e) {
+            Runtime.getRuntime().halt(0);
+        }
+    }
+}

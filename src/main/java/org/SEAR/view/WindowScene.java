@@ -1,0 +1,230 @@
+package org.SEAR.view;
+
+import com.jme3.font.BitmapFont;
+import com.jme3.math.Quaternion;
+import com.jme3.math.Vector3f;
+import java.nio.file.Path;
+import java.util.concurrent.ExecutorService;
+import java.util.function.Consumer;
+import org.SEAR.project.ModelLoader;
+
+/** Everything on the window, and what the keys do with it. Window thread only. */
+final class WindowScene {
+    private static final double[] SPEEDS = {0.1, 0.25, 0.5, 1, 2, 4, 8, 16, 32, Double.POSITIVE_INFINITY};
+    /** Metres above a robot's origin that the follow camera looks at. */
+    private static final float LOOK_UP = 0.1f;
+
+    private final WorldLink link;
+    private final Playback playback = new Playback();
+    private final Surroundings surroundings;
+    private final WorldView world;
+    private final DebugShapes shapes;
+    private final CameraRig camera;
+    private final Controls controls;
+    private final Labels labels;
+    private final Hud hud;
+    private final Screenshots screenshots;
+    private final Frugality frugality = new Frugality();
+    private final KeyDrive drive = new KeyDrive();
+    private final Hud.State state = new Hud.State();
+    private final WindowApplication window;
+    private final Vector3f target = new Vector3f();
+    private final Vector3f heading = new Vector3f(Vector3f.UNIT_X);
+    private int robot;
+
+    WindowScene(WindowApplication window, WorldLink link, WindowOptions options, ExecutorService background) {
+        this.window = window;
+        this.link = link;
+        BitmapFont font = window.getAssetManager().loadFont("Interface/Fonts/Default.fnt");
+        Materials materials = new Materials(window.getAssetManager(), options.getWarnings());
+        SceneBuilder builder = new SceneBuilder(new ModelLoader(link.project()), materials, options.getWarnings());
+        surroundings = new Surroundings(window.getAssetManager(), window.getRootNode(), window.getViewPort());
+        world = new WorldView(link.project(), builder, link.beams(), materials);
+        window.getRootNode().attachChild(world.root());
+        shapes = new DebugShapes(link.project(), world, materials);
+        setShapes(options.isDebugShapes());
+        camera = new CameraRig(window.getCamera());
+        controls = new Controls(new KeyLayout(window.getContext().getKeyInput()), camera, this::pressed);
+        window.getInputManager().addRawInputListener(controls);
+        labels = new Labels(font, window.getGuiNode());
+        hud = new Hud(font, materials, window.getGuiNode());
+        Consumer<String> tell = message -> window.enqueue(() -> hud.say(message));
+        screenshots = new Screenshots(options.getScreenshotFolder(), background, tell);
+        window.getGuiViewPort().addProcessor(screenshots);
+        state.beamSensors = world.beamSensors();
+    }
+
+    /** Draws the newest moment; does nothing while there is none. */
+    void update(float frameTime) {
+        Moment moment = link.moment();
+        if (moment == null) {
+            return;
+        }
+        state.paused = link.isPaused();
+        state.measuredSpeed = link.measuredSpeed();
+        state.wantedSpeed = link.wantedSpeed();
+        state.scriptDrives = link.scriptDrives();
+        state.flying = camera.isFlying();
+        state.robot = robot;
+        state.hidden = world.hiddenSensors();
+        playback.advance(moment, state.paused ? 0 : state.measuredSpeed, frameTime);
+        world.update(playback);
+        shapes.update(playback.newest());
+        look(frameTime);
+        surroundings.follow(window.getCamera());
+        if (frugality.count(frameTime) && surroundings.hasShadows()) {
+            surroundings.setShadows(false);
+            hud.say("this machine draws slowly: no shadows from now on");
+        }
+        world.label(labels, playback.newest(), window.getCamera());
+        hud.update(frameTime, window.getCamera().getWidth(), window.getCamera().getHeight(), playback.newest(), state);
+    }
+
+    private void look(float frameTime) {
+        if (!world.robots().isEmpty()) {
+            target.set(world.robot(robot).getLocalTranslation()).addLocal(0, LOOK_UP, 0);
+            Quaternion turn = world.robot(robot).getLocalRotation();
+            turn.mult(Vector3f.UNIT_Z, heading);
+        }
+        camera.update(frameTime, target, heading, world.environment());
+    }
+
+    /** Whether there has been something to draw. */
+    boolean hasPicture() {
+        return playback.newest() != null;
+    }
+
+    void reshape() {
+        camera.reshape();
+    }
+
+    void releaseKeys() {
+        controls.release();
+    }
+
+    private void pressed(Key key, int number) {
+        if (drive.press(key)) {
+            drive(key);
+            return;
+        }
+        switch (key) {
+            case FLYCAM:
+                camera.toggle();
+                break;
+            case PAUSE:
+                link.setPaused(!link.isPaused());
+                break;
+            case STEP:
+                link.singleStep();
+                break;
+            case FASTER:
+                speed(1);
+                break;
+            case SLOWER:
+                speed(-1);
+                break;
+            case NEXT_ROBOT:
+                nextRobot();
+                break;
+            case SENSOR:
+                hud.say(world.toggleBeam(number));
+                break;
+            default:
+                look(key);
+                break;
+        }
+    }
+
+    private void look(Key key) {
+        switch (key) {
+            case HELP:
+                hud.toggleHelp();
+                break;
+            case BEAMS:
+                world.toggleBeams();
+                hud.say(world.areBeamsShown() ? "beams shown" : "beams hidden");
+                break;
+            case SHAPES:
+                setShapes(!shapes.isVisible());
+                hud.say(shapes.isVisible() ? "shapes of the physics shown" : "shapes of the physics hidden");
+                break;
+            case LABELS:
+                labels.toggle();
+                break;
+            case SCREENSHOT:
+                screenshots.take();
+                break;
+            default:
+                break;
+        }
+    }
+
+    private void setShapes(boolean on) {
+        shapes.setVisible(on);
+        link.wantContacts(on);
+    }
+
+    private void drive(Key key) {
+        if (key == Key.RESET) {
+            link.reset();
+            hud.say("back to the start");
+        } else if (link.scriptDrives()) {
+            hud.say("a script drives the robot: the keys H K U J ; do nothing now");
+        } else if (world.robots().isEmpty()) {
+            hud.say("there is no robot to drive");
+        } else {
+            link.drive(robot, drive.speed(), drive.radius());
+            hud.say(drive.words());
+        }
+    }
+
+    private void speed(int up) {
+        int at = 0;
+        while (at < SPEEDS.length - 1 && SPEEDS[at] < link.wantedSpeed()) {
+            at++;
+        }
+        double wanted = SPEEDS[Math.max(0, Math.min(SPEEDS.length - 1, at + up))];
+        link.setSpeed(wanted);
+        hud.say("speed " + Hud.factor(wanted));
+    }
+
+    private void nextRobot() {
+        if (!world.robots().isEmpty()) {
+            robot = (robot + 1) % world.robots().size();
+            hud.say("following " + world.robot(robot).getName());
+        }
+    }
+
+    /** The next picture goes to this file. */
+    void picture(Path file) {
+        screenshots.take(file);
+    }
+
+    WorldView world() {
+        return world;
+    }
+
+    CameraRig camera() {
+        return camera;
+    }
+
+    Hud hud() {
+        return hud;
+    }
+
+    Labels labels() {
+        return labels;
+    }
+
+    DebugShapes shapes() {
+        return shapes;
+    }
+
+    Frugality frugality() {
+        return frugality;
+    }
+
+    Surroundings surroundings() {
+        return surroundings;
+    }
+}

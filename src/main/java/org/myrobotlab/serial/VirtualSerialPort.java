@@ -1,0 +1,331 @@
+package org.myrobotlab.serial;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.function.IntConsumer;
+import java.util.function.LongConsumer;
+import org.myrobotlab.service.interfaces.SerialDataListener;
+
+/**
+ * A serial port that exists in memory only. Two of them joined by {@link #makeNullModem} and made known by {@link SerialDeviceFactory#add} are what a
+ * null-modem cable between two real ports is: MyRobotLab's Serial service opens them by name like any other port.
+ *
+ * <pre>
+ * uart = VirtualSerialPort("/dev/my_Controller01")
+ * user = VirtualSerialPort("/dev/user_CONTROLLER_01")
+ * VirtualSerialPort.makeNullModem(uart, user)
+ * SerialDeviceFactory.add(uart)
+ * SerialDeviceFactory.add(user)
+ * </pre>
+ *
+ * <p>Bytes take 10 bits of time each at the slower end's baud rate, by {@link PortClock}. Bytes for a port that nobody has opened are lost, as on
+ * a real cable. Any thread may call; listeners are called by the port's own reader thread, which lives while the port is open.
+ */
+public class VirtualSerialPort extends Port {
+    /** Most bytes handed over at a time: MyRobotLab's own reader fails on more than 999. */
+    static final int CHUNK = 512;
+
+    private static final double BITS_PER_BYTE = 10;
+    private static final int LOWEST_BAUD = 50;
+    private static final int HIGHEST_BAUD = 4_000_000;
+    private static final int DEFAULT_BAUD = 115200;
+
+    private final Object lock = new Object();
+    private final ByteQueue incoming = new ByteQueue();
+    private volatile VirtualSerialPort peer;
+    private volatile boolean paced = true;
+    private volatile boolean opened;
+    private volatile String owner;
+    private volatile IntConsumer baudListener = baud -> { };
+    private volatile LongConsumer handedHook = total -> { };
+    private volatile PortClock clock;
+    private long accepted;
+    private long handed;
+
+    /** @param portName any name, for example {@code "/dev/SEAR_Robot_01"} or {@code "COM42"} */
+    public VirtualSerialPort(String portName) {
+        super(checked(portName));
+    }
+
+    private static String checked(String portName) {
+        if (portName == null || portName.trim().isEmpty()) {
+            throw new IllegalArgumentException("a virtual serial port needs a name, for example \"/dev/SEAR_Robot_01\"");
+        }
+        return portName;
+    }
+
+    /** Joins two ports: what is written to one is read from the other. A cable that was plugged into either is pulled out. */
+    public static void makeNullModem(VirtualSerialPort a, VirtualSerialPort b) {
+        if (a == null || b == null || a == b) {
+            throw new IllegalArgumentException("a null-modem cable has two ends: give it two different virtual ports");
+        }
+        a.unplug();
+        b.unplug();
+        a.peer = b;
+        b.peer = a;
+    }
+
+    /** Pulls the cable out of both ends. */
+    public void unplug() {
+        VirtualSerialPort other = peer;
+        peer = null;
+        if (other != null && other.peer == this) {
+            other.peer = null;
+        }
+    }
+
+    /** The port at the other end of the cable; null without cable. */
+    public VirtualSerialPort getPeer() {
+        return peer;
+    }
+
+    /** Whether bytes sent and received here take the time that the baud rate says; default true. False where a simulated device keeps that time. */
+    public void setPaced(boolean on) {
+        paced = on;
+    }
+
+    /** Who else may not have a port of this name, in words, for example {@code "LIDAR myLidar of the running simulation"}; null for nobody. */
+    public void setOwner(String who) {
+        owner = who;
+    }
+
+    /** See {@link #setOwner}. */
+    public String getOwner() {
+        return owner;
+    }
+
+    /** Told each time the user sets this port's baud rate, and 0 when the port is closed. */
+    public void setBaudListener(IntConsumer listener) {
+        baudListener = listener;
+    }
+
+    /** Called by the reader thread after each piece with all bytes ever handed over; the next piece waits for its return. */
+    public void setHandedHook(LongConsumer hook) {
+        handedHook = hook;
+    }
+
+    /** Time as whoever uses this port should measure his time-outs. */
+    public PortClock getClock() {
+        PortClock own = clock;
+        return own == null ? PortClock.WALL : own;
+    }
+
+    /** Sets {@link #getClock}; null for the computer's. */
+    public void setClock(PortClock newClock) {
+        clock = newClock;
+    }
+
+    @Override
+    public boolean isHardware() {
+        return false;
+    }
+
+    @Override
+    public List<String> getPortNames() {
+        return new ArrayList<>();
+    }
+
+    @Override
+    public boolean isOpen() {
+        return opened;
+    }
+
+    @Override
+    public void open() throws IOException {
+        synchronized (lock) {
+            if (!opened) {
+                super.open();
+                opened = true;
+            }
+        }
+    }
+
+    /** Closes the port, ends its reader thread and forgets its listeners; bytes on the way are lost. */
+    @Override
+    public void close() {
+        synchronized (lock) {
+            opened = false;
+            incoming.clear();
+            handed = accepted;
+            super.close();
+            listeners.clear();
+            rate = DEFAULT_BAUD;
+            lock.notifyAll();
+        }
+        baudListener.accept(0);
+    }
+
+    /** @throws IllegalStateException if another service has the port */
+    @Override
+    public void listen(Map<String, SerialDataListener> added) {
+        synchronized (lock) {
+            if (readingThread != null && !listeners.isEmpty() && Collections.disjoint(listeners.keySet(), added.keySet())) {
+                throw new IllegalStateException("port " + portName + " is in use by " + listeners.keySet() + ": disconnect() there first");
+            }
+            listening = true;
+            super.listen(added);
+        }
+    }
+
+    /** Those who get this port's bytes. */
+    public List<SerialDataListener> getListeners() {
+        synchronized (lock) {
+            return new ArrayList<>(listeners.values());
+        }
+    }
+
+    /**
+     * Sets the speed and form of this end.
+     *
+     * @param newRate bits a second, 50 to 4000000
+     */
+    @Override
+    public boolean setParams(int newRate, int newDataBits, int newStopBits, int newParity) {
+        if (newRate < LOWEST_BAUD || newRate > HIGHEST_BAUD) {
+            throw new IllegalArgumentException("baud rate of port " + portName + " is " + newRate + ", legal: " + LOWEST_BAUD + " to "
+                + HIGHEST_BAUD);
+        }
+        rate = newRate;
+        dataBits = newDataBits;
+        stopBits = newStopBits;
+        parity = newParity;
+        baudListener.accept(newRate);
+        return true;
+    }
+
+    @Override
+    public void write(int data) throws IOException {
+        write(new byte[] {(byte) data});
+    }
+
+    @Override
+    public void write(byte[] data) throws IOException {
+        VirtualSerialPort other = peer;
+        if (!opened) {
+            throw new IOException("port " + portName + " is closed: connect to it before writing");
+        }
+        if (other == null) {
+            throw new IOException("nothing is plugged into port " + portName
+                + ": start the simulation that has it, or join it to another with VirtualSerialPort.makeNullModem");
+        }
+        other.arrive(data.clone(), paced && other.paced ? BITS_PER_BYTE / Math.min(rate, other.rate) : 0);
+    }
+
+    private void arrive(byte[] data, double byteTime) {
+        synchronized (lock) {
+            if (!opened || data.length == 0) {
+                return;
+            }
+            accepted += data.length;
+            if (byteTime > 0) {
+                incoming.add(data, PortClock.current(), byteTime);
+            } else {
+                incoming.add(data);
+            }
+            lock.notifyAll();
+        }
+    }
+
+    /** Waits for bytes; null once the port is closed. */
+    @Override
+    public byte[] readBytes() throws InterruptedException {
+        while (true) {
+            ByteQueue.Burst head;
+            synchronized (lock) {
+                while (opened && incoming.isEmpty()) {
+                    lock.wait();
+                }
+                if (!opened) {
+                    return null;
+                }
+                byte[] bytes = incoming.take(CHUNK);
+                if (bytes.length > 0) {
+                    return bytes;
+                }
+                head = incoming.head();
+            }
+            head.await();
+        }
+    }
+
+    /** The reader thread: hands bytes to the listeners until the port is closed. */
+    @Override
+    public void run() {
+        try {
+            while (isReader()) {
+                byte[] bytes = readBytes();
+                if (bytes != null && isReader()) {
+                    passOn(bytes);
+                }
+            }
+        } catch (InterruptedException e) {
+            log.debug("reader of port {} was told to stop", portName);
+        }
+    }
+
+    private boolean isReader() {
+        synchronized (lock) {
+            return readingThread == Thread.currentThread();
+        }
+    }
+
+    private void passOn(byte[] bytes) {
+        for (SerialDataListener listener : getListeners()) {
+            try {
+                listener.onBytes(bytes);
+            } catch (RuntimeException e) {
+                log.error("{} failed on bytes from port {}", listener.getName(), portName, e);
+            }
+        }
+        handedHook.accept(getHanded() + bytes.length);
+        synchronized (lock) {
+            if (readingThread == Thread.currentThread()) {
+                handed += bytes.length;
+            }
+            lock.notifyAll();
+        }
+    }
+
+    /** Bytes that have ever come over the cable while the port was open. */
+    public long getAccepted() {
+        synchronized (lock) {
+            return accepted;
+        }
+    }
+
+    private long getHanded() {
+        synchronized (lock) {
+            return handed;
+        }
+    }
+
+    /** Bytes that came over the cable and that the listeners have not yet finished with; 0 for the reader thread, which is busy with them. */
+    public long getPending() {
+        synchronized (lock) {
+            return Thread.currentThread() == readingThread ? 0 : accepted - handed;
+        }
+    }
+
+    /**
+     * Waits until the listeners have finished with everything that came over the cable; at once on the reader thread itself.
+     *
+     * @return whether they have
+     */
+    public boolean awaitHanded(long millis) throws InterruptedException {
+        long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(millis);
+        synchronized (lock) {
+            while (accepted != handed && Thread.currentThread() != readingThread) {
+                long left = end - System.nanoTime();
+                if (left <= 0) {
+                    return false;
+                }
+                TimeUnit.NANOSECONDS.timedWait(lock, Math.max(left, TimeUnit.MILLISECONDS.toNanos(1)));
+            }
+            return true;
+        }
+    }
+}

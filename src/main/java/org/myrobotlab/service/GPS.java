@@ -1,0 +1,281 @@
+package org.myrobotlab.service;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import org.myrobotlab.framework.Service;
+import org.myrobotlab.service.config.GPSConfig;
+import org.myrobotlab.service.gps.GgaFix;
+import org.myrobotlab.service.gps.NmeaReader;
+import org.myrobotlab.service.interfaces.SerialDataListener;
+import org.myrobotlab.service.link.PanelFiles;
+import org.myrobotlab.service.link.SerialLink;
+
+/**
+ * Reads a GPS receiver that sends NMEA sentences, real or simulated, on any port of MyRobotLab's Serial service.
+ *
+ * <pre>
+ * gps1 = Runtime.start("gpsUnit1", "GPS")
+ * gps1.addListener("publishGGAData", python.getName(), "input")
+ * gps1.connect("/dev/SEAR_GPS_01")
+ * </pre>
+ *
+ * <p>Sentences with a wrong check sum are left out. Loss of fix and loss of data are published as warnings, once. Any thread.
+ */
+public class GPS extends Service<GPSConfig> implements SerialDataListener {
+    private static final long serialVersionUID = 1L;
+    private static final String PEER = "serial";
+    private static final List<String> MODELS = Arrays.asList("FV-M8", "MT3301", "MT3329", "NMEA");
+    private static final String PLAIN = "NMEA";
+    private static final List<Integer> BAUDS = Arrays.asList(4800, 9600, 14400, 19200, 38400, 57600, 115200);
+    /** Receivers send once a second; this long without a good sentence is a loss. Seconds. */
+    private static final double SILENCE = 5;
+    private static final double BITS_PER_BYTE = 10;
+    /** Pause between the command to change the rate and the change, beyond the command's own length. Seconds. */
+    private static final double BEFORE_BAUD_CHANGE = 0.1;
+
+    static {
+        PanelFiles.install(GPS.class);
+    }
+
+    private final transient NmeaReader reader = new NmeaReader(this::onSentence);
+    private transient SerialLink link;
+    private transient double lastHeard;
+    private transient double changeBaudAt = Double.POSITIVE_INFINITY;
+    private transient int nextBaud;
+    private transient volatile GgaFix lastFix;
+    private boolean connected;
+    private boolean silent;
+    private boolean fix;
+    private long sentences;
+
+    /** As MyRobotLab makes services. */
+    public GPS(String name, String id) {
+        super(name, id);
+    }
+
+    @Override
+    public synchronized void startService() {
+        super.startService();
+        if (link == null) {
+            link = new SerialLink((Serial) startPeer(PEER), this, this::tick);
+        }
+    }
+
+    /** Connects at the configured baud rate, 38400 unless set. @throws IOException that says what is wrong */
+    public void connect(String port) throws IOException {
+        connect(port, config.baud);
+    }
+
+    /**
+     * Connects to the port the receiver is on.
+     *
+     * @param baud 4800, 9600, 14400, 19200, 38400, 57600 or 115200
+     * @throws IOException if there is no such port, or it is in use
+     */
+    public void connect(String port, int baud) throws IOException {
+        if (link == null) {
+            startService();
+        }
+        config.baud = checkedBaud(baud);
+        config.port = port;
+        reader.reset();
+        silent = false;
+        fix = false;
+        link.connect(port, baud);
+        lastHeard = link.now();
+        connected = true;
+        broadcastState();
+    }
+
+    /** Connects again to the port last used. */
+    public void reconnectSerial() throws IOException {
+        if (config.port == null) {
+            throw new IOException(getName() + " was never connected: call connect(port) first");
+        }
+        connect(config.port, config.baud);
+    }
+
+    /** Closes the port. */
+    public void disconnect() {
+        if (link != null) {
+            link.disconnect();
+            connected = false;
+            broadcastState();
+        }
+    }
+
+    /**
+     * Tells the receiver to talk at another rate ({@code $PMTK251}) and follows it; not connected, or of model NMEA: the rate of the port.
+     *
+     * @param baud 4800, 9600, 14400, 19200, 38400, 57600 or 115200
+     */
+    public synchronized void setBaud(int baud) {
+        int old = link != null && connected ? link.getBaud() : config.baud;
+        config.baud = checkedBaud(baud);
+        if (connected && PLAIN.equals(config.model)) {
+            link.setBaud(baud);
+        } else if (connected) {
+            String command = NmeaReader.framed("PMTK251," + baud);
+            send(command);
+            nextBaud = baud;
+            changeBaudAt = link.now() + command.length() * BITS_PER_BYTE / old + BEFORE_BAUD_CHANGE;
+        }
+        broadcastState();
+    }
+
+    private static int checkedBaud(int baud) {
+        if (!BAUDS.contains(baud)) {
+            throw new IllegalArgumentException("GPS baud rate is " + baud + ", legal: " + BAUDS);
+        }
+        return baud;
+    }
+
+    /** @param model FV-M8, MT3301, MT3329 (these take PMTK commands) or NMEA (never sent anything) */
+    public void setModel(String model) {
+        if (!MODELS.contains(model)) {
+            throw new IllegalArgumentException("GPS model is \"" + model + "\", legal: " + MODELS);
+        }
+        config.model = model;
+        broadcastState();
+    }
+
+    /** Sends a command of the receiver, given without {@code $} and check sum: {@code "PMTK220,200"}. */
+    public void sendCommand(String body) {
+        send(NmeaReader.framed(body));
+    }
+
+    private void send(String sentence) {
+        if (!connected) {
+            throw new IllegalStateException(getName() + " is not connected: call connect(port) first");
+        }
+        link.write(sentence.getBytes(StandardCharsets.US_ASCII));
+    }
+
+    /** Whether a port is open. */
+    public boolean isConnected() {
+        return connected;
+    }
+
+    /** Names of the ports that there are, in order; published to the panel. */
+    public List<String> getPortNames() {
+        return link == null ? Collections.emptyList() : link.getPortNames();
+    }
+
+    /** Whether the last GGA sentence had a position. */
+    public boolean hasFix() {
+        return fix;
+    }
+
+    /** The last GGA sentence; null before the first. */
+    public GgaFix getLastFix() {
+        return lastFix;
+    }
+
+    /** Good sentences received since the service was made. */
+    public long getSentenceCount() {
+        return sentences;
+    }
+
+    /** Sentences left out because they were damaged. */
+    public long getDamagedCount() {
+        return reader.getDamaged();
+    }
+
+    /**
+     * The fields of a GGA sentence. Token 0 is {@code "$GPGGA"}, 2 the latitude as ddmm.mmmm and 4 the longitude as dddmm.mmmm, both negative in
+     * the south and west ({@code "-08051.8999"}), 6 the quality of the fix, 9 the altitude in metres.
+     */
+    public String[] publishGGAData(String[] tokens) {
+        return tokens;
+    }
+
+    /** [latitude, longitude, altitude]: decimal degrees, + north and east, and metres. */
+    public double[] publishGPS(double[] position) {
+        return position;
+    }
+
+    /** Each good sentence whole, from {@code $} to check sum. */
+    public String publishSentence(String sentence) {
+        return sentence;
+    }
+
+    @Override
+    public void onBytes(byte[] bytes) {
+        reader.feed(bytes);
+    }
+
+    private void onSentence(String sentence) {
+        sentences++;
+        heard();
+        invoke("publishSentence", sentence);
+        if (sentence.startsWith("GGA", 3)) {
+            try {
+                onGga(new GgaFix(sentence));
+            } catch (IllegalArgumentException e) {
+                warn("%s sent a GGA sentence that makes no sense: %s", getName(), sentence);
+            }
+        }
+    }
+
+    private void heard() {
+        lastHeard = link == null ? 0 : link.now();
+        if (silent) {
+            silent = false;
+            info("%s sends again", getName());
+        }
+    }
+
+    private void onGga(GgaFix received) {
+        lastFix = received;
+        if (fix != received.hasFix()) {
+            fix = received.hasFix();
+            if (fix) {
+                info("%s has a fix", getName());
+            } else {
+                warn("%s has lost its fix", getName());
+            }
+        }
+        invoke("publishGGAData", (Object) received.tokens);
+        if (received.hasFix()) {
+            invoke("publishGPS", new double[] {received.latitude, received.longitude, received.altitude});
+        }
+    }
+
+    private synchronized void tick() {
+        if (connected && link.now() >= changeBaudAt) {
+            changeBaudAt = Double.POSITIVE_INFINITY;
+            link.setBaud(nextBaud);
+        }
+        if (connected && !silent && link.now() - lastHeard > SILENCE) {
+            silent = true;
+            warn("no data from %s on port %s at %d baud for %s s: is it switched on, and is this its baud rate?", getName(), link.getPortName(),
+                link.getBaud(), SILENCE);
+        }
+    }
+
+    @Override
+    public void onConnect(String portName) {
+        log.info("{} connected to {}", getName(), portName);
+    }
+
+    /** The port was closed, by this service or by whoever owns it. */
+    @Override
+    public void onDisconnect(String portName) {
+        if (link != null && link.isLost()) {
+            link.close();
+            connected = false;
+            info("port %s was closed: reconnectSerial() when it is back", portName);
+            broadcastState();
+        }
+    }
+
+    @Override
+    public synchronized void releaseService() {
+        disconnect();
+        releasePeer(PEER);
+        super.releaseService();
+    }
+}

@@ -1,0 +1,255 @@
+package org.myrobotlab.service;
+
+import java.io.IOException;
+import java.util.Collections;
+import java.util.List;
+import org.myrobotlab.framework.Service;
+import org.myrobotlab.service.config.LIDARConfig;
+import org.myrobotlab.service.interfaces.SerialDataListener;
+import org.myrobotlab.service.lidar.LmsScan;
+import org.myrobotlab.service.lidar.LmsDevice;
+import org.myrobotlab.service.link.PanelFiles;
+import org.myrobotlab.service.link.SerialLink;
+
+/**
+ * Driver for a SICK LMS200 (and its sisters), real or simulated, on any port of MyRobotLab's Serial service.
+ *
+ * <pre>
+ * lidar = Runtime.start("myLidar", "LIDAR")
+ * lidar.connect("/dev/SEAR_LIDAR_01")
+ * lidar.addListener("publishLidarData", python.getName(), "input")
+ * lidar.setScanMode(100, 1)
+ * lidar.singleScan()
+ * </pre>
+ *
+ * <p>Every call returns at once; what was asked is sent one after the other, each when the former was answered, and repeated when the device
+ * refuses it or stays silent. Errors are published as error statuses. Any thread.
+ */
+public class LIDAR extends Service<LIDARConfig> implements SerialDataListener {
+    private static final long serialVersionUID = 1L;
+    private static final String PEER = "serial";
+
+    static {
+        PanelFiles.install(LIDAR.class);
+    }
+
+    private transient SerialLink link;
+    private transient LmsDevice device;
+    private boolean connected;
+    private boolean streaming;
+    private String unit = "mm";
+    private long scans;
+
+    /** As MyRobotLab makes services. */
+    public LIDAR(String name, String id) {
+        super(name, id);
+    }
+
+    @Override
+    public synchronized void startService() {
+        super.startService();
+        if (device == null) {
+            Serial serial = (Serial) startPeer(PEER);
+            device = new LmsDevice(new LidarEvents(this));
+            link = new SerialLink(serial, this, device::tick);
+            device.attach(link);
+        }
+    }
+
+    /** Connects at the configured baud rate, 9600 unless set: the device's own after power-on. @throws IOException that says what is wrong */
+    public void connect(String port) throws IOException {
+        connect(port, config.baud);
+    }
+
+    /**
+     * Connects to the port the LIDAR is on, and asks the device for its unit and measuring mode. If it answers at another rate, the port follows.
+     *
+     * @param baud 9600, 19200, 38400 or 500000
+     * @throws IOException if there is no such port, or it is in use
+     */
+    public void connect(String port, int baud) throws IOException {
+        if (link == null) {
+            startService();
+        }
+        config.baud = LmsDevice.checkedBaud(baud);
+        config.port = port;
+        device.clear();
+        link.connect(port, baud);
+        connected = true;
+        device.learn();
+        broadcastState();
+    }
+
+    /** Connects again to the port last used, for example after a cable came loose. */
+    public void reconnectSerial() throws IOException {
+        if (config.port == null) {
+            throw new IOException(getName() + " was never connected: call connect(port) first");
+        }
+        connect(config.port, config.baud);
+    }
+
+    /** Closes the port; what was not answered is forgotten. */
+    public void disconnect() {
+        if (link != null) {
+            link.disconnect();
+            gone();
+        }
+    }
+
+    private void gone() {
+        device.clear();
+        connected = false;
+        streaming = false;
+        broadcastState();
+    }
+
+    /** @param model LMS200, LMS211, LMS220, LMS221 or LMS291: they talk alike */
+    public void setModel(String model) {
+        config.model = LmsDevice.checkedModel(model);
+        broadcastState();
+    }
+
+    /**
+     * Tells the device to talk at another rate, and follows it there; not connected: the rate of the next {@link #connect}.
+     *
+     * @param baud 9600, 19200, 38400 or 500000
+     */
+    public void setBaud(int baud) {
+        LmsDevice.checkedBaud(baud);
+        if (connected) {
+            device.setBaud(baud);
+        } else {
+            config.baud = baud;
+        }
+    }
+
+    /**
+     * Sets the width of the fan and the angle between its beams, degrees.
+     *
+     * @param spread 100 or 180 @param resolution 1, 0.5 or (with 100) 0.25
+     */
+    public void setScanMode(int spread, double resolution) {
+        ready().setVariant(spread, resolution);
+    }
+
+    /** Values in centimetres, up to 81.83 m. */
+    public void setToCM() {
+        ready().setUnit(false);
+    }
+
+    /** Values in millimetres, up to 8.183 m. */
+    public void setToMM() {
+        ready().setUnit(true);
+    }
+
+    /** Asks for one scan; it comes to whoever listens to publishLidarData or publishScan. */
+    public void singleScan() {
+        ready().singleScan();
+    }
+
+    /** Has the device send scan after scan. */
+    public void startStreaming() {
+        ready().setStreaming(true);
+    }
+
+    /** Ends {@link #startStreaming}. */
+    public void stopStreaming() {
+        ready().setStreaming(false);
+    }
+
+    private LmsDevice ready() {
+        if (!connected) {
+            throw new IllegalStateException(getName() + " is not connected: call connect(port) first");
+        }
+        return device;
+    }
+
+    /** Whether a port is open. */
+    public boolean isConnected() {
+        return connected;
+    }
+
+    /** Names of the ports that there are, in order; published to the panel. */
+    public List<String> getPortNames() {
+        return link == null ? Collections.emptyList() : link.getPortNames();
+    }
+
+    /** The last scan; null before the first. */
+    public LmsScan getLastScan() {
+        return device == null ? null : device.getLastScan();
+    }
+
+    /**
+     * A scan's values, right to left, in the device's unit, without flag bits: up to 8182 a distance, from 8183 a code, 8191 = nothing hit
+     * (measuring modes 0 to 2).
+     */
+    public int[] publishLidarData(int[] values) {
+        return values;
+    }
+
+    /** The same scan with angles, metres and unit. */
+    public LmsScan publishScan(LmsScan scan) {
+        return scan;
+    }
+
+    void onScan(LmsScan scan) {
+        scans++;
+        unit = scan.unit;
+        invoke("publishLidarData", (Object) scan.raw);
+        invoke("publishScan", scan);
+    }
+
+    void onStreaming(boolean on) {
+        streaming = on;
+        broadcastState();
+    }
+
+    void onBaud(int baud) {
+        config.baud = baud;
+        broadcastState();
+    }
+
+    /** Whether scans come by themselves. */
+    public boolean isStreaming() {
+        return streaming;
+    }
+
+    /** {@code "mm"} or {@code "cm"}: what the last scan was in. */
+    public String getUnit() {
+        return unit;
+    }
+
+    /** Scans received since the service was made. */
+    public long getScanCount() {
+        return scans;
+    }
+
+    @Override
+    public void onBytes(byte[] bytes) {
+        if (device != null) {
+            device.receive(bytes);
+        }
+    }
+
+    @Override
+    public void onConnect(String portName) {
+        log.info("{} connected to {}", getName(), portName);
+    }
+
+    /** The port was closed, by this service or by whoever owns it. */
+    @Override
+    public void onDisconnect(String portName) {
+        if (link != null && link.isLost()) {
+            link.close();
+            gone();
+            info("port %s was closed: reconnectSerial() when it is back", portName);
+        }
+    }
+
+    @Override
+    public synchronized void releaseService() {
+        disconnect();
+        releasePeer(PEER);
+        super.releaseService();
+    }
+}

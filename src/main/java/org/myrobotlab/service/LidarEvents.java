@@ -1,0 +1,38 @@
+package org.myrobotlab.service;
+
+import org.myrobotlab.service.lidar.LmsScan;
+import org.myrobotlab.service.lidar.LmsDevice;
+
+/** What happens at the device, told to the service and so to MyRobotLab. */
+final class LidarEvents implements LmsDevice.Listener {
+    private final LIDAR service;
+
+    LidarEvents(LIDAR service) {
+        this.service = service;
+    }
+
+    @Override
+    public void scan(LmsScan scan) {
+        service.onScan(scan);
+    }
+
+    @Override
+    public void streaming(boolean on) {
+        service.onStreaming(on);
+    }
+
+    @Override
+    public void baud(int baud) {
+        service.onBaud(baud);
+    }
+
+    @Override
+    public void error(String message) {
+        service.error("%s", message);
+    }
+
+    @Override
+    public void info(String message) {
+        service.info("%s", message);
+    }
+}

@@ -1,0 +1,418 @@
+package org.myrobotlab.service;
+
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.SEAR.project.Problem;
+import org.myrobotlab.framework.Message;
+import org.myrobotlab.framework.Service;
+import org.myrobotlab.service.config.SEARConfig;
+import org.myrobotlab.service.link.PanelFiles;
+import org.myrobotlab.service.sear.SensorReading;
+import org.myrobotlab.service.sear.Works;
+
+/**
+ * SEAR, the Simulation Environment for Autonomous Robots, as a MyRobotLab service: starts the world that the objects of {@code org.SEAR.POJOs}
+ * have described, and answers for its sensors.
+ *
+ * <pre>
+ * sear = Runtime.start("sear", "SEAR")
+ * sear.startSimulation()
+ * sear.drive(0.2, float("inf"))
+ * sear.simSleep(2)
+ * print sear.getDistanceResult("Ping1")
+ * sear.stopSimulation()
+ * </pre>
+ *
+ * <p>Calls may come from any thread. What goes wrong is published as an error status and thrown (IllegalStateException, or
+ * IllegalArgumentException for values), so that scripts see it; a running simulation goes on.
+ */
+public class SEAR extends Service<SEARConfig> {
+    private static final long serialVersionUID = 1L;
+    private static final String UART_CALLBACK = "onUartBytes";
+
+    static {
+        PanelFiles.install(SEAR.class);
+    }
+
+    private transient Works works;
+    private boolean simulating;
+    private boolean paused;
+
+    /** As MyRobotLab makes services. */
+    public SEAR(String name, String id) {
+        super(name, id);
+    }
+
+    @Override
+    public synchronized void startService() {
+        super.startService();
+        if (works == null) {
+            try {
+                works = new Works(new SearHost(this));
+            } catch (LinkageError e) {
+                error("%s", missing(e));
+            }
+        }
+    }
+
+    // ---- the simulation --------------------------------------------------------------------------------------------
+
+    /** Starts the world of the project folder, {@code SEARproject} in MyRobotLab's working folder. */
+    public void startSimulation() {
+        startSimulation(false);
+    }
+
+    /** @param debugShapes whether the window shows collision shapes, contact points and wheel rays */
+    public void startSimulation(boolean debugShapes) {
+        attempt(() -> {
+            works.control().start(debugShapes);
+            return null;
+        });
+        changed();
+    }
+
+    /** Ends the simulation; ports, window and thread go away. */
+    public void stopSimulation() {
+        attempt(() -> {
+            works.control().session();
+            works.stop();
+            return null;
+        });
+        changed();
+    }
+
+    /** Time stands still until {@link #resume}. */
+    public void pause() {
+        attempt(() -> {
+            works.control().session().pause();
+            return null;
+        });
+        changed();
+    }
+
+    /** Ends {@link #pause}. */
+    public void resume() {
+        attempt(() -> {
+            works.control().session().resume();
+            return null;
+        });
+        changed();
+    }
+
+    /** Advances by so many steps of 1/60 s; pauses a simulation whose time runs by itself. */
+    public void step(int n) {
+        attempt(() -> {
+            works.control().session().step(n);
+            return null;
+        });
+        changed();
+    }
+
+    /** Everything back to the start, as a fresh start with the same seed. */
+    public void reset() {
+        attempt(() -> {
+            works.control().session().reset();
+            return null;
+        });
+    }
+
+    /** @param factor simulated seconds a second, above 0; 1 = real time, infinity = as fast as possible; holds for later simulations too */
+    public void setSpeed(double factor) {
+        attempt(() -> {
+            works.control().setSpeed(factor);
+            return null;
+        });
+    }
+
+    /** Whether simulated time advances only inside {@link #simSleep} and {@link #step}; holds for later simulations too. */
+    public void setLockStep(boolean on) {
+        attempt(() -> {
+            works.control().setLockStep(on);
+            return null;
+        });
+    }
+
+    /** Whether a simulation runs (a paused one too). */
+    public boolean isRunning() {
+        return works != null && works.control().isRunning();
+    }
+
+    /** Simulated seconds since start or reset. */
+    public double getTime() {
+        return attempt(() -> works.control().session().time());
+    }
+
+    /** Waits so many simulated seconds; in lock-step it makes them pass. */
+    public void simSleep(double seconds) {
+        attempt(() -> {
+            works.control().session().simSleep(seconds);
+            return null;
+        });
+    }
+
+    // ---- driving and reading ---------------------------------------------------------------------------------------
+
+    /** Drives the first robot. @param speed m/s, + forward @param radius metres, + to the left; infinity = straight, 0 = in place to the left */
+    public void drive(double speed, double radius) {
+        drive(null, speed, radius);
+    }
+
+    /** Drives a robot by name. */
+    public void drive(String robot, double speed, double radius) {
+        attempt(() -> {
+            works.readings().drive(robot, speed, radius);
+            return null;
+        });
+    }
+
+    /** Metres to the nearest hit of a distance sensor; its range where nothing was hit. */
+    public double getDistanceResult(String name) {
+        return attempt(() -> works.readings().distance(name));
+    }
+
+    /** "x,y,z" of an accelerometer, m/s^2, body axes. */
+    public String getAccelResult(String name) {
+        return attempt(() -> works.readings().acceleration(name));
+    }
+
+    /** "x,y,z" of a gyroscope, rad/s, body axes. */
+    public String getGyroResult(String name) {
+        return attempt(() -> works.readings().rates(name));
+    }
+
+    /** Degrees of a compass, clockwise from north, (-180, 180]. */
+    public double getCompassResult(String name) {
+        return attempt(() -> works.readings().heading(name));
+    }
+
+    /**
+     * Signed path of the first robot's centre, metres: since the last call if it has an Odometer object (which counts to 32.767 m, as a Roomba's),
+     * else since start or reset.
+     */
+    public double getOdomResult() {
+        return getOdomResult(null);
+    }
+
+    /** The same of a robot by name. */
+    public double getOdomResult(String robot) {
+        return attempt(() -> works.readings().odometer(robot));
+    }
+
+    /** Metres of a LIDAR's beams, right to left; its range where nothing was hit. */
+    public float[] getLidarResult(String name) {
+        return attempt(() -> works.readings().scan(name));
+    }
+
+    /** [latitude, longitude, altitude] of a GPS sensor: degrees, degrees, metres. */
+    public double[] getGpsResult(String name) {
+        return attempt(() -> works.readings().position(name));
+    }
+
+    /** [x, y, z, rx, ry, rz] in the world of a robot, part, sensor or object: metres and degrees. */
+    public double[] getPose(String name) {
+        return attempt(() -> works.readings().pose(name));
+    }
+
+    /** Names of all sensors. */
+    public List<String> getSensorNames() {
+        return attempt(() -> works.readings().names());
+    }
+
+    // ---- publishing ------------------------------------------------------------------------------------------------
+
+    /** Publishes a sensor's readings again and again, for those who subscribe to publishReading. @param rate readings a simulated second, to 60 */
+    public void startPublishing(String sensor, double rate) {
+        attempt(() -> {
+            works.publisher().start(sensor, rate);
+            return null;
+        });
+    }
+
+    /** Ends {@link #startPublishing}. */
+    public void stopPublishing(String sensor) {
+        attempt(() -> {
+            works.publisher().stop(sensor);
+            return null;
+        });
+    }
+
+    /** A reading, with the sensor's name and the simulated time. */
+    public SensorReading publishReading(SensorReading reading) {
+        return reading;
+    }
+
+    /** The state of the world for panels, ten times a second while somebody subscribes; its form stands at {@code WorldState}. */
+    public Map<String, Object> publishSimulation() {
+        return attempt(works::state);
+    }
+
+    /** What is wrong with the project, for panels; empty if nothing. */
+    public List<Problem> getProblems() {
+        return attempt(works::problems);
+    }
+
+    // ---- projects and ports ----------------------------------------------------------------------------------------
+
+    /** Begins an empty project; the present one is kept. @return where it was put; null if there was none */
+    public String newProject() {
+        return attempt(() -> text(works.projects().startAnew()));
+    }
+
+    /** Saves the project as a bundle, for example {@code "robot.sear"}. */
+    public void saveProject(String path) {
+        attempt(() -> {
+            works.projects().save(Paths.get(path));
+            return null;
+        });
+    }
+
+    /** Replaces the project by a bundle's, once that is read whole and found valid; the present one is kept as backup. */
+    public void loadProject(String path) {
+        attempt(() -> {
+            works.projects().load(Paths.get(path));
+            return null;
+        });
+    }
+
+    /** Takes a part of a bundle from a panel, base64; the last part loads the project and publishes publishUploaded. */
+    public void uploadProject(String name, int index, int count, String data) {
+        if (attempt(() -> works.transfers().receive(name, index, count, data))) {
+            invoke("publishUploaded", "loaded " + name);
+        }
+    }
+
+    /** Says that an uploaded project is loaded. */
+    public String publishUploaded(String message) {
+        return message;
+    }
+
+    /** A part of the project's bundle for a panel: index, count, data in base64; part 0 makes the bundle. */
+    public Map<String, Object> getBundle(int index) {
+        return attempt(() -> works.transfers().part(index));
+    }
+
+    /** Paths of example projects, for panels. */
+    public List<String> getExamples() {
+        return attempt(() -> works.projects().examples());
+    }
+
+    /** Copies a template, {@code controller.py} or {@code userCode.py}, into a folder. @return the copy's path */
+    public String copyTemplate(String name, String folder) {
+        return attempt(() -> text(works.projects().copyTemplate(name, folder)));
+    }
+
+    /** Lets any program on this computer open a virtual port, as a pseudo-terminal (Linux, macOS). @return the path to open */
+    public String exportPort(String userPort) {
+        return exportPort(userPort, null);
+    }
+
+    /** @param link path of a symbolic link that is to lead to the pseudo-terminal, so that its name stays the same @return the path to open */
+    public String exportPort(String userPort, String link) {
+        return attempt(() -> works.exports().terminal(userPort, link));
+    }
+
+    /** The same as a TCP server on the loopback address, raw bytes, on every system. @param number TCP port, 0 for any free one @return the number */
+    public int exportTcp(String userPort, int number) {
+        return attempt(() -> works.exports().tcp(userPort, number));
+    }
+
+    private static String text(Path path) {
+        return path == null ? null : path.toString();
+    }
+
+    // ---- MyRobotLab ------------------------------------------------------------------------------------------------
+
+    /** Bytes of a device's Serial service go straight to the device; everything else takes its usual way. */
+    @Override
+    public void in(Message message) {
+        if (!toDevice(message)) {
+            super.in(message);
+        }
+    }
+
+    /** Where a MyRobotLab brings messages another way than {@link #in}. */
+    @Override
+    public boolean preProcessHook(Message message) {
+        return !toDevice(message) && super.preProcessHook(message);
+    }
+
+    private boolean toDevice(Message message) {
+        if (!UART_CALLBACK.equals(message.method)) {
+            return false;
+        }
+        try {
+            if (works != null && message.data != null && message.data.length == 1 && message.data[0] instanceof byte[]) {
+                works.toDevice(message.getSrcName(), (byte[]) message.data[0]);
+            }
+        } catch (RuntimeException e) {
+            log.error("bytes from {} did not reach their device", message.sender, e);
+        }
+        return true;
+    }
+
+    /** The simulation has changed its state. */
+    void changed() {
+        simulating = isRunning();
+        paused = simulating && works.control().session().isPaused();
+        broadcastState();
+    }
+
+    /** Whether the simulation is paused. */
+    public boolean isPaused() {
+        return paused;
+    }
+
+    private <T> T attempt(Callable<T> work) {
+        try {
+            if (works == null) {
+                throw new IllegalStateException(getName() + " is not started: Runtime.start(\"" + getName() + "\", \"SEAR\")");
+            }
+            return work.call();
+        } catch (IllegalArgumentException e) {
+            error("%s", message(e));
+            throw e;
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException("the script was stopped while it waited", e);
+        } catch (LinkageError e) {
+            error("%s", missing(e));
+            throw new IllegalStateException(missing(e), e);
+        } catch (Exception e) {
+            error("%s", message(e));
+            throw e instanceof IllegalStateException ? (IllegalStateException) e : new IllegalStateException(message(e), e);
+        }
+    }
+
+    private static String message(Exception e) {
+        return e.getMessage() == null ? e.toString() : e.getMessage();
+    }
+
+    private static String missing(LinkageError e) {
+        return "SEAR can't work here, a library is missing or broken (" + e + "): run \"sear install\" for this MyRobotLab again, or put the jars"
+            + " that come with SEAR into libraries/jar";
+    }
+
+    @Override
+    public void stopService() {
+        shutDown();
+        super.stopService();
+    }
+
+    @Override
+    public synchronized void releaseService() {
+        shutDown();
+        super.releaseService();
+    }
+
+    private void shutDown() {
+        Works present = works;
+        works = null;
+        simulating = false;
+        if (present != null) {
+            present.close();
+        }
+    }
+}

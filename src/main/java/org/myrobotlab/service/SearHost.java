@@ -1,0 +1,58 @@
+package org.myrobotlab.service;
+
+import java.util.List;
+import org.myrobotlab.framework.MRLListener;
+import org.myrobotlab.framework.Service;
+import org.myrobotlab.service.sear.Host;
+import org.myrobotlab.service.sear.SensorReading;
+
+/** What the simulation tells its service. */
+final class SearHost implements Host {
+    private static final String STATE = "publishSimulation";
+
+    private final SEAR service;
+
+    SearHost(SEAR service) {
+        this.service = service;
+    }
+
+    @Override
+    public String getName() {
+        return service.getName();
+    }
+
+    @Override
+    public String getResourceRoot() {
+        return Service.getResourceRoot();
+    }
+
+    @Override
+    public void warn(String message) {
+        service.warn("%s", message);
+    }
+
+    @Override
+    public void error(String message) {
+        service.error("%s", message);
+    }
+
+    @Override
+    public void windowClosed() {
+        if (service.getConfig().closingWindowStops) {
+            service.send(service.getName(), "stopSimulation");
+        }
+    }
+
+    @Override
+    public void reading(SensorReading reading) {
+        service.invoke("publishReading", reading);
+    }
+
+    @Override
+    public void state() {
+        List<MRLListener> listeners = service.getNotifyList(STATE);
+        if (listeners != null && !listeners.isEmpty()) {
+            service.invoke(STATE);
+        }
+    }
+}

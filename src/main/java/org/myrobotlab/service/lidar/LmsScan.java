@@ -1,0 +1,57 @@
+package org.myrobotlab.service.lidar;
+
+/**
+ * One scan of a LIDAR, right to left, with all that is needed to draw it. JSON-friendly; nobody changes the arrays afterwards.
+ */
+public final class LmsScan {
+    /** Values of the device, right to left, flag bits removed; {@link #noReturn} and above means no distance. */
+    public final int[] raw;
+    /** {@code "mm"} or {@code "cm"}: the unit of {@link #raw}. */
+    public final String unit;
+    /** Degrees of each value, 0 right, 90 ahead, 180 left; counter-clockwise seen from above. */
+    public final double[] angles;
+    /** Metres of each value; null where nothing was measured. */
+    public final Double[] metres;
+    /** Raw values from here up are the device's codes for "no distance". */
+    public final int noReturn;
+    /** Degrees from first to last value. */
+    public final double spread;
+    /** Degrees between values. */
+    public final double resolution;
+    /** Seconds of the port's clock (simulated time at a simulated port) when the scan was complete. */
+    public final double time;
+
+    private static final int LIMIT_BELOW_TOP = 8;
+    private static final double STRAIGHT_AHEAD = 90;
+    private static final double PER_MM = 0.001;
+    private static final double PER_CM = 0.01;
+
+    /**
+     * @param raw values as they came, with their flag bits
+     * @param distanceBits how many bits of a value are distance: 13, 14, 15 or 16
+     * @param firstAngle degrees of the first value
+     * @param resolution degrees between values
+     */
+    LmsScan(int[] raw, boolean millimetres, int distanceBits, double firstAngle, double resolution, double time) {
+        int mask = (1 << distanceBits) - 1;
+        this.raw = new int[raw.length];
+        this.unit = millimetres ? "mm" : "cm";
+        this.noReturn = mask - LIMIT_BELOW_TOP;
+        this.angles = new double[raw.length];
+        this.metres = new Double[raw.length];
+        this.resolution = resolution;
+        this.spread = resolution * (raw.length - 1);
+        this.time = time;
+        for (int i = 0; i < raw.length; i++) {
+            this.raw[i] = raw[i] & mask;
+            angles[i] = firstAngle + i * resolution;
+            metres[i] = this.raw[i] >= noReturn ? null : Double.valueOf(this.raw[i] * (millimetres ? PER_MM : PER_CM));
+        }
+    }
+
+    /** A fan of that many values whose middle looks straight ahead. */
+    static LmsScan centred(int[] raw, boolean millimetres, int distanceBits, double resolution, double time) {
+        double half = resolution * (raw.length - 1) / 2;
+        return new LmsScan(raw, millimetres, distanceBits, STRAIGHT_AHEAD - half, resolution, time);
+    }
+}

@@ -1,0 +1,155 @@
+package org.myrobotlab.service.link;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeSet;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import org.myrobotlab.serial.Port;
+import org.myrobotlab.serial.PortClock;
+import org.myrobotlab.serial.VirtualSerialPort;
+import org.myrobotlab.service.Serial;
+import org.myrobotlab.service.interfaces.SerialDataListener;
+
+/**
+ * A driver's connection through one of MyRobotLab's Serial services, to a real or a virtual port; with a clock for time-outs, which stands still
+ * when the simulation behind the port does. Any thread.
+ */
+public final class SerialLink {
+    private static final int DATA_BITS = 8;
+    private static final int STOP_BITS = 1;
+    private static final int NO_PARITY = 0;
+    private static final long TICK_MILLIS = 20;
+
+    private final Serial serial;
+    private final SerialDataListener driver;
+    private final Runnable tick;
+    private ScheduledExecutorService timer;
+    private volatile PortClock clock = PortClock.WALL;
+    private volatile int baud;
+    private volatile String portName;
+
+    /**
+     * @param serial the service to connect with
+     * @param driver gets the bytes, on the port's reader thread
+     * @param tick called again and again while connected, in lock-step after each step, for time-outs
+     */
+    public SerialLink(Serial serial, SerialDataListener driver, Runnable tick) {
+        this.serial = serial;
+        this.driver = driver;
+        this.tick = tick;
+    }
+
+    /** Opens a port; a connection to another is closed first. @throws IOException that says what is wrong and which ports there are */
+    public synchronized void connect(String port, int newBaud) throws IOException {
+        if (port == null || port.trim().isEmpty()) {
+            throw new IOException("no port given; there are " + known());
+        }
+        disconnect();
+        serial.addByteListener(driver);
+        try {
+            serial.connect(port, newBaud, DATA_BITS, STOP_BITS, NO_PARITY);
+        } catch (IllegalStateException | IllegalArgumentException e) {
+            throw new IOException(driver.getName() + " can't connect: " + e.getMessage(), e);
+        }
+        if (!port.equals(serial.getPortName())) {
+            throw new IOException(driver.getName() + " can't connect to port \"" + port + "\": there is no such port, or it is in use; there are "
+                + known());
+        }
+        Port opened = serial.getPort();
+        clock = opened instanceof VirtualSerialPort ? ((VirtualSerialPort) opened).getClock() : PortClock.WALL;
+        baud = newBaud;
+        portName = port;
+        clock.addTicker(tick);
+        timer = Executors.newSingleThreadScheduledExecutor(SerialLink::daemon);
+        timer.scheduleWithFixedDelay(this::tickByWall, TICK_MILLIS, TICK_MILLIS, TimeUnit.MILLISECONDS);
+    }
+
+    private static Thread daemon(Runnable work) {
+        Thread thread = new Thread(work, "serial time-outs");
+        thread.setDaemon(true);
+        return thread;
+    }
+
+    private void tickByWall() {
+        if (!clock.isLockStep()) {
+            tick.run();
+        }
+    }
+
+    private String known() {
+        return "the ports " + getPortNames();
+    }
+
+    /** Names of the ports that there are, in order. */
+    public List<String> getPortNames() {
+        return new ArrayList<>(new TreeSet<>(serial.getPortNames()));
+    }
+
+    /** Closes the port, if one is open. */
+    public synchronized void disconnect() {
+        close();
+        if (serial.isConnected()) {
+            serial.disconnect();
+        }
+    }
+
+    /** The port is gone already: stops the time-outs. */
+    public synchronized void close() {
+        portName = null;
+        clock.removeTicker(tick);
+        if (timer != null) {
+            timer.shutdownNow();
+            timer = null;
+        }
+    }
+
+    /** Whether a port is open. */
+    public boolean isConnected() {
+        return portName != null;
+    }
+
+    /** Whether the port was closed by somebody else. */
+    public boolean isLost() {
+        return portName != null && !serial.isConnected();
+    }
+
+    /** Name of the port that is open; null if none is. */
+    public String getPortName() {
+        return portName;
+    }
+
+    /** The present speed of the port, bits a second. */
+    public int getBaud() {
+        return baud;
+    }
+
+    /** Changes the speed of the open port. */
+    public void setBaud(int newBaud) {
+        try {
+            serial.setParams(newBaud, DATA_BITS, STOP_BITS, NO_PARITY);
+            baud = newBaud;
+        } catch (IOException e) {
+            throw new IllegalStateException("port " + portName + " can't be set to " + newBaud + " baud: " + e.getMessage(), e);
+        }
+    }
+
+    /** Seconds, by the clock of the simulation behind the port or by the computer's. */
+    public double now() {
+        return clock.now();
+    }
+
+    /** Sends bytes. @throws IllegalStateException if the port is closed or broken */
+    public void write(byte[] bytes) {
+        if (portName == null) {
+            throw new IllegalStateException(driver.getName() + " is not connected: call connect(port) first");
+        }
+        try {
+            serial.write(bytes);
+        } catch (Exception e) {
+            throw new IllegalStateException("writing to port " + portName + " failed: " + e.getMessage(), e);
+        }
+    }
+}

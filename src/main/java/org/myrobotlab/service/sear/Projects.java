@@ -1,0 +1,97 @@
+package org.myrobotlab.service.sear;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import org.SEAR.project.Bundle;
+import org.SEAR.project.ProjectException;
+
+/** The project folder and the templates in the jar. Any thread. */
+public final class Projects {
+    private static final List<String> TEMPLATES = Arrays.asList("controller.py", "userCode.py");
+    private static final String DEFAULT_FOLDER = "SEARproject";
+
+    private final Control control;
+    private final String resourceRoot;
+
+    /** @param resourceRoot MyRobotLab's, where examples may lie */
+    public Projects(Control control, String resourceRoot) {
+        this.control = control;
+        this.resourceRoot = resourceRoot;
+    }
+
+    /** Paths of the example bundles, in order: {@code examples} in the working folder, and MyRobotLab's resources of SEAR. */
+    public List<String> examples() throws IOException {
+        List<String> found = new ArrayList<>();
+        for (Path folder : Arrays.asList(Paths.get("examples"), Paths.get(resourceRoot, "SEAR"))) {
+            if (Files.isDirectory(folder)) {
+                try (DirectoryStream<Path> bundles = Files.newDirectoryStream(folder, "*.sear")) {
+                    bundles.forEach(bundle -> found.add(bundle.toString()));
+                }
+            }
+        }
+        Collections.sort(found);
+        return found;
+    }
+
+    /** {@code SEARproject} in the working folder, or what the system property {@code sear.project} says, as the objects have it. */
+    public static Path folder() {
+        return Paths.get(System.getProperty("sear.project", DEFAULT_FOLDER)).toAbsolutePath().normalize();
+    }
+
+    /** Puts the present project aside. @return where it is now; null if there was none */
+    public Path startAnew() throws IOException {
+        refuseWhileRunning("newProject");
+        return Bundle.newProject(folder());
+    }
+
+    /** Refuses to take the project away from under a running simulation. */
+    public void refuseWhileRunning(String what) {
+        if (control.isRunning()) {
+            throw new IllegalStateException(what + " needs the simulation to be stopped: stopSimulation() first");
+        }
+    }
+
+    /** Saves the project as a bundle. */
+    public void save(Path file) throws IOException, ProjectException {
+        if (!Files.isDirectory(folder())) {
+            throw new IOException("there is no project folder " + folder() + ": create some objects first (org.SEAR.POJOs)");
+        }
+        Bundle.save(folder(), file);
+    }
+
+    /** Replaces the project by a bundle's, once that is read whole and found valid. */
+    public void load(Path file) throws IOException, ProjectException {
+        refuseWhileRunning("loadProject");
+        if (!Files.isRegularFile(file)) {
+            throw new IOException("there is no file " + file.toAbsolutePath());
+        }
+        Bundle.load(file, folder());
+    }
+
+    /** Copies a template into a folder. @return the copy @throws IOException if that exists already */
+    public Path copyTemplate(String name, String folder) throws IOException {
+        if (!TEMPLATES.contains(name)) {
+            throw new IllegalArgumentException("there is no template \"" + name + "\"; there are " + TEMPLATES);
+        }
+        Path copy = Paths.get(folder).resolve(name);
+        if (Files.exists(copy)) {
+            throw new IOException(copy + " exists already: delete or rename it to get a fresh one");
+        }
+        try (InputStream in = Projects.class.getResourceAsStream("/templates/" + name)) {
+            if (in == null) {
+                throw new IOException("this sear.jar lacks templates/" + name);
+            }
+            Files.createDirectories(copy.getParent());
+            Files.copy(in, copy);
+        }
+        return copy;
+    }
+}

@@ -1,0 +1,17 @@
+package org.myrobotlab.service.sear;
+
+/** One reading as it is published: JSON-friendly, immutable. */
+public final class SensorReading {
+    /** Name of the sensor. */
+    public final String name;
+    /** Simulated seconds. */
+    public final double time;
+    /** What the sensor's get...Result call answers: a number, a text "x,y,z", or an array. */
+    public final Object value;
+
+    SensorReading(String name, double time, Object value) {
+        this.name = name;
+        this.time = time;
+        this.value = value;
+    }
+}

@@ -1,0 +1,376 @@
+package org.myrobotlab.service.sear;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+import org.SEAR.project.ProjectException;
+import org.SEAR.simulator.SerialLine;
+import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.SimulationRunner;
+
+/**
+ * One running simulation: its thread, its ports, its clock. Any thread.
+ *
+ * <p>Locks: {@code stepping} is held while lock-step advances time, and nothing else is waited for under it but ports and the simulation thread.
+ */
+public final class SimulationSession {
+    private static final long LOOK_AFTER_THREAD = 200;
+    private static final long SCRIPT_DRIVES = TimeUnit.SECONDS.toNanos(1);
+    private static final long THREAD_END = TimeUnit.SECONDS.toMillis(10);
+
+    private final Host host;
+    private final BooleanSupplier stepListener;
+    private final Simulation simulation;
+    private final SimulationRunner runner;
+    private final Thread thread;
+    private final List<UartLine> lines = new CopyOnWriteArrayList<>();
+    private final Window window = new Window();
+    private final Pace pace;
+    private final PortQuiet quiet;
+    private final Object stepping = new Object();
+    private volatile SimulationClock clock;
+    private volatile boolean lockStep;
+    private volatile boolean paused;
+    private volatile boolean ended;
+    private boolean stopped;
+    private volatile Throwable failure;
+    private volatile double scriptTime;
+    private final Callers callers = new Callers();
+    private int warned;
+    private volatile boolean driven;
+    private volatile long lastDriven;
+
+    private SimulationSession(Simulation simulation, RunSettings settings, Host host, BooleanSupplier stepListener) {
+        this.host = host;
+        this.stepListener = stepListener;
+        this.simulation = simulation;
+        runner = new SimulationRunner(simulation);
+        lockStep = settings.lockStep;
+        pace = new Pace(settings.speed);
+        clock = new SimulationClock(simulation, lockStep);
+        quiet = new PortQuiet(host, callers);
+        thread = new Thread(this::run, "SEAR simulation");
+        thread.setDaemon(true);
+    }
+
+    /**
+     * Reads the project and starts its world.
+     *
+     * @param stepListener called after each step of lock-step, on the thread that advances time; answers whether it has published something
+     * @throws ProjectException with every problem of the project
+     * @throws IOException if a port can't be had; nothing is left behind
+     */
+    public static SimulationSession start(Path folder, RunSettings settings, boolean debugShapes, Host host,
+            BooleanSupplier stepListener) throws ProjectException, IOException {
+        SimulationSession session = new SimulationSession(Simulation.load(folder, settings.seed), settings, host, stepListener);
+        try {
+            session.open(settings, debugShapes);
+            return session;
+        } catch (IOException | RuntimeException | LinkageError e) {
+            session.stop();
+            throw e;
+        }
+    }
+
+    private void open(RunSettings settings, boolean debugShapes) throws IOException {
+        clock.install();
+        for (SerialLine line : simulation.getLines()) {
+            UartLine uart = new UartLine(line, host);
+            lines.add(uart);
+            uart.open(clock);
+        }
+        runner.setSpeed(lockStep ? Double.POSITIVE_INFINITY : settings.speed);
+        runner.setPaused(lockStep);
+        thread.start();
+        if (!settings.headless) {
+            window.open(runner, debugShapes, this::isScriptDriving, host);
+        }
+        tellWarnings();
+    }
+
+    private void run() {
+        try {
+            runner.run();
+        } catch (RuntimeException | Error e) {
+            failure = e;
+            host.error("the simulation broke down at " + time() + " s: " + e);
+        } finally {
+            ended = true;
+            clock.wake();
+        }
+    }
+
+    /** Ends the simulation and takes its ports, services, window and thread away. Again: does nothing. */
+    public synchronized void stop() {
+        if (stopped) {
+            return;
+        }
+        stopped = true;
+        window.close();
+        if (thread.isAlive()) {
+            runner.stop();
+            joinThread();
+        }
+        ended = true;
+        clock.uninstall();
+        clock.wake();
+        lines.forEach(UartLine::close);
+        lines.clear();
+        simulation.close();
+    }
+
+    private void joinThread() {
+        try {
+            thread.join(THREAD_END);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Whether the world exists; true while paused. */
+    public boolean isRunning() {
+        return !ended;
+    }
+
+    /** The world. */
+    public Simulation getSimulation() {
+        return simulation;
+    }
+
+    /** The line whose device end has a Serial service of that name; null if there is none. */
+    UartLine lineOf(String serviceName) {
+        for (UartLine line : lines) {
+            if (line.getServiceName().equals(serviceName)) {
+                return line;
+            }
+        }
+        return null;
+    }
+
+    /** Brings bytes from a device's Serial service to the device. @return whether the service belongs to one of the lines */
+    public boolean toDevice(String serviceName, byte[] bytes) {
+        UartLine line = lineOf(serviceName);
+        if (line != null) {
+            if (line.isDrive()) {
+                scriptDrives();
+            }
+            line.toDevice(bytes);
+        }
+        return line != null;
+    }
+
+    /** A script has told a robot to move: for a while the window's keys leave it alone. */
+    void scriptDrives() {
+        lastDriven = System.nanoTime();
+        driven = true;
+    }
+
+    private boolean isScriptDriving() {
+        return driven && System.nanoTime() - lastDriven < SCRIPT_DRIVES;
+    }
+
+    /** Simulated seconds. */
+    public double time() {
+        return simulation.snapshot().time;
+    }
+
+    /** Answers a question on the simulation thread, between two steps. */
+    public <T> T ask(Function<Simulation, T> question) throws InterruptedException {
+        Future<T> answer = simulation.ask(question);
+        callers.beginAsking();
+        try {
+            while (true) {
+                try {
+                    return answer.get(LOOK_AFTER_THREAD, TimeUnit.MILLISECONDS);
+                } catch (TimeoutException e) {
+                    checkRunning();
+                } catch (ExecutionException e) {
+                    throw unwrapped(e);
+                }
+            }
+        } finally {
+            callers.endAsking();
+        }
+    }
+
+    private static RuntimeException unwrapped(ExecutionException e) {
+        Throwable cause = e.getCause();
+        if (cause instanceof IllegalArgumentException) {
+            return new IllegalArgumentException(cause.getMessage(), cause);
+        }
+        return new IllegalStateException(cause.getMessage() == null ? cause.toString() : cause.getMessage(), cause);
+    }
+
+    private void checkRunning() {
+        if (ended || runner.isEnded()) {
+            throw new IllegalStateException(failure == null ? "the simulation was stopped" : "the simulation broke down: " + failure, failure);
+        }
+    }
+
+    /** Waits so long in simulated time; in lock-step it makes that time pass. */
+    public void simSleep(double seconds) throws InterruptedException {
+        if (!(seconds >= 0) || Double.isInfinite(seconds)) {
+            throw new IllegalArgumentException("simSleep of " + seconds + " s, legal: 0 or more");
+        }
+        if (lockStep) {
+            callers.beginSleeping();
+            try {
+                sleepInLockStep(seconds);
+            } finally {
+                callers.endSleeping();
+            }
+        } else {
+            runner.await(time() + seconds);
+        }
+        checkRunning();
+        tellWarnings();
+    }
+
+    private void sleepInLockStep(double seconds) throws InterruptedException {
+        double start = time();
+        double base = scriptTime <= start && scriptTime > start - Simulation.STEP ? scriptTime : start;
+        double target = base + seconds;
+        scriptTime = target;
+        pace.begin(start);
+        synchronized (stepping) {
+            quiet.settle();
+        }
+        while (time() < target - Simulation.STEP / 1000) {
+            awaitResume();
+            checkRunning();
+            synchronized (stepping) {
+                if (time() < target - Simulation.STEP / 1000) {
+                    oneStep();
+                }
+            }
+            pace.await(time());
+        }
+    }
+
+    /** One step of lock-step: what was sent before it has arrived, and what it sends is handed over. */
+    private void oneStep() throws InterruptedException {
+        quiet.settle();
+        runner.advance(1);
+        quiet.settle();
+        clock.tick();
+        if (stepListener.getAsBoolean()) {
+            quiet.disturb();
+        }
+        quiet.settle();
+    }
+
+    private void awaitResume() throws InterruptedException {
+        synchronized (clock) {
+            while (paused && !ended) {
+                clock.wait(LOOK_AFTER_THREAD);
+            }
+        }
+    }
+
+    /** Advances by so many steps; pauses a simulation whose time runs by itself. */
+    public void step(long steps) throws InterruptedException {
+        if (steps < 1) {
+            throw new IllegalArgumentException("step(" + steps + "), legal: 1 or more");
+        }
+        if (!lockStep && !paused) {
+            pause();
+        }
+        for (long i = 0; i < steps; i++) {
+            checkRunning();
+            synchronized (stepping) {
+                oneStep();
+            }
+        }
+        tellWarnings();
+    }
+
+    /** Time stands still until {@link #resume}. */
+    public void pause() {
+        paused = true;
+        runner.setPaused(true);
+    }
+
+    /** Ends {@link #pause}. */
+    public void resume() {
+        paused = false;
+        runner.setPaused(lockStep);
+        clock.wake();
+    }
+
+    /** Whether {@link #pause} holds. */
+    public boolean isPaused() {
+        return paused;
+    }
+
+    /** Everything back to the start. */
+    public void reset() throws InterruptedException {
+        synchronized (stepping) {
+            quiet.settle();
+            ask(world -> {
+                world.reset();
+                return true;
+            });
+            scriptTime = 0;
+            SimulationClock fresh = new SimulationClock(simulation, lockStep);
+            clock.moveTickersTo(fresh);
+            fresh.install();
+            clock.wake();
+            clock = fresh;
+            quiet.settle();
+        }
+    }
+
+    /** Simulated seconds a second; infinity = as fast as possible. */
+    public void setSpeed(double factor) {
+        pace.setSpeed(factor);
+        if (!lockStep) {
+            runner.setSpeed(factor);
+        }
+    }
+
+    /** Whether time advances only inside {@link #simSleep} and {@link #step}. */
+    public void setLockStep(boolean on) {
+        synchronized (stepping) {
+            lockStep = on;
+            if (on) {
+                runner.setPaused(true);
+                runner.setSpeed(Double.POSITIVE_INFINITY);
+            } else {
+                runner.setSpeed(pace.getSpeed());
+                runner.setPaused(paused);
+            }
+            clock.setLockStep(on);
+        }
+    }
+
+    /** See {@link #setLockStep}. */
+    public boolean isLockStep() {
+        return lockStep;
+    }
+
+    /** Simulated seconds a second as measured lately. */
+    public double getMeasuredSpeed() {
+        return runner.getMeasuredSpeed();
+    }
+
+    /** Publishes what the simulation has warned of since the last time. */
+    public synchronized void tellWarnings() {
+        List<String> all = simulation.snapshot().warnings;
+        for (; warned < all.size(); warned++) {
+            host.warn(all.get(warned));
+        }
+    }
+
+    @Override
+    public String toString() {
+        return String.format(Locale.ROOT, "simulation at %.3f s", time());
+    }
+}

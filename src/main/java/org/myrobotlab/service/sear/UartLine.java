@@ -1,0 +1,152 @@
+package org.myrobotlab.service.sear;
+
+import java.io.IOException;
+import java.util.concurrent.TimeUnit;
+import org.SEAR.simulator.SerialLine;
+import org.myrobotlab.framework.interfaces.ServiceInterface;
+import org.myrobotlab.serial.PortClock;
+import org.myrobotlab.serial.SerialDeviceFactory;
+import org.myrobotlab.serial.VirtualSerialPort;
+import org.myrobotlab.service.Runtime;
+import org.myrobotlab.service.Serial;
+import org.myrobotlab.service.interfaces.SerialDataListener;
+
+/**
+ * The way between the user's port and a simulated device: two virtual ports with a null-modem cable, at whose device end one of MyRobotLab's
+ * Serial services sits. What the user sends comes to SEAR as that service's publishBytes messages; what the device sends goes out through the
+ * same service. The line keeps the baud rate, so the ports don't.
+ */
+final class UartLine {
+    private static final long PATIENCE = TimeUnit.SECONDS.toMillis(5);
+    private static final String DRIVE = "Dynamics";
+    private static final String CALLBACK = "onUartBytes";
+    private static final String PUBLISHER = "publishBytes";
+
+    private final SerialLine line;
+    private final String serviceName;
+    private final Host host;
+    private final VirtualSerialPort uart;
+    private final VirtualSerialPort user;
+    private Serial serial;
+    private long given;
+    private boolean complained;
+
+    UartLine(SerialLine line, Host host) {
+        this.line = line;
+        this.host = host;
+        serviceName = serviceName(line);
+        uart = new VirtualSerialPort(line.getUartPort());
+        user = new VirtualSerialPort(line.getUserPort());
+    }
+
+    /** {@code myLidar_LIDARsimulator_Serial_Service}: the dissertation's name, by which SEAR finds the sensor that bytes are for. */
+    static String serviceName(SerialLine line) {
+        String kind = DRIVE.equals(line.getObjectType()) ? "ROBOT" : line.getObjectType();
+        return line.getObjectName() + "_" + kind + "simulator_Serial_Service";
+    }
+
+    /** Makes ports, cable and service. @throws IOException if a port or the service can't be had */
+    void open(PortClock clock) throws IOException {
+        VirtualSerialPort.makeNullModem(uart, user);
+        String owner = line.getObjectType() + " " + line.getObjectName() + " of the running simulation";
+        for (VirtualSerialPort port : new VirtualSerialPort[] {uart, user}) {
+            port.setPaced(false);
+            port.setClock(clock);
+            SerialDeviceFactory.add(port);
+            port.setOwner(owner);
+        }
+        uart.setHandedHook(this::awaitDevice);
+        user.setBaudListener(this::hostBaud);
+        ServiceInterface started = Runtime.start(serviceName, "Serial");
+        if (!(started instanceof Serial)) {
+            throw new IOException("a service named " + serviceName + " exists already and is no Serial service: release it first");
+        }
+        serial = (Serial) started;
+        serial.connect(uart.getName());
+        serial.addListener(PUBLISHER, host.getName(), CALLBACK);
+        line.setSink(this::toUser);
+    }
+
+    private void hostBaud(int baud) {
+        line.setHostBaud(baud);
+        if (baud != 0 && baud != line.getDeviceBaud()) {
+            host.warn(line.getObjectType() + " " + line.getObjectName() + " talks at " + line.getDeviceBaud() + " baud, but port " + user.getName()
+                + " was set to " + baud + ": they won't understand each other");
+        }
+    }
+
+    /** The simulation thread brings bytes from the device. */
+    private void toUser(byte[] bytes) {
+        try {
+            serial.write(bytes);
+        } catch (Exception e) {
+            complain("bytes from " + line.getObjectName() + " did not reach port " + user.getName() + ": " + e);
+        }
+    }
+
+    /** MyRobotLab's message brings bytes from the user. */
+    void toDevice(byte[] bytes) {
+        line.write(bytes);
+        synchronized (this) {
+            given += bytes.length;
+            notifyAll();
+        }
+    }
+
+    /** On the UART's reader thread, after each piece: the next follows when this one has made its way through MyRobotLab's message queues. */
+    private synchronized void awaitDevice(long handed) {
+        long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(PATIENCE);
+        try {
+            while (given < handed && System.nanoTime() < end) {
+                wait(PATIENCE);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        if (given < handed && uart.isOpen()) {
+            complain((handed - given) + " bytes written to port " + user.getName() + " did not come through MyRobotLab's messages");
+            given = handed;
+        }
+    }
+
+    private void complain(String message) {
+        if (!complained) {
+            complained = true;
+            host.warn(message);
+        }
+    }
+
+    /** Whether a robot's drive sits here. */
+    boolean isDrive() {
+        return DRIVE.equals(line.getObjectType());
+    }
+
+    /** Name of the Serial service at the device's end. */
+    String getServiceName() {
+        return serviceName;
+    }
+
+    VirtualSerialPort getUserPort() {
+        return user;
+    }
+
+    /** Takes service and ports away; whoever is connected to the user's port is disconnected. */
+    void close() {
+        for (SerialDataListener listener : user.getListeners()) {
+            if (listener instanceof Serial && user.getName().equals(((Serial) listener).getPortName())) {
+                ((Serial) listener).disconnect();
+            }
+        }
+        if (serial != null) {
+            serial.removeListener(PUBLISHER, host.getName(), CALLBACK);
+            serial.disconnect();
+            Runtime.releaseService(serviceName);
+        }
+        for (VirtualSerialPort port : new VirtualSerialPort[] {uart, user}) {
+            if (port.getOwner() != null) {
+                port.setOwner(null);
+                SerialDeviceFactory.remove(port);
+            }
+        }
+    }
+}

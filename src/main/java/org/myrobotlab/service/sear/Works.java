@@ -1,0 +1,89 @@
+package org.myrobotlab.service.sear;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import org.SEAR.project.Problem;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectException;
+
+/** All that a SEAR service is made of, in one place, so that the service class itself loads where a library is missing. */
+public final class Works {
+    private final Control control;
+    private final Readings readings;
+    private final Projects projects;
+    private final Publisher publisher;
+    private final Exports exports;
+    private final Transfers transfers;
+    private final WorldState state = new WorldState();
+
+    public Works(Host host) {
+        control = new Control(host, Projects::folder);
+        readings = new Readings(control);
+        projects = new Projects(control, host.getResourceRoot());
+        publisher = new Publisher(host, control, readings);
+        exports = new Exports(host, control);
+        transfers = new Transfers(projects::save, projects::load);
+        control.setStepListener(publisher::publishDue);
+    }
+
+    public Control control() {
+        return control;
+    }
+
+    public Readings readings() {
+        return readings;
+    }
+
+    public Projects projects() {
+        return projects;
+    }
+
+    public Publisher publisher() {
+        return publisher;
+    }
+
+    public Exports exports() {
+        return exports;
+    }
+
+    public Transfers transfers() {
+        return transfers;
+    }
+
+    /** The state of the world for panels. */
+    public Map<String, Object> state() throws InterruptedException {
+        SimulationSession session = control.sessionOrNull();
+        return session == null ? WorldState.nothing() : session.ask(world -> state.of(world, session));
+    }
+
+    /** What is wrong with the project; empty if nothing. */
+    public List<Problem> problems() {
+        try {
+            Project.read(Projects.folder());
+            return Collections.emptyList();
+        } catch (ProjectException e) {
+            return e.getProblems();
+        }
+    }
+
+    /** Brings bytes from a device's Serial service to the device. */
+    public void toDevice(String serviceName, byte[] bytes) {
+        SimulationSession session = control.anySession();
+        if (session != null) {
+            session.toDevice(serviceName, bytes);
+        }
+    }
+
+    /** Ends the simulation and what hangs on it. */
+    public void stop() {
+        exports.close();
+        control.stop();
+    }
+
+    /** Ends everything, for good. */
+    public void close() {
+        publisher.close();
+        stop();
+    }
+}

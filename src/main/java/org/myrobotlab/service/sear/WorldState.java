@@ -1,0 +1,209 @@
+package org.myrobotlab.service.sear;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.SEAR.POJOs.BeamCone;
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Cone;
+import org.SEAR.POJOs.Cylinder;
+import org.SEAR.POJOs.Distance;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Shape;
+import org.SEAR.POJOs.Wheel;
+import org.SEAR.raycast.Pose;
+import org.SEAR.sensors.LidarScan;
+import org.SEAR.sensors.Sensor;
+import org.SEAR.simulator.Robot;
+import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.Snapshot;
+
+/**
+ * The state of the world as panels draw it, as maps, lists and numbers for JSON. Metres and degrees; poses are [x, y, z, rx, ry, rz], rounded to
+ * tenths of millimetres and thousandths of degrees.
+ *
+ * <pre>
+ * {"time": 1.5, "step": 90, "running": true, "paused": false, "lockStep": false, "speed": 1.0,
+ *  "objects": [{"name": "Box1", "type": "Box", "size": [0.25, 0.25, 0.25], "image": null, "pose": [..]}],
+ *  "robots": [{"name": "myRoomba", "pose": [..], "speed": 0.2, "turnRate": 0, "radius": 0.17, "path": [[x, z], ..], "status": [..],
+ *              "parts": [{"name", "type", "size", "image", "pose" (in the body)}]}],
+ *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "cones": [{"halfAngle", "range"}]},
+ *              {"name": "myLidar", "type": "LIDAR", "pose": [..], "spread": 180, "resolution": 1, "ranges": [.., null, ..]}]}
+ * </pre>
+ */
+public final class WorldState {
+    private static final double FINE = 1e4;
+    private static final double ANGLE = 1e3;
+    private static final double PATH_STEP = 0.02;
+    private static final int LONGEST_PATH = 500;
+
+    private final Map<String, List<double[]>> paths = new LinkedHashMap<>();
+    private double lastTime;
+
+    /** The present state; simulation thread. */
+    synchronized Map<String, Object> of(Simulation world, SimulationSession session) {
+        Snapshot snapshot = world.snapshot();
+        if (snapshot.time < lastTime) {
+            paths.clear();
+        }
+        lastTime = snapshot.time;
+        Map<String, Object> state = new LinkedHashMap<>();
+        state.put("time", snapshot.time);
+        state.put("step", snapshot.step);
+        state.put("running", true);
+        state.put("paused", session.isPaused());
+        state.put("lockStep", session.isLockStep());
+        state.put("speed", rounded(session.getMeasuredSpeed(), ANGLE));
+        state.put("objects", objects(world, snapshot));
+        state.put("robots", robots(world, snapshot));
+        state.put("sensors", sensors(world));
+        return state;
+    }
+
+    /** What there is to say when nothing runs. */
+    public static Map<String, Object> nothing() {
+        Map<String, Object> state = new LinkedHashMap<>();
+        state.put("running", false);
+        return state;
+    }
+
+    private static List<Object> objects(Simulation world, Snapshot snapshot) {
+        List<Object> list = new ArrayList<>();
+        List<SearObject> environment = world.getProject().getEnvironment();
+        for (int i = 0; i < environment.size(); i++) {
+            list.add(object(environment.get(i), snapshot.environment.get(i)));
+        }
+        return list;
+    }
+
+    private static Map<String, Object> object(SearObject object, Pose pose) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("name", object.getName());
+        map.put("type", object.getClass().getSimpleName());
+        map.put("size", size(object));
+        if (object instanceof Shape) {
+            map.put("image", ((Shape) object).getImage());
+        }
+        map.put("pose", numbers(pose));
+        return map;
+    }
+
+    /** Box [length, height, width]; Cylinder and Cone [radius, height]; Wheel [radius, width]; Floor [length, width]; else []. */
+    private static double[] size(SearObject object) {
+        if (object instanceof Box) {
+            Box box = (Box) object;
+            return new double[] {box.getLength(), box.getHeight(), box.getWidth()};
+        }
+        if (object instanceof Cylinder) {
+            return new double[] {((Cylinder) object).getRadius(), ((Cylinder) object).getHeight()};
+        }
+        if (object instanceof Cone) {
+            return new double[] {((Cone) object).getRadius(), ((Cone) object).getHeight()};
+        }
+        if (object instanceof Wheel) {
+            return new double[] {((Wheel) object).getRadius(), ((Wheel) object).getWidth()};
+        }
+        if (object instanceof Floor) {
+            return new double[] {((Floor) object).getLength(), ((Floor) object).getWidth()};
+        }
+        return new double[0];
+    }
+
+    private List<Object> robots(Simulation world, Snapshot snapshot) {
+        List<Object> list = new ArrayList<>();
+        for (int i = 0; i < world.getRobots().size(); i++) {
+            Robot robot = world.getRobots().get(i);
+            Snapshot.RobotState state = snapshot.robots.get(i);
+            Map<String, Object> map = new LinkedHashMap<>();
+            map.put("name", state.name);
+            map.put("pose", numbers(state.pose));
+            map.put("speed", rounded(state.speed, FINE));
+            map.put("turnRate", rounded(state.turnRate, FINE));
+            map.put("radius", rounded(robot.getHardware().getBodyRadius(), FINE));
+            map.put("path", path(state));
+            map.put("status", state.status);
+            List<Object> parts = new ArrayList<>();
+            for (SearObject part : robot.getObject().getComponents()) {
+                if (part instanceof Shape) {
+                    parts.add(object(part, mount(part)));
+                }
+            }
+            robot.getObject().getWheels().forEach(wheel -> parts.add(object(wheel, mount(wheel))));
+            map.put("parts", parts);
+            list.add(map);
+        }
+        return list;
+    }
+
+    private List<double[]> path(Snapshot.RobotState robot) {
+        List<double[]> path = paths.computeIfAbsent(robot.name, name -> new ArrayList<>());
+        double[] last = path.isEmpty() ? null : path.get(path.size() - 1);
+        if (last == null || Math.hypot(last[0] - robot.pose.x, last[1] - robot.pose.z) > PATH_STEP) {
+            path.add(new double[] {rounded(robot.pose.x, FINE), rounded(robot.pose.z, FINE)});
+        }
+        if (path.size() > LONGEST_PATH) {
+            for (int i = path.size() - 2; i > 0; i -= 2) {
+                path.remove(i);
+            }
+        }
+        return new ArrayList<>(path);
+    }
+
+    private static List<Object> sensors(Simulation world) {
+        List<Object> list = new ArrayList<>();
+        for (Robot robot : world.getRobots()) {
+            for (Sensor<?> sensor : robot.getSensors()) {
+                Map<String, Object> map = new LinkedHashMap<>();
+                SearObject object = sensor.getParameters();
+                map.put("name", sensor.getName());
+                map.put("type", object.getClass().getSimpleName());
+                map.put("robot", robot.getObject().getName());
+                map.put("pose", numbers(robot.getPose().times(sensor.getMount())));
+                addReading(map, object, world.read(sensor.getName()));
+                list.add(map);
+            }
+        }
+        return list;
+    }
+
+    private static void addReading(Map<String, Object> map, SearObject object, Object reading) {
+        if (reading instanceof LidarScan) {
+            LidarScan scan = (LidarScan) reading;
+            map.put("spread", scan.getSpread());
+            map.put("resolution", scan.getResolution());
+            List<Double> ranges = new ArrayList<>(scan.size());
+            for (int i = 0; i < scan.size(); i++) {
+                ranges.add(Double.isInfinite(scan.range(i)) ? null : Double.valueOf(rounded(scan.range(i), FINE)));
+            }
+            map.put("ranges", ranges);
+        } else {
+            map.put("value", Readings.converted(object, reading));
+        }
+        if (object instanceof Distance) {
+            List<Object> cones = new ArrayList<>();
+            for (BeamCone cone : ((Distance) object).getCones()) {
+                Map<String, Object> one = new LinkedHashMap<>();
+                one.put("halfAngle", cone.getHalfAngle());
+                one.put("range", cone.getRange());
+                cones.add(one);
+            }
+            map.put("cones", cones);
+        }
+    }
+
+    private static Pose mount(SearObject part) {
+        return Pose.ofDegrees(part.getX(), part.getY(), part.getZ(), part.getRx(), part.getRy(), part.getRz());
+    }
+
+    private static double[] numbers(Pose pose) {
+        double[] angles = Angles.degrees(pose);
+        return new double[] {rounded(pose.x, FINE), rounded(pose.y, FINE), rounded(pose.z, FINE), rounded(angles[0], ANGLE),
+            rounded(angles[1], ANGLE), rounded(angles[2], ANGLE)};
+    }
+
+    private static double rounded(double value, double per) {
+        return Double.isNaN(value) || Double.isInfinite(value) ? 0 : Math.round(value * per) / per;
+    }
+}

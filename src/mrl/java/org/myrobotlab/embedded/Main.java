@@ -1,0 +1,34 @@
+package org.myrobotlab.embedded;
+
+import java.util.concurrent.CountDownLatch;
+import org.myrobotlab.service.Runtime;
+import org.myrobotlab.service.config.RuntimeConfig;
+import org.myrobotlab.service.config.ServiceConfig;
+
+/** The embedded MyRobotLab as a program of its own: starts services and stays until Runtime.shutdown() or Ctrl+C. */
+public final class Main {
+    private static final String DEFAULT_CONFIG = "default";
+
+    private Main() {
+    }
+
+    /** @throws InterruptedException if the thread is interrupted while MyRobotLab runs */
+    public static void run(StartOptions options) throws InterruptedException {
+        CountDownLatch end = new CountDownLatch(1);
+        Shutdown.then(end::countDown);
+        java.lang.Runtime.getRuntime().addShutdownHook(new Thread(Runtime::releaseAll, "release"));
+        String config = options.getConfig() == null ? DEFAULT_CONFIG : options.getConfig();
+        Runtime.setConfig(config);
+        Runtime.getInstance();
+        ServiceConfig runtime = Configs.read(config, "runtime");
+        if (runtime instanceof RuntimeConfig) {
+            for (String name : ((RuntimeConfig) runtime).getRegistry()) {
+                Runtime.start(name);
+            }
+        }
+        for (String[] service : options.getServices()) {
+            Runtime.start(service[0], service[1]);
+        }
+        end.await();
+    }
+}

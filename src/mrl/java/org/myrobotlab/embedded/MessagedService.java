@@ -1,0 +1,257 @@
+package org.myrobotlab.embedded;
+
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.util.List;
+import java.util.Map;
+import java.util.Timer;
+import java.util.concurrent.atomic.AtomicLong;
+import org.myrobotlab.codec.CodecUtils;
+import org.myrobotlab.framework.Inbox;
+import org.myrobotlab.framework.MRLListener;
+import org.myrobotlab.framework.Message;
+import org.myrobotlab.framework.Outbox;
+import org.myrobotlab.framework.TimeoutException;
+import org.myrobotlab.framework.interfaces.Broadcaster;
+import org.myrobotlab.framework.interfaces.FutureInvoker;
+import org.myrobotlab.framework.interfaces.ServiceInterface;
+import org.myrobotlab.logging.LoggerFactory;
+import org.myrobotlab.service.Runtime;
+import org.slf4j.Logger;
+
+/** Messages into a service and out of it, calls by name, and calls by the clock. */
+public abstract class MessagedService extends PublishingService implements Broadcaster, FutureInvoker {
+    private static final Logger LOG = LoggerFactory.getLogger(MessagedService.class);
+    private static final AtomicLong FUTURES = new AtomicLong();
+    private static final int DEFAULT_TIMEOUT_MS = 3000;
+
+    protected final transient Inbox inbox;
+    private final transient Tasks tasks = new Tasks(this);
+
+    protected MessagedService(String name, String id) {
+        super(name, id);
+        inbox = new Inbox(getName());
+    }
+
+    /** Carries a message out. */
+    protected void process(Message msg) {
+        if (preRoutingHook(msg) && preProcessHook(msg)) {
+            Object answer = invoke(msg);
+            if (Replies.BLOCKING.equals(msg.status)) {
+                Replies.answer(msg, answer);
+            }
+        }
+    }
+
+    /** Sees each message first. @return false if it was dealt with. An exception ends the service's thread. */
+    public boolean preRoutingHook(Message msg) {
+        return true;
+    }
+
+    /** Sees each message before it is carried out. @return false if it was dealt with. An exception ends the service's thread. */
+    public boolean preProcessHook(Message msg) {
+        return true;
+    }
+
+    public Message getMsg() throws InterruptedException {
+        return inbox.getMsg();
+    }
+
+    @Override
+    public void in(Message msg) {
+        inbox.add(msg);
+    }
+
+    @Override
+    public void out(Message msg) {
+        outbox.add(msg);
+    }
+
+    @Override
+    public void out(String method, Object data) {
+        Message msg = Message.createMessage(getFullName(), null, method, data);
+        msg.sendingMethod = method;
+        outbox.add(msg);
+    }
+
+    @Override
+    public Inbox getInbox() {
+        return inbox;
+    }
+
+    @Override
+    public Outbox getOutbox() {
+        return outbox;
+    }
+
+    @Override
+    public final Object invoke(Message msg) {
+        return invokeOn(false, this, msg.method, msg.data == null ? new Object[0] : msg.data);
+    }
+
+    @Override
+    public final Object invoke(String method) {
+        return invokeOn(false, this, method);
+    }
+
+    @Override
+    public final Object invoke(String method, Object... params) {
+        return invokeOn(false, this, method, params);
+    }
+
+    @Override
+    public final Object broadcast(String method) {
+        return invokeOn(true, this, method);
+    }
+
+    @Override
+    public final Object broadcast(String method, Object... params) {
+        return invokeOn(true, this, method, params);
+    }
+
+    /** Calls a method of another service of this process. */
+    public final Object invokeOn(String serviceName, String method, Object... params) {
+        return invokeOn(false, Runtime.getService(serviceName), method, params);
+    }
+
+    @Override
+    public final Object invokeOn(boolean blockLocally, Object obj, String methodName, Object... params) {
+        if (obj == null) {
+            error("%s can't be called: there is no such service", methodName);
+            return null;
+        }
+        Object[] args = params == null ? new Object[] {null} : params;
+        Method method = Methods.find(obj.getClass(), methodName, args);
+        if (method == null) {
+            error(obj + " has no method " + methodName + "(" + CodecUtils.getParameterSignature(args) + ")");
+            return null;
+        }
+        try {
+            Object answer = Methods.call(obj, method, args);
+            publish(blockLocally, obj instanceof PublishingService ? (PublishingService) obj : this, methodName, answer);
+            return answer;
+        } catch (InvocationTargetException e) {
+            failed(methodName, e.getCause());
+            return null;
+        }
+    }
+
+    private void failed(String methodName, Throwable cause) {
+        if (cause instanceof InterruptedException) {
+            Thread.currentThread().interrupt();
+        } else {
+            LOG.debug("{}.{}", getName(), methodName, cause);
+            error(getName() + "." + methodName + ": " + Reasons.of(cause));
+        }
+    }
+
+    private static void publish(boolean blockLocally, PublishingService from, String method, Object answer) {
+        Message msg = Message.createMessage(from.getFullName(), null, method, answer);
+        msg.sendingMethod = method;
+        if (!blockLocally) {
+            from.outbox.add(msg);
+            return;
+        }
+        for (MRLListener listener : from.outbox.getNotifyList().getOrDefault(method, List.of())) {
+            ServiceInterface receiver = Runtime.getService(listener.callbackName);
+            if (receiver != null) {
+                Message copy = new Message(msg);
+                copy.name = listener.callbackName;
+                copy.method = listener.callbackMethod;
+                receiver.invoke(copy);
+            }
+        }
+    }
+
+    @Override
+    public final void invokeFuture(String method, long delayMs) {
+        invokeFuture(method, delayMs, new Object[0]);
+    }
+
+    @Override
+    public final void invokeFuture(String method, long delayMs, Object... params) {
+        addTask(method + "-" + FUTURES.incrementAndGet(), true, 0, delayMs, method, params);
+    }
+
+    @Override
+    public void send(Message msg) {
+        outbox.add(msg);
+    }
+
+    @Override
+    public void send(String receiver, String method) {
+        send(receiver, method, new Object[0]);
+    }
+
+    @Override
+    public void send(String receiver, String method, Object... data) {
+        send(Message.createMessage(getFullName(), receiver, method, data));
+    }
+
+    @Override
+    public Object sendBlocking(String receiver, String method) throws InterruptedException, TimeoutException {
+        return sendBlocking(receiver, method, new Object[0]);
+    }
+
+    @Override
+    public Object sendBlocking(String receiver, String method, Object... data) throws InterruptedException, TimeoutException {
+        return sendBlocking(receiver, DEFAULT_TIMEOUT_MS, method, data);
+    }
+
+    @Override
+    public Object sendBlocking(String receiver, Integer timeout, String method, Object... data) throws InterruptedException, TimeoutException {
+        return sendBlocking(Message.createMessage(getFullName(), receiver, method, data), timeout);
+    }
+
+    @Override
+    public Object sendBlocking(Message msg, Integer timeout) throws InterruptedException, TimeoutException {
+        Replies.expect(msg);
+        outbox.send(msg);
+        return Replies.await(msg, timeout);
+    }
+
+    @Override
+    public void addTask(long intervalMs, String method) {
+        addTask(intervalMs, method, new Object[0]);
+    }
+
+    @Override
+    public void addTask(long intervalMs, String method, Object... params) {
+        addTask(method, intervalMs, 0, method, params);
+    }
+
+    @Override
+    public synchronized void addTask(String taskName, long intervalMs, long delayMs, String method, Object... params) {
+        addTask(taskName, false, intervalMs, delayMs, method, params);
+    }
+
+    @Override
+    public synchronized void addTask(String taskName, boolean oneShot, long intervalMs, long delayMs, String method, Object... params) {
+        tasks.add(taskName, oneShot, intervalMs, delayMs, method, params);
+    }
+
+    @Override
+    public void addTaskOneShot(long delayMs, String method, Object... params) {
+        addTask(method, true, 0, delayMs, method, params);
+    }
+
+    @Override
+    public boolean containsTask(String taskName) {
+        return tasks.timers().containsKey(taskName);
+    }
+
+    @Override
+    public Map<String, Timer> getTasks() {
+        return tasks.timers();
+    }
+
+    @Override
+    public synchronized void purgeTask(String taskName) {
+        tasks.purge(taskName);
+    }
+
+    @Override
+    public void purgeTasks() {
+        tasks.purgeAll();
+    }
+}

@@ -1,0 +1,233 @@
+package org.myrobotlab.embedded;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Properties;
+import java.util.concurrent.ConcurrentHashMap;
+import org.python.core.Options;
+import org.python.core.Py;
+import org.python.core.PyException;
+import org.python.core.PyFrame;
+import org.python.core.PyList;
+import org.python.core.PyObject;
+import org.python.core.PyString;
+import org.python.core.PySystemState;
+import org.python.core.ThreadState;
+import org.python.core.TraceFunction;
+import org.python.util.PythonInterpreter;
+
+/**
+ * One Python interpreter. Scripts and callbacks share its variables; each runs on the thread of whoever calls. Any thread.
+ */
+public final class PythonEngine {
+    private static final Map<String, PythonEngine> ENGINES = new ConcurrentHashMap<>();
+
+    private final String name;
+    private final PythonInterpreter interpreter;
+    private volatile ScriptResult last = ScriptResult.GOOD;
+    private final Map<Thread, Run> running = new HashMap<>();
+
+    /** @param out where scripts print to; @param err where errors go */
+    public PythonEngine(String name, OutputStream out, OutputStream err) {
+        this.name = name;
+        initialize();
+        PySystemState state = new PySystemState();
+        state.setClassLoader(PythonEngine.class.getClassLoader());
+        interpreter = new PythonInterpreter(null, state);
+        interpreter.setOut(Py.java2py(new ScriptConsole(out)));
+        interpreter.setErr(Py.java2py(new ScriptConsole(err)));
+        interpreter.set("__name__", new PyString("__main__"));
+        ENGINES.put(name, this);
+    }
+
+    private static synchronized void initialize() {
+        Properties settings = new Properties();
+        settings.setProperty("python.import.site", "false");
+        settings.setProperty("python.console.encoding", "UTF-8");
+        Options.importSite = false;
+        PySystemState.initialize(System.getProperties(), settings, new String[] {""});
+    }
+
+    /** The interpreter of a running Python service; null if there is none of that name. */
+    public static PythonEngine of(String serviceName) {
+        return ENGINES.get(serviceName);
+    }
+
+    /** Runs a file; its folder is where it imports from. @throws IOException if it can't be read */
+    public ScriptResult runFile(String file) throws IOException {
+        Path path = Paths.get(file).toAbsolutePath();
+        byte[] code = Files.readAllBytes(path);
+        addModulePath(path.getParent().toString());
+        set("__file__", path.toString());
+        interpreter.getSystemState().argv = new PyList(List.of(Py.fileSystemEncode(file)));
+        return run(code, file);
+    }
+
+    /** Runs code. */
+    public ScriptResult run(String code) {
+        return run(code.getBytes(StandardCharsets.UTF_8), "<script>");
+    }
+
+    private ScriptResult run(byte[] code, String fileName) {
+        last = guarded(() -> interpreter.execfile(new ByteArrayInputStream(PythonSource.withEncoding(code)), fileName));
+        return last;
+    }
+
+    /** How the last script ended. */
+    public ScriptResult getLastResult() {
+        return last;
+    }
+
+    /** Calls a function of the script. */
+    public ScriptResult call(String function, Object... arguments) {
+        return guarded(() -> {
+            PyObject callable = interpreter.eval(function);
+            PyObject[] converted = new PyObject[arguments.length];
+            for (int i = 0; i < converted.length; i++) {
+                converted[i] = Py.java2py(arguments[i]);
+            }
+            callable.__call__(converted);
+        });
+    }
+
+    /** Whether the script has a function or another variable of that name. */
+    public boolean has(String variable) {
+        return interpreter.get(variable.split("\\.")[0]) != null;
+    }
+
+    private ScriptResult guarded(Runnable work) {
+        Thread thread = Thread.currentThread();
+        Run run = new Run();
+        boolean outermost;
+        synchronized (running) {
+            outermost = running.putIfAbsent(thread, run) == null;
+        }
+        try {
+            work.run();
+            return ScriptResult.GOOD;
+        } catch (PyException e) {
+            return run.isStopped ? ScriptResult.STOPPED : ScriptResult.of(e);
+        } catch (StackOverflowError e) {
+            return ScriptResult.failed("RuntimeError: maximum recursion depth exceeded");
+        } finally {
+            if (outermost) {
+                end(thread, run);
+            }
+        }
+    }
+
+    private void end(Thread thread, Run run) {
+        synchronized (running) {
+            running.remove(thread);
+            if (run.isStopped) {
+                Thread.interrupted();
+            }
+        }
+    }
+
+    /** Breaks off all that runs, with a KeyboardInterrupt. @return whether anything ran */
+    public boolean interrupt() {
+        synchronized (running) {
+            running.forEach((thread, run) -> {
+                if (thread != Thread.currentThread()) {
+                    run.stop();
+                    thread.interrupt();
+                }
+            });
+            return !running.isEmpty();
+        }
+    }
+
+    /** Whether a script or callback runs now. */
+    public boolean isRunning() {
+        synchronized (running) {
+            return !running.isEmpty();
+        }
+    }
+
+    /** Adds a folder that modules are imported from. */
+    public void addModulePath(String folder) {
+        PyList path = interpreter.getSystemState().path;
+        PyString entry = Py.fileSystemEncode(folder);
+        if (!path.contains(entry)) {
+            path.insert(0, entry);
+        }
+    }
+
+    public void set(String variable, Object value) {
+        interpreter.set(variable, value);
+    }
+
+    /** A variable as a Java object; null if there is none. */
+    public Object get(String variable) {
+        PyObject value = interpreter.get(variable);
+        return value == null ? null : value.__tojava__(Object.class);
+    }
+
+    /** A variable; null if there is none. */
+    public PyObject getPyObject(String variable) {
+        return interpreter.get(variable);
+    }
+
+    /** Forgets a variable. */
+    public void remove(String variable) {
+        PyObject variables = interpreter.getLocals();
+        if (variables.__finditem__(variable) != null) {
+            variables.__delitem__(variable);
+        }
+    }
+
+    /** Breaks off all that runs and forgets everything. */
+    public void close() {
+        ENGINES.remove(name, this);
+        interrupt();
+        interpreter.cleanup();
+        interpreter.close();
+    }
+
+    /** What runs on one thread. */
+    private static final class Run {
+        private final ThreadState state = Py.getThreadState();
+        private volatile boolean isStopped;
+
+        /** Raises a KeyboardInterrupt at the next line that is carried out. */
+        void stop() {
+            isStopped = true;
+            PyFrame frame = state.frame;
+            if (frame != null) {
+                frame.tracefunc = new Breaker();
+            }
+        }
+    }
+
+    /** Raises a KeyboardInterrupt, whatever happens next. */
+    private static final class Breaker extends TraceFunction {
+        @Override
+        public TraceFunction traceCall(PyFrame frame) {
+            throw new PyException(Py.KeyboardInterrupt);
+        }
+
+        @Override
+        public TraceFunction traceReturn(PyFrame frame, PyObject value) {
+            throw new PyException(Py.KeyboardInterrupt);
+        }
+
+        @Override
+        public TraceFunction traceLine(PyFrame frame, int line) {
+            throw new PyException(Py.KeyboardInterrupt);
+        }
+
+        @Override
+        public TraceFunction traceException(PyFrame frame, PyException e) {
+            return null;
+        }
+    }
+}

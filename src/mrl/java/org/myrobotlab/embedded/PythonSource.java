@@ -1,0 +1,34 @@
+package org.myrobotlab.embedded;
+
+import java.nio.charset.StandardCharsets;
+import java.util.regex.Pattern;
+
+/** Source code as Python 2 wants it. */
+final class PythonSource {
+    private static final byte[] UTF_8_MARK = {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF};
+    /** The line that names an encoding, as in PEP 263. */
+    private static final Pattern ENCODING = Pattern.compile("\\A(?:[^\\n]*\\n)?[ \\t\\f]*#[^\\n]*?coding[:=][ \\t]*[-_.a-zA-Z0-9]+");
+
+    private PythonSource() {
+    }
+
+    /** Code that names no encoding is UTF-8, and not ASCII alone as Python 2 takes it. */
+    static byte[] withEncoding(byte[] code) {
+        if (isAscii(code) || ENCODING.matcher(new String(code, StandardCharsets.ISO_8859_1)).find()) {
+            return code;
+        }
+        byte[] marked = new byte[UTF_8_MARK.length + code.length];
+        System.arraycopy(UTF_8_MARK, 0, marked, 0, UTF_8_MARK.length);
+        System.arraycopy(code, 0, marked, UTF_8_MARK.length, code.length);
+        return marked;
+    }
+
+    private static boolean isAscii(byte[] code) {
+        for (byte one : code) {
+            if (one < 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+}

@@ -1,0 +1,79 @@
+package org.myrobotlab.embedded;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.python.core.Py;
+import org.python.core.PyException;
+import org.python.core.PyFile;
+import org.python.core.PyInteger;
+import org.python.core.PyObject;
+
+/** How a script ended. */
+public final class ScriptResult {
+    /** It ran to its end. */
+    static final ScriptResult GOOD = new ScriptResult(0, null, false);
+    /** It was broken off. */
+    static final ScriptResult STOPPED = new ScriptResult(1, null, true);
+
+    /** A Java exception's class, as Jython writes it. */
+    private static final Pattern TWICE = Pattern.compile("^([\\w.$]+): \\1: ");
+
+    private final int exitCode;
+    private final String traceback;
+    private final boolean stopped;
+
+    private ScriptResult(int exitCode, String traceback, boolean stopped) {
+        this.exitCode = exitCode;
+        this.traceback = traceback;
+        this.stopped = stopped;
+    }
+
+    static ScriptResult failed(String traceback) {
+        return new ScriptResult(1, traceback, false);
+    }
+
+    static ScriptResult of(PyException e) {
+        if (e.match(Py.SystemExit)) {
+            return exit(e);
+        }
+        return new ScriptResult(1, traceback(e), false);
+    }
+
+    /** As Python ends: sys.exit(n) with n, sys.exit() with 0, sys.exit(text) with 1 and the text. */
+    private static ScriptResult exit(PyException e) {
+        e.normalize();
+        PyObject code = e.value.__findattr__("code");
+        if (code == null || code == Py.None) {
+            return GOOD;
+        }
+        return code instanceof PyInteger ? new ScriptResult(code.asInt(), null, false) : failed(code.toString());
+    }
+
+    /** The traceback as Python prints it, without the Java calls in between. */
+    private static String traceback(PyException e) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        PyFile file = new PyFile(bytes);
+        e.normalize();
+        Py.displayException(e.type, e.value, e.traceback, file);
+        file.flush();
+        return bytes.toString(StandardCharsets.UTF_8).lines().filter(line -> !line.startsWith("\tat ") && !line.startsWith("\t... "))
+            .distinct().map(line -> TWICE.matcher(line).replaceFirst("$1: ")).collect(Collectors.joining("\n"));
+    }
+
+    /** 0 if it ran to its end. */
+    public int getExitCode() {
+        return exitCode;
+    }
+
+    /** What went wrong; null if nothing did. */
+    public String getTraceback() {
+        return traceback;
+    }
+
+    /** Whether it was broken off. */
+    public boolean isStopped() {
+        return stopped;
+    }
+}

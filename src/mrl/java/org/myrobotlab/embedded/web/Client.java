@@ -1,0 +1,62 @@
+package org.myrobotlab.embedded.web;
+
+import io.undertow.websockets.core.WebSocketCallback;
+import io.undertow.websockets.core.WebSocketChannel;
+import io.undertow.websockets.core.WebSockets;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicInteger;
+
+/** A page that is open in a browser. Any thread. */
+final class Client {
+    /** Messages that may wait for a slow page; what comes then is left out. */
+    private static final int MOST_WAITING = 200;
+
+    private final WebSocketChannel channel;
+    private final Set<String> topics = ConcurrentHashMap.newKeySet();
+    private final AtomicInteger waiting = new AtomicInteger();
+    private final WebSocketCallback<Void> sent = new WebSocketCallback<Void>() {
+        @Override
+        public void complete(WebSocketChannel unused, Void nothing) {
+            waiting.decrementAndGet();
+        }
+
+        @Override
+        public void onError(WebSocketChannel unused, Void nothing, Throwable error) {
+            waiting.decrementAndGet();
+        }
+    };
+
+    Client(WebSocketChannel channel) {
+        this.channel = channel;
+    }
+
+    /** Sends a text; leaves it out while the page can't keep up. */
+    void send(String text) {
+        if (waiting.get() < MOST_WAITING) {
+            waiting.incrementAndGet();
+            WebSockets.sendText(text, channel, sent);
+        }
+    }
+
+    void subscribe(String service, String topic) {
+        topics.add(service + "/" + topic);
+    }
+
+    void unsubscribe(String service, String topic) {
+        topics.remove(service + "/" + topic);
+    }
+
+    boolean wants(String service, String topic) {
+        return topics.contains(service + "/" + topic);
+    }
+
+    /** The topics of a service that the page listens to. */
+    Set<String> topicsOf(String service) {
+        Set<String> found = new TreeSet<>();
+        String prefix = service + "/";
+        topics.stream().filter(one -> one.startsWith(prefix)).forEach(one -> found.add(one.substring(prefix.length())));
+        return found;
+    }
+}

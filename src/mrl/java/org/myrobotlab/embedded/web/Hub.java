@@ -1,0 +1,160 @@
+package org.myrobotlab.embedded.web;
+
+import io.undertow.websockets.WebSocketConnectionCallback;
+import io.undertow.websockets.core.AbstractReceiveListener;
+import io.undertow.websockets.core.BufferedTextMessage;
+import io.undertow.websockets.core.WebSocketChannel;
+import io.undertow.websockets.spi.WebSocketHttpExchange;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import org.myrobotlab.codec.CodecUtils;
+import org.myrobotlab.embedded.Json;
+import org.myrobotlab.framework.Message;
+import org.myrobotlab.framework.interfaces.ServiceInterface;
+import org.myrobotlab.logging.LoggerFactory;
+import org.myrobotlab.service.Runtime;
+import org.slf4j.Logger;
+
+/**
+ * Messages between services and open pages, as JSON over a web socket.
+ *
+ * <p>From a page: {@code {"name":"lidar","method":"connect","data":["COM4",9600]}} calls; {@code {"subscribe":"lidar","topic":"publishScan"}} and
+ * {@code {"unsubscribe":...}} begin and end a subscription; {@code "id"} in a call asks for an answer. To a page:
+ * {@code {"name":"lidar","method":"onScan","data":[...]}}, {@code {"id":7,"answer":...}} or {@code {"id":7,"error":"..."}}, and
+ * {@code {"services":[...]}} when a service comes or goes. Any thread.
+ */
+public final class Hub implements WebSocketConnectionCallback {
+    private static final Logger LOG = LoggerFactory.getLogger(Hub.class);
+    private static final int LONGEST_MESSAGE = 16 << 20;
+
+    private final String listener;
+    private final Set<Client> clients = ConcurrentHashMap.newKeySet();
+
+    /** @param listener name of the service that listens in place of the pages, and gives what it hears to {@link #forward} */
+    public Hub(String listener) {
+        this.listener = listener;
+    }
+
+    @Override
+    public void onConnect(WebSocketHttpExchange exchange, WebSocketChannel channel) {
+        Client client = new Client(channel);
+        clients.add(client);
+        channel.addCloseTask(closed -> clients.remove(client));
+        client.send(services());
+        channel.getReceiveSetter().set(new AbstractReceiveListener() {
+            @Override
+            protected void onFullTextMessage(WebSocketChannel from, BufferedTextMessage message) {
+                String text = message.getData();
+                from.getWorker().execute(() -> receive(client, text));
+            }
+
+            @Override
+            protected long getMaxTextBufferSize() {
+                return LONGEST_MESSAGE;
+            }
+        });
+        channel.resumeReceives();
+    }
+
+    private void receive(Client client, String text) {
+        Object id = null;
+        try {
+            Map<?, ?> msg = Json.read(text, Map.class);
+            id = msg.get("id");
+            if (msg.containsKey("subscribe")) {
+                subscribe(client, (String) msg.get("subscribe"), (String) msg.get("topic"));
+            } else if (msg.containsKey("unsubscribe")) {
+                client.unsubscribe((String) msg.get("unsubscribe"), (String) msg.get("topic"));
+            } else {
+                call(client, id, (String) msg.get("name"), (String) msg.get("method"), (List<?>) msg.get("data"));
+            }
+        } catch (IllegalArgumentException | ClassCastException e) {
+            LOG.debug("{}", text, e);
+            client.send(reply(id, "error", e.getMessage()));
+        }
+    }
+
+    private void subscribe(Client client, String name, String topic) {
+        client.subscribe(name, topic);
+        ServiceInterface service = Runtime.getService(name);
+        if (service != null) {
+            service.addListener(topic, listener, CodecUtils.getCallbackTopicName(topic));
+        }
+    }
+
+    /** Calls without "id" run on the service's own thread, one after the other; calls that want an answer run here. */
+    private void call(Client client, Object id, String name, String method, List<?> data) {
+        ServiceInterface service = Runtime.getService(name);
+        if (service == null) {
+            throw new IllegalArgumentException("there is no service " + name);
+        }
+        Object[] arguments = JsonCall.arguments(service.getClass(), method, data == null ? List.of() : data);
+        if (id == null) {
+            service.in(Message.createMessage(listener, name, method, arguments));
+        } else {
+            client.send(reply(id, "answer", service.invoke(method, arguments)));
+        }
+    }
+
+    private static String reply(Object id, String kind, Object value) {
+        Map<String, Object> reply = new LinkedHashMap<>();
+        reply.put("id", id);
+        reply.put(kind, value);
+        return Json.write(reply);
+    }
+
+    /** Gives what a service published to the pages that listen to it. */
+    public void forward(Message msg) {
+        String name = CodecUtils.getShortName(msg.sender);
+        String text = null;
+        for (Client client : clients) {
+            if (client.wants(name, msg.sendingMethod)) {
+                text = text == null ? encoded(name, msg) : text;
+                client.send(text);
+            }
+        }
+    }
+
+    private static String encoded(String name, Message msg) {
+        Map<String, Object> plain = new LinkedHashMap<>();
+        plain.put("name", name);
+        plain.put("method", CodecUtils.getCallbackTopicName(msg.sendingMethod));
+        plain.put("data", msg.data == null ? new Object[0] : Wire.data(msg.data));
+        return Json.write(plain);
+    }
+
+    /** A service has started: listens for the pages that want to hear it, and tells all pages. */
+    public void started(String fullName) {
+        String name = CodecUtils.getShortName(fullName);
+        ServiceInterface service = Runtime.getService(name);
+        if (service != null) {
+            clients.forEach(client -> client.topicsOf(name).forEach(topic ->
+                service.addListener(topic, listener, CodecUtils.getCallbackTopicName(topic))));
+        }
+        tellServices();
+    }
+
+    /** Tells all pages which services there are. */
+    public void tellServices() {
+        String text = services();
+        clients.forEach(client -> client.send(text));
+    }
+
+    private static String services() {
+        List<Map<String, Object>> all = new ArrayList<>();
+        for (ServiceInterface service : Runtime.getServices()) {
+            Map<String, Object> one = new LinkedHashMap<>();
+            one.put("name", service.getName());
+            one.put("simpleName", service.getSimpleName());
+            one.put("typeKey", service.getTypeKey());
+            one.put("methods", service.getMethodNames());
+            one.put("running", service.isRunning());
+            all.add(one);
+        }
+        return Json.write(Map.of("services", all));
+    }
+}

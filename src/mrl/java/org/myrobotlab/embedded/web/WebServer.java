@@ -1,0 +1,133 @@
+package org.myrobotlab.embedded.web;
+
+import io.undertow.Handlers;
+import io.undertow.Undertow;
+import io.undertow.UndertowOptions;
+import io.undertow.server.HttpHandler;
+import io.undertow.server.HttpServerExchange;
+import io.undertow.server.handlers.PathHandler;
+import io.undertow.server.handlers.resource.ClassPathResourceManager;
+import io.undertow.server.handlers.resource.ResourceHandler;
+import io.undertow.server.handlers.resource.ResourceManager;
+import io.undertow.util.Headers;
+import io.undertow.util.StatusCodes;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.BindException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Properties;
+import java.util.concurrent.TimeUnit;
+import org.xnio.OptionMap;
+import org.xnio.Options;
+import org.xnio.Xnio;
+import org.xnio.XnioWorker;
+
+/** Serves pages, panels and calls to browsers on this machine, and to nobody else. Any thread. */
+public final class WebServer {
+    static final String API = "/api";
+
+    private static final String ADDRESS = "127.0.0.1";
+    private static final String PAGES = "org/myrobotlab/embedded/web";
+    private static final String WEB_JARS = "META-INF/resources/webjars/";
+    private static final String WEB_JAR_POM = "META-INF/maven/org.webjars/";
+    private static final List<String> LIBRARIES = List.of("angularjs", "bootstrap", "jquery");
+    private static final int IO_THREADS = 1;
+    private static final int WORKERS = 8;
+    private static final long LONGEST_REQUEST = 64L << 20;
+    private static final int STOP_SECONDS = 5;
+
+    private final XnioWorker worker;
+    private final Undertow server;
+    private final int port;
+
+    /** @param folders on the disk that panels come from; the first that has a file wins. @throws IOException if the port is taken */
+    public WebServer(int port, List<String> folders, Hub hub) throws IOException {
+        this.port = port;
+        HttpHandler files = classPath("resource", classPath("resource/WebGui/app", pages()));
+        List<String> lastFirst = new ArrayList<>(folders);
+        Collections.reverse(lastFirst);
+        for (String folder : lastFirst) {
+            files = new DiskHandler(folder, files);
+        }
+        PathHandler paths = Handlers.path(fresh(files)).addPrefixPath(API + "/service", new RestHandler())
+            .addExactPath(API + "/messages", Handlers.websocket(hub));
+        for (String name : LIBRARIES) {
+            paths.addPrefixPath("/webjars/" + name, library(name));
+        }
+        worker = Xnio.getInstance(Undertow.class.getClassLoader()).createWorker(OptionMap.builder().set(Options.WORKER_IO_THREADS, IO_THREADS)
+            .set(Options.WORKER_TASK_CORE_THREADS, WORKERS).set(Options.WORKER_TASK_MAX_THREADS, WORKERS).set(Options.TCP_NODELAY, true)
+            .set(Options.WORKER_NAME, "web server " + port).getMap());
+        server = Undertow.builder().addHttpListener(port, ADDRESS, new Guard(paths, port)).setWorker(worker)
+            .setServerOption(UndertowOptions.MAX_ENTITY_SIZE, LONGEST_REQUEST).build();
+        start();
+    }
+
+    /** A library of the pages, whatever its version. */
+    private static ResourceHandler library(String name) throws IOException {
+        Properties about = new Properties();
+        try (InputStream in = WebServer.class.getClassLoader().getResourceAsStream(WEB_JAR_POM + name + "/pom.properties")) {
+            if (in == null) {
+                throw new IOException("the library " + name + " (org.webjars) is not on the class path");
+            }
+            about.load(in);
+        }
+        String folder = WEB_JARS + name + "/" + about.getProperty("version");
+        return new ResourceHandler(new ClassPathResourceManager(WebServer.class.getClassLoader(), folder));
+    }
+
+    /** Panels of plug-ins whose folder of resources is not there. */
+    private static HttpHandler classPath(String folder, HttpHandler next) {
+        HttpHandler files = new ResourceHandler(new ClassPathResourceManager(WebServer.class.getClassLoader(), folder), next);
+        return exchange -> (exchange.getRelativePath().endsWith("/") ? next : files).handleRequest(exchange);
+    }
+
+    private static ResourceHandler pages() {
+        ResourceManager pages = new ClassPathResourceManager(WebServer.class.getClassLoader(), PAGES);
+        return new ResourceHandler(pages, WebServer::missing).setWelcomeFiles("index.html");
+    }
+
+    /** A panel that a service doesn't have is empty, as in MyRobotLab. */
+    private static void missing(HttpServerExchange exchange) {
+        exchange.setStatusCode(exchange.getRelativePath().startsWith("/service/") ? StatusCodes.OK : StatusCodes.NOT_FOUND);
+        exchange.endExchange();
+    }
+
+    /** Panels may change on the disk at any time. */
+    private static HttpHandler fresh(HttpHandler next) {
+        return exchange -> {
+            exchange.getResponseHeaders().put(Headers.CACHE_CONTROL, "no-cache");
+            next.handleRequest(exchange);
+        };
+    }
+
+    private void start() throws IOException {
+        try {
+            server.start();
+        } catch (RuntimeException e) {
+            worker.shutdownNow();
+            for (Throwable at = e; at != null; at = at.getCause()) {
+                if (at instanceof BindException) {
+                    throw new IOException("port " + port + " is in use by another program: choose another one", e);
+                }
+            }
+            throw e;
+        }
+    }
+
+    /** Closes all connections and ends all threads; the one that a page's own call of this comes on ends after that call. */
+    public void stop() {
+        server.stop();
+        if (Thread.currentThread().getName().startsWith(worker.getName() + " ")) {
+            worker.shutdown();
+            return;
+        }
+        worker.shutdownNow();
+        try {
+            worker.awaitTermination(STOP_SECONDS, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

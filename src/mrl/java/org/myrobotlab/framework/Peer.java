@@ -1,0 +1,29 @@
+package org.myrobotlab.framework;
+
+/** A service that belongs to another one, as a Serial to a Roomba. */
+public class Peer {
+    /** Name in the registry. */
+    public String name;
+    /** Type, without package. */
+    public String type;
+    /** Whether it starts together with its owner. */
+    public boolean autoStart = true;
+
+    public Peer() {
+    }
+
+    public Peer(String name, String type) {
+        this(name, type, true);
+    }
+
+    public Peer(String name, String type, boolean autoStart) {
+        this.name = name;
+        this.type = type;
+        this.autoStart = autoStart;
+    }
+
+    @Override
+    public String toString() {
+        return name + " " + type;
+    }
+}

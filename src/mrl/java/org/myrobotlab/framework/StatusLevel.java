@@ -1,0 +1,10 @@
+package org.myrobotlab.framework;
+
+/** How grave a {@link Status} is. */
+public class StatusLevel {
+    public static final String DEBUG = "debug";
+    public static final String INFO = "info";
+    public static final String WARN = "warn";
+    public static final String ERROR = "error";
+    public static final String SUCCESS = "success";
+}

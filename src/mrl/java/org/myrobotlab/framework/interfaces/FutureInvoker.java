@@ -1,0 +1,10 @@
+package org.myrobotlab.framework.interfaces;
+
+/** Calls its own methods later. */
+public interface FutureInvoker {
+    /** Calls a method after a delay. */
+    void invokeFuture(String method, long delayMs);
+
+    /** Calls a method after a delay. */
+    void invokeFuture(String method, long delayMs, Object... params);
+}

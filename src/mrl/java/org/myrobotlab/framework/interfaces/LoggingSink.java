@@ -1,0 +1,18 @@
+package org.myrobotlab.framework.interfaces;
+
+import org.myrobotlab.framework.Status;
+
+/** Takes statuses. */
+public interface LoggingSink extends NameProvider {
+    /** Publishes an error. */
+    Status error(Exception e);
+
+    /** Publishes an error. */
+    Status error(String format, Object... args);
+
+    /** Publishes a warning. */
+    Status warn(String format, Object... args);
+
+    /** Publishes a notice. */
+    Status info(String format, Object... args);
+}

@@ -1,0 +1,25 @@
+package org.myrobotlab.framework.interfaces;
+
+import org.myrobotlab.framework.Message;
+import org.myrobotlab.framework.TimeoutException;
+
+/** Sends messages to services by name. */
+public interface MessageSender extends NameProvider, SimpleMessageSender {
+    /** Has the service of that name call its method. */
+    void send(String name, String method);
+
+    /** Has the service of that name call its method with these arguments. */
+    void send(String name, String method, Object... data);
+
+    /** Sends and waits for the answer. */
+    Object sendBlocking(String name, String method) throws InterruptedException, TimeoutException;
+
+    /** Sends and waits for the answer. */
+    Object sendBlocking(String name, String method, Object... data) throws InterruptedException, TimeoutException;
+
+    /** Sends and waits for the answer. @param timeout milliseconds; null waits without end */
+    Object sendBlocking(String name, Integer timeout, String method, Object... data) throws InterruptedException, TimeoutException;
+
+    /** Sends and waits for the answer. @param timeout milliseconds; null waits without end */
+    Object sendBlocking(Message msg, Integer timeout) throws InterruptedException, TimeoutException;
+}

@@ -1,0 +1,397 @@
+package org.myrobotlab.service;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.nio.file.StandardCopyOption;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.myrobotlab.codec.CodecUtils;
+import org.myrobotlab.embedded.ConsoleStream;
+import org.myrobotlab.embedded.Methods;
+import org.myrobotlab.embedded.PythonEngine;
+import org.myrobotlab.embedded.ScriptResult;
+import org.myrobotlab.framework.Message;
+import org.myrobotlab.framework.Platform;
+import org.myrobotlab.framework.Registration;
+import org.myrobotlab.framework.Service;
+import org.myrobotlab.framework.interfaces.MessageListener;
+import org.myrobotlab.framework.interfaces.ServiceInterface;
+import org.myrobotlab.logging.LoggerFactory;
+import org.myrobotlab.service.config.PythonConfig;
+import org.myrobotlab.service.data.Script;
+import org.myrobotlab.service.interfaces.Processor;
+import org.myrobotlab.service.interfaces.ServiceLifeCycleListener;
+import org.python.core.PyObject;
+import org.slf4j.Logger;
+
+/**
+ * Runs Python scripts. A script runs on the thread of whoever has it run; functions that it made listeners are called one at a time, in order, on
+ * this service's callback thread. Any thread.
+ */
+public class Python extends Service<PythonConfig> implements ServiceLifeCycleListener, MessageListener, Processor {
+    public static final Logger log = LoggerFactory.getLogger(Python.class);
+
+    private static final long serialVersionUID = 1L;
+    private static final int SCRIPT_DEPTH = 3;
+    private static final String IMPORTS = "import sys\nfrom time import sleep\n";
+
+    /** Scripts that are open in the editor, by file. */
+    Map<String, Script> openedScripts = new ConcurrentHashMap<>();
+    protected boolean openOnExecute;
+    private transient volatile PythonEngine engine;
+    private final transient BlockingQueue<Message> callbacks = new LinkedBlockingQueue<>();
+    private transient volatile Thread callbackThread;
+    /** Whether a script runs now; the editor shows it. */
+    private volatile boolean executing;
+    private final transient AtomicInteger scripts = new AtomicInteger();
+
+    public Python(String name, String id) {
+        super(name, id);
+    }
+
+    // ---- life ---------------------------------------------------------------------------------------------------------
+
+    @Override
+    public synchronized void startService() {
+        if (isRunning()) {
+            return;
+        }
+        super.startService();
+        createPythonInterpreter();
+        Runtime.getInstance().attachServiceLifeCycleListener(getName());
+        Thread thread = new Thread(this::callBack, getName() + "_callbacks");
+        thread.setDaemon(true);
+        callbackThread = thread;
+        thread.start();
+        config.modulePaths.forEach(this::addModulePath);
+        config.startScripts.forEach(this::runConfigured);
+    }
+
+    private void runConfigured(String file) {
+        try {
+            execFile(file);
+        } catch (IOException e) {
+            error("script %s can't be read: %s", file, e.getMessage());
+        }
+    }
+
+    /** Makes a new interpreter, with no variables but the given ones. */
+    public synchronized void createPythonInterpreter() {
+        if (engine != null) {
+            engine.close();
+        }
+        engine = new PythonEngine(getName(), new ConsoleStream(System.out, text -> invoke("publishStdOut", text)),
+            new ConsoleStream(System.err, text -> invoke("publishStdError", text)));
+        engine.run(IMPORTS);
+        engine.set("Platform", Platform.class);
+        engine.set("Runtime", Runtime.class);
+        engine.set("Service", Service.class);
+        Runtime.getServices().forEach(this::introduce);
+    }
+
+    /** A class for its type, and a variable of its name. */
+    private void introduce(ServiceInterface service) {
+        engine.set(service.getSimpleName(), service.getClass());
+        engine.set(CodecUtils.getSafeReferenceName(service.getName()), service);
+    }
+
+    @Override
+    public void stopService() {
+        stop();
+        Thread thread = callbackThread;
+        callbackThread = null;
+        if (thread != null) {
+            thread.interrupt();
+        }
+        super.stopService();
+    }
+
+    @Override
+    public void releaseService() {
+        if (isRunning()) {
+            config.stopScripts.forEach(this::runConfigured);
+        }
+        super.releaseService();
+        PythonEngine old = engine;
+        engine = null;
+        if (old != null) {
+            old.close();
+        }
+    }
+
+    // ---- running ------------------------------------------------------------------------------------------------------
+
+    /** Runs code and waits for its end. @return whether it ended well; if not, an error status has the traceback */
+    @Override
+    public boolean exec(String code) {
+        return exec(code, true);
+    }
+
+    /** Runs code. @return whether it ended well, or without blocking, whether it was started */
+    public boolean exec(String code, boolean blocking) {
+        if (!blocking) {
+            startThread(() -> exec(code));
+            return true;
+        }
+        begun();
+        try {
+            return report(engine.run(code));
+        } finally {
+            ended();
+        }
+    }
+
+    /** Runs a file and waits for its end. @return whether it ended well; if not, an error status has the traceback */
+    public boolean execFile(String file) throws IOException {
+        return execFile(file, true);
+    }
+
+    public boolean execFile(String file, boolean blocking) throws IOException {
+        if (!Files.isReadable(Paths.get(file))) {
+            error("script %s can't be read: there is no such file", file);
+            return false;
+        }
+        if (!blocking) {
+            startThread(() -> runConfigured(file));
+            return true;
+        }
+        begun();
+        try {
+            return report(engine.runFile(file));
+        } finally {
+            ended();
+        }
+    }
+
+    private void begun() {
+        scripts.incrementAndGet();
+        executing = true;
+        broadcastState();
+    }
+
+    private void ended() {
+        executing = scripts.decrementAndGet() > 0;
+        invoke("finishedExecutingScript");
+        broadcastState();
+    }
+
+    public void execAndWait(String code) {
+        exec(code, true);
+    }
+
+    /** Calls a function of the script. */
+    public void execMethod(String method) {
+        execMethod(method, new Object[0]);
+    }
+
+    public void execMethod(String method, Object... parms) {
+        report(engine.call(method, parms));
+    }
+
+    private void startThread(Runnable work) {
+        Thread thread = new Thread(work, getName() + "_script");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private boolean report(ScriptResult result) {
+        if (result.isStopped()) {
+            info("the script was stopped");
+        } else if (result.getTraceback() != null) {
+            invoke("publishStdError", result.getTraceback() + "\n");
+            error(result.getTraceback());
+        }
+        return result.getExitCode() == 0 && !result.isStopped();
+    }
+
+    /** Breaks off the script and all callbacks. @return whether anything ran */
+    public boolean stop() {
+        callbacks.clear();
+        return engine != null && engine.interrupt();
+    }
+
+    // ---- callbacks ----------------------------------------------------------------------------------------------------
+
+    /** Messages for this service are its own business; all others are for functions of the script. */
+    @Override
+    public boolean preProcessHook(Message msg) {
+        Object[] data = msg.data == null ? new Object[0] : msg.data;
+        if (Methods.find(getClass(), msg.method, data) != null) {
+            return true;
+        }
+        callbacks.add(msg);
+        return false;
+    }
+
+    private void callBack() {
+        try {
+            while (callbackThread == Thread.currentThread()) {
+                callBack(callbacks.take());
+            }
+        } catch (InterruptedException e) {
+            log.debug("{}: no more callbacks", getName());
+        }
+    }
+
+    private void callBack(Message msg) {
+        PythonEngine current = engine;
+        if (current == null) {
+            return;
+        }
+        if (!current.has(msg.method)) {
+            error("%s.%s calls back %s, but the script has no function of that name", CodecUtils.getShortName(msg.sender), msg.sendingMethod,
+                msg.method);
+            return;
+        }
+        report(current.call(msg.method, msg.data == null ? new Object[0] : msg.data));
+    }
+
+    @Override
+    public void onMessage(Message msg) {
+        in(msg);
+    }
+
+    // ---- variables ----------------------------------------------------------------------------------------------------
+
+    public void set(String variable, Object value) {
+        engine.set(variable, value);
+    }
+
+    /** A variable as a Java object; null if there is none. */
+    public Object get(String variable) {
+        return engine.get(variable);
+    }
+
+    public PyObject getPyObject(String variable) {
+        return engine.getPyObject(variable);
+    }
+
+    /** Adds a folder that modules are imported from. */
+    public void addModulePath(String folder) {
+        engine.addModulePath(folder);
+    }
+
+    // ---- the editor ---------------------------------------------------------------------------------------------------
+
+    /** Opens a script in the editor. */
+    public void openScript(String file) throws IOException {
+        Path path = resolve(file);
+        String code = Files.exists(path) ? Files.readString(path, StandardCharsets.UTF_8) : "";
+        openedScripts.put(file, new Script(file, code));
+        broadcastState();
+    }
+
+    public void openScriptFromFile(String file) throws IOException {
+        openScript(file);
+    }
+
+    /** Takes over what was typed, without writing it. */
+    public void updateScript(String file, String code) {
+        openedScripts.put(file, new Script(file, code));
+    }
+
+    public void addScript(String file, String code) throws IOException {
+        openedScripts.put(file, new Script(file, code));
+        broadcastState();
+    }
+
+    public void closeScript(String file) {
+        openedScripts.remove(file);
+        broadcastState();
+    }
+
+    /** Writes a script, as a whole or not at all. */
+    public void saveScript(String file, String code) throws IOException {
+        Path path = resolve(file);
+        Path part = path.resolveSibling(path.getFileName() + ".part");
+        Files.createDirectories(path.toAbsolutePath().getParent());
+        Files.writeString(part, code, StandardCharsets.UTF_8);
+        Files.move(part, path, StandardCopyOption.REPLACE_EXISTING);
+        openedScripts.put(file, new Script(file, code));
+        info("saved %s", path);
+    }
+
+    private Path resolve(String file) {
+        return config.scriptRootDir == null ? Paths.get(file) : Paths.get(config.scriptRootDir).resolve(file);
+    }
+
+    /** The scripts below the folder of scripts, three folders deep. */
+    public List<String> getScriptList() throws IOException {
+        Path root = resolve("");
+        try (Stream<Path> files = Files.walk(root, SCRIPT_DEPTH)) {
+            return files.filter(one -> one.toString().endsWith(".py")).map(one -> root.relativize(one).toString()).sorted()
+                .collect(Collectors.toList());
+        }
+    }
+
+    public boolean isOpenOnExecute() {
+        return openOnExecute;
+    }
+
+    public void setOpenOnExecute(boolean on) {
+        openOnExecute = on;
+    }
+
+    /** Forgets all that is open. */
+    public void clear() {
+        openedScripts.clear();
+        broadcastState();
+    }
+
+    // ---- what is published, and what others publish ---------------------------------------------------------------------
+
+    /** Each line that a script prints. */
+    public String publishStdOut(String data) {
+        return data;
+    }
+
+    /** Each line that goes to the script's error output, and each traceback. */
+    public String publishStdError(String data) {
+        return data;
+    }
+
+    /** A script has ended. */
+    public void finishedExecutingScript() {
+        log.debug("{}: script ended", getName());
+    }
+
+    @Override
+    public void onCreated(String name) {
+        log.debug("{} was made", name);
+    }
+
+    @Override
+    public void onRegistered(Registration registration) {
+        log.debug("{} is registered", registration);
+    }
+
+    @Override
+    public void onStarted(String name) {
+        ServiceInterface service = Runtime.getService(name);
+        if (engine != null && service != null) {
+            introduce(service);
+        }
+    }
+
+    @Override
+    public void onStopped(String name) {
+        log.debug("{} has stopped", name);
+    }
+
+    @Override
+    public void onReleased(String name) {
+        PythonEngine current = engine;
+        if (current != null) {
+            current.remove(CodecUtils.getSafeReferenceName(CodecUtils.getShortName(name)));
+        }
+    }
+}

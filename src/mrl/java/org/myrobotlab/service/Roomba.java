@@ -1,0 +1,342 @@
+package org.myrobotlab.service;
+
+import java.io.IOException;
+import java.util.List;
+import org.myrobotlab.framework.Service;
+import org.myrobotlab.framework.interfaces.ServiceInterface;
+import org.myrobotlab.logging.LoggerFactory;
+import org.myrobotlab.service.config.RoombaConfig;
+import org.slf4j.Logger;
+
+/** Drives an iRobot Roomba or Create by its Open Interface. Any thread. */
+public class Roomba extends Service<RoombaConfig> {
+    public static final Logger log = LoggerFactory.getLogger(Roomba.class);
+
+    private static final long serialVersionUID = 1L;
+    private static final int START = 128;
+    private static final int CONTROL = 130;
+    private static final int POWER = 133;
+    private static final int SPOT = 134;
+    private static final int CLEAN = 135;
+    private static final int DRIVE = 137;
+    private static final int MOTORS = 138;
+    private static final int LEDS = 139;
+    private static final int SONG = 140;
+    private static final int PLAY = 141;
+    private static final int SENSORS = 142;
+    private static final int SPIN_LEFT = 1;
+    private static final int SPIN_RIGHT = -1;
+    /** Radius that means straight on. */
+    private static final int STRAIGHT = -0x8000;
+    /** Radius of a turn, mm. */
+    private static final int TURN_RADIUS = 129;
+    /** Speed until another is set, mm/s. */
+    private static final int DEFAULT_SPEED = 200;
+    private static final int MAX_SPEED = 500;
+    private static final int ROOMBA_BAUD = 57600;
+    private static final int CREATE_BAUD = 19200;
+    private static final String OLD_PROTOCOL = "SCI";
+    private static final int NOTE_SONG = 15;
+    private static final int POWER_ORANGE = 128;
+    private static final int FULL = 255;
+    private static final int ALL_MOTORS = 7;
+    private static final int LED_DIRT = 1;
+    private static final int LED_MAX = 2;
+    private static final int LED_CLEAN = 4;
+    private static final int LED_SPOT = 8;
+    private static final int LED_STATUS_RED = 16;
+    private static final int LED_STATUS_GREEN = 32;
+    private static final int NO_SENSORS = 0;
+    private static final double MILLIS = 1000;
+    /** Distance between the wheels, mm. */
+    private static final double WHEEL_BASE = 258;
+    private static final String SERIAL = "serial";
+
+    private int speed = DEFAULT_SPEED;
+    private String protocol = OLD_PROTOCOL;
+    private String portName;
+    private transient volatile Serial serial;
+
+    public Roomba(String name, String id) {
+        super(name, id);
+    }
+
+    // ---- connection ---------------------------------------------------------------------------------------------------
+
+    /** Opens a port at 57600 baud (OI: 19200), 8 data bits, 1 stop bit, no parity. */
+    public void connect(String port) {
+        connect(port, OLD_PROTOCOL.equals(protocol) ? ROOMBA_BAUD : CREATE_BAUD, Byte.SIZE, 1, 0);
+    }
+
+    /** @return whether the port is open */
+    public boolean connect(String port, int baud, int dataBits, int stopBits, int parity) {
+        Serial chosen = serialFor(port);
+        if (chosen == null) {
+            return false;
+        }
+        try {
+            chosen.connect(port, baud, dataBits, stopBits, parity);
+        } catch (IOException | IllegalStateException | IllegalArgumentException e) {
+            error("can't connect: %s", e.getMessage());
+        }
+        serial = chosen;
+        portName = port;
+        return port.equals(chosen.getPortName());
+    }
+
+    /** The Serial service that everybody shares, or one of its own if that one has another port open. */
+    private Serial serialFor(String port) {
+        ServiceInterface shared = startPeer(SERIAL);
+        boolean free = shared instanceof Serial && (!((Serial) shared).isConnected() || ((Serial) shared).getPortName().equals(port));
+        return (Serial) (free ? shared : Runtime.start(getName() + "." + SERIAL, "Serial"));
+    }
+
+    private Serial serial() {
+        Serial chosen = serial;
+        ServiceInterface shared = chosen == null ? getPeer(SERIAL) : chosen;
+        return shared instanceof Serial ? (Serial) shared : null;
+    }
+
+    public boolean connected() {
+        Serial chosen = serial();
+        return chosen != null && chosen.isConnected();
+    }
+
+    /** Closes the port. @return whether it was open */
+    public boolean disconnect() {
+        boolean was = connected();
+        if (was) {
+            serial().disconnect();
+        }
+        return was;
+    }
+
+    public List<String> getPortNames() {
+        return Serial.listPorts();
+    }
+
+    public String[] listPorts() {
+        return getPortNames().toArray(new String[0]);
+    }
+
+    public String getPortname() {
+        return portName;
+    }
+
+    public void setPortname(String port) {
+        portName = port;
+    }
+
+    public String getProtocol() {
+        return protocol;
+    }
+
+    /** SCI for the first Roombas, OI for later ones and the Create: sets the speed of the next connection. */
+    public void setProtocol(String newProtocol) {
+        protocol = newProtocol;
+    }
+
+    /** @return whether the bytes were sent */
+    public boolean send(byte[] bytes) {
+        try {
+            if (!connected()) {
+                error("is not connected: call connect(port) first");
+                return false;
+            }
+            serial().write(bytes);
+            return true;
+        } catch (Exception e) {
+            error("can't send: %s", e.getMessage());
+            return false;
+        }
+    }
+
+    /** Sends the low 8 bits. */
+    public boolean send(int value) {
+        return send(new byte[] {(byte) value});
+    }
+
+    private void command(int... values) {
+        byte[] bytes = new byte[values.length];
+        for (int i = 0; i < values.length; i++) {
+            bytes[i] = (byte) values[i];
+        }
+        send(bytes);
+    }
+
+    @Override
+    public void releaseService() {
+        Serial chosen = serial;
+        if (chosen != null && chosen.isConnected() && chosen.getPortName().equals(portName)) {
+            chosen.disconnect();
+        }
+        if (chosen != null && chosen.getName().startsWith(getName() + ".")) {
+            chosen.releaseService();
+        }
+        super.releaseService();
+    }
+
+    // ---- modes --------------------------------------------------------------------------------------------------------
+
+    /** Wakes the interface: {@code 80}. */
+    public void startup() {
+        speed = DEFAULT_SPEED;
+        command(START);
+    }
+
+    /** Takes control: {@code 82 8B 01 80 FF}. */
+    public void control() {
+        command(CONTROL);
+        setLEDs(false, false, false, false, false, true, POWER_ORANGE, FULL);
+    }
+
+    /** Stops, starts up and takes control again. */
+    public void reset() {
+        stop();
+        startup();
+        control();
+        updateSensors();
+    }
+
+    public void powerOff() {
+        command(POWER);
+    }
+
+    public void spot() {
+        command(SPOT);
+    }
+
+    public void clean() {
+        command(CLEAN);
+    }
+
+    /** All cleaning motors on or off. */
+    public void vacuum(boolean on) {
+        command(MOTORS, on ? ALL_MOTORS : 0);
+    }
+
+    /** Asks for all sensors. @return false: the answer is left to whoever listens to the port */
+    public boolean updateSensors() {
+        return updateSensors(NO_SENSORS);
+    }
+
+    /** Asks for a packet. @return false: the answer is left to whoever listens to the port */
+    public boolean updateSensors(int packet) {
+        command(SENSORS, packet);
+        return false;
+    }
+
+    /** @param powerColor 0 green to 255 red; @param powerIntensity 0 to 255 */
+    public void setLEDs(boolean statusGreen, boolean statusRed, boolean spot, boolean clean, boolean max, boolean dirt, int powerColor,
+        int powerIntensity) {
+        int bits = (statusGreen ? LED_STATUS_GREEN : 0) | (statusRed ? LED_STATUS_RED : 0) | (spot ? LED_SPOT : 0) | (clean ? LED_CLEAN : 0)
+            | (max ? LED_MAX : 0) | (dirt ? LED_DIRT : 0);
+        command(LEDS, bits, powerColor, powerIntensity);
+    }
+
+    /** @param note 31 to 127 as in MIDI; @param duration in 1/64 s */
+    public void playNote(int note, int duration) {
+        command(SONG, NOTE_SONG, 1, note, duration);
+        command(PLAY, NOTE_SONG);
+    }
+
+    // ---- driving ------------------------------------------------------------------------------------------------------
+
+    /** @param velocity mm/s, -500 to 500; @param radius mm, to the left; 1 turns left in place, -1 right, 0x8000 straight on */
+    public void drive(int velocity, int radius) {
+        command(DRIVE, velocity >> Byte.SIZE, velocity, radius >> Byte.SIZE, radius);
+    }
+
+    public void stop() {
+        drive(0, 0);
+    }
+
+    public int getSpeed() {
+        return speed;
+    }
+
+    /** @param newSpeed mm/s, to 500; for the commands without speed */
+    public void setSpeed(int newSpeed) {
+        speed = Math.min(MAX_SPEED, Math.abs(newSpeed));
+    }
+
+    public void goForward() {
+        goForwardAt(speed);
+    }
+
+    public void goForwardAt(int velocity) {
+        goStraightAt(velocity);
+    }
+
+    public void goBackward() {
+        goBackwardAt(speed);
+    }
+
+    public void goBackwardAt(int velocity) {
+        goStraightAt(-velocity);
+    }
+
+    public void goStraightAt(int velocity) {
+        drive(velocity, STRAIGHT);
+    }
+
+    /** Drives that far, mm, by the clock of this computer, and stops. */
+    public void goForward(int distance) {
+        goStraight(distance);
+    }
+
+    /** Drives that far, mm, by the clock of this computer, and stops. */
+    public void goBackward(int distance) {
+        goStraight(-distance);
+    }
+
+    /** Drives that far, mm, by the clock of this computer, and stops. */
+    public void goStraight(int distance) {
+        goStraightAt(distance < 0 ? -speed : speed);
+        sleep(Math.round(Math.abs(distance) * MILLIS / speed));
+        stop();
+    }
+
+    public void turn(int radius) {
+        drive(speed, radius);
+    }
+
+    public void turnLeft() {
+        turn(TURN_RADIUS);
+    }
+
+    public void turnRight() {
+        turn(-TURN_RADIUS);
+    }
+
+    public void spinLeft() {
+        spinLeftAt(speed);
+    }
+
+    public void spinRight() {
+        spinRightAt(speed);
+    }
+
+    public void spinLeftAt(int velocity) {
+        drive(velocity, SPIN_LEFT);
+    }
+
+    public void spinRightAt(int velocity) {
+        drive(velocity, SPIN_RIGHT);
+    }
+
+    /** Turns in place, degrees to the right, by the clock of this computer, and stops. */
+    public void spin(int angle) {
+        drive(speed, angle < 0 ? SPIN_LEFT : SPIN_RIGHT);
+        sleep(Math.round(Math.toRadians(Math.abs(angle)) * WHEEL_BASE / 2 * MILLIS / speed));
+        stop();
+    }
+
+    public void spinLeft(int angle) {
+        spin(-angle);
+    }
+
+    public void spinRight(int angle) {
+        spin(angle);
+    }
+}

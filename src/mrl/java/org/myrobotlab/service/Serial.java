@@ -1,0 +1,596 @@
+package org.myrobotlab.service;
+
+import java.io.FileNotFoundException;
+import java.io.IOException;
+import java.net.Socket;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeSet;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.LinkedBlockingQueue;
+import org.myrobotlab.codec.CodecUtils;
+import org.myrobotlab.embedded.ByteReader;
+import org.myrobotlab.embedded.ByteRecord;
+import org.myrobotlab.framework.Service;
+import org.myrobotlab.framework.interfaces.ServiceInterface;
+import org.myrobotlab.logging.LoggerFactory;
+import org.myrobotlab.serial.Port;
+import org.myrobotlab.serial.PortJSSC;
+import org.myrobotlab.serial.PortQueue;
+import org.myrobotlab.serial.PortStream;
+import org.myrobotlab.serial.SerialControl;
+import org.myrobotlab.service.config.SerialConfig;
+import org.myrobotlab.service.interfaces.PortConnector;
+import org.myrobotlab.service.interfaces.PortPublisher;
+import org.myrobotlab.service.interfaces.QueueSource;
+import org.myrobotlab.service.interfaces.RecordControl;
+import org.myrobotlab.service.interfaces.SerialDataListener;
+import org.myrobotlab.service.interfaces.SerialDevice;
+import org.slf4j.Logger;
+
+/**
+ * Opens a serial port, real or virtual, by its name. What comes in goes to the byte listeners at once, on the port's reader thread, and is published
+ * byte by byte (publishRX, 0 to 255) and piece by piece (publishBytes). Any thread.
+ */
+public class Serial extends Service<SerialConfig> implements SerialControl, QueueSource, SerialDataListener, RecordControl, SerialDevice,
+    PortPublisher, PortConnector {
+    public static final Integer BAUD_2400 = 2400;
+    public static final Integer BAUD_4800 = 4800;
+    public static final Integer BAUD_9600 = 9600;
+    public static final Integer BAUD_19200 = 19200;
+    public static final Integer BAUD_38400 = 38400;
+    public static final Integer BAUD_57600 = 57600;
+    public static final Integer BAUD_115200 = 115200;
+    public static final Logger log = LoggerFactory.getLogger(Serial.class);
+
+    private static final long serialVersionUID = 1L;
+    private static final int BYTE = 0xFF;
+    private static final int DATA_BITS = 8;
+    private static final String TCP = "tcp://";
+    /** All ports, real and virtual, that were ever opened or made in this process. Guarded by the class. */
+    static transient HashMap<String, Port> ports = new HashMap<>();
+    /** Names that {@link #getPortNames} has ever found. */
+    static HashSet<String> portNames = new HashSet<>();
+
+    public String lastPortName;
+    int BUFFER_SIZE = 1 << 20;
+    int rate = BAUD_115200;
+    int dataBits = DATA_BITS;
+    int stopBits = 1;
+    int parity;
+    int rxCount;
+    int txCount;
+    volatile String portName;
+    transient volatile Port port;
+    final transient Map<String, Port> connectedPorts = new ConcurrentHashMap<>();
+    final transient BlockingQueue<Integer> blockingRX = new LinkedBlockingQueue<>();
+    transient Map<String, SerialDataListener> listeners = new ConcurrentHashMap<>();
+    private final transient ByteRecord recordRx = new ByteRecord(this::error);
+    private final transient ByteRecord recordTx = new ByteRecord(this::error);
+    private final transient ByteReader reader = new ByteReader(blockingRX, this::error);
+
+    public Serial(String name, String id) {
+        super(name, id);
+        listeners.put(getName(), this);
+    }
+
+    @Override
+    public void startService() {
+        super.startService();
+        if (config.port != null && !isConnected()) {
+            try {
+                connect(config.port);
+            } catch (IOException e) {
+                error(e.getMessage());
+            }
+        }
+    }
+
+    // ---- opening and closing ------------------------------------------------------------------------------------------
+
+    /** Opens a port with the present parameters. Does nothing but say so while another port is open: disconnect first. */
+    @Override
+    public void connect(String name) throws IOException {
+        open(name);
+    }
+
+    @Override
+    public void connect(String name, int baud) throws Exception {
+        connect(name, baud, DATA_BITS, 1, 0);
+    }
+
+    /** @param newParity 0 none, 1 odd, 2 even */
+    @Override
+    public void connect(String name, int baud, int newDataBits, int newStopBits, int newParity) throws IOException {
+        open(name, baud, newDataBits, newStopBits, newParity);
+    }
+
+    /** Opens the last port again. */
+    public void connect() throws IOException {
+        connect(lastPortName);
+    }
+
+    @Override
+    public void open(String name) throws IOException {
+        open(name, rate, dataBits, stopBits, parity);
+    }
+
+    @Override
+    public void open(String name, int baud, int newDataBits, int newStopBits, int newParity) throws IOException {
+        if (name == null) {
+            error("no port given; there are " + known());
+            return;
+        }
+        if (portName != null && !portName.equals(name)) {
+            info("already connected to %s - disconnect first to connect to %s", portName, name);
+            return;
+        }
+        rate = baud;
+        dataBits = newDataBits;
+        stopBits = newStopBits;
+        parity = newParity;
+        Port found = known(name);
+        if (found == null) {
+            found = name.toLowerCase(Locale.ROOT).startsWith(TCP) ? createTCPPort(name, this)
+                : createHardwarePort(name, baud, newDataBits, newStopBits, newParity);
+        }
+        if (found != null) {
+            connectPort(found, null);
+            setParams(baud, newDataBits, newStopBits, newParity);
+        }
+    }
+
+    /** Uses a port that exists. @param listener gets the bytes, too; may be null */
+    public Port connectPort(Port newPort, SerialDataListener listener) throws IOException {
+        if (listener != null) {
+            listeners.put(listener.getName(), listener);
+        }
+        if (!newPort.isOpen()) {
+            newPort.open();
+        }
+        newPort.listen(listeners);
+        synchronized (Serial.class) {
+            ports.put(newPort.getName(), newPort);
+            portNames.add(newPort.getName());
+        }
+        port = newPort;
+        portName = newPort.getName();
+        lastPortName = portName;
+        connectedPorts.put(portName, newPort);
+        invoke("publishConnect", portName);
+        for (SerialDataListener one : listeners.values()) {
+            send(one.getName(), "onConnect", portName);
+        }
+        broadcastState();
+        return newPort;
+    }
+
+    @Override
+    public void disconnect() {
+        String name = portName;
+        if (name == null) {
+            info("already disconnected");
+            return;
+        }
+        portName = null;
+        port = null;
+        close();
+        connectedPorts.clear();
+        invoke("publishDisconnect", name);
+        for (SerialDataListener one : listeners.values()) {
+            send(one.getName(), "onDisconnect", name);
+        }
+        broadcastState();
+    }
+
+    @Override
+    public void close() {
+        connectedPorts.values().forEach(Port::close);
+    }
+
+    @Override
+    public boolean isConnected() {
+        return portName != null;
+    }
+
+    @Override
+    public void releaseService() {
+        if (isConnected()) {
+            disconnect();
+        }
+        stopRecording();
+        super.releaseService();
+    }
+
+    /** @return whether the port takes them */
+    public boolean setParams(int baud, int newDataBits, int newStopBits, int newParity) throws IOException {
+        Port open = port;
+        if (open == null) {
+            error("the port is not open: connect first");
+            return false;
+        }
+        try {
+            if (!open.setParams(baud, newDataBits, newStopBits, newParity)) {
+                return false;
+            }
+        } catch (IOException | RuntimeException e) {
+            throw e;
+        } catch (Exception e) {
+            throw new IOException("port " + portName + " can't be set: " + e.getMessage(), e);
+        }
+        rate = baud;
+        dataBits = newDataBits;
+        stopBits = newStopBits;
+        parity = newParity;
+        return true;
+    }
+
+    // ---- ports --------------------------------------------------------------------------------------------------------
+
+    private static Port known(String name) {
+        synchronized (Serial.class) {
+            return ports.get(name);
+        }
+    }
+
+    private static Collection<String> known() {
+        return new TreeSet<>(listPorts());
+    }
+
+    /** A port of this machine; null if it can't be opened, an error status says why. */
+    public Port createHardwarePort(String name, int baud, int newDataBits, int newStopBits, int newParity) {
+        Port made = null;
+        try {
+            made = new PortJSSC(name, baud, newDataBits, newStopBits, newParity);
+            made.open();
+            return made;
+        } catch (IOException | LinkageError e) {
+            log.debug("{}", name, e);
+            error(e.getMessage() + "; there are the ports " + known());
+            return null;
+        }
+    }
+
+    /** A connection to {@code tcp://host:port}. */
+    public Port createTCPPort(String url, SerialDataListener listener) throws IOException {
+        URI uri = URI.create(url);
+        Socket socket = new Socket(uri.getHost(), uri.getPort());
+        return new PortStream(url, socket.getInputStream(), socket.getOutputStream());
+    }
+
+    public boolean connectTcp(String url) throws IOException {
+        connectPort(createTCPPort(url, this), this);
+        return true;
+    }
+
+    /** A virtual port with nothing at its other end. */
+    public PortQueue createVirtualPort(String name) {
+        PortQueue made = new PortQueue(name);
+        synchronized (Serial.class) {
+            ports.put(name, made);
+        }
+        return made;
+    }
+
+    public static Serial connectVirtualUart(String myPort) throws IOException {
+        return connectVirtualUart(null, myPort, myPort + ".UART");
+    }
+
+    public static Serial connectVirtualUart(String myPort, String uartPort) throws IOException {
+        return connectVirtualUart(null, myPort, uartPort);
+    }
+
+    /** Makes two virtual ports joined by a null-modem cable. @return the service at the end {@code uartPort} */
+    public static Serial connectVirtualUart(Serial uart, String myPort, String uartPort) throws IOException {
+        BlockingQueue<Integer> left = new LinkedBlockingQueue<>();
+        BlockingQueue<Integer> right = new LinkedBlockingQueue<>();
+        synchronized (Serial.class) {
+            ports.put(myPort, new PortQueue(myPort, left, right));
+        }
+        Serial end = uart != null ? uart : (Serial) Runtime.start(myPort.replace('/', '_') + ".UART", "Serial");
+        end.connectPort(new PortQueue(uartPort, right, left), end);
+        return end;
+    }
+
+    @Override
+    public List<String> getPortNames() {
+        List<String> names = listPorts();
+        invoke("publishPortNames", names);
+        return names;
+    }
+
+    /** Names of all ports that there are or have been. */
+    public static List<String> listPorts() {
+        List<String> real = new PortJSSC().getPortNames();
+        synchronized (Serial.class) {
+            portNames.addAll(ports.keySet());
+            portNames.addAll(real);
+            return new ArrayList<>(new TreeSet<>(portNames));
+        }
+    }
+
+    public Port getPort() {
+        return port;
+    }
+
+    @Override
+    public String getPortName() {
+        return portName;
+    }
+
+    public String getLastPortName() {
+        return lastPortName;
+    }
+
+    @Override
+    public int getRate() {
+        return rate;
+    }
+
+    @Override
+    public int getDataBits() {
+        return dataBits;
+    }
+
+    @Override
+    public int getStopBits() {
+        return stopBits;
+    }
+
+    @Override
+    public int parity() {
+        return parity;
+    }
+
+    public void setDTR(boolean on) {
+        port.setDTR(on);
+    }
+
+    // ---- listeners ----------------------------------------------------------------------------------------------------
+
+    /** Has a service get all bytes. Counts from the next connect on. */
+    public void addByteListener(SerialDataListener listener) {
+        addByteListener(listener.getName());
+    }
+
+    /** Has a service get all bytes: by onBytes if it can take them, else byte by byte by onByte. Counts from the next connect on. */
+    public void addByteListener(String name) {
+        ServiceInterface service = Runtime.getService(name);
+        if (service == null) {
+            error("%s can't get bytes: there is no such service", name);
+        } else if (service instanceof SerialDataListener) {
+            listeners.put(service.getName(), (SerialDataListener) service);
+        } else {
+            addListener("publishRX", name, "onByte");
+            addPortListener(name);
+        }
+    }
+
+    public void removeByteListener(SerialDataListener listener) {
+        removeByteListener(listener.getName());
+    }
+
+    public void removeByteListener(String name) {
+        listeners.remove(CodecUtils.getShortName(name));
+        removeListener("publishRX", name, "onByte");
+        removeListener("publishConnect", name, "onConnect");
+        removeListener("publishDisconnect", name, "onDisconnect");
+    }
+
+    public void addPortListener(String name) {
+        addListener("publishConnect", name, "onConnect");
+        addListener("publishDisconnect", name, "onDisconnect");
+    }
+
+    public Map<String, SerialDataListener> getListeners() {
+        return listeners;
+    }
+
+    @Override
+    public void onConnect(String name) {
+        log.info("{} connected to {}", getName(), name);
+    }
+
+    @Override
+    public void onDisconnect(String name) {
+        log.info("{} disconnected from {}", getName(), name);
+    }
+
+    @Override
+    public void onBytes(byte[] bytes) {
+        for (byte one : bytes) {
+            int value = one & BYTE;
+            ++rxCount;
+            if (blockingRX.size() < BUFFER_SIZE) {
+                blockingRX.add(value);
+            }
+            invoke("publishRX", value);
+        }
+        recordRx.write(bytes);
+        invoke("publishBytes", (Object) bytes);
+    }
+
+    // ---- what is published --------------------------------------------------------------------------------------------
+
+    @Override
+    public String publishConnect(String name) {
+        return name;
+    }
+
+    @Override
+    public String publishDisconnect(String name) {
+        return name;
+    }
+
+    public List<String> publishPortNames(ArrayList<String> names) {
+        return names;
+    }
+
+    /** Each byte that comes in, 0 to 255. */
+    public int publishRX(Integer data) {
+        return data;
+    }
+
+    /** Each piece that comes in. */
+    public byte[] publishBytes(byte[] bytes) {
+        return bytes;
+    }
+
+    /** Each byte that goes out. */
+    public Integer publishTX(Integer data) {
+        return data;
+    }
+
+    // ---- writing ------------------------------------------------------------------------------------------------------
+
+    /** Sends the low 8 bits. */
+    @Override
+    public synchronized void write(int data) throws Exception {
+        write(new byte[] {(byte) data});
+    }
+
+    @Override
+    public void write(byte[] data) throws Exception {
+        if (connectedPorts.isEmpty()) {
+            error("can not write to a closed port: connect first");
+            return;
+        }
+        for (Port one : connectedPorts.values()) {
+            one.write(data);
+        }
+        txCount += data.length;
+        recordTx.write(data);
+        for (byte one : data) {
+            invoke("publishTX", one & BYTE);
+        }
+    }
+
+    @Override
+    public void write(String data) throws Exception {
+        write(data.getBytes(StandardCharsets.UTF_8));
+    }
+
+    public void writeString(String data) throws Exception {
+        write(data);
+    }
+
+    public void writeInt(int data) throws Exception {
+        write(data);
+    }
+
+    @Override
+    public void flush() {
+        log.debug("{}: every write goes out at once", getName());
+    }
+
+    // ---- reading ------------------------------------------------------------------------------------------------------
+
+    @Override
+    public synchronized int read() throws IOException, InterruptedException {
+        return reader.read();
+    }
+
+    /** Waits for as many bytes as the array holds. */
+    public synchronized int read(byte[] data) throws IOException, InterruptedException {
+        for (int i = 0; i < data.length; i++) {
+            data[i] = (byte) reader.read();
+        }
+        return data.length;
+    }
+
+    /** Waits for that many bytes; fewer if the time-out ends before. */
+    public synchronized byte[] read(int length) throws InterruptedException {
+        return reader.read(length);
+    }
+
+    /** All that has come in. */
+    public synchronized byte[] readBytes() throws IOException, InterruptedException {
+        return reader.read(available());
+    }
+
+    public byte[] readLine() throws InterruptedException {
+        return readLine('\n');
+    }
+
+    public byte[] readLine(char delimiter) throws InterruptedException {
+        return reader.readTo(delimiter);
+    }
+
+    public String readString() throws InterruptedException {
+        return readString('\n');
+    }
+
+    public String readString(char delimiter) throws InterruptedException {
+        return new String(readLine(delimiter), StandardCharsets.UTF_8);
+    }
+
+    public String readString(int length) throws InterruptedException {
+        return new String(read(length), StandardCharsets.UTF_8);
+    }
+
+    @Override
+    public int available() {
+        return blockingRX.size();
+    }
+
+    @Override
+    public void clear() {
+        blockingRX.clear();
+    }
+
+    @Override
+    public BlockingQueue<?> getQueue() {
+        return blockingRX;
+    }
+
+    public int getRXCount() {
+        return rxCount;
+    }
+
+    public void setBufferSize(int size) {
+        BUFFER_SIZE = size;
+    }
+
+    /** Milliseconds that a read waits; 0 without end. */
+    @Override
+    public void setTimeout(int timeoutMs) {
+        reader.setTimeout(timeoutMs);
+    }
+
+    public int getTimeout() {
+        return reader.getTimeout();
+    }
+
+    // ---- recording ----------------------------------------------------------------------------------------------------
+
+    @Override
+    public synchronized void record() throws FileNotFoundException {
+        stopRecording();
+        recordRx.open(getName() + ".rx.bin");
+        recordTx.open(getName() + ".tx.bin");
+    }
+
+    @Override
+    public synchronized void stopRecording() {
+        recordRx.close();
+        recordTx.close();
+    }
+
+    @Override
+    public boolean isRecording() {
+        return recordRx.isOpen();
+    }
+
+    @Override
+    public String toString() {
+        return getName() + "->" + portName;
+    }
+}

@@ -1,0 +1,15 @@
+package org.myrobotlab.service.config;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Configuration of WebGui. */
+public class WebGuiConfig extends ServiceConfig {
+    /** TCP port on this machine. */
+    public Integer port = 8888;
+    /** Whether a browser opens at the start. */
+    public boolean autoStartBrowser;
+    public boolean enableMdns;
+    /** Folders that panels are served from. */
+    public List<String> resources = new ArrayList<>(List.of("resource/WebGui/app", "resource"));
+}

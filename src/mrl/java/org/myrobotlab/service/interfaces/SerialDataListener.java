@@ -1,0 +1,9 @@
+package org.myrobotlab.service.interfaces;
+
+import org.myrobotlab.framework.interfaces.NameProvider;
+
+/** Gets the bytes of a port. */
+public interface SerialDataListener extends NameProvider, QueueReporter, PortListener {
+    /** Bytes that came in; called by the port's reader thread. */
+    void onBytes(byte[] bytes);
+}

@@ -1,0 +1,13 @@
+package org.myrobotlab.service.meta;
+
+import org.myrobotlab.service.meta.abstracts.MetaData;
+
+/** What Python is for. */
+public class PythonMeta extends MetaData {
+    private static final long serialVersionUID = 1L;
+
+    public PythonMeta() {
+        addDescription("runs Python scripts");
+        addCategory("programming");
+    }
+}

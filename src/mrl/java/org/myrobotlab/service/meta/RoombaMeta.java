@@ -1,0 +1,13 @@
+package org.myrobotlab.service.meta;
+
+import org.myrobotlab.service.meta.abstracts.MetaData;
+
+/** What Roomba is for. */
+public class RoombaMeta extends MetaData {
+    private static final long serialVersionUID = 1L;
+
+    public RoombaMeta() {
+        addDescription("drives an iRobot Roomba or Create");
+        addCategory("robot", "control");
+    }
+}

@@ -1,0 +1,13 @@
+package org.myrobotlab.service.meta;
+
+import org.myrobotlab.service.meta.abstracts.MetaData;
+
+/** What Serial is for. */
+public class SerialMeta extends MetaData {
+    private static final long serialVersionUID = 1L;
+
+    public SerialMeta() {
+        addDescription("reads from and writes to serial ports");
+        addCategory("sensors", "control");
+    }
+}

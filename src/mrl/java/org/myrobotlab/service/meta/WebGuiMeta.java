@@ -1,0 +1,13 @@
+package org.myrobotlab.service.meta;
+
+import org.myrobotlab.service.meta.abstracts.MetaData;
+
+/** What WebGui is for. */
+public class WebGuiMeta extends MetaData {
+    private static final long serialVersionUID = 1L;
+
+    public WebGuiMeta() {
+        addDescription("shows services in a browser");
+        addCategory("display");
+    }
+}

@@ -1,0 +1,15 @@
+// Panel of a service that has none of its own: its state.
+angular.module('mrlapp.service.AnyGui', []).controller('AnyGuiCtrl', ['$scope', function($scope) {
+    var msg = this.msg
+
+    this.onMsg = function(inMsg) {
+        if (inMsg.method === 'onState') {
+            $scope.service = inMsg.data[0]
+            $scope.$apply()
+        }
+    }
+    $scope.release = function() {
+        msg.sendTo('runtime', 'release', msg.name)
+    }
+    msg.subscribe(this)
+}])

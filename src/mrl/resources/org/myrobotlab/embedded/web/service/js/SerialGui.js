@@ -1,0 +1,92 @@
+// Panel of the Serial service: ports, and the bytes that come in and go out, in hex.
+angular.module('mrlapp.service.SerialGui', []).controller('SerialGuiCtrl', ['$scope', function($scope) {
+    var msg = this.msg
+    var MOST_BYTES = 4096
+    var PER_LINE = 16
+
+    $scope.bauds = [2400, 4800, 9600, 19200, 38400, 57600, 115200]
+    $scope.form = {port: '', baud: 9600, data: '', hex: true}
+    $scope.ports = []
+    $scope.received = {bytes: [], count: 0, text: ''}
+    $scope.sent = {bytes: [], count: 0, text: ''}
+    $scope.problem = null
+    var waiting = false
+
+    this.onMsg = function(inMsg) {
+        var data = inMsg.data[0]
+        switch (inMsg.method) {
+        case 'onState':
+            $scope.service = data
+            $scope.$applyAsync()
+            break
+        case 'onPortNames':
+            $scope.ports = data
+            $scope.$applyAsync()
+            break
+        case 'onBytes':
+            keep($scope.received, data)
+            break
+        case 'onTX':
+            keep($scope.sent, [data])
+            break
+        default:
+            break
+        }
+    }
+
+    // Bytes may come faster than the screen is drawn.
+    function keep(where, bytes) {
+        where.count += bytes.length
+        where.bytes = where.bytes.concat(bytes)
+        where.bytes.splice(0, where.bytes.length - MOST_BYTES)
+        if (!waiting) {
+            waiting = true
+            window.requestAnimationFrame(function() {
+                waiting = false
+                $scope.received.text = hex($scope.received.bytes)
+                $scope.sent.text = hex($scope.sent.bytes)
+                $scope.$applyAsync()
+            })
+        }
+    }
+
+    function hex(bytes) {
+        return bytes.map(function(value, at) {
+            var digits = (value & 0xFF).toString(16).toUpperCase()
+            return (digits.length < 2 ? '0' : '') + digits + ((at + 1) % PER_LINE ? ' ' : '\n')
+        }).join('')
+    }
+
+    $scope.connect = function() {
+        msg.send('connect', $scope.form.port, Number($scope.form.baud), 8, 1, 0)
+    }
+    $scope.refresh = function() {
+        msg.send('getPortNames')
+    }
+    $scope.clear = function(where) {
+        where.bytes = []
+        where.count = 0
+        where.text = ''
+    }
+    $scope.write = function() {
+        $scope.problem = null
+        if (!$scope.form.hex) {
+            msg.send('write', $scope.form.data)
+            return
+        }
+        var digits = $scope.form.data.replace(/\s|0x/g, '')
+        if (!/^([0-9a-fA-F]{2})+$/.test(digits)) {
+            $scope.problem = 'Hex bytes are pairs of digits 0 to F, as 89 00 C8.'
+            return
+        }
+        msg.send('write', digits.match(/../g).map(function(pair) {
+            return (parseInt(pair, 16) << 24) >> 24
+        }))
+    }
+
+    msg.subscribe('publishBytes')
+    msg.subscribe('publishTX')
+    msg.subscribe('getPortNames')
+    msg.subscribe(this)
+    msg.send('getPortNames')
+}])

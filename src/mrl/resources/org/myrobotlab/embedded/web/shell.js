@@ -1,0 +1,136 @@
+// The front of the embedded MyRobotLab: a tab for each service, with its panel XGui, and the messages of all services.
+(function() {
+    var app = angular.module('mrlapp', ['mrlapp.mrl'])
+    var providers = {}
+    var MOST_STATUSES = 50
+
+    app.config(['$controllerProvider', '$compileProvider', '$filterProvider', '$provide', function(controller, compile, filter, provide) {
+        providers = {$controllerProvider: controller, $compileProvider: compile, $filterProvider: filter, $provide: provide}
+    }])
+
+    app.controller('ShellCtrl', ['$scope', '$location', 'mrl', function($scope, $location, mrl) {
+        var shell = this
+        var FIRST = ['SEAR', 'LIDAR', 'GPS', 'Python', 'Serial', 'Roomba', 'Runtime', 'WebGui']
+        shell.services = []
+        shell.statuses = []
+        shell.form = {name: '', type: ''}
+        shell.shown = $location.path().substring(1) || null
+
+        Object.defineProperty(shell, 'connected', {get: function() {
+            return mrl.connected
+        }})
+
+        function order(service) {
+            var at = FIRST.indexOf(service.simpleName)
+            return at < 0 ? FIRST.length : at
+        }
+
+        $scope.$on('mrl.services', function() {
+            shell.services = mrl.getServices().slice().sort(function(a, b) {
+                return order(a) - order(b) || (a.name < b.name ? -1 : 1)
+            })
+            shell.services.forEach(function(service) {
+                mrl.subscribe(service.name, 'publishStatus')
+                mrl.subscribeToService(onStatus, service.name)
+            })
+            var names = shell.services.map(function(service) {
+                return service.name
+            })
+            if (names.length && names.indexOf(shell.shown) < 0) {
+                shell.shown = names[0]
+            }
+        })
+        $scope.$on('mrl.error', function(event, text) {
+            add({level: 'error', name: 'page', detail: text})
+        })
+
+        function onStatus(message) {
+            if (message.method === 'onStatus') {
+                add(message.data[0])
+                $scope.$applyAsync()
+            }
+        }
+
+        function add(status) {
+            shell.statuses.unshift({level: status.level, name: status.name, text: status.key || status.detail, time: new Date()})
+            shell.statuses.splice(MOST_STATUSES)
+        }
+
+        shell.show = function(name) {
+            shell.shown = name
+        }
+        shell.start = function() {
+            mrl.sendTo('runtime', 'start', shell.form.name, shell.form.type)
+        }
+    }])
+
+    // A module that comes after the start of the application: what it declares is handed to the providers by hand.
+    function register(module) {
+        module._invokeQueue.forEach(function(call) {
+            providers[call[0]][call[1]].apply(providers[call[0]], call[2])
+        })
+        module._invokeQueue = []
+    }
+
+    app.factory('panels', ['$q', '$http', function($q, $http) {
+        var loaded = {}
+
+        function script(url) {
+            var done = $q.defer()
+            var element = document.createElement('script')
+            element.src = url
+            element.onload = done.resolve
+            element.onerror = done.reject
+            document.head.appendChild(element)
+            return done.promise
+        }
+
+        function load(type) {
+            return $http.get('service/views/' + type + 'Gui.html').then(function(view) {
+                if (!view.data) {
+                    return $q.reject('no panel for ' + type)
+                }
+                return script('service/js/' + type + 'Gui.js').then(function() {
+                    register(angular.module('mrlapp.service.' + type + 'Gui'))
+                    return {controller: type + 'GuiCtrl', view: view.data}
+                })
+            })
+        }
+
+        /** The panel of a type; that of any service if it has none. */
+        return function(type) {
+            loaded[type] = loaded[type] || load(type).catch(function() {
+                return type === 'Any' ? $q.reject() : load('Any')
+            })
+            return loaded[type]
+        }
+    }])
+
+    app.directive('mrlPanel', ['$compile', '$controller', 'mrl', 'panels', function($compile, $controller, mrl, panels) {
+        return {
+            restrict: 'E',
+            scope: true,
+            link: function(scope, element, attributes) {
+                var name = attributes.name
+                var msg = mrl.createMsgInterface(name)
+                var controller = null
+                scope.name = name
+                scope.msg = msg
+                scope.parentPanel = {name: name}
+                scope.service = mrl.getService(name)
+                panels(attributes.type).then(function(panel) {
+                    var make = $controller(panel.controller, {$scope: scope}, true)
+                    make.instance.msg = msg
+                    controller = make()
+                    element.html(panel.view)
+                    $compile(element.contents())(scope)
+                })
+                scope.$on('$destroy', function() {
+                    if (controller) {
+                        msg.unsubscribe(controller)
+                    }
+                })
+            }
+        }
+    }])
+})()

@@ -1,0 +1,112 @@
+package org.SEAR;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.Test;
+
+/** The rooms of the plug-in and who may call whom: a room imports only from rooms below it. */
+public class RoomsTest {
+    /** Top to bottom. */
+    private static final List<String> ROOMS = Arrays.asList("org.myrobotlab.service", "org.myrobotlab.serial", "org.SEAR.view", "org.SEAR.devices",
+        "org.SEAR.simulator", "org.SEAR.sensors", "org.SEAR.raycast", "org.SEAR.project", "org.SEAR.POJOs");
+    private static final List<String> CORE = ROOMS.subList(3, ROOMS.size());
+    private static final Pattern NAME = Pattern.compile("\\b(?:org|com)\\.[A-Za-z0-9_.]+");
+    private static final Path SOURCES = Paths.get(System.getProperty("sear.root", "."), "src/main/java");
+    private static final Path MYROBOTLAB = Paths.get(System.getProperty("sear.root", "."), "src/mrl/java");
+
+    @Test
+    public void aRoomImportsOnlyFromRoomsBelowIt() throws IOException {
+        List<String> wrong = new ArrayList<>();
+        for (Path file : sources()) {
+            int from = ROOMS.indexOf(room(packageOf(file)));
+            assertTrue(file + " lies in no room", from >= 0);
+            for (String name : namesIn(file)) {
+                int to = ROOMS.indexOf(room(name));
+                if (to >= 0 && to < from && !isMyRobotLabs(name)) {
+                    wrong.add(file + " uses " + name);
+                }
+            }
+        }
+        assertEquals(Collections.emptyList(), wrong);
+    }
+
+    @Test
+    public void theCoreKnowsNeitherMyRobotLabNorThreadsNorADisplay() throws IOException {
+        Pattern forbidden = Pattern.compile("org\\.myrobotlab|java\\.awt\\.(Frame|Robot|event)|javax\\.swing|"
+            + "com\\.jme3\\.(app|renderer|input|system)\\.|new Thread\\(");
+        List<String> wrong = new ArrayList<>();
+        for (Path file : sources()) {
+            if (CORE.contains(room(packageOf(file)))) {
+                lines(file).filter(line -> forbidden.matcher(line).find() && !line.contains("com.jme3.system.JmeSystem"))
+                    .forEach(line -> wrong.add(file + ": " + line.trim()));
+            }
+        }
+        assertEquals(Collections.emptyList(), wrong);
+    }
+
+    @Test
+    public void nobodyUsesTheNativeBullet() throws IOException {
+        for (Path file : sources()) {
+            assertTrue(file.toString(), namesIn(file).stream().noneMatch(name -> name.startsWith("com.jme3.bullet")));
+        }
+    }
+
+    @Test
+    public void servicesShowNoTypeOfTheGameEngine() throws IOException {
+        for (Path file : sources()) {
+            if (packageOf(file).startsWith("org.myrobotlab.service")) {
+                assertTrue(file.toString(), namesIn(file).stream().noneMatch(name -> name.startsWith("com.jme3")));
+            }
+        }
+    }
+
+    private static String room(String name) {
+        return ROOMS.stream().filter(room -> name.equals(room) || name.startsWith(room + ".")).findFirst().orElse("");
+    }
+
+    /** Whether a class is MyRobotLab's own, which shares package names with two of our rooms. */
+    private static boolean isMyRobotLabs(String name) {
+        return Files.exists(MYROBOTLAB.resolve(name.replace('.', '/') + ".java"));
+    }
+
+    private static String packageOf(Path file) {
+        return SOURCES.relativize(file.getParent()).toString().replace(java.io.File.separatorChar, '.');
+    }
+
+    private static List<String> namesIn(Path file) throws IOException {
+        List<String> names = new ArrayList<>();
+        lines(file).forEach(line -> {
+            Matcher matcher = NAME.matcher(line);
+            while (matcher.find()) {
+                names.add(matcher.group());
+            }
+        });
+        return names;
+    }
+
+    /** The lines that are code: package declarations and comments left out. */
+    private static Stream<String> lines(Path file) throws IOException {
+        return Files.readAllLines(file, StandardCharsets.UTF_8).stream()
+            .filter(line -> !line.startsWith("package ") && !line.trim().matches("(\\*|/\\*|//).*"));
+    }
+
+    private static List<Path> sources() throws IOException {
+        try (Stream<Path> files = Files.walk(SOURCES)) {
+            return files.filter(file -> file.toString().endsWith(".java")).sorted().collect(Collectors.toList());
+        }
+    }
+}

@@ -1,0 +1,160 @@
+package org.SEAR.cli;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+
+/** The command {@code sear}, in a JVM of its own. */
+public class SearCommandTest {
+    @Rule
+    public TemporaryFolder folder = new TemporaryFolder();
+    private String out;
+    private String err;
+
+    private int sear(String... arguments) throws IOException, InterruptedException {
+        File outFile = folder.newFile();
+        File errFile = folder.newFile();
+        List<String> command = new ArrayList<>(Arrays.asList(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx256m",
+            "-Dfile.encoding=UTF-8", "-cp", System.getProperty("sear.cliClasspath"), "org.SEAR.cli.SearCommand"));
+        command.addAll(Arrays.asList(arguments));
+        Process process = new ProcessBuilder(command).directory(folder.getRoot()).redirectOutput(outFile).redirectError(errFile).start();
+        assertTrue("sear hangs", process.waitFor(60, TimeUnit.SECONDS));
+        out = Files.readString(outFile.toPath());
+        err = Files.readString(errFile.toPath());
+        return process.exitValue();
+    }
+
+    private String script(String code) throws IOException {
+        Path file = folder.getRoot().toPath().resolve("script.py");
+        Files.writeString(file, code);
+        return "script.py";
+    }
+
+    @Test
+    public void aScriptThatEndsIs0AndPrintsNothingElse() throws Exception {
+        assertEquals(err, 0, sear(script("def input(data): pass\nprint 'h\u00e4llo', python.name, sys.argv"), "--port", "none", "--headless"));
+        assertEquals("h\u00e4llo python ['script.py']\n", out);
+        assertEquals("", err);
+    }
+
+    @Test
+    public void aScriptThatRaisesIs1WithItsTraceback() throws Exception {
+        assertEquals(1, sear(script("print 'first'\nraise ValueError('no')"), "--port", "none"));
+        assertEquals("first\n", out);
+        assertTrue(err, err.contains("File \"script.py\", line 2, in <module>") && err.trim().endsWith("ValueError: no"));
+    }
+
+    @Test
+    public void sysExitGivesTheExitStatus() throws Exception {
+        assertEquals(3, sear(script("sys.exit(3)"), "--port", "none"));
+        assertEquals("", err);
+    }
+
+    @Test
+    public void optionsReachTheSimulationAsSystemProperties() throws Exception {
+        String code = "from java.lang import System\nprint [System.getProperty('sear.' + x) for x in ['headless', 'speed', 'seed']]";
+        assertEquals(0, sear(script(code), "--headless", "--speed", "max", "--seed", "42", "--port", "none"));
+        assertEquals("[u'true', u'max', u'42']\n", out);
+    }
+
+    @Test
+    public void keepStaysUntilShutdown() throws Exception {
+        String code = "Runtime.getInstance().addListener('started', python.name, 'go')\n"
+            + "def go(name):\n  print 'callback'\n  Runtime.shutdown()\nRuntime.start('s', 'Serial')\n";
+        assertEquals(err, 0, sear(script(code), "--keep", "--port", "none"));
+        assertTrue(out, out.startsWith("callback\n"));
+    }
+
+    @Test
+    public void whatMakesNoSenseIs2() throws Exception {
+        assertEquals(2, sear("nix.py"));
+        assertTrue(err, err.contains("script nix.py can't be read"));
+        assertEquals(2, sear(script("pass"), "--speed", "fast"));
+        assertTrue(err, err.contains("--speed is \"fast\", legal: a number above 0, or max"));
+        assertEquals(2, sear(script("pass"), "--port", "99999"));
+        assertTrue(err, err.contains("--port is \"99999\", legal: 1 to 65535, or none"));
+        assertEquals(2, sear());
+        assertTrue(err, err.contains("Usage: sear"));
+    }
+
+    @Test
+    public void checkPrintsEveryProblem() throws Exception {
+        assertEquals(err, 0, sear(script("from org.SEAR.POJOs import Box\nBox('Box1', 1, 2, 3, 4)"), "--port", "none"));
+        Path box = folder.getRoot().toPath().resolve("SEARproject/environment/Box1.xml");
+        assertEquals(out + err, 0, sear("check", "."));
+        Files.writeString(box, Files.readString(box).replaceAll("<mass>.*</mass>", "<mass>-1</mass>").replaceAll("<width>.*</width>",
+            "<width>x</width>"));
+        assertEquals(2, sear("check", "SEARproject"));
+        assertTrue(out, out.contains("environment/Box1.xml:") && out.contains("mass is \"-1\", legal: ") && out.contains("width is \"x\", legal: "));
+        assertEquals(2, sear("check", "nix"));
+    }
+
+    @Test
+    public void checkTellsGoodExamplesBrokenFoldersAndHostileBundlesApart() throws Exception {
+        Path examples = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("examples");
+        for (String example : new String[] {"maze", "office", "ramps", "sensors"}) {
+            Path bundle = examples.resolve(example + ".sear");
+            assertEquals(out + err, 0, sear("check", bundle.toString()));
+            assertTrue(out, out.endsWith(bundle + ": no problems\n"));
+            assertEquals("", err);
+        }
+        Path environment = Files.createDirectories(folder.getRoot().toPath().resolve("broken/environment"));
+        Files.writeString(environment.resolve("a.xml"), "<Box>\n<name>a</name>\n<length>-1</length>\n<color>x</color>\n</Box>\n");
+        Files.writeString(environment.resolve("b.xml"), "<java.lang.ProcessBuilder/>");
+        assertEquals(2, sear("check", "broken"));
+        assertTrue(out, out.contains("environment/a.xml:3: length is \"-1\", legal: ") && out.contains("environment/a.xml:4: <color> is unknown")
+            && out.contains("environment/b.xml:1: <java.lang.ProcessBuilder> is not an object here"));
+        assertTrue(err, err.startsWith("broken: problems: "));
+    }
+
+    @Test
+    public void checkRefusesAHostileBundleAndWritesNothing() throws Exception {
+        Path bundle = folder.getRoot().toPath().resolve("hostile.sear");
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(bundle))) {
+            for (String name : new String[] {"sear-version.txt", "../outside.xml", "environment/C:\\evil.xml"}) {
+                zip.putNextEntry(new ZipEntry(name));
+                zip.write("1\n".getBytes(StandardCharsets.US_ASCII));
+                zip.closeEntry();
+            }
+        }
+        assertEquals(2, sear("check", "hostile.sear"));
+        assertTrue(out, out.contains("../outside.xml") && out.contains("evil.xml"));
+        assertTrue(err, err.startsWith("hostile.sear: problems: "));
+        assertTrue(Files.notExists(folder.getRoot().toPath().resolve("../outside.xml")));
+        Files.writeString(bundle, "no zip file");
+        assertEquals(2, sear("check", "hostile.sear"));
+        assertTrue(out + err, (out + err).contains("hostile.sear"));
+    }
+
+    @Test
+    public void sensorsAreListedWithUnitsRangesAndDefaults() throws Exception {
+        assertEquals(0, sear("sensors"));
+        for (String type : new String[] {"Accelerometer", "Compass", "Distance", "GPS", "Gyroscope", "LIDAR", "Odometer"}) {
+            assertTrue(out, out.contains(type + ": "));
+        }
+        assertTrue(out, out.contains("bandwidth: readings a second that differ from each other. Legal: a number from 0.01 to 10000 Hz; default 60"));
+    }
+
+    @Test
+    public void helpAndVersionAre0() throws Exception {
+        assertEquals(0, sear("--help"));
+        assertTrue(out, out.contains("--speed=FACTOR|max") && out.contains("sensors") && out.contains("install"));
+        assertEquals(0, sear("--version"));
+        assertTrue(out, out.startsWith("SEAR "));
+    }
+}

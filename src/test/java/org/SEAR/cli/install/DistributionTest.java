@@ -1,0 +1,183 @@
+package org.SEAR.cli.install;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipFile;
+import org.junit.BeforeClass;
+import org.junit.ClassRule;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+
+/** The zip that users get: what is in it, that its launcher runs from anywhere, and that it installs. */
+public class DistributionTest {
+    @ClassRule
+    public static final TemporaryFolder SHARED = new TemporaryFolder();
+    private static final String NOBODY = "65534";
+
+    private static Distribution distribution;
+
+    @Rule
+    public TemporaryFolder folder = new TemporaryFolder();
+
+    @BeforeClass
+    public static void unpack() throws IOException {
+        distribution = new Distribution(SHARED.newFolder("a folder with spaces").toPath());
+    }
+
+    private static Set<String> entries(Path jar) throws IOException {
+        try (ZipFile zip = new ZipFile(jar.toFile())) {
+            return zip.stream().map(ZipEntry::getName).filter(name -> !name.endsWith("/")).collect(Collectors.toCollection(TreeSet::new));
+        }
+    }
+
+    private Distribution.Result sear(String... arguments) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(List.of(distribution.launcher().toString()));
+        command.addAll(Arrays.asList(arguments));
+        return Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(), command);
+    }
+
+    /** A folder laid out as MyRobotLab's. */
+    private Path myRobotLab() throws IOException {
+        Path mrl = folder.newFolder("my robot lab").toPath();
+        Files.createDirectories(mrl.resolve("libraries/jar"));
+        Files.copy(distribution.home().resolve("lib/sear-embedded-mrl.jar"), mrl.resolve("myrobotlab.jar"));
+        Files.writeString(mrl.resolve("libraries/serviceData.json"), "{\"serviceTypes\":{}}");
+        return mrl;
+    }
+
+    @Test
+    public void thePluginHasItsOwnClassesOnly() throws IOException {
+        Set<String> plugin = entries(distribution.home().resolve("plugin/sear.jar"));
+        Set<String> host = entries(distribution.home().resolve("lib/sear-embedded-mrl.jar"));
+        List<String> foreign = plugin.stream().filter(name -> name.endsWith(".class"))
+            .filter(name -> host.contains(name) || !name.startsWith("org/SEAR/") && !name.startsWith("org/myrobotlab/")).collect(Collectors.toList());
+        assertEquals(List.of(), foreign);
+        assertFalse(plugin.stream().anyMatch(name -> name.startsWith("org/myrobotlab/embedded") || name.startsWith("org/SEAR/cli")));
+    }
+
+    @Test
+    public void thePluginHasTemplatesPanelsIconsAndExamples() throws IOException {
+        Set<String> plugin = entries(distribution.home().resolve("plugin/sear.jar"));
+        assertTrue(plugin.containsAll(List.of("templates/controller.py", "templates/userCode.py", "org/SEAR/assets/textures/roomba.jpg")));
+        for (String service : new String[] {"SEAR", "LIDAR", "GPS"}) {
+            for (String file : new String[] {"WebGui/app/service/js/%sGui.js", "WebGui/app/service/views/%sGui.html", "%s.png", "%s/%s.py"}) {
+                String name = "resource/" + file.replace("%s", service);
+                assertTrue(name, plugin.contains(name));
+            }
+        }
+    }
+
+    @Test
+    public void whatMyRobotLabHasItselfIsNotInstalled() throws IOException {
+        for (Path jar : distribution.jars("plugin")) {
+            String name = jar.getFileName().toString();
+            assertFalse(name, name.matches("(slf4j|logback|jackson|jython|jssc|snakeyaml|sear-embedded|undertow).*"));
+        }
+    }
+
+    @Test
+    public void everythingIsForTheUserToRead() throws IOException {
+        for (String file : new String[] {"LICENSE", "LICENSES.md", "README.md", "docs/install.md", "examples/maze.py", "scripts/demo.py",
+            "bin/sear.bat"}) {
+            assertTrue(file, Files.isRegularFile(distribution.home().resolve(file)));
+        }
+    }
+
+    @Test
+    public void theLauncherRunsFromAnotherFolderAndThroughALink() throws Exception {
+        Distribution.Result version = sear("--version");
+        assertEquals(version.toString(), 0, version.status);
+        Path link = Files.createSymbolicLink(folder.getRoot().toPath().resolve("sear link"), distribution.launcher());
+        Distribution.Result linked = Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(), List.of(link.toString(), "--version"));
+        assertEquals(linked.toString(), 0, linked.status);
+        assertEquals(version.out, linked.out);
+        assertEquals(2, sear("nowhere.py").status);
+    }
+
+    @Test
+    public void theExampleOfThePanelRuns() throws Exception {
+        Path script = Path.of(System.getProperty("sear.root", "."), "resources/resource/SEAR/SEAR.py").toAbsolutePath();
+        Distribution.Result result = sear(script.toString(), "--headless", "--speed", "max", "--port", "none");
+        assertEquals(result.toString(), 0, result.status);
+        String[] metres = result.out.split(" m to the wall\\R");
+        assertEquals(result.toString(), 5, metres.length);
+        double wall = 2.95 - 0.15; // from where the sensor starts to the wall's near face
+        assertEquals(result.toString(), wall - 5 * 0.3, Double.parseDouble(metres[4]), 0.1);
+    }
+
+    @Test
+    public void itInstallsUpdatesAndRemovesByCommand() throws Exception {
+        Path mrl = myRobotLab();
+        List<String> before = tree(mrl);
+        Distribution.Result dry = sear("install", "--dry-run", mrl.toString());
+        assertEquals(dry.toString(), 0, dry.status);
+        assertTrue(dry.out, dry.out.contains("libraries/jar/sear.jar") && dry.out.contains("Nothing was changed"));
+        assertEquals(before, tree(mrl));
+        Distribution.Result installed = sear("install", mrl.toString());
+        assertEquals(installed.toString(), 0, installed.status);
+        assertTrue(installed.out, installed.out.contains("Done. Start MyRobotLab"));
+        assertTrue(Files.exists(mrl.resolve("libraries/jar/jbullet-20101010-1.jar")));
+        Distribution.Result again = sear("install", mrl.toString());
+        assertTrue(again.toString(), again.status == 0 && again.out.contains("Nothing to do"));
+        Distribution.Result removed = sear("install", "--remove", mrl.toString());
+        assertTrue(removed.toString(), removed.status == 0 && removed.out.contains("SEAR was removed."));
+        assertEquals(before, tree(mrl));
+        Distribution.Result nothing = sear("install", "--remove", mrl.toString());
+        assertEquals(nothing.toString(), 1, nothing.status);
+        assertTrue(nothing.err, nothing.err.startsWith("sear install: SEAR is not installed in "));
+    }
+
+    @Test
+    public void whatIsNoMyRobotLabIsRefusedByCommand() throws Exception {
+        Distribution.Result result = sear("install", folder.newFolder("empty").toString());
+        assertEquals(result.toString(), 1, result.status);
+        assertTrue(result.err, result.err.startsWith("sear install: ") && result.err.contains("holds no myrobotlab.jar"));
+        assertEquals(2, sear("install").status);
+    }
+
+    /** As another user when the tests run as root, who may write everywhere. */
+    @Test
+    public void aFolderOfAnotherUserIsRefused() throws Exception {
+        Path mrl = myRobotLab();
+        List<String> command = new ArrayList<>();
+        if ("root".equals(System.getProperty("user.name"))) {
+            command.addAll(List.of("setpriv", "--reuid=" + NOBODY, "--clear-groups"));
+            open(SHARED.getRoot().toPath());
+            open(folder.getRoot().toPath());
+        }
+        Files.setPosixFilePermissions(mrl.resolve("libraries/jar"), PosixFilePermissions.fromString("r-xr-xr-x"));
+        command.addAll(List.of(distribution.launcher().toString(), "install", mrl.toString()));
+        List<String> before = tree(mrl);
+        Distribution.Result result = Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(), command);
+        Files.setPosixFilePermissions(mrl.resolve("libraries/jar"), PosixFilePermissions.fromString("rwxr-xr-x"));
+        assertEquals(result.toString(), 1, result.status);
+        assertTrue(result.err, result.err.startsWith("sear install: No permission to write into " + mrl));
+        assertEquals(before, tree(mrl));
+    }
+
+    private static void open(Path path) throws IOException {
+        Files.setPosixFilePermissions(path, PosixFilePermissions.fromString("rwxr-xr-x"));
+    }
+
+    private static List<String> tree(Path root) throws IOException {
+        try (Stream<Path> paths = Files.walk(root)) {
+            return paths.sorted().map(path -> root.relativize(path) + (Files.isDirectory(path) ? "/" : " " + path.toFile().length()))
+                .collect(Collectors.toList());
+        }
+    }
+}

@@ -1,0 +1,50 @@
+package org.SEAR.devices;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.ServiceLoader;
+import org.SEAR.devices.gps.GpsModel;
+import org.SEAR.devices.lms.Variant;
+import org.SEAR.devices.oi.OiModel;
+import org.SEAR.simulator.DeviceType;
+import org.junit.Test;
+
+/** The registry of devices, and names of models. */
+public class DeviceTypesTest {
+    @Test
+    public void theThreeDevicesAreFoundByTheirObjects() {
+        List<String> found = new ArrayList<>();
+        for (DeviceType type : ServiceLoader.load(DeviceType.class)) {
+            found.add(type.parameterType().getSimpleName());
+        }
+        assertTrue(found.toString(), found.containsAll(Arrays.asList("LIDAR", "Dynamics", "GPS")));
+    }
+
+    @Test
+    public void modelsAreNamed() {
+        assertEquals(OiModel.CREATE2, OiModel.of("create2"));
+        assertEquals(GpsModel.MT3301, GpsModel.of("FV_M8"));
+        assertEquals(GpsModel.MT3329, GpsModel.of("mt3329"));
+        assertNull(Variant.of(180, 25));
+    }
+
+    @Test
+    public void anUnknownModelIsToldWhichThereAre() {
+        assertTrue(refusal(() -> OiModel.of("create3")).contains("roomba400, create and create2"));
+        assertTrue(refusal(() -> GpsModel.of("x")).contains("MT3329"));
+    }
+
+    private static String refusal(Runnable call) {
+        try {
+            call.run();
+        } catch (IllegalArgumentException e) {
+            return e.getMessage();
+        }
+        return "accepted";
+    }
+}

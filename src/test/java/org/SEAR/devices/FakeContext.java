@@ -1,0 +1,154 @@
+package org.SEAR.devices;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import org.SEAR.sensors.Sensor;
+import org.SEAR.sensors.Truth;
+import org.SEAR.simulator.DeviceContext;
+import org.SEAR.simulator.RobotHardware;
+import org.SEAR.simulator.SerialDevice;
+
+/** A line of ten bits a byte, a scripted clock and settable hardware around one device. */
+public final class FakeContext implements DeviceContext {
+    /** 2026-01-01T12:00:00Z. */
+    public static final long EPOCH = 1767268800000L;
+
+    public final FakeHardware hardware = new FakeHardware();
+    public final List<String> warnings = new ArrayList<>();
+    public Sensor<?> sensor;
+    public Object reading;
+    public double now;
+    public long epoch = EPOCH;
+    /** Times at which bytes began to leave, one a byte, as long as {@link #take} is not called. */
+    public final List<Double> times = new ArrayList<>();
+    private final ByteArrayOutputStream sent = new ByteArrayOutputStream();
+    private SerialDevice device;
+    private double free;
+
+    /** Puts the device on the line. */
+    public <D extends SerialDevice> D attach(D newDevice) {
+        device = newDevice;
+        return newDevice;
+    }
+
+    /** Host to device, at the device's speed. */
+    public void host(int... bytes) {
+        for (int value : bytes) {
+            now += byteTime();
+            device.receive(value & 0xFF, now);
+        }
+    }
+
+    /** Host to device. @param hex for example {@code "02 00 01 00 31 15 12"} */
+    public void host(String hex) {
+        host(Bytes.ints(hex));
+    }
+
+    public void hostText(String text) {
+        for (byte value : text.getBytes(StandardCharsets.US_ASCII)) {
+            host(value);
+        }
+    }
+
+    /** Lets time go by in small steps. */
+    public void pass(double seconds) {
+        double end = now + seconds;
+        while (now < end) {
+            now = Math.min(end, now + 1 / 60.0);
+            device.advance(now);
+        }
+    }
+
+    /** Power off and on, and simulated time from 0 again. */
+    public void restart() {
+        now = 0;
+        free = 0;
+        device.reset();
+        take();
+    }
+
+    /** What the device has sent since the last call. */
+    public byte[] take() {
+        byte[] bytes = sent.toByteArray();
+        sent.reset();
+        times.clear();
+        return bytes;
+    }
+
+    public String takeHex() {
+        return Bytes.hex(take());
+    }
+
+    public String takeText() {
+        return new String(take(), StandardCharsets.US_ASCII);
+    }
+
+    private double byteTime() {
+        return 10.0 / device.getBaud();
+    }
+
+    @Override
+    public void send(byte[] bytes, double time) {
+        free = Math.max(free, time);
+        for (byte value : bytes) {
+            times.add(free);
+            free += byteTime();
+        }
+        sent.write(bytes, 0, bytes.length);
+    }
+
+    @Override
+    public double lineFreeAt() {
+        return free;
+    }
+
+    @Override
+    public void clearOutput() {
+        free = 0;
+    }
+
+    @Override
+    public RobotHardware robot() {
+        return hardware;
+    }
+
+    @SuppressWarnings("unchecked")
+    @Override
+    public <R> R read(Sensor<R> which) {
+        return (R) reading;
+    }
+
+    @Override
+    public Sensor<?> sensor() {
+        return sensor;
+    }
+
+    @Override
+    public Truth truth() {
+        return null;
+    }
+
+    @Override
+    public double time() {
+        return now;
+    }
+
+    @Override
+    public long epochMillis() {
+        return epoch;
+    }
+
+    @Override
+    public long seed() {
+        return 1;
+    }
+
+    @Override
+    public void warn(String message) {
+        if (!warnings.contains(message)) {
+            warnings.add(message);
+        }
+    }
+}

@@ -1,0 +1,112 @@
+package org.SEAR.devices;
+
+import org.SEAR.simulator.RobotHardware;
+
+/** Hardware whose state a test sets. Lengths in metres, angles in radians. */
+public final class FakeHardware implements RobotHardware {
+    public double left;
+    public double right;
+    public double base = 0.258;
+    public double leftAngle;
+    public double rightAngle;
+    public double load;
+    public double path;
+    public double turned;
+    public boolean bumpLeft;
+    public boolean bumpRight;
+    public boolean dropLeft;
+    public boolean dropRight;
+    public boolean dropFront;
+    public boolean virtualWall;
+    /** Distance of the floor below the front half of the body. */
+    public double floorAhead = 0.05;
+    /** Distance of what is around, from the middle. */
+    public double around = Double.POSITIVE_INFINITY;
+
+    @Override
+    public void setWheelSpeeds(double newLeft, double newRight) {
+        left = newLeft;
+        right = newRight;
+    }
+
+    @Override
+    public double getWheelBase() {
+        return base;
+    }
+
+    @Override
+    public double getLeftWheelAngle() {
+        return leftAngle;
+    }
+
+    @Override
+    public double getRightWheelAngle() {
+        return rightAngle;
+    }
+
+    @Override
+    public double getWheelRadius() {
+        return 0.036;
+    }
+
+    @Override
+    public double getLeftLoad() {
+        return load;
+    }
+
+    @Override
+    public double getRightLoad() {
+        return load;
+    }
+
+    @Override
+    public double getPath() {
+        return path;
+    }
+
+    @Override
+    public double getTurned() {
+        return turned;
+    }
+
+    @Override
+    public boolean isBumpedLeft() {
+        return bumpLeft;
+    }
+
+    @Override
+    public boolean isBumpedRight() {
+        return bumpRight;
+    }
+
+    @Override
+    public boolean isLeftWheelDropped() {
+        return dropLeft;
+    }
+
+    @Override
+    public boolean isRightWheelDropped() {
+        return dropRight;
+    }
+
+    @Override
+    public boolean isCasterDropped() {
+        return dropFront;
+    }
+
+    @Override
+    public double look(double x, double y, double z, double dx, double dy, double dz, double range) {
+        double distance = dy < 0 ? (z > 0.01 ? floorAhead : 0.05) : around;
+        return distance <= range ? distance : Double.POSITIVE_INFINITY;
+    }
+
+    @Override
+    public double getBodyRadius() {
+        return 0.165;
+    }
+
+    @Override
+    public boolean isInVirtualWall() {
+        return virtualWall;
+    }
+}

@@ -1,0 +1,95 @@
+package org.SEAR.devices;
+
+import static org.junit.Assert.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Random;
+import java.util.function.Function;
+import org.SEAR.devices.gps.GpsModel;
+import org.SEAR.devices.gps.Mt3301;
+import org.SEAR.devices.lms.Devices;
+import org.SEAR.devices.oi.OiModel;
+import org.SEAR.devices.oi.Roomba;
+import org.SEAR.sensors.GpsFix;
+import org.SEAR.simulator.SerialDevice;
+import org.junit.Test;
+
+/** Random bytes, whole commands among them, never stop a device; -Dsear.fuzzBytes sets how many. */
+public class FuzzTest {
+    private static final int BYTES = Integer.getInteger("sear.fuzzBytes", 300_000);
+    private static final long SEED = Long.getLong("sear.fuzzSeed", 20261121L);
+    private static final int BLOCK = 1000;
+    private static final double MAX_SECONDS_BEHIND = 30;
+
+    /**
+     * Bytes that begin or fill commands of each device come often.
+     *
+     * @param flush what ends any unfinished command; null for power off and on
+     */
+    private void fuzz(Function<FakeContext, SerialDevice> maker, int[] likely, String flush, String probe, String answer) {
+        Random random = new Random(SEED);
+        FakeContext line = new FakeContext();
+        line.reading = new GpsFix(1, 2, 3, 0, 0, 0);
+        SerialDevice device = line.attach(maker.apply(line));
+        for (int done = 0; done < BYTES; done += BLOCK) {
+            for (int i = 0; i < BLOCK; i++) {
+                line.host(random.nextInt(3) == 0 ? likely[random.nextInt(likely.length)] : random.nextInt(256));
+            }
+            line.pass(random.nextDouble() * 0.05);
+            line.take();
+            String where = "seed " + SEED + " after " + done + " bytes, " + device.status();
+            assertTrue(where + ": output queue", (line.lineFreeAt() - line.now) < MAX_SECONDS_BEHIND);
+            if (done % (BLOCK * 50) == 0) {
+                if (flush == null) {
+                    line.restart();
+                } else {
+                    line.host(flush);
+                    line.pass(MAX_SECONDS_BEHIND);
+                    line.take();
+                }
+                line.host(probe);
+                line.pass(3);
+                assertTrue(where + ": " + probe, line.takeHex().contains(answer));
+            }
+        }
+        assertTrue(line.warnings.size() < 5000);
+    }
+
+    @Test
+    public void lms200() {
+        fuzz(Devices::lms200, Bytes.ints("02 00 02 00 05 20 24 25 30 01 3B 77 26 36 37"), null, "02 00 01 00 32 16 12",
+            "06 02 80 02 00 B2 10 3F 13");
+    }
+
+    @Test
+    public void lms200AnswersWithoutPowerOff() {
+        Random random = new Random(SEED);
+        FakeContext line = new FakeContext();
+        SerialDevice device = line.attach(Devices.lms200(line));
+        for (int round = 0; round < 200; round++) {
+            for (int i = 0; i < 300; i++) {
+                line.host(random.nextInt(256));
+            }
+            line.pass(0.1);
+            line.take();
+            line.host("02 00 01 00 32 16 12");
+            line.pass(1);
+            assertTrue("seed " + SEED + " round " + round + " " + device.status(), line.takeHex().contains("06 02 80 02 00 B2 10 3F 13"));
+        }
+    }
+
+    @Test
+    public void roombas() {
+        for (OiModel model : OiModel.values()) {
+            String flush = model == OiModel.CREATE ? null : new String(new char[600]).replace("\0", "80");
+            fuzz(line -> new Roomba(model, 57600, true, line), Bytes.ints("80 82 83 84 89 8E 94 95 98 99 9B 9C 9E 8C 8D 01 00 07"), flush, "80 8E 03",
+                " 0A 8E");
+        }
+    }
+
+    @Test
+    public void mt3301() {
+        fuzz(line -> new Mt3301(GpsModel.MT3301, 38400, 1, 0, line), Bytes.ints("24 50 4D 54 4B 32 30 31 34 2C 2A 0D 0A"),
+            "0D 0A", Bytes.hex("$PMTK000*32\r\n".getBytes(StandardCharsets.US_ASCII)), "50 4D 54 4B 30 30 31 2C 30 2C 33");
+    }
+}

@@ -1,0 +1,16 @@
+package org.SEAR.devices.lms;
+
+import org.SEAR.devices.FakeContext;
+
+/** An LMS200 as delivered, for tests of other packages. */
+public final class Devices {
+    private Devices() {
+    }
+
+    public static Lms200 lms200(FakeContext line) {
+        FakeScanner scanner = new FakeScanner();
+        scanner.world = beam -> 1 + beam / 100.0;
+        line.sensor = scanner;
+        return new Lms200(new PowerOn(Variant.V180_HALF, 9600, false, Identity.LMS200_30106), line);
+    }
+}

@@ -1,0 +1,33 @@
+package org.SEAR.devices.lms;
+
+import java.util.Arrays;
+import java.util.function.IntToDoubleFunction;
+import org.SEAR.POJOs.LIDAR;
+import org.SEAR.sensors.LidarScan;
+import org.SEAR.sensors.LidarSource;
+import org.SEAR.sensors.Sensor;
+import org.SEAR.sensors.Truth;
+
+/** A LIDAR that measures what a test says. */
+final class FakeScanner extends Sensor<LidarScan> implements LidarSource {
+    /** Metres by beam, from the right. */
+    IntToDoubleFunction world = beam -> Double.POSITIVE_INFINITY;
+    int scans;
+
+    FakeScanner() {
+        super(new LIDAR("lidar"));
+    }
+
+    @Override
+    public LidarScan scan(Truth truth, double spread, double resolution) {
+        scans++;
+        double[] ranges = new double[(int) Math.round(spread / resolution) + 1];
+        Arrays.setAll(ranges, world);
+        return new LidarScan(spread, resolution, ranges);
+    }
+
+    @Override
+    protected LidarScan measure(Truth truth) {
+        return scan(truth, 180, 1);
+    }
+}

@@ -1,0 +1,126 @@
+package org.SEAR.project;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.SEAR.POJOs.Box;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** A process that saves and loads without end is killed at random moments: what is there then is the old or the new project, whole. */
+public class CrashTest {
+    private static final int KILLS = 50;
+    private static final int LONGEST_MS = 120;
+    /** Processes at a time, each with a folder of its own. */
+    private static final int LANES = 2;
+    private static final Pattern NEEDED = Pattern.compile("xstream|xmlpull|mxparser|jme3-core|junit|hamcrest");
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    /** Loads a and b in turn and saves c, until it is killed. Says "ready" when it is quick. */
+    public static void main(String[] places) throws Exception {
+        Path root = Paths.get(places[0]);
+        for (int warmUp = 0; warmUp < 3; warmUp++) {
+            Bundle.check(root.resolve("a.sear"));
+        }
+        System.out.println("ready");
+        System.out.flush();
+        for (int i = 0; i < 100000; i++) {
+            Bundle.load(root.resolve(i % 2 == 0 ? "a.sear" : "b.sear"), root.resolve("SEARproject"));
+            Bundle.save(root.resolve("SEARproject"), root.resolve("c.sear"));
+        }
+    }
+
+    private Map<String, String> create(String which, int boxes) throws IOException {
+        ProjectSwap.delete(project.folder());
+        for (int i = 0; i < boxes; i++) {
+            new Box(which + i, 1, 1, 1, 0);
+        }
+        Files.createDirectories(project.folder().resolve("assets"));
+        byte[] asset = new byte[500000];
+        new Random(boxes).nextBytes(asset);
+        Files.write(project.folder().resolve("assets/data.bin"), asset);
+        return project.files();
+    }
+
+    /** What the process needs: opening all jars that tests have would take it longer than all the rest. */
+    private static String classPath() {
+        return Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
+            .filter(entry -> !entry.endsWith(".jar") || NEEDED.matcher(new File(entry).getName()).find())
+            .collect(Collectors.joining(File.pathSeparator));
+    }
+
+    private static Process start(Path root) throws IOException {
+        Process process = new ProcessBuilder(System.getProperty("java.home") + File.separator + "bin" + File.separator + "java", "-Xshare:auto",
+            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp", classPath(), CrashTest.class.getName(), root.toString())
+            .redirectErrorStream(true).start();
+        int ready = process.getInputStream().read();
+        assertEquals('r', ready);
+        return process;
+    }
+
+    /** Kills processes that work in one folder. @return how often the first project was there then */
+    private static int kill(Path root, long seed, Map<String, String> a, Map<String, String> b) throws Exception {
+        Path folder = root.resolve("SEARproject");
+        Random random = new Random(seed);
+        int seenA = 0;
+        for (int kill = 0; kill < KILLS / LANES; kill++) {
+            Process process = start(root);
+            boolean ended = process.waitFor(1 + random.nextInt(LONGEST_MS), TimeUnit.MILLISECONDS);
+            process.destroyForcibly().waitFor();
+            assertTrue("it ended by itself", !ended);
+            Project.read(folder);
+            Map<String, String> found = ProjectRule.files(folder);
+            assertTrue("kill " + kill + ": neither the old nor the new project, but " + found.keySet(), found.equals(a) || found.equals(b));
+            Bundle.check(root.resolve("c.sear"));
+            seenA += found.equals(a) ? 1 : 0;
+        }
+        return seenA;
+    }
+
+    @Test
+    public void theProjectOnDiskIsAlwaysTheOldOrTheNewOne() throws Exception {
+        Path root = project.getRoot().toPath();
+        Map<String, String> a = create("a", 10);
+        Bundle.save(project.folder(), root.resolve("a.sear"));
+        Map<String, String> b = create("b", 15);
+        Bundle.save(project.folder(), root.resolve("b.sear"));
+        ExecutorService lanes = Executors.newFixedThreadPool(LANES);
+        try {
+            List<Future<Integer>> counts = new ArrayList<>();
+            for (int i = 0; i < LANES; i++) {
+                Path lane = Files.createDirectory(root.resolve("lane" + i));
+                Files.copy(root.resolve("a.sear"), lane.resolve("a.sear"));
+                Files.copy(root.resolve("b.sear"), lane.resolve("b.sear"));
+                Files.copy(root.resolve("b.sear"), lane.resolve("c.sear"));
+                Bundle.load(lane.resolve("b.sear"), lane.resolve("SEARproject"));
+                long seed = 50 + i;
+                counts.add(lanes.submit(() -> kill(lane, seed, a, b)));
+            }
+            int seenA = 0;
+            for (Future<Integer> count : counts) {
+                seenA += count.get();
+            }
+            assertTrue("both projects were seen: " + seenA, seenA > 0 && seenA < KILLS);
+        } finally {
+            lanes.shutdownNow();
+        }
+    }
+}

@@ -1,0 +1,98 @@
+package org.SEAR.project;
+
+import static org.junit.Assert.assertArrayEquals;
+import static org.junit.Assert.assertEquals;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Map;
+import java.util.Random;
+import java.util.Set;
+import java.util.TreeSet;
+import org.SEAR.POJOs.Box;
+import org.junit.Rule;
+import org.junit.Test;
+
+/**
+ * A process that may write only so much: the system refuses the rest in the middle of a file, as a full disk does. What was there stays whole, and
+ * nothing half-written is left over.
+ */
+public class DiskFullTest {
+    /** Blocks of 512 bytes that a file may have. */
+    private static final int LIMIT = 600;
+    private static final int TOO_MUCH = 500_000;
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    /** Tries to save, to load and to write one object's file, and says what became of each. */
+    public static void main(String[] places) throws Exception {
+        Path root = Paths.get(places[0]);
+        attempt("save", () -> Bundle.save(root.resolve("big"), root.resolve("old.sear")));
+        attempt("load", () -> Bundle.load(root.resolve("big.sear"), root.resolve("SEARproject")));
+        attempt("object", () -> FileStore.writeAtomically(root.resolve("SEARproject/environment/box.xml"), new byte[TOO_MUCH]));
+        attempt("small", () -> Bundle.save(root.resolve("SEARproject"), root.resolve("new.sear")));
+    }
+
+    /** What may fail. */
+    private interface Deed {
+        void run() throws Exception;
+    }
+
+    private static void attempt(String what, Deed deed) throws Exception {
+        try {
+            deed.run();
+            System.out.println(what + " done");
+        } catch (IOException e) {
+            System.out.println(what + " refused: " + e.getClass().getSimpleName());
+        }
+    }
+
+    private Path big() throws IOException {
+        new Box("large", 1, 1, 1, 0);
+        byte[] noise = new byte[TOO_MUCH];
+        new Random(1).nextBytes(noise);
+        project.put("assets/noise.bin", "");
+        Files.write(project.folder().resolve("assets/noise.bin"), noise);
+        return Files.move(project.folder(), project.getRoot().toPath().resolve("big"));
+    }
+
+    private String runLimited() throws IOException, InterruptedException {
+        String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
+        Process process = new ProcessBuilder("sh", "-c", "ulimit -f " + LIMIT + "; exec \"$0\" \"$@\"", java, "-XX:-UsePerfData", "-Xshare:auto",
+            "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), DiskFullTest.class.getName(), project.getRoot().getPath())
+            .redirectErrorStream(true).start();
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(said, 0, process.waitFor());
+        return said;
+    }
+
+    @Test
+    public void whatWasThereStaysWhole() throws Exception {
+        Path root = project.getRoot().toPath();
+        Bundle.save(big(), root.resolve("big.sear"));
+        new Box("box", 1, 1, 1, 0);
+        Bundle.save(project.folder(), root.resolve("old.sear"));
+        byte[] bundle = Files.readAllBytes(root.resolve("old.sear"));
+        Map<String, String> files = project.files();
+        Set<String> names = names(root);
+
+        assertEquals("save refused: IOException\nload refused: IOException\nobject refused: IOException\nsmall done\n", runLimited());
+
+        assertArrayEquals(bundle, Files.readAllBytes(root.resolve("old.sear")));
+        assertArrayEquals(bundle, Files.readAllBytes(root.resolve("new.sear")));
+        assertEquals(files, project.files());
+        names.add("new.sear");
+        Set<String> left = names(root);
+        left.remove(".SEARproject.lock");
+        assertEquals(names, left);
+    }
+
+    private static Set<String> names(Path folder) {
+        return new TreeSet<>(Set.of(folder.toFile().list()));
+    }
+}

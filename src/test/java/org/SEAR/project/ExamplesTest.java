@@ -1,0 +1,51 @@
+package org.SEAR.project;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.SensorObject;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** The bundles in examples/ are what their scripts make. */
+public class ExamplesTest {
+    private static final Path EXAMPLES = Paths.get(System.getProperty("sear.root", "."), "examples");
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    @Test
+    public void eachScriptMakesItsBundle() throws Exception {
+        assertEquals(4, ExampleMaker.scripts(EXAMPLES).size());
+        for (Path script : ExampleMaker.scripts(EXAMPLES)) {
+            ProjectSwap.delete(project.folder());
+            ExampleMaker.run(script);
+            Path copy = project.getRoot().toPath().resolve("bundle");
+            Project example = Bundle.load(ExampleMaker.bundle(script), copy);
+            assertEquals(script + ": run gradle examples", ProjectRule.files(copy), project.files());
+            assertEquals(script.toString(), List.of(), example.getWarnings());
+            assertEquals(1, example.getRobots().size());
+        }
+    }
+
+    @Test
+    public void theSensorsExampleHasEverySensor() throws Exception {
+        Project example = Bundle.load(EXAMPLES.resolve("sensors.sear"), project.folder());
+        Set<String> kinds = new TreeSet<>();
+        for (SEARrobot robot : example.getRobots()) {
+            robot.getComponents().forEach(c -> kinds.add(c.getClass().getSimpleName()));
+        }
+        for (Class<? extends SearObject> type : ObjectClasses.find().all()) {
+            if (SensorObject.class.isAssignableFrom(type)) {
+                assertTrue(type.getSimpleName(), kinds.contains(type.getSimpleName()));
+            }
+        }
+    }
+}

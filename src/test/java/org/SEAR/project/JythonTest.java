@@ -1,0 +1,64 @@
+package org.SEAR.project;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.lang.reflect.Executable;
+import java.lang.reflect.Modifier;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** Every constructor and method from a Jython script; the XML that results is kept beside it. */
+public class JythonTest {
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    private static Path resource(String name) throws Exception {
+        return Paths.get(JythonTest.class.getResource(name).toURI());
+    }
+
+    @Test
+    public void everyConstructorAndMethodGivesItsXml() throws Exception {
+        ExampleMaker.run(resource("every_constructor.py"));
+        StringBuilder all = new StringBuilder();
+        for (Map.Entry<String, String> file : project.files().entrySet()) {
+            all.append("# ").append(file.getKey()).append('\n').append(file.getValue());
+        }
+        Path made = Paths.get(System.getProperty("sear.root", "."), "build/every_constructor.txt");
+        Files.createDirectories(made.getParent());
+        Files.write(made, all.toString().getBytes(StandardCharsets.UTF_8));
+        String expected = new String(Files.readAllBytes(resource("every_constructor.txt")), StandardCharsets.UTF_8);
+        assertEquals("see " + made, expected, all.toString());
+        Project read = Project.read(project.folder());
+        assertEquals(29, read.getEnvironment().size());
+        assertEquals(3, read.getWarnings().size());
+        SEARrobot robot = read.getRobots().get(0);
+        assertEquals(4, robot.getWheels().size());
+        assertEquals(26, robot.getComponents().size());
+    }
+
+    @Test
+    public void theScriptCallsEverySetter() throws Exception {
+        String script = new String(Files.readAllBytes(resource("every_constructor.py")), StandardCharsets.UTF_8);
+        List<String> missing = new ArrayList<>();
+        for (Class<? extends SearObject> type : ObjectClasses.find().all()) {
+            for (Executable method : type.getMethods()) {
+                boolean reading = method.getName().matches("(get|is|to)[A-Z].*") || method.getDeclaringClass() == Object.class;
+                if (!reading && !Modifier.isStatic(method.getModifiers()) && !script.contains("." + method.getName() + "(")) {
+                    missing.add(type.getSimpleName() + "." + method.getName());
+                }
+            }
+            assertTrue(type.getSimpleName(), script.contains(type.getSimpleName()));
+        }
+        assertEquals(List.of(), missing);
+    }
+}

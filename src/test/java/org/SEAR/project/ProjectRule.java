@@ -1,0 +1,68 @@
+package org.SEAR.project;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import org.junit.rules.TemporaryFolder;
+
+/** An empty present project for each test: objects that the test creates write their files there. */
+public final class ProjectRule extends TemporaryFolder {
+    private String before;
+
+    @Override
+    protected void before() throws Throwable {
+        super.before();
+        before = System.getProperty("sear.project");
+        System.setProperty("sear.project", folder().toString());
+    }
+
+    @Override
+    protected void after() {
+        if (before == null) {
+            System.clearProperty("sear.project");
+        } else {
+            System.setProperty("sear.project", before);
+        }
+        super.after();
+    }
+
+    /** The SEARproject folder; made by the first object. */
+    public Path folder() {
+        return getRoot().toPath().resolve("SEARproject");
+    }
+
+    /** The text of a file of the project. */
+    public String text(String file) throws IOException {
+        return new String(Files.readAllBytes(folder().resolve(file)), StandardCharsets.UTF_8);
+    }
+
+    /** Writes a file of the project by hand. */
+    public void put(String file, String text) throws IOException {
+        Path path = folder().resolve(file);
+        Files.createDirectories(path.getParent());
+        Files.write(path, text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** The files of the project by their path, and what is in them. */
+    public Map<String, String> files() throws IOException {
+        return files(folder());
+    }
+
+    /** The files of a folder by their path, and what is in them (a character a byte). */
+    public static Map<String, String> files(Path folder) throws IOException {
+        Map<String, String> files = new TreeMap<>();
+        if (Files.isDirectory(folder)) {
+            try (Stream<Path> all = Files.walk(folder)) {
+                for (Path file : (Iterable<Path>) all.filter(Files::isRegularFile)::iterator) {
+                    String name = folder.relativize(file).toString().replace('\\', '/');
+                    files.put(name, new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1));
+                }
+            }
+        }
+        return files;
+    }
+}

@@ -1,0 +1,172 @@
+package org.SEAR.project;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.SEAR.POJOs.Accelerometer;
+import org.SEAR.POJOs.BeamCone;
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Compass;
+import org.SEAR.POJOs.Cone;
+import org.SEAR.POJOs.Cylinder;
+import org.SEAR.POJOs.Distance;
+import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.GPS;
+import org.SEAR.POJOs.Gyroscope;
+import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.Model;
+import org.SEAR.POJOs.Noise;
+import org.SEAR.POJOs.Odometer;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.SensorObject;
+import org.SEAR.POJOs.Shape;
+import org.SEAR.POJOs.Wheel;
+
+/** Creates random legal projects: any class, any legal value, odd names. The same seed gives the same project. */
+final class RandomProjects {
+    private static final String[] LETTERS = {"a", "B", " ", "_", "1", ".", "\u00e4", "\u00df", "\u6728", "\ud83e\udd16",
+        "'", "&", "#", "]]", "(", "%20"};
+    private final Random random;
+    private int counter;
+
+    RandomProjects(long seed) {
+        random = new Random(seed);
+    }
+
+    /** Creates one in the present folder. */
+    void create() {
+        int objects = random.nextInt(4);
+        for (int i = 0; i < objects; i++) {
+            shape(true);
+        }
+        int robots = random.nextInt(3);
+        for (int i = 0; i < robots; i++) {
+            robot();
+        }
+    }
+
+    private String name() {
+        StringBuilder name = new StringBuilder("n" + counter++);
+        int letters = random.nextInt(12);
+        for (int i = 0; i < letters; i++) {
+            name.append(LETTERS[random.nextInt(LETTERS.length)]);
+        }
+        return name.append('z').toString();
+    }
+
+    private double number(double min, double max) {
+        switch (random.nextInt(6)) {
+            case 0:
+                return min;
+            case 1:
+                return max;
+            case 2:
+                return Math.max(min, Math.min(max, random.nextInt(10)));
+            case 3:
+                return Math.max(min, Math.min(max, random.nextGaussian() * 1e-7));
+            default:
+                return min + (max - min) * random.nextDouble();
+        }
+    }
+
+    private double size() {
+        return number(0.0001, 100000);
+    }
+
+    private void place(SearObject object) {
+        if (random.nextBoolean()) {
+            object.move(number(-100000, 100000), number(-100000, 100000), number(-100000, 100000));
+            object.rotate(number(-360, 360), number(-360, 360), number(-36000, 36000));
+        }
+    }
+
+    private Shape shape(boolean environment) {
+        Shape shape;
+        double mass = number(0, 1e6);
+        switch (random.nextInt(environment ? 5 : 4)) {
+            case 0:
+                shape = new Box(name(), size(), size(), size(), mass);
+                break;
+            case 1:
+                shape = new Cylinder(name(), size(), size(), mass, "./textures/roomba.jpg");
+                break;
+            case 2:
+                shape = new Cone(name(), size(), size(), mass);
+                break;
+            case 3:
+                shape = new Model(name(), "models/Tree/Tree.mesh.xml", mass);
+                break;
+            default:
+                shape = new Floor(name(), size(), size(), random.nextBoolean());
+                break;
+        }
+        place(shape);
+        shape.scale(number(0.0001, 10000), number(0.0001, 10000), number(0.0001, 10000));
+        shape.setVisibleToSensors(random.nextBoolean());
+        return shape;
+    }
+
+    private void robot() {
+        SEARrobot robot = new SEARrobot(name());
+        place(robot);
+        if (random.nextBoolean()) {
+            Dynamics dynamics = new Dynamics(name(), number(0.001, 1e6), number(0, 1e6), number(0, 1e6), number(0, 1e6), number(0, 1e9),
+                number(0, 100), 0, 0.1, 0, 0, number(-360, 360), 180);
+            dynamics.setPorts("/dev/uart" + counter, "/dev/user" + counter);
+            robot.addComponent(dynamics);
+        }
+        int parts = random.nextInt(4);
+        for (int i = 0; i < parts; i++) {
+            robot.addComponent(random.nextBoolean() ? shape(false) : sensor());
+        }
+        for (int i = random.nextInt(3); i > 0; i--) {
+            Wheel wheel = new Wheel(name(), number(0.0001, 100), number(0.0001, 100), random.nextInt(2));
+            place(wheel);
+            robot.addWheel(wheel);
+        }
+    }
+
+    private SensorObject sensor() {
+        SensorObject sensor = anySensor();
+        place(sensor);
+        if (random.nextBoolean()) {
+            sensor.setNoise(new Noise(number(0, 1e6), number(-1e6, 1e6), number(0, 1e6), number(0, 1e6), random.nextDouble()));
+        }
+        return sensor;
+    }
+
+    private SensorObject anySensor() {
+        switch (random.nextInt(8)) {
+            case 0:
+                return new Accelerometer(name(), number(0.01, 10000));
+            case 1:
+                return new Gyroscope(name(), number(0.01, 10000));
+            case 2:
+                return new Compass(name(), random.nextBoolean());
+            case 3:
+                return new Odometer(name());
+            case 4:
+                return new GPS(name(), number(-90, 90), number(-12000, 100000), number(-180, 180), "/dev/g" + counter, "/dev/h" + counter);
+            case 5:
+                LIDAR lidar = new LIDAR(name(), number(0.01, 10000), 360, number(0.01, 360));
+                lidar.LMS(random.nextInt(2));
+                return lidar;
+            case 6:
+                List<String> beams = new Beams(ProjectFolder.present()).names();
+                return new Distance(name(), beams.get(random.nextInt(beams.size())));
+            default:
+                return new Distance(name(), cones());
+        }
+    }
+
+    private List<BeamCone> cones() {
+        List<BeamCone> cones = new ArrayList<>();
+        for (int i = random.nextInt(5); i >= 0; i--) {
+            cones.add(new BeamCone(number(0, 90), number(0.001, 10000), String.format("#%06x", random.nextInt(1 << 24)), 1 + random.nextInt(360),
+                number(-180, 180), number(-90, 90)));
+        }
+        return cones;
+    }
+}

@@ -1,0 +1,106 @@
+package org.SEAR.simulator;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.project.ProjectRule;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** The simulation thread: pace, pause, questions, steps on request, end. */
+public class RunnerTest {
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+    private SimulationRunner runner;
+    private Thread thread;
+
+    @Before
+    public void start() throws Exception {
+        new Floor("floor", 10, 10);
+        Worlds.roomba("roomba", 0, 0, 0);
+        runner = new SimulationRunner(Worlds.start(project));
+        thread = new Thread(runner, "simulation under test");
+    }
+
+    @After
+    public void end() throws InterruptedException {
+        runner.stop();
+        thread.join(10_000);
+        assertFalse(thread.isAlive());
+    }
+
+    @Test(timeout = 20_000)
+    public void pausedItAdvancesByTheStepsAskedForOnly() throws Exception {
+        AtomicInteger heard = new AtomicInteger();
+        runner.addStepListener(heard::incrementAndGet);
+        runner.setPaused(true);
+        thread.start();
+        runner.setSpeed(Double.POSITIVE_INFINITY);
+        runner.advance(120);
+        assertEquals(120, runner.getSimulation().snapshot().step);
+        assertEquals(2, runner.getSimulation().ask(Simulation::getTime).get(5, TimeUnit.SECONDS), 1e-9);
+        assertEquals(120, heard.get());
+        runner.advance(1);
+        assertEquals(121, runner.getSimulation().snapshot().step);
+    }
+
+    @Test(timeout = 20_000)
+    public void itKeepsPaceWithTheClock() throws Exception {
+        runner.setSpeed(4);
+        thread.start();
+        long begin = System.nanoTime();
+        runner.await(4);
+        double seconds = (System.nanoTime() - begin) / 1e9;
+        assertEquals(1, seconds, 0.3);
+        assertEquals(4, runner.getMeasuredSpeed(), 1.5);
+    }
+
+    @Test(timeout = 20_000)
+    public void asFastAsPossibleIsMuchFasterThanTheClock() throws Exception {
+        runner.setSpeed(Double.POSITIVE_INFINITY);
+        thread.start();
+        long begin = System.nanoTime();
+        runner.await(60);
+        assertTrue((System.nanoTime() - begin) / 1e9 < 6);
+    }
+
+    @Test(timeout = 20_000)
+    public void aCommandThatFailsBecomesAWarningAndTheRunGoesOn() throws Exception {
+        thread.start();
+        runner.getSimulation().post(world -> {
+            throw new IllegalStateException("no such thing");
+        });
+        runner.await(0.1);
+        assertTrue(runner.getSimulation().snapshot().warnings.toString().contains("no such thing"));
+        Future<Object> answer = runner.getSimulation().ask(world -> world.read("nobody"));
+        try {
+            answer.get(5, TimeUnit.SECONDS);
+            assertTrue("an unknown sensor answered", false);
+        } catch (ExecutionException e) {
+            assertTrue(e.getMessage().contains("nobody"));
+        }
+    }
+
+    @Test(timeout = 20_000)
+    public void afterTheEndQuestionsFailAndNobodyWaits() throws Exception {
+        runner.setPaused(true);
+        thread.start();
+        runner.advance(1);
+        runner.stop();
+        runner.await(100);
+        try {
+            runner.getSimulation().ask(Simulation::getTime).get(5, TimeUnit.SECONDS);
+            assertTrue("an ended simulation answered", false);
+        } catch (ExecutionException e) {
+            assertTrue(e.getMessage().contains("ended"));
+        }
+    }
+}

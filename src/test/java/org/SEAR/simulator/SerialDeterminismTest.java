@@ -1,0 +1,99 @@
+package org.SEAR.simulator;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNotEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.Noise;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectRule;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** The same bytes written at the same steps give the same bytes on every port. */
+public class SerialDeterminismTest {
+    private static final int STEPS = 1800;
+    /** LMS200: type; status; one scan; send all scans. */
+    private static final String[] LMS = {"02 00 01 00 3A 1E 12", "02 00 01 00 31 15 12", "02 00 02 00 30 01 31 18", "02 00 02 00 20 24 34 08"};
+    /** Roomba: start and full mode; drive at 200 mm/s straight; sensor groups; stream of bumps, distance and angle; stop. */
+    private static final String[] ROOMBA = {"80 84", "89 00 C8 80 00", "8E 00", "94 03 07 13 14", "89 01 2C 01 F4", "8E 06"};
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    private static byte[] hex(String text) {
+        String[] parts = text.split(" ");
+        byte[] bytes = new byte[parts.length];
+        for (int i = 0; i < bytes.length; i++) {
+            bytes[i] = (byte) Integer.parseInt(parts[i], 16);
+        }
+        return bytes;
+    }
+
+    private static void world() {
+        new Floor("floor", 50, 50);
+        for (int i = 0; i < 12; i++) {
+            Box box = new Box("box" + i, 0.3, 0.3, 0.3, i % 2 == 0 ? 0 : 1);
+            box.move(2.5 * Math.sin(i), 0.15, 2.5 * Math.cos(i));
+        }
+        SEARrobot robot = Worlds.roomba("roomba", 0, 0, 20);
+        robot.getComponents().stream().filter(part -> part instanceof Dynamics).forEach(part -> ((Dynamics) part).setPorts("oiUart", "oiUser"));
+        LIDAR lidar = new LIDAR("lidar", 8, 180, 1, 0, 0.1, 0.1);
+        lidar.setNoise(new Noise().setWhite(0.01));
+        lidar.setPorts("lidarUart", "lidarUser");
+        robot.addComponent(lidar);
+    }
+
+    private static List<ByteArrayOutputStream> listen(Simulation simulation) {
+        List<ByteArrayOutputStream> heard = new ArrayList<>();
+        for (SerialLine line : simulation.getLines()) {
+            ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+            heard.add(bytes);
+            line.setSink(each -> bytes.write(each, 0, each.length));
+        }
+        return heard;
+    }
+
+    /** Runs the scripted bytes. @return what came out of each port */
+    private static int[] run(Simulation simulation) {
+        List<ByteArrayOutputStream> heard = listen(simulation);
+        for (int step = 0; step < STEPS; step++) {
+            for (SerialLine line : simulation.getLines()) {
+                String[] script = line.getObjectName().equals("lidar") ? LMS : ROOMBA;
+                int next = (step - 600) / 120;
+                if (step >= 600 && step % 120 == 0 && next < script.length) {
+                    line.write(hex(script[next]));
+                }
+            }
+            simulation.step();
+        }
+        int[] hashes = new int[heard.size()];
+        for (int i = 0; i < hashes.length; i++) {
+            assertTrue(simulation.getLines().get(i).getObjectName() + " said " + heard.get(i).size() + " bytes", heard.get(i).size() > 500);
+            hashes[i] = Arrays.hashCode(heard.get(i).toByteArray());
+        }
+        return hashes;
+    }
+
+    @Test
+    public void aFreshStartAndAResetGiveTheSameBytes() throws Exception {
+        world();
+        Simulation simulation = Worlds.start(project);
+        int[] first = run(simulation);
+        assertEquals(2, first.length);
+        simulation.reset();
+        assertEquals("after reset", Arrays.toString(first), Arrays.toString(run(simulation)));
+        assertEquals("fresh start", Arrays.toString(first), Arrays.toString(run(Worlds.start(project))));
+        int[] otherSeed = run(Simulation.of(Project.read(project.folder()), 2));
+        assertNotEquals("the seed is in the LIDAR's noise", Arrays.toString(first), Arrays.toString(otherSeed));
+    }
+}

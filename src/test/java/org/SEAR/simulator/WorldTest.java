@@ -1,0 +1,153 @@
+package org.SEAR.simulator;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertThrows;
+import static org.junit.Assert.assertTrue;
+
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Distance;
+import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.project.ProjectException;
+import org.SEAR.project.ProjectRule;
+import org.SEAR.raycast.Pose;
+import org.SEAR.sensors.DistanceReading;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** What a world does with robots and objects that are out of the ordinary. */
+public class WorldTest {
+    private static final double STRAIGHT = Double.POSITIVE_INFINITY;
+    private static final double FRONT = 0.1666875;
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    @Before
+    public void floor() {
+        new Floor("floor", 50, 50);
+    }
+
+    private static Box box(String name, double x, double y, double z) {
+        Box box = new Box(name, 1, 1, 1, 0);
+        box.move(x, y, z);
+        return box;
+    }
+
+    @Test
+    public void aRobotWithoutWheelsLiesWhereItFalls() throws Exception {
+        SEARrobot sled = new SEARrobot("sled");
+        sled.addComponent(new Dynamics("dynamics", 5, 1, 0.4, 2, 0, 0, 0));
+        sled.addComponent(new Box("body", 0.4, 0.4, 0.2, 0));
+        Simulation simulation = Worlds.start(project);
+        simulation.getRobots().get(0).drive(1, STRAIGHT);
+        Worlds.run(simulation, 3);
+        Pose pose = simulation.getPose("sled");
+        assertEquals(0.1, pose.y, 0.002);
+        assertEquals(1, pose.x, 0.002);
+        assertEquals(2, pose.z, 0.002);
+        assertEquals(0, simulation.getRobots().get(0).getHardware().getWheelBase(), 0);
+    }
+
+    @Test
+    public void lookTellsTheDistanceFromTheBody() throws Exception {
+        box("wall", 0, 0.5, 3);
+        Worlds.roomba("roomba", 0, 0, 0);
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 2);
+        RobotHardware hardware = simulation.getRobots().get(0).getHardware();
+        assertEquals(2.5, hardware.look(0, 0, 0, 0, 0, 1, 10), 0.002);
+        assertEquals("farther than asked", Double.POSITIVE_INFINITY, hardware.look(0, 0, 0, 0, 0, 1, 2.4), 0);
+        assertEquals("the floor", simulation.getPose("roomba").y, hardware.look(0, 0, 0, 0, -1, 0, 1), 0.001);
+        assertEquals("sky", Double.POSITIVE_INFINITY, hardware.look(0, 0, 0, 0, 1, 0, 100), 0);
+    }
+
+    @Test
+    public void aVirtualWallIsFeltInItsFanAndItsHalo() throws Exception {
+        Box wall = new Box("virtualWall1", 0.1, 0.1, 0.1, 0);
+        wall.move(0, 0.05, 5);
+        Worlds.roomba("inFan", 0.1, 6.5, 0);
+        Worlds.roomba("aside", 1.2, 6.5, 0);
+        Worlds.roomba("beyond", 0, 7.7, 0);
+        Worlds.roomba("behind", 0, 4.2, 0);
+        Worlds.roomba("halo", 0.3, 4.9, 0);
+        Simulation simulation = Worlds.start(project);
+        for (Robot robot : simulation.getRobots()) {
+            String name = robot.getObject().getName();
+            boolean expected = name.equals("inFan") || name.equals("halo");
+            assertEquals(name, expected, robot.getHardware().isInVirtualWall());
+        }
+    }
+
+    @Test
+    public void aRobotOnItsSideIsReported() throws Exception {
+        SEARrobot robot = Worlds.roomba("roomba", 0, 0, 0);
+        for (SearObject part : robot.getComponents()) {
+            if (part instanceof Dynamics) {
+                part.rotate(0, 0, 89);
+                part.move(0, 0.3, 0);
+            }
+        }
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 1);
+        assertTrue(simulation.snapshot().warnings.toString(), simulation.snapshot().warnings.contains("robot roomba has overturned"));
+    }
+
+    @Test
+    public void twoRobotsSeeEachOtherAndNotThemselves() throws Exception {
+        Worlds.roomba("first", 0, 0, 0).addComponent(new Distance("firstEye", "laser", 0, 0, 0, 0, 0, 0));
+        Worlds.roomba("second", 0, 2, 180).addComponent(new Distance("secondEye", "laser", 0, 0, 0, 0, 0, 0));
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 1);
+        assertEquals(2 - FRONT, ((DistanceReading) simulation.read("firstEye")).getDistance(), 0.002);
+        assertEquals(2 - FRONT, ((DistanceReading) simulation.read("secondEye")).getDistance(), 0.002);
+        simulation.getRobots().get(1).drive(0.2, STRAIGHT);
+        Worlds.run(simulation, 3);
+        double between = simulation.getPose("second").z - simulation.getPose("first").z;
+        assertEquals(between - FRONT, ((DistanceReading) simulation.read("firstEye")).getDistance(), 0.005);
+    }
+
+    @Test
+    public void whatBeamsDoNotSeeBlocksARobotAllTheSame() throws Exception {
+        box("glass", 0, 0.5, 2).setVisibleToSensors(false);
+        Worlds.roomba("roomba", 0, 0, 0).addComponent(new Distance("eye", "laser", 0, 0, 0, 0, 0, 0));
+        Simulation simulation = Worlds.start(project);
+        simulation.getRobots().get(0).drive(0.3, STRAIGHT);
+        Worlds.run(simulation, 8);
+        assertFalse(((DistanceReading) simulation.read("eye")).isReturn());
+        assertEquals(1.5 - FRONT - 0.03, simulation.getPose("roomba").z, 0.05);
+        assertTrue(simulation.getRobots().get(0).getHardware().isBumpedLeft());
+    }
+
+    @Test
+    public void aRobotWithoutDynamicsIsRefusedWithAWordOnWhatToDo() {
+        SEARrobot robot = new SEARrobot("bare");
+        robot.addComponent(new Box("body", 0.4, 0.4, 0.2, 0));
+        ProjectException refused = assertThrows(ProjectException.class, () -> Worlds.start(project));
+        assertTrue(refused.getMessage(), refused.getMessage().contains("bare") && refused.getMessage().contains("Dynamics"));
+    }
+
+    @Test
+    public void tenMinutesTakeSeconds() throws Exception {
+        for (int i = 0; i < 50; i++) {
+            box("box" + i, 10 * Math.sin(i), 0.5, 10 * Math.cos(i)).rotate(0, 50 * i, 0);
+        }
+        Worlds.roomba("roomba", 0, 0, 0).addComponent(new LIDAR("lidar"));
+        Simulation simulation = Worlds.start(project);
+        simulation.getRobots().get(0).drive(0.3, 2);
+        long before = System.nanoTime();
+        for (int tenth = 0; tenth < 6000; tenth++) {
+            Worlds.run(simulation, 0.1);
+            simulation.read("lidar");
+        }
+        double took = (System.nanoTime() - before) / 1e9;
+        assertEquals(600, simulation.getTime(), 1e-6);
+        assertEquals(180, simulation.getRobots().get(0).getHardware().getPath(), 2);
+        assertTrue("took " + took + " s", took < 30);
+    }
+}

@@ -1,0 +1,130 @@
+package org.SEAR.view;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.LongSupplier;
+import org.junit.Test;
+import org.junit.runner.RunWith;
+
+/** Windows come and go. */
+@RunWith(UnderXvfb.class)
+public class LifeCycleTest {
+    private static final int TIMES = 50;
+    private static final int WARM_UP = 10;
+    private static final int LOOKS = 10;
+    private static final long LEAK = 20L << 20;
+
+    @Test
+    public void fiftyWindowsOneAfterAnotherLeaveNothingBehind() throws Exception {
+        RunningWorld world = new RunningWorld(ViewProjects.room());
+        long heap = 0;
+        long resident = 0;
+        int threads = 0;
+        for (int i = 0; i < TIMES; i++) {
+            if (i == WARM_UP) {
+                heap = usedHeap();
+                resident = resident();
+                threads = threads();
+            }
+            List<String> warnings = new ArrayList<>();
+            WindowOptions options = new WindowOptions().setSize(200, 160).setWarnings(warnings::add);
+            SimulatorWindow window = SimulatorWindow.open(world.runner, options);
+            assertTrue("window " + i + ": " + warnings, window.isOpen());
+            window.close();
+            assertFalse(window.isOpen());
+        }
+        assertEquals("threads", threads, threads());
+        assertEquals("windows", 0, windows());
+        assertGrowth("heap", heap, LifeCycleTest::usedHeap);
+        assertGrowth("memory", resident, LifeCycleTest::resident);
+        world.close();
+    }
+
+    /** Native buffers are given back some time after their Java objects are found to be garbage: looks more than once. */
+    private static void assertGrowth(String what, long before, LongSupplier measure) {
+        long growth = Long.MAX_VALUE;
+        for (int i = 0; i < LOOKS && growth >= LEAK; i++) {
+            usedHeap();
+            growth = measure.getAsLong() - before;
+        }
+        assertTrue(what + " grew by " + growth + " bytes", growth < LEAK);
+    }
+
+    private static long usedHeap() {
+        for (int i = 0; i < 3; i++) {
+            System.gc();
+            System.runFinalization();
+        }
+        return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
+    }
+
+    private static long resident() {
+        NativeMemory.giveBack();
+        try {
+            return Files.readAllLines(Paths.get("/proc/self/status")).stream().filter(line -> line.startsWith("VmRSS"))
+                .mapToLong(line -> Long.parseLong(line.replaceAll("\\D", "")) << 10).findFirst().getAsLong();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static int threads() {
+        return (int) Thread.getAllStackTraces().keySet().stream().filter(thread -> !thread.getName().startsWith("process reaper")).count();
+    }
+
+    private static int windows() throws IOException, InterruptedException {
+        Process tool = new ProcessBuilder("xdotool", "search", "--name", "SEAR").start();
+        int found = (int) new String(tool.getInputStream().readAllBytes()).lines().count();
+        tool.waitFor();
+        return found;
+    }
+
+    @Test
+    public void aUserWhoClosesTheWindowIsNoticedOnce() throws Exception {
+        AtomicInteger closed = new AtomicInteger();
+        try (Views view = new Views(ViewProjects.room(), new WindowOptions().setSize(320, 200).setTitle("SEAR to close")
+                .setOnClosed(closed::incrementAndGet))) {
+            CloseButton.press("SEAR to close");
+            Views.until("it is closed", () -> closed.get() == 1 && !view.window.isOpen());
+            view.window.close();
+            view.window.close();
+            assertEquals(1, closed.get());
+            long step = view.world.snapshot().step;
+            Views.until("the world goes on", () -> view.world.snapshot().step > step);
+        }
+        assertEquals(1, closed.get());
+    }
+
+    @Test
+    public void closingFromTheProgramTellsNobody() throws Exception {
+        AtomicInteger closed = new AtomicInteger();
+        Views view = new Views(ViewProjects.room(), new WindowOptions().setSize(320, 200).setOnClosed(closed::incrementAndGet));
+        view.close();
+        assertEquals(0, closed.get());
+    }
+
+    @Test
+    public void aSecondWindowIsRefusedWithAReasonAndOpensWhenTheFirstIsGone() throws Exception {
+        try (Views view = new Views(ViewProjects.room(), new WindowOptions().setSize(320, 200))) {
+            SimulatorWindow second = SimulatorWindow.open(view.world.runner, new WindowOptions());
+            assertTrue(second.isHeadless());
+            assertTrue(second.getProblem(), second.getProblem().contains("another simulator window is open"));
+            second.close();
+            assertTrue(view.window.isOpen());
+            view.window.close();
+            SimulatorWindow third = SimulatorWindow.open(view.world.runner, new WindowOptions().setSize(320, 200));
+            assertNull(third.getProblem());
+            third.close();
+        }
+    }
+}

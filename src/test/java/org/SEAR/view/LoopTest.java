@@ -1,0 +1,139 @@
+package org.SEAR.view;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import com.sun.management.OperatingSystemMXBean;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.locks.LockSupport;
+import org.SEAR.sensors.LidarScan;
+import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.SimulationRunner;
+import org.junit.Test;
+import org.junit.runner.RunWith;
+
+/** The window changes nothing about the simulation and hardly slows it. */
+@RunWith(UnderXvfb.class)
+public class LoopTest {
+    private static final int STEPS = 600;
+    private static final double FRAMES_PER_SECOND = 30;
+    private static final double CORES = 1;
+    private static final int PICTURES = 60;
+    private static final int WARM_UP_PICTURES = 40;
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+    private static final double SLOWER = 1.2;
+    private static final int TRIES = 4;
+    private static final int TIMED_STEPS = 200;
+    private static final long STEP_LENGTH = 16_666_667L;
+
+    /** Drives an arc and writes down everything that the sensors read, step by step. */
+    private static List<String> readings(Path project, boolean windowed) throws Exception {
+        List<String> lines = new ArrayList<>();
+        try (RunningWorld world = new RunningWorld(project)) {
+            world.runner.setPaused(true);
+            SimulatorWindow window = windowed ? SimulatorWindow.open(world.runner, new WindowOptions().setSize(640, 400)) : null;
+            world.simulation.ask(simulation -> {
+                simulation.reset();
+                return null;
+            }).get();
+            world.simulation.post(simulation -> simulation.getRobots().get(0).drive(0.3, 1.5));
+            world.runner.addStepListener(() -> lines.add(line(world.simulation)));
+            world.runner.setSpeed(windowed ? 4 : Double.POSITIVE_INFINITY);
+            world.runner.advance(STEPS);
+            if (window != null) {
+                assertTrue(window.getProblem(), window.isOpen());
+                window.close();
+            }
+        }
+        return lines;
+    }
+
+    private static String line(Simulation simulation) {
+        StringBuilder line = new StringBuilder().append(simulation.getTime()).append(' ').append(simulation.getRobots().get(0).getPose());
+        for (String name : simulation.getSensorNames()) {
+            Object reading = simulation.read(name);
+            line.append(' ').append(name).append(' ')
+                .append(reading instanceof LidarScan ? Arrays.toString(((LidarScan) reading).ranges()) : reading);
+        }
+        return line.toString();
+    }
+
+    @Test
+    public void readingsAreTheSameWithAndWithoutWindow() throws Exception {
+        Path project = ViewProjects.room();
+        List<String> without = readings(project, false);
+        List<String> with = readings(project, true);
+        assertEquals(STEPS, with.size());
+        assertEquals(without, with);
+    }
+
+    /** Counted in processor time, because the machine that runs the tests has other work as well. */
+    @Test
+    public void thirtyPicturesASecondOnSoftwareOpenGlTakeOneCore() throws Exception {
+        try (Views view = new Views(ViewProjects.room(), new WindowOptions())) {
+            view.press("u");
+            double cores = Double.POSITIVE_INFINITY;
+            for (int i = 0; i < TRIES && cores > CORES; i++) {
+                view.frames(WARM_UP_PICTURES);
+                long start = processorTime();
+                long wall = System.nanoTime();
+                view.frames(PICTURES);
+                cores = FRAMES_PER_SECOND * (processorTime() - start) / 1e9 / PICTURES;
+                System.out.println("30 pictures a second at 1024 x 640 take " + cores + " cores; there were "
+                    + PICTURES * 1e9 / (System.nanoTime() - wall));
+            }
+            view.press("semicolon");
+            assertTrue("30 pictures a second take " + cores + " cores", cores <= CORES);
+        }
+    }
+
+    private static long processorTime() {
+        return ((OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean()).getProcessCpuTime();
+    }
+
+    /** Runs at real time and answers the processor time that 99 % of the steps stay below, ns. */
+    private static long slowStep(Simulation simulation) {
+        long[] times = new long[TIMED_STEPS];
+        long due = System.nanoTime();
+        for (int i = 0; i < TIMED_STEPS; i++) {
+            long start = THREADS.getCurrentThreadCpuTime();
+            simulation.step();
+            times[i] = THREADS.getCurrentThreadCpuTime() - start;
+            due += STEP_LENGTH;
+            while (due - System.nanoTime() > 0) {
+                LockSupport.parkNanos(due - System.nanoTime());
+            }
+        }
+        Arrays.sort(times);
+        return times[TIMED_STEPS * 99 / 100];
+    }
+
+    @Test
+    public void stepsTakeNoLongerWithTheWindow() throws Exception {
+        Simulation simulation = Simulation.load(ViewProjects.room(), 1);
+        SimulationRunner runner = new SimulationRunner(simulation);
+        simulation.getRobots().get(0).drive(0.2, 0.5);
+        for (String name : simulation.getSensorNames()) {
+            simulation.watch(name, true);
+        }
+        slowStep(simulation);
+        long without = Long.MAX_VALUE;
+        long with = Long.MAX_VALUE;
+        for (int i = 0; i < TRIES && with > without * SLOWER || i < 2; i++) {
+            without = Math.min(without, slowStep(simulation));
+            SimulatorWindow window = SimulatorWindow.open(runner, new WindowOptions());
+            assertTrue(window.getProblem(), window.isOpen());
+            slowStep(simulation);
+            with = Math.min(with, slowStep(simulation));
+            window.close();
+            System.out.println("99th percentile of a step, us: " + without / 1000 + " without, " + with / 1000 + " with window");
+        }
+        assertTrue("99 % of the steps take less than " + without / 1000 + " us without and " + with / 1000 + " us with the window",
+            with <= without * SLOWER);
+    }
+}

@@ -1,0 +1,125 @@
+package org.SEAR.view;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertTrue;
+
+import java.io.BufferedReader;
+import java.io.File;
+import java.io.InputStreamReader;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import org.junit.Test;
+
+/** Machines that can't show a window run the simulation without one, and say why. */
+public class NoDisplayTest {
+    /** Opens a window, tells what came of it, and lives on until its input ends; then tells whether the window is still open. */
+    public static final class Opener {
+        private Opener() {
+        }
+
+        /** @param arguments none */
+        public static void main(String[] arguments) throws Exception {
+            RunningWorld world = new RunningWorld(ViewProjects.room());
+            SimulatorWindow window = SimulatorWindow.open(world.runner, new WindowOptions().setSize(320, 200)
+                .setWarnings(warning -> System.out.println("warning: " + warning)));
+            System.out.println("opened: " + window.isOpen() + ", headless: " + window.isHeadless());
+            int end = System.in.read();
+            Views.until("it notices", () -> end == -1 && !window.isOpen());
+            window.close();
+            long step = world.snapshot().step;
+            Views.until("the world goes on", () -> world.snapshot().step > step);
+            System.out.println("still alive");
+            System.exit(0);
+        }
+    }
+
+    private static String run(Process process) throws Exception {
+        process.getOutputStream().close();
+        String output = new String(process.getInputStream().readAllBytes());
+        assertTrue(output, process.waitFor(60, TimeUnit.SECONDS));
+        assertEquals(output, 0, process.exitValue());
+        assertTrue(output, output.contains("still alive"));
+        return output;
+    }
+
+    @Test
+    public void withoutDisplay() throws Exception {
+        String output = run(Xvfb.java(null, List.of(), Opener.class.getName()).start());
+        assertTrue(output, output.contains("warning: there is no display (DISPLAY is not set); the simulation runs without a window"));
+        assertTrue(output, output.contains("opened: false, headless: true"));
+    }
+
+    @Test
+    public void withADisplayThatDoesNotAnswer() throws Exception {
+        String output = run(Xvfb.java(":4242", List.of(), Opener.class.getName()).start());
+        assertTrue(output, output.contains("warning: no window could be opened (X11: Failed to open display :4242)"));
+        assertTrue(output, output.contains("opened: false, headless: true"));
+    }
+
+    @Test
+    public void withoutOpenGl() throws Exception {
+        try (Xvfb server = new Xvfb("-extension", "GLX")) {
+            String output = run(Xvfb.java(server.display(), List.of(), Opener.class.getName()).start());
+            assertTrue(output, output.contains("warning: no window could be opened"));
+            assertTrue(output, output.contains("opened: false, headless: true"));
+        }
+    }
+
+    @Test
+    public void withoutNativeLibraries() throws Exception {
+        try (Xvfb server = new Xvfb()) {
+            ProcessBuilder builder = Xvfb.java(server.display(), List.of(), Opener.class.getName());
+            withoutJars(builder, "-natives-");
+            String output = run(builder.start());
+            assertTrue(output, output.contains("warning: jMonkeyEngine or its native libraries can't be loaded"));
+            assertTrue(output, output.contains("opened: false, headless: true"));
+        }
+    }
+
+    @Test
+    public void withoutTheWindowLibrary() throws Exception {
+        try (Xvfb server = new Xvfb()) {
+            ProcessBuilder builder = Xvfb.java(server.display(), List.of(), Opener.class.getName());
+            withoutJars(builder, "jme3-lwjgl3", "lwjgl");
+            String output = run(builder.start());
+            assertTrue(output, output.contains("warning: jMonkeyEngine or its native libraries can't be loaded"));
+            assertTrue(output, output.contains("opened: false, headless: true"));
+        }
+    }
+
+    private static void withoutJars(ProcessBuilder builder, String... unwanted) {
+        List<String> command = builder.command();
+        int at = command.indexOf("-cp") + 1;
+        command.set(at, Arrays.stream(command.get(at).split(File.pathSeparator))
+            .filter(jar -> Arrays.stream(unwanted).noneMatch(new File(jar).getName()::contains)).collect(Collectors.joining(File.pathSeparator)));
+        builder.command(command);
+    }
+
+    @Test
+    public void anXServerThatDiesTakesOnlyTheWindowAway() throws Exception {
+        try (Xvfb server = new Xvfb()) {
+            Process process = Xvfb.java(server.display(), List.of(), Opener.class.getName()).start();
+            BufferedReader lines = new BufferedReader(new InputStreamReader(process.getInputStream()));
+            String first = lines.lines().filter(line -> line.startsWith("opened")).findFirst().orElse("it ended");
+            assertEquals("opened: true, headless: false", first);
+            server.kill();
+            process.getOutputStream().close();
+            String rest = lines.lines().collect(Collectors.joining("\n"));
+            assertTrue(rest, rest.contains("warning: the display of the simulator window is lost"));
+            assertTrue(rest, rest.contains("still alive"));
+            assertEquals(0, process.waitFor());
+        }
+    }
+
+    @Test
+    public void whatTheDisplayCheckSays() {
+        assertEquals("there is no display (DISPLAY is not set)", DisplayCheck.problem("Linux", Map.of()));
+        assertNull(DisplayCheck.problem("Linux", Map.of("DISPLAY", ":0")));
+        assertNull(DisplayCheck.problem("Linux", Map.of("WAYLAND_DISPLAY", "wayland-0")));
+        assertNull(DisplayCheck.problem("Windows 11", Map.of()));
+    }
+}

@@ -1,0 +1,101 @@
+package org.SEAR.view;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Test;
+import org.junit.runner.RunWith;
+
+/** A window in a process of its own, as on macOS, behaves like one in this process. */
+@RunWith(UnderXvfb.class)
+public class OwnProcessTest {
+    /** A process that starts on a busy machine may take so long to look at its window. */
+    private static final long SLOW_SECONDS = 15;
+
+    private final List<String> warnings = Collections.synchronizedList(new ArrayList<>());
+    private final AtomicInteger closed = new AtomicInteger();
+    private RunningWorld world;
+    private SimulatorWindow window;
+    private Path pictures;
+
+    @Before
+    public void open() throws Exception {
+        pictures = Files.createTempDirectory("pictures");
+        world = new RunningWorld(ViewProjects.room());
+        window = SimulatorWindow.open(world.runner, new WindowOptions().setOwnProcess(true).setSize(640, 400).setTitle("SEAR elsewhere")
+            .setWarnings(warnings::add).setOnClosed(closed::incrementAndGet).setScreenshotFolder(pictures));
+        assertNull(window.getProblem(), window.getProblem());
+        Views.tool("mousemove", "640", "400");
+    }
+
+    @After
+    public void close() {
+        window.close();
+        world.close();
+    }
+
+    private double speed() {
+        return world.robot().speed;
+    }
+
+    @Test
+    public void keysReachTheWorld() throws Exception {
+        assertTrue(window.isOpen());
+        Views.tool("key", "u");
+        Views.until("it drives", () -> speed() > 0.15);
+        Views.tool("key", "semicolon");
+        Views.until("it stands", () -> Math.abs(speed()) < 0.01);
+        Views.tool("key", "plus");
+        Views.until("it is faster", () -> world.runner.getSpeed() == 2);
+        Views.tool("key", "F12");
+        Views.until("the picture is there", () -> Files.exists(pictures.resolve("sear-0001.png")));
+        Views.tool("key", "p");
+        Views.until("it pauses", world.runner::isPaused);
+        long step = world.snapshot().step;
+        Views.tool("key", "period");
+        Views.until("it steps", () -> world.snapshot().step == step + 1);
+        Views.tool("key", "Return");
+        Views.until("it starts again", () -> world.snapshot().step == 0);
+        assertEquals(List.of(), warnings);
+    }
+
+    @Test
+    public void closingEndsTheProcessAndTellsNobody() {
+        ProcessHandle child = ProcessHandle.current().children().filter(process -> process.info().command().orElse("").endsWith("java"))
+            .findFirst().get();
+        window.close();
+        assertFalse(window.isOpen());
+        assertFalse(child.isAlive());
+        assertEquals(0, closed.get());
+        assertEquals(List.of(), warnings);
+    }
+
+    @Test
+    public void aUserWhoClosesTheWindowIsNoticed() throws Exception {
+        CloseButton.press("SEAR elsewhere");
+        if (!Views.within(SLOW_SECONDS, () -> closed.get() == 1)) {
+            CloseButton.press("SEAR elsewhere"); // a process that was still starting may have missed the first
+        }
+        Views.until("it is noticed", () -> closed.get() == 1);
+        assertFalse(window.isOpen());
+    }
+
+    @Test
+    public void aProcessThatDiesTakesOnlyTheWindowAway() {
+        ProcessHandle.current().children().forEach(ProcessHandle::destroyForcibly);
+        Views.until("it is noticed", () -> !window.isOpen() && !warnings.isEmpty());
+        assertEquals(List.of("the simulator window's process has ended; the simulation goes on without it"), warnings);
+        long step = world.snapshot().step;
+        Views.until("the world goes on", () -> world.snapshot().step > step);
+    }
+}

@@ -1,0 +1,35 @@
+package org.SEAR.view;
+
+import java.nio.file.Path;
+import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.SimulationRunner;
+import org.SEAR.simulator.Snapshot;
+
+/** A project's simulation that runs on a thread of its own. */
+final class RunningWorld implements AutoCloseable {
+    private static final long SEED = 1;
+    final Simulation simulation;
+    final SimulationRunner runner;
+    private final Thread thread;
+
+    RunningWorld(Path project) throws Exception {
+        simulation = Simulation.load(project, SEED);
+        runner = new SimulationRunner(simulation);
+        thread = new Thread(runner, "simulation");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    Snapshot snapshot() {
+        return simulation.snapshot();
+    }
+
+    Snapshot.RobotState robot() {
+        return snapshot().robots.get(0);
+    }
+
+    @Override
+    public void close() {
+        runner.stop();
+    }
+}

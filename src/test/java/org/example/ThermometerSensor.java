@@ -1,0 +1,57 @@
+package org.example;
+
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.sensors.ErrorModel;
+import org.SEAR.sensors.Sensor;
+import org.SEAR.sensors.SensorType;
+import org.SEAR.sensors.Truth;
+
+/** Temperature at the sensor: ground - lapse * height, degrees Celsius; NaN when the reading dropped out. */
+public final class ThermometerSensor extends Sensor<Double> {
+    private final Thermometer thermometer;
+    private final ErrorModel errors;
+
+    /** @param seed of the simulation */
+    public ThermometerSensor(Thermometer parameters, long seed) {
+        super(parameters);
+        this.thermometer = parameters;
+        this.errors = ErrorModel.of(parameters, seed, 1);
+    }
+
+    @Override
+    protected Double measure(Truth truth) {
+        if (errors.drops(truth.step(), 0)) {
+            return Double.NaN;
+        }
+        return errors.apply(thermometer.getGround() - thermometer.getLapse() * pose(truth).y, truth.step(), 0, 0);
+    }
+
+    @Override
+    public void track(Truth truth) {
+        errors.track(truth);
+    }
+
+    @Override
+    public void reset() {
+        super.reset();
+        errors.reset();
+    }
+
+    /** The registry entry. */
+    public static final class Type implements SensorType {
+        @Override
+        public Class<? extends SearObject> parameterType() {
+            return Thermometer.class;
+        }
+
+        @Override
+        public String description() {
+            return "temperature at the sensor: degrees Celsius";
+        }
+
+        @Override
+        public Sensor<?> create(SearObject parameters, long seed) {
+            return new ThermometerSensor((Thermometer) parameters, seed);
+        }
+    }
+}

@@ -1,0 +1,170 @@
+package org.myrobotlab.framework;
+
+import static org.junit.Assert.assertArrayEquals;
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNotEquals;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertTrue;
+import static org.junit.Assert.fail;
+
+import java.util.concurrent.TimeUnit;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Test;
+import org.myrobotlab.codec.CodecUtils;
+import org.myrobotlab.service.Runtime;
+
+/** Messages between services of the embedded MyRobotLab. */
+public class MessagesTest {
+    private Talker a;
+    private Talker b;
+
+    @Before
+    public void start() {
+        a = (Talker) Runtime.start("a", Talker.class.getName());
+        b = (Talker) Runtime.start("b", Talker.class.getName());
+    }
+
+    @After
+    public void release() {
+        Runtime.releaseAll();
+    }
+
+    @Test
+    public void whatAMethodAnswersReachesItsListenersInOrder() throws InterruptedException {
+        b.subscribe("a", "publishNumber");
+        for (int i = 0; i < 1000; i++) {
+            a.invoke("publishNumber", i);
+        }
+        for (int i = 0; i < 1000; i++) {
+            assertEquals(i, b.next());
+        }
+    }
+
+    @Test
+    public void callbacksAreNamedAfterWhatIsPublished() {
+        assertEquals("onNumber", CodecUtils.getCallbackTopicName("publishNumber"));
+        assertEquals("onNumber", CodecUtils.getCallbackTopicName("getNumber"));
+        assertEquals("onStarted", CodecUtils.getCallbackTopicName("started"));
+    }
+
+    @Test
+    public void aListenerChoosesItsMethodAndListensOnceOnly() throws InterruptedException {
+        a.addListener("publishNumber", "b", "other");
+        a.addListener("publishNumber", "b", "other");
+        a.addListener("publishNumber", "b");
+        a.invoke("publishNumber", 7);
+        assertEquals("other 7", b.next());
+        assertEquals(7, b.next());
+        a.removeListener("publishNumber", "b");
+        a.removeListener("publishNumber", "b@embedded", "other");
+        a.invoke("publishNumber", 8);
+        a.send("b", "other", 9);
+        assertEquals("other 9", b.next());
+    }
+
+    @Test
+    public void anArrayIsOneArgumentAndVoidHasNone() throws InterruptedException {
+        b.subscribe("a", "publishArray");
+        b.subscribe("a", "publishNothing");
+        a.invoke("publishArray", (Object) new int[] {1, 2});
+        a.invoke("publishNothing");
+        assertArrayEquals(new int[] {1, 2}, (int[]) b.next());
+        assertEquals("nothing", b.next());
+    }
+
+    @Test
+    public void messagesRunOnTheReceiversThreadAndInvokeOnTheCallers() throws Exception {
+        assertEquals("b", a.sendBlocking("b", "whoCalls"));
+        assertEquals(Thread.currentThread().getName(), b.invoke("whoCalls"));
+    }
+
+    @Test
+    public void numbersWidenToWhatAMethodTakes() throws Exception {
+        assertEquals(1.5, a.sendBlocking("b", "half", 3));
+        assertEquals(1.5, b.invoke("half", 3L));
+    }
+
+    @Test(timeout = 10_000)
+    public void aBlockingCallEndsWithItsTimeout() throws InterruptedException {
+        try {
+            a.sendBlocking("nobody", 50, "half", 1.0);
+            fail("there is no such service");
+        } catch (TimeoutException e) {
+            assertEquals("nobody did not answer half within 50 ms", e.getMessage());
+        }
+    }
+
+    @Test
+    public void broadcastCallsListenersBeforeItReturns() {
+        b.subscribe("a", "publishNumber");
+        a.broadcast("publishNumber", 5);
+        assertEquals(Integer.valueOf(5), b.heard.poll());
+    }
+
+    @Test
+    public void statusesAndStatesArePublished() throws InterruptedException {
+        b.subscribe("a", "publishStatus");
+        b.subscribe("a", "publishState");
+        a.warn("%d %% of %s", 10, "power");
+        Status status = (Status) b.next();
+        assertTrue(status.isWarn());
+        assertEquals("a", status.name);
+        assertEquals("10 % of power", status.detail);
+        a.broadcastState();
+        assertEquals("state of a", b.next());
+        assertFalse(a.hasError());
+        a.error("100% wrong");
+        assertEquals("100% wrong", ((Status) b.next()).key);
+        assertEquals("100% wrong", a.getLastError().key);
+        assertEquals("a error 100% wrong", a.clearLastError());
+        assertFalse(a.hasError());
+    }
+
+    @Test
+    public void whatAMethodThrowsBecomesAnErrorAndTheServiceGoesOn() throws InterruptedException {
+        b.subscribe("a", "publishError", "onStatus");
+        b.send("a", "fail");
+        assertEquals("a.fail: no good", ((Status) b.next()).key);
+        b.send("a", "nix", 1, "two");
+        assertEquals("a has no method nix(Integer, String)", ((Status) b.next()).key);
+        b.send("a", "tick");
+        assertEquals("tick", a.next());
+    }
+
+    @Test
+    public void anExceptionOutOfAMessageHookEndsTheThread() throws InterruptedException {
+        b.subscribe("a", "publishError", "onStatus");
+        Thread thread = a.getThisThread();
+        a.failInHook(true);
+        b.send("a", "tick");
+        assertEquals("IllegalStateException: hook", ((Status) b.next()).key);
+        thread.join(TimeUnit.SECONDS.toMillis(5));
+        assertFalse(thread.isAlive());
+    }
+
+    @Test
+    public void tasksComeAgainUntilTheyArePurged() throws InterruptedException {
+        a.addTask(5, "tick");
+        assertEquals("tick", a.next());
+        assertEquals("tick", a.next());
+        assertTrue(a.containsTask("tick"));
+        a.purgeTask("tick");
+        assertFalse(a.containsTask("tick"));
+        b.addTaskOneShot(1, "onNumber", 3);
+        assertEquals(3, b.next());
+        b.invokeFuture("onNumber", 1, 4);
+        assertEquals(4, b.next());
+    }
+
+    @Test
+    public void whoIsGoneIsNoLongerCalled() throws InterruptedException {
+        b.subscribe("a", "publishNumber");
+        assertTrue(a.hasSubscribed("b", "publishNumber"));
+        Runtime.release("b");
+        assertFalse(a.hasSubscribed("b", "publishNumber"));
+        assertNull(Runtime.getService("b"));
+        assertNotEquals(b, Runtime.start("b", Talker.class.getName()));
+    }
+}

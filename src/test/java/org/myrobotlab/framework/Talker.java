@@ -1,0 +1,100 @@
+package org.myrobotlab.framework;
+
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.myrobotlab.service.config.ServiceConfig;
+
+/** A service that publishes what it is told, and keeps what it is called back with. */
+public class Talker extends Service<ServiceConfig> {
+    private static final long serialVersionUID = 1L;
+
+    /** What came in. */
+    public final transient BlockingQueue<Object> heard = new LinkedBlockingQueue<>();
+    private volatile boolean failing;
+
+    public Talker(String name, String id) {
+        super(name, id);
+    }
+
+    /** Waits for what comes in next. */
+    Object next() throws InterruptedException {
+        Object value = heard.poll(5, TimeUnit.SECONDS);
+        if (value == null) {
+            throw new AssertionError(getName() + " heard nothing for 5 s");
+        }
+        return value;
+    }
+
+    public Integer publishNumber(Integer number) {
+        return number;
+    }
+
+    public int[] publishArray(int[] values) {
+        return values;
+    }
+
+    public void publishNothing() {
+        log.debug("nothing");
+    }
+
+    public void onNumber(Integer number) {
+        heard.add(number);
+    }
+
+    public void other(Integer number) {
+        heard.add("other " + number);
+    }
+
+    public void onArray(int[] values) {
+        heard.add(values);
+    }
+
+    public void onNothing() {
+        heard.add("nothing");
+    }
+
+    public void onStatus(Status status) {
+        heard.add(status);
+    }
+
+    public void onState(Service<?> state) {
+        heard.add("state of " + state.getName());
+    }
+
+    public void onStarted(String name) {
+        heard.add("started " + name);
+    }
+
+    public void onReleased(String name) {
+        heard.add("released " + name);
+    }
+
+    public double half(double value) {
+        return value / 2;
+    }
+
+    public void tick() {
+        heard.add("tick");
+    }
+
+    public void fail() {
+        throw new IllegalStateException("no good");
+    }
+
+    public String whoCalls() {
+        return Thread.currentThread().getName();
+    }
+
+    public void failInHook(boolean on) {
+        failing = on;
+    }
+
+    @Override
+    public boolean preProcessHook(Message msg) {
+        if (failing) {
+            throw new IllegalStateException("hook");
+        }
+        return true;
+    }
+}

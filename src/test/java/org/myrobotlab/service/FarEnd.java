@@ -1,0 +1,114 @@
+package org.myrobotlab.service;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
+import org.myrobotlab.framework.QueueStats;
+import org.myrobotlab.serial.SerialDeviceFactory;
+import org.myrobotlab.serial.VirtualSerialPort;
+import org.myrobotlab.service.interfaces.SerialDataListener;
+
+/** What sits at the far end of a cable in a test, in place of a device. */
+final class FarEnd implements SerialDataListener, AutoCloseable {
+    private static final long PATIENCE = TimeUnit.SECONDS.toNanos(20);
+
+    private final VirtualSerialPort device;
+    private final VirtualSerialPort user;
+    private final Function<String, String> answers;
+    private final List<String> heard = new ArrayList<>();
+
+    /** @param answers hex of what comes to hex of what goes back, null for nothing */
+    FarEnd(String userPort, Function<String, String> answers) throws IOException {
+        this.answers = answers;
+        device = new VirtualSerialPort(userPort + "_device");
+        user = new VirtualSerialPort(userPort);
+        VirtualSerialPort.makeNullModem(device, user);
+        device.setPaced(false);
+        SerialDeviceFactory.add(device);
+        SerialDeviceFactory.add(user);
+        device.open();
+        device.listen(this);
+    }
+
+    @Override
+    public void onBytes(byte[] bytes) {
+        String text = hex(bytes);
+        synchronized (heard) {
+            heard.add(text);
+            heard.notifyAll();
+        }
+        String answer = answers.apply(text);
+        if (answer != null) {
+            send(bytes(answer));
+        }
+    }
+
+    void send(byte[] bytes) {
+        try {
+            device.write(bytes);
+        } catch (IOException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    /** What came so far, at least that many pieces. */
+    List<String> await(int count) throws InterruptedException {
+        long end = System.nanoTime() + PATIENCE;
+        synchronized (heard) {
+            while (heard.size() < count && System.nanoTime() < end) {
+                heard.wait(50);
+            }
+            return new ArrayList<>(heard);
+        }
+    }
+
+    static byte[] bytes(String hex) {
+        String[] parts = hex.trim().split("\\s+");
+        byte[] bytes = new byte[parts.length];
+        for (int i = 0; i < parts.length; i++) {
+            bytes[i] = (byte) Integer.parseInt(parts[i], 16);
+        }
+        return bytes;
+    }
+
+    static String hex(byte[] bytes) {
+        StringBuilder text = new StringBuilder();
+        for (byte b : bytes) {
+            text.append(text.length() == 0 ? "" : " ").append(String.format("%02X", b));
+        }
+        return text.toString();
+    }
+
+    @Override
+    public void close() {
+        SerialDeviceFactory.remove(device);
+        SerialDeviceFactory.remove(user);
+    }
+
+    @Override
+    public String getName() {
+        return "far end of " + user.getName();
+    }
+
+    @Override
+    public QueueStats publishStats(QueueStats stats) {
+        return stats;
+    }
+
+    @Override
+    public void updateStats(QueueStats stats) {
+        throw new IllegalStateException("nobody asked for " + stats);
+    }
+
+    @Override
+    public void onConnect(String port) {
+        throw new IllegalStateException("nobody tells " + port);
+    }
+
+    @Override
+    public void onDisconnect(String port) {
+        throw new IllegalStateException("nobody tells " + port);
+    }
+}

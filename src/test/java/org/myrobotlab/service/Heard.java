@@ -1,0 +1,68 @@
+package org.myrobotlab.service;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.myrobotlab.framework.Service;
+import org.myrobotlab.framework.Status;
+import org.myrobotlab.service.config.ServiceConfig;
+
+/** A service that keeps what others publish to it, to be waited for. */
+public class Heard extends Service<ServiceConfig> {
+    private static final long serialVersionUID = 1L;
+    private static final long PATIENCE = TimeUnit.SECONDS.toNanos(20);
+
+    private final transient List<Object> values = new ArrayList<>();
+    private final transient List<String> statuses = new ArrayList<>();
+
+    /** As MyRobotLab makes services. */
+    public Heard(String name, String id) {
+        super(name, id);
+    }
+
+    /** Any published value. */
+    public void onValue(Object value) {
+        keep(values, value);
+    }
+
+    /** A status of another service. */
+    public void onStatus(Status status) {
+        keep(statuses, status.level + ": " + status.detail);
+    }
+
+    private <T> void keep(List<T> list, T value) {
+        synchronized (values) {
+            list.add(value);
+            values.notifyAll();
+        }
+    }
+
+    /** The values so far, at least that many. */
+    public List<Object> await(int count) throws InterruptedException {
+        long end = System.nanoTime() + PATIENCE;
+        synchronized (values) {
+            while (values.size() < count && System.nanoTime() < end) {
+                values.wait(50);
+            }
+            return new ArrayList<>(values);
+        }
+    }
+
+    /** Waits for a status with this text. @return whether it came */
+    public boolean awaitStatus(String part) throws InterruptedException {
+        long end = System.nanoTime() + PATIENCE;
+        synchronized (values) {
+            while (statuses.stream().noneMatch(status -> status.contains(part)) && System.nanoTime() < end) {
+                values.wait(50);
+            }
+            return statuses.stream().anyMatch(status -> status.contains(part));
+        }
+    }
+
+    /** All statuses so far. */
+    public List<String> getStatuses() {
+        synchronized (values) {
+            return new ArrayList<>(statuses);
+        }
+    }
+}

@@ -1,0 +1,175 @@
+package org.myrobotlab.service;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.framework.Talker;
+
+/** Python scripts in the embedded MyRobotLab. */
+public class PythonTest {
+    @Rule
+    public TemporaryFolder folder = new TemporaryFolder();
+    private Python python;
+    private Talker talker;
+
+    @Before
+    public void start() {
+        python = (Python) Runtime.start("python", "Python");
+        talker = (Talker) Runtime.start("talker", Talker.class.getName());
+    }
+
+    @After
+    public void release() {
+        Runtime.releaseAll();
+    }
+
+    private void until(String expression) {
+        assertTrue(expression + " never came true", python.exec("import time\nend = time.time() + 10\n"
+            + "while not (" + expression + ") and time.time() < end: time.sleep(0.005)\nassert " + expression));
+    }
+
+    @Test
+    public void globalsAreThoseOfMyRobotLab() {
+        assertTrue(python.exec("assert python.name == python.getName() == 'python'\n"
+            + "assert Runtime.getService('python') is python\n"
+            + "assert Platform.getLocalInstance() and Service and Python and sys.version_info[0] == 2\nsleep(0.001)"));
+    }
+
+    @Test
+    public void aNewServiceIsAVariableAndAClassAMomentLater() {
+        assertTrue(python.exec("made = Runtime.createAndStart('wire', 'Serial')\nassert made.name == 'wire'"));
+        until("'wire' in globals() and 'Serial' in globals()");
+        assertTrue(python.exec("assert wire is made and Serial.BAUD_9600 == 9600"));
+        Runtime.release("wire");
+        until("'wire' not in globals()");
+    }
+
+    @Test
+    public void functionsAreCalledBackOneAfterAnother() {
+        assertTrue(python.exec("got = []\ndef input(data):\n  got.append(data)\ndef second(data):\n  got.append(list(data))\n"
+            + "talker = Runtime.getService('talker')\n"
+            + "talker.addListener('publishNumber', python.name, 'input')\ntalker.addListener('publishArray', python.name, 'second')"));
+        for (int i = 0; i < 200; i++) {
+            talker.invoke("publishNumber", i);
+        }
+        talker.invoke("publishArray", (Object) new int[] {4, 5});
+        until("got == range(200) + [[4, 5]]");
+    }
+
+    @Test
+    public void bytesOfAPortAreNumbersFrom0To255() throws Exception {
+        Serial uart = Serial.connectVirtualUart("/dev/py");
+        assertTrue(python.exec("got = []\nchunks = []\ndef input(data):\n  got.append(data)\ndef piece(data):\n  chunks.extend(data)\n"
+            + "port = Runtime.start('port', 'Serial')\nport.addListener('publishRX', python.name, 'input')\n"
+            + "port.addListener('publishBytes', python.name, 'piece')\nport.connect('/dev/py', 9600, 8, 1, 0)"));
+        uart.write(new byte[] {0, 127, -128, -1});
+        until("got == [0, 127, 128, 255] and chunks == [0, 127, -128, -1]");
+        uart.setTimeout(5000);
+        assertTrue(python.exec("port.write(511)\nport.write('ab')"));
+        assertEquals("\u00ffab", new String(uart.read(3), StandardCharsets.ISO_8859_1));
+    }
+
+    @Test
+    public void anErrorShowsTheTracebackWithFileAndLine() throws Exception {
+        Path script = folder.newFile("wrong.py").toPath();
+        Files.writeString(script, "# \u00e4\ndef f():\n    return 1 / 0\n\nf()\n");
+        talker.subscribe("python", "publishStdError", "onReleased");
+        assertFalse(python.execFile(script.toString()));
+        String traceback = python.getLastError().key;
+        assertEquals("Traceback (most recent call last):\n  File \"" + script + "\", line 5, in <module>\n    f()\n  File \"" + script
+            + "\", line 3, in f\n    return 1 / 0\nZeroDivisionError: integer division or modulo by zero", traceback);
+        assertEquals("released " + traceback + "\n", talker.heard.poll(5, TimeUnit.SECONDS));
+        assertFalse(python.exec("if True print 1"));
+        assertTrue(python.getLastError().key, python.getLastError().key.contains("SyntaxError"));
+        assertFalse(python.exec("Runtime.getService('talker').fail()"));
+        assertTrue(python.getLastError().key, python.getLastError().key.endsWith("IllegalStateException: no good"));
+    }
+
+    @Test
+    public void aCallbackThatRaisesIsAnErrorAndTheNextIsCalled() {
+        assertTrue(python.exec("got = []\ndef input(data):\n  got.append(data)\n  if data == 1: raise ValueError('one')\n"
+            + "Runtime.getService('talker').addListener('publishNumber', python.name, 'input')"));
+        talker.invoke("publishNumber", 1);
+        talker.invoke("publishNumber", 2);
+        until("got == [1, 2]");
+        assertTrue(python.getLastError().key.endsWith("ValueError: one"));
+    }
+
+    @Test
+    public void aCallbackWithoutFunctionSaysSo() throws InterruptedException {
+        talker.subscribe("python", "publishError", "onStatus");
+        talker.addListener("publishNumber", "python", "nix");
+        talker.invoke("publishNumber", 1);
+        assertEquals("python error talker.publishNumber calls back nix, but the script has no function of that name",
+            talker.heard.poll(5, TimeUnit.SECONDS).toString());
+    }
+
+    @Test
+    public void whatScriptsPrintIsPublishedByLine() throws InterruptedException {
+        talker.subscribe("python", "publishStdOut", "onReleased");
+        assertTrue(python.exec("print 'one', 2\nprint u'\u00fc'"));
+        assertEquals("released one 2\n", talker.heard.poll(5, TimeUnit.SECONDS));
+        assertEquals("released \u00fc\n", talker.heard.poll(5, TimeUnit.SECONDS));
+    }
+
+    @Test
+    public void threadsMayPrintAtTheSameTime() {
+        assertTrue(python.exec("import threading\nwrong = []\ndef many():\n  try:\n    for i in range(2000): print 'line', i, u'\u00fc'\n"
+            + "  except Exception, e: wrong.append(e)\n"
+            + "threads = [threading.Thread(target=many) for i in range(4)]\nfor t in threads: t.start()\nfor t in threads: t.join()\n"
+            + "assert wrong == [], wrong\nsys.stdout.writelines(['a', u'b'])\nsys.stdout.flush()\nsys.stderr.write('c\\n')"));
+    }
+
+    @Test(timeout = 30_000)
+    public void stopBreaksOffEndlessLoopsAndSleeps() throws InterruptedException {
+        for (String endless : new String[] {"while True: n = 1", "sleep(1000)"}) {
+            CountDownLatch ended = new CountDownLatch(1);
+            python.set("begun", false);
+            Thread thread = new Thread(() -> {
+                python.exec("begun = True\n" + endless);
+                ended.countDown();
+            });
+            thread.start();
+            until("begun");
+            while (!ended.await(10, TimeUnit.MILLISECONDS)) {
+                python.stop();
+            }
+            assertFalse(String.valueOf(python.getLastError()), python.hasError());
+        }
+        assertTrue(python.exec("alive = 1"));
+    }
+
+    @Test
+    public void aFileImportsFromItsOwnFolder() throws Exception {
+        Files.writeString(folder.newFile("helper_of_test.py").toPath(), "value = 42\n");
+        Path script = folder.newFile("main.py").toPath();
+        Files.writeString(script, "import helper_of_test\nresult = helper_of_test.value\nassert __name__ == '__main__' and __file__\n");
+        assertTrue(python.execFile(script.toString()));
+        assertEquals(42, python.get("result"));
+        assertFalse(python.execFile(folder.getRoot() + "/nix.py"));
+        assertTrue(python.getLastError().key.endsWith("nix.py can't be read: there is no such file"));
+    }
+
+    @Test
+    public void theEditorOpensAndSavesScripts() throws Exception {
+        python.getConfig().scriptRootDir = folder.getRoot().toString();
+        python.saveScript("sub/a.py", "x = 1\n");
+        assertEquals("x = 1\n", Files.readString(folder.getRoot().toPath().resolve("sub/a.py")));
+        python.openScript("sub/a.py");
+        assertEquals("[sub/a.py]", python.getScriptList().toString());
+        assertEquals("x = 1\n", python.openedScripts.get("sub/a.py").code);
+        python.closeScript("sub/a.py");
+        assertTrue(python.openedScripts.isEmpty());
+    }
+}

@@ -1,0 +1,181 @@
+package org.myrobotlab.service;
+
+import static org.junit.Assert.assertArrayEquals;
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNotNull;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertSame;
+import static org.junit.Assert.assertTrue;
+import static org.junit.Assert.fail;
+
+import java.util.HashSet;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.junit.After;
+import org.junit.Test;
+import org.myrobotlab.codec.CodecUtils;
+import org.myrobotlab.embedded.Shutdown;
+import org.myrobotlab.framework.Service;
+import org.myrobotlab.framework.Talker;
+import org.myrobotlab.framework.interfaces.ServiceInterface;
+import org.myrobotlab.service.config.SerialConfig;
+import org.myrobotlab.service.config.ServiceConfig;
+
+/** How the embedded MyRobotLab makes, starts and releases services. */
+public class RuntimeTest {
+    private static final String TALKER = Talker.class.getName();
+
+    /** A service whose start fails. */
+    public static class Broken extends Service<ServiceConfig> {
+        private static final long serialVersionUID = 1L;
+
+        public Broken(String name, String id) {
+            super(name, id);
+        }
+
+        @Override
+        public synchronized void startService() {
+            super.startService();
+            throw new IllegalStateException("the battery is empty");
+        }
+    }
+
+    /** A service whose constructor needs a library that is not there. */
+    public static class Bare extends Service<ServiceConfig> {
+        private static final long serialVersionUID = 1L;
+
+        public Bare(String name, String id) {
+            super(name, id);
+            throw new NoClassDefFoundError("com/jme3/math/Vector3f");
+        }
+    }
+
+    @After
+    public void release() {
+        Runtime.releaseAll();
+    }
+
+    @Test
+    public void createdIsNotYetStarted() {
+        ServiceInterface made = Runtime.create("s", "Serial");
+        assertFalse(made.isRunning());
+        assertSame(made, Runtime.start("s"));
+        assertTrue(made.isRunning());
+        assertSame(made, Runtime.getService("s@" + Runtime.getInstance().getId()));
+        assertArrayEquals(new String[] {"runtime@embedded", "s@embedded"}, Runtime.getServiceNames());
+    }
+
+    @Test
+    public void aNameInUseAnswersTheExistingServiceOfWhateverType() {
+        ServiceInterface serial = Runtime.start("x", "Serial");
+        assertSame(serial, Runtime.start("x", "Roomba"));
+        assertSame(serial, Runtime.createAndStart("x", "org.myrobotlab.service.Serial"));
+    }
+
+    @Test
+    public void whatCantStartAnswersNullAndAnErrorSaysWhy() {
+        refused(Runtime.start("a", "Nix"), "can't start a as Nix: there is no service type Nix");
+        refused(Runtime.start("a", "java.lang.String"), "can't start a as String: java.lang.String is not a service type");
+        refused(Runtime.start("a", Broken.class.getName()), "can't start a as Broken: the battery is empty");
+        refused(Runtime.start("a", Bare.class.getName()),
+            "can't start a as RuntimeTest$Bare: class com.jme3.math.Vector3f is missing: a library is not on the class path");
+        refused(Runtime.start("a/b", "Serial"), "can't start a/b as Serial: a service's name is a word without \"/\"");
+        refused(Runtime.start("a"), "can't start a: its type is not given, and there is no configuration file of that name");
+        assertEquals(1, Runtime.getServices().size());
+    }
+
+    private static void refused(ServiceInterface answer, String why) {
+        assertNull(answer);
+        assertEquals(why, Runtime.getInstance().getLastError().key);
+    }
+
+    @Test
+    public void typesTellWhatTheyAreFor() {
+        assertEquals("reads from and writes to serial ports", Runtime.start("s", "Serial").getDescription());
+        try {
+            Runtime.start("t", TALKER).getDescription();
+            fail("Talker has no meta data");
+        } catch (IllegalArgumentException e) {
+            assertTrue(e.getMessage(), e.getMessage().contains("TalkerMeta is missing"));
+        }
+    }
+
+    @Test
+    public void othersAreToldOfStartsAndReleases() throws InterruptedException {
+        Talker listener = (Talker) Runtime.start("listener", TALKER);
+        Runtime.getInstance().addListener("started", "listener");
+        Runtime.getInstance().addListener("released", "listener");
+        Runtime.start("s", "Serial");
+        Runtime.release("s");
+        assertEquals("started s@embedded", listener.heard.take());
+        assertEquals("released s@embedded", listener.heard.take());
+    }
+
+    @Test
+    public void releasedServicesLeaveNoThread() {
+        Set<Thread> before = new HashSet<>(Thread.getAllStackTraces().keySet());
+        Runtime.start("python", "Python");
+        Runtime.start("roomba", "Roomba");
+        Talker talker = (Talker) Runtime.start("t", TALKER);
+        talker.addTask(10, "tick");
+        Runtime.releaseAll();
+        Set<Thread> left = new HashSet<>(Thread.getAllStackTraces().keySet());
+        left.removeAll(before);
+        left.removeIf(thread -> !thread.isAlive());
+        assertEquals(Set.of(), left);
+        assertFalse(Runtime.exists());
+        assertNull("asking for a service revives nothing", Runtime.getService("t"));
+        assertFalse(Runtime.exists());
+    }
+
+    @Test
+    public void shutdownReleasesAllAndThenEndsTheProgram() {
+        AtomicBoolean ended = new AtomicBoolean();
+        Shutdown.then(() -> ended.set(!Runtime.exists()));
+        try {
+            Runtime.start("s", "Serial");
+            Runtime.shutdown();
+            assertTrue(ended.get());
+        } finally {
+            Shutdown.then(() -> { });
+        }
+    }
+
+    @Test
+    public void servicesHaveServicesOfTheirOwn() {
+        Roomba roomba = (Roomba) Runtime.start("roomba", "Roomba");
+        assertEquals("serial", roomba.getPeerName("serial"));
+        assertTrue(roomba.isPeerStarted("serial"));
+        assertSame(Runtime.getService("serial"), roomba.getPeer("serial"));
+        assertNull(roomba.startPeer("motor"));
+        assertEquals("roomba has no service \"motor\" of its own; it has [serial]", roomba.getLastError().key);
+    }
+
+    @Test
+    public void configurationsAreTakenOverAndWrittenAsYaml() throws ReflectiveOperationException {
+        Serial serial = (Serial) Runtime.create("s", "Serial");
+        assertEquals("Serial", serial.getConfig().type);
+        serial.setConfigValue("port", "COM7");
+        serial.addListener("publishRX", "other", "input");
+        String yaml = CodecUtils.toYaml(serial.getFilteredConfig());
+        SerialConfig read = (SerialConfig) CodecUtils.fromYaml(yaml, ServiceConfig.class);
+        assertEquals("COM7", read.port);
+        assertEquals("publishRX --> other.input", read.listeners.get(0).toString());
+        assertEquals("COM7", serial.apply(read).port);
+        try {
+            CodecUtils.fromYaml("!!javax.script.ScriptEngineManager []", ServiceConfig.class);
+            fail("only configurations may be read");
+        } catch (IllegalArgumentException e) {
+            assertTrue(e.getMessage().startsWith("not a configuration ServiceConfig"));
+        }
+    }
+
+    @Test
+    public void stateIsJsonOfFieldsThatAreNotTransient() {
+        String json = CodecUtils.toJson(Runtime.start("s", "Serial"));
+        assertTrue(json, json.contains("\"name\":\"s\"") && json.contains("\"rate\":115200") && json.contains("\"config\":{"));
+        assertFalse(json, json.contains("blockingRX"));
+        assertNotNull(CodecUtils.fromJson("[1, \"a\"]"));
+    }
+}

@@ -1,0 +1,413 @@
+package org.myrobotlab.service;
+
+import static org.junit.Assert.assertArrayEquals;
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNotNull;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertTrue;
+import static org.junit.Assert.fail;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.serial.SerialDeviceFactory;
+import org.myrobotlab.service.sear.SensorReading;
+
+/** The SEAR service on a small world in lock-step. */
+public class SearServiceTest {
+    private static final double STRAIGHT = Double.POSITIVE_INFINITY;
+
+    @Rule
+    public final TemporaryFolder temporary = new TemporaryFolder();
+
+    private Path folder;
+    private SEAR sear;
+    private Heard heard;
+
+    @Before
+    public void start() {
+        System.setProperty("sear.headless", "true");
+        System.setProperty("sear.speed", "max");
+        folder = TestWorld.build(temporary.getRoot().toPath());
+        sear = (SEAR) Runtime.start("testSear", "SEAR");
+        heard = (Heard) Runtime.start("searStatus", "Heard");
+        sear.addListener("publishStatus", "searStatus", "onStatus");
+    }
+
+    @After
+    public void release() {
+        for (String name : new String[] {"testLidar", "testGps", "testSerial", "testSear", "searStatus"}) {
+            Runtime.releaseService(name);
+        }
+        System.clearProperty("sear.project");
+        System.clearProperty("sear.speed");
+    }
+
+    private void assertFails(String message, Runnable call) throws InterruptedException {
+        try {
+            call.run();
+            fail("no error: " + message);
+        } catch (IllegalStateException | IllegalArgumentException e) {
+            assertTrue(e.getMessage(), e.getMessage().contains(message));
+        }
+        assertTrue(heard.getStatuses().toString(), heard.awaitStatus(message.split("\n")[0]));
+    }
+
+    @Test
+    public void inLockStepTimePassesOnlyInSimSleepAndStep() {
+        sear.startSimulation();
+        assertEquals(0, sear.getTime(), 0);
+        sear.simSleep(1);
+        assertEquals(1, sear.getTime(), 1e-6);
+        sear.step(6);
+        assertEquals(1.1, sear.getTime(), 1e-6);
+        for (int i = 0; i < 100; i++) {
+            sear.simSleep(0.01);
+        }
+        assertEquals(2.1, sear.getTime(), 0.02);
+    }
+
+    @Test
+    public void theRobotDrivesAsTold() {
+        sear.startSimulation();
+        sear.simSleep(1);
+        double start = sear.getOdomResult();
+        sear.drive(0.3, STRAIGHT);
+        sear.simSleep(3);
+        sear.drive(0, STRAIGHT);
+        sear.simSleep(1);
+        assertEquals(0.9, sear.getOdomResult() - start, 0.03);
+        assertEquals(0.9, sear.getPose("roomba")[2], 0.05);
+        assertEquals(sear.getOdomResult(), sear.getOdomResult("roomba"), 0);
+        assertEquals(sear.getPose("roomba")[2] + TestWorld.LIDAR_Z, sear.getPose("scanner")[2], 1e-3);
+    }
+
+    @Test
+    public void anOdometerObjectIsClearedWhenRead() throws Exception {
+        TestWorld.write(folder, "robot/counter.xml", "<Odometer><name>counter</name></Odometer>");
+        Path robot = folder.resolve("robot/roomba.xml");
+        Files.writeString(robot, Files.readString(robot).replace("<component>gyro</component>",
+            "<component>gyro</component><component>counter</component>"));
+        sear.startSimulation();
+        sear.simSleep(1);
+        sear.getOdomResult();
+        sear.drive(0.3, STRAIGHT);
+        sear.simSleep(3);
+        sear.drive(0, STRAIGHT);
+        sear.simSleep(1);
+        assertEquals(0.9, sear.getOdomResult(), 0.03);
+        assertEquals(0, sear.getOdomResult(), 0);
+    }
+
+    @Test
+    public void theRobotDrivesByTheRoombaProtocol() throws Exception {
+        sear.startSimulation();
+        sear.simSleep(1);
+        Serial serial = (Serial) Runtime.start("testSerial", "Serial");
+        serial.connect(TestWorld.ROOMBA_PORT, 57600, 8, 1, 0);
+        serial.write(FarEnd.bytes("80 83 89 00 C8 80 00"));
+        sear.simSleep(2);
+        serial.write(FarEnd.bytes("89 00 00 00 00"));
+        sear.simSleep(1);
+        assertEquals(0.4, sear.getPose("roomba")[2], 0.04);
+    }
+
+    @Test
+    public void sensorsAnswerInTheDissertationsTypesAndUnits() {
+        sear.startSimulation();
+        sear.simSleep(1);
+        assertEquals(TestWorld.WALL - 0.15, sear.getDistanceResult("ping"), 0.02);
+        assertEquals(90, sear.getCompassResult("compass"), 0.5);
+        assertEquals(3, sear.getAccelResult("accel").split(",").length);
+        assertEquals(0, Double.parseDouble(sear.getGyroResult("gyro").split(",")[1]), 0.01);
+        assertArrayEquals(new double[] {33.61, -80.865, 182.5}, sear.getGpsResult("receiver"), 0.2);
+        float[] scan = sear.getLidarResult("scanner");
+        assertEquals(181, scan.length);
+        assertEquals(TestWorld.WALL - TestWorld.LIDAR_Z, scan[90], 0.01);
+        assertEquals(8.191, scan[0], 1e-3);
+        assertTrue(sear.getSensorNames().containsAll(Arrays.asList("accel", "compass", "gyro", "ping", "receiver", "scanner")));
+    }
+
+    @Test
+    public void aScanIsThereWhenSimSleepReturns() throws Exception {
+        sear.startSimulation();
+        sear.simSleep(1);
+        LIDAR lidar = (LIDAR) Runtime.start("testLidar", "LIDAR");
+        lidar.connect(TestWorld.LIDAR_PORT, 38400);
+        lidar.setScanMode(180, 1);
+        lidar.singleScan();
+        sear.simSleep(2);
+        assertNotNull(heard.getStatuses().toString(), lidar.getLastScan());
+        assertEquals(181, lidar.getLastScan().raw.length);
+        assertEquals(TestWorld.WALL - TestWorld.LIDAR_Z, lidar.getLastScan().metres[90], 0.011);
+        assertNull(lidar.getLastScan().metres[0]);
+    }
+
+    @Test
+    public void aLidarLeftAtAnotherRateIsFoundInSimulatedTime() throws Exception {
+        sear.startSimulation();
+        LIDAR lidar = (LIDAR) Runtime.start("testLidar", "LIDAR");
+        lidar.connect(TestWorld.LIDAR_PORT, 9600);
+        lidar.singleScan();
+        sear.simSleep(30);
+        assertNotNull(heard.getStatuses().toString(), lidar.getLastScan());
+    }
+
+    @Test
+    public void theBaudRateFollowsTheSimulatedDevice() throws Exception {
+        sear.startSimulation();
+        LIDAR lidar = (LIDAR) Runtime.start("testLidar", "LIDAR");
+        lidar.connect(TestWorld.LIDAR_PORT, 38400);
+        lidar.setBaud(9600);
+        lidar.setToCM();
+        lidar.singleScan();
+        sear.simSleep(20);
+        assertNotNull(heard.getStatuses().toString(), lidar.getLastScan());
+        assertEquals("cm", lidar.getUnit());
+        assertEquals(9600, lidar.getConfig().baud);
+    }
+
+    @Test
+    public void onlyOneSimulationRunsAtATime() {
+        sear.startSimulation();
+        SEAR other = (SEAR) Runtime.start("otherSear", "SEAR");
+        try {
+            other.startSimulation();
+            fail("two simulations");
+        } catch (IllegalStateException e) {
+            assertTrue(e.getMessage(), e.getMessage().contains("service testSear runs a simulation"));
+        } finally {
+            Runtime.releaseService("otherSear");
+        }
+        assertTrue(sear.isRunning());
+        sear.simSleep(0.1);
+    }
+
+    @Test
+    public void releasedWhileAScriptSleepsItTellsTheScript() throws Exception {
+        System.setProperty("sear.speed", "1");
+        sear.startSimulation();
+        String[] end = new String[1];
+        Thread script = new Thread(() -> {
+            try {
+                sear.simSleep(1000);
+            } catch (IllegalStateException e) {
+                end[0] = e.getMessage();
+            }
+        });
+        script.start();
+        sear.startPublishing("ping", 10);
+        sear.addListener("publishReading", "searStatus", "onValue");
+        heard.await(2);
+        Runtime.releaseService("testSear");
+        script.join(10_000);
+        assertEquals("the simulation was stopped", end[0]);
+    }
+
+    @Test
+    public void lockStepKeepsToASpeedThatWasAskedFor() {
+        sear.setSpeed(4);
+        sear.startSimulation();
+        long start = System.nanoTime();
+        sear.simSleep(2);
+        double seconds = (System.nanoTime() - start) / 1e9;
+        assertTrue("took " + seconds, seconds > 0.45);
+        assertEquals(2, sear.getTime(), 1e-6);
+    }
+
+    @Test
+    public void thePositionComesFromTheSimulatedReceiver() throws Exception {
+        sear.startSimulation();
+        org.myrobotlab.service.GPS gps = (org.myrobotlab.service.GPS) Runtime.start("testGps", "GPS");
+        gps.connect(TestWorld.GPS_PORT, 38400);
+        sear.simSleep(3);
+        assertNotNull(gps.getLastFix());
+        assertEquals(33.61, gps.getLastFix().latitude, 1e-5);
+        assertTrue(gps.getLastFix().tokens[4], gps.getLastFix().tokens[4].matches("-08051[.](8999|9000)\\d*"));
+    }
+
+    @Test
+    public void theDevicesSerialServicesAreInTheRegistry() {
+        sear.startSimulation();
+        for (String name : new String[] {"scanner_LIDARsimulator_Serial_Service", "receiver_GPSsimulator_Serial_Service",
+            "drive_ROBOTsimulator_Serial_Service"}) {
+            assertNotNull(name, Runtime.getService(name));
+        }
+        sear.stopSimulation();
+        assertNull(Runtime.getService("scanner_LIDARsimulator_Serial_Service"));
+    }
+
+    @Test
+    public void stoppingLeavesNeitherThreadNorPort() throws Exception {
+        sear.startSimulation();
+        Serial serial = (Serial) Runtime.start("testSerial", "Serial");
+        serial.connect(TestWorld.ROOMBA_PORT, 57600, 8, 1, 0);
+        sear.simSleep(0.5);
+        sear.stopSimulation();
+        assertFalse(serial.isConnected());
+        assertNull(SerialDeviceFactory.get(TestWorld.ROOMBA_PORT));
+        Runtime.releaseService("testSear");
+        long end = System.nanoTime() + 10_000_000_000L;
+        while (!TestWorld.threads().isEmpty() && System.nanoTime() < end) {
+            Thread.onSpinWait();
+        }
+        assertEquals(Collections.emptyList(), TestWorld.threads());
+    }
+
+    @Test
+    public void itCanBeStartedAgain() throws Exception {
+        for (int round = 0; round < 3; round++) {
+            sear.startSimulation();
+            Serial serial = (Serial) Runtime.start("testSerial", "Serial");
+            serial.connect(TestWorld.ROOMBA_PORT, 57600, 8, 1, 0);
+            serial.write(FarEnd.bytes("80 83 89 00 C8 80 00"));
+            sear.simSleep(1);
+            assertTrue(sear.getOdomResult() > 0.1);
+            sear.stopSimulation();
+        }
+    }
+
+    @Test
+    public void resetIsAFreshStart() throws Exception {
+        sear.startSimulation();
+        sear.simSleep(1);
+        sear.drive(0.2, STRAIGHT);
+        sear.simSleep(1);
+        double[] first = sear.getPose("roomba");
+        sear.reset();
+        assertEquals(0, sear.getTime(), 0);
+        sear.simSleep(1);
+        sear.drive(0.2, STRAIGHT);
+        sear.simSleep(1);
+        assertArrayEquals(first, sear.getPose("roomba"), 0);
+    }
+
+    @Test
+    public void mistakesAreErrorsAndTheSimulationGoesOn() throws Exception {
+        assertFails("no simulation runs", sear::stopSimulation);
+        assertFails("no simulation runs", () -> sear.getDistanceResult("ping"));
+        sear.startSimulation();
+        assertFails("the simulation runs already", sear::startSimulation);
+        assertFails("pong", () -> sear.getDistanceResult("pong"));
+        assertFails("ping", () -> sear.getDistanceResult("pong"));
+        assertFails("sensor compass is a Compass, not a Distance", () -> sear.getDistanceResult("compass"));
+        assertFails("nothing is named \"nobody\"", () -> sear.getPose("nobody"));
+        assertFails("there is no robot \"nobody\"", () -> sear.drive("nobody", 1, 1));
+        assertFails("speed is 0", () -> sear.setSpeed(0));
+        assertFails("simSleep of -1", () -> sear.simSleep(-1));
+        assertFails("newProject needs the simulation to be stopped", sear::newProject);
+        assertFails("there is no template \"mine.py\"", () -> sear.copyTemplate("mine.py", "."));
+        sear.simSleep(0.5);
+        assertTrue(sear.isRunning());
+        assertEquals(0.5, sear.getTime(), 1e-6);
+    }
+
+    @Test
+    public void aMissingProjectFolderIsNamed() throws Exception {
+        sear.newProject();
+        assertFails("there is no project folder " + folder, sear::startSimulation);
+        assertFalse(sear.isRunning());
+    }
+
+    @Test
+    public void allProblemsOfAProjectAreListed() throws Exception {
+        TestWorld.write(folder, "environment/cut.xml", "<Box name=\"cut\"><mass>1");
+        TestWorld.write(folder, "environment/bad.xml", "<Nonsense/>");
+        try {
+            sear.startSimulation();
+            fail("started");
+        } catch (IllegalStateException e) {
+            assertTrue(e.getMessage(), e.getMessage().contains("cut.xml"));
+            assertTrue(e.getMessage(), e.getMessage().contains("bad.xml"));
+        }
+        assertEquals(2, sear.getProblems().stream().map(problem -> problem.file).distinct().count());
+    }
+
+    @Test
+    public void asManyReadingsArePublishedAsAskedFor() throws Exception {
+        sear.startSimulation();
+        sear.addListener("publishReading", "searStatus", "onValue");
+        sear.startPublishing("ping", 10);
+        sear.simSleep(1);
+        sear.stopPublishing("ping");
+        sear.simSleep(1);
+        List<Object> readings = heard.await(10);
+        assertEquals(10, readings.size(), 1);
+        assertEquals("ping", ((SensorReading) readings.get(0)).name);
+        assertEquals(TestWorld.WALL - 0.15, (Double) ((SensorReading) readings.get(5)).value, 0.05);
+    }
+
+    @Test
+    public void panelsGetTheStateOfTheWorld() throws Exception {
+        assertEquals(Boolean.FALSE, sear.publishSimulation().get("running"));
+        sear.startSimulation();
+        sear.simSleep(0.5);
+        sear.addListener("publishSimulation", "searStatus", "onValue");
+        Map<?, ?> state = (Map<?, ?>) heard.await(1).get(0);
+        assertEquals(0.5, (Double) state.get("time"), 1e-6);
+        assertEquals(2, ((List<?>) state.get("objects")).size());
+        assertEquals(6, ((List<?>) state.get("sensors")).size());
+        assertEquals("roomba", ((Map<?, ?>) ((List<?>) state.get("robots")).get(0)).get("name"));
+    }
+
+    @Test
+    public void projectsAreSavedAndLoaded() throws Exception {
+        Path bundle = temporary.getRoot().toPath().resolve("test.sear");
+        sear.saveProject(bundle.toString());
+        assertTrue(Files.size(bundle) > 0);
+        String backup = sear.newProject();
+        assertTrue(backup, Files.isDirectory(Path.of(backup)));
+        assertFalse(Files.exists(folder.resolve("environment/wall.xml")));
+        sear.loadProject(bundle.toString());
+        sear.startSimulation();
+        assertTrue(sear.getSensorNames().contains("ping"));
+    }
+
+    @Test
+    public void templatesAreCopiedOnce() throws Exception {
+        String copy = sear.copyTemplate("controller.py", folder.toString());
+        assertTrue(Files.readString(Path.of(copy)).startsWith("# controller.py"));
+        assertFails("exists already", () -> sear.copyTemplate("controller.py", folder.toString()));
+    }
+
+    @Test
+    public void withoutLockStepTimeRunsByItself() throws Exception {
+        System.setProperty("sear.speed", "20");
+        sear.startSimulation();
+        long start = System.nanoTime();
+        sear.simSleep(4);
+        double seconds = (System.nanoTime() - start) / 1e9;
+        assertTrue("took " + seconds, seconds > 0.1 && seconds < 4);
+        assertTrue(sear.getTime() >= 4);
+        sear.pause();
+        double time = sear.getTime();
+        sear.step(3);
+        assertEquals(time + 0.05, sear.getTime(), 1e-6);
+        sear.resume();
+        sear.simSleep(1);
+    }
+
+    @Test
+    public void anotherProgramDrivesTheRobotOverAnExportedPort() throws Exception {
+        System.setProperty("sear.speed", "5");
+        sear.startSimulation();
+        int number = sear.exportTcp(TestWorld.ROOMBA_PORT, 0);
+        try (java.net.Socket client = new java.net.Socket(java.net.InetAddress.getLoopbackAddress(), number)) {
+            client.getOutputStream().write(FarEnd.bytes("80 83 89 00 C8 80 00"));
+            sear.simSleep(3);
+            client.getOutputStream().write(FarEnd.bytes("8E 13"));
+            byte[] distance = client.getInputStream().readNBytes(2);
+            assertTrue((distance[0] & 0xFF) * 256 + (distance[1] & 0xFF) > 100);
+        }
+        assertTrue(sear.getOdomResult() > 0.1);
+    }
+}

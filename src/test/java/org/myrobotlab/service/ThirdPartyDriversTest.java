@@ -1,0 +1,223 @@
+package org.myrobotlab.service;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Cylinder;
+import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.GPS;
+import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.Wheel;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+
+/**
+ * Programs of others, written for the real hardware, on the exported ports of a simulation that runs in real time. The system property
+ * {@code sear.driverSeconds} makes each run longer than the few seconds that are enough for every change.
+ */
+public class ThirdPartyDriversTest {
+    private static final Path ROOT = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath();
+    private static final Path SCRIPTS = ROOT.resolve("src/test/drivers");
+    private static final int SECONDS = Integer.getInteger("sear.driverSeconds", 8);
+    private static final double LATITUDE = 35.3;
+    private static final double LONGITUDE = -80.7;
+    private static final int LMS_NO_RETURN = 8191;
+
+    @Rule
+    public TemporaryFolder folder = new TemporaryFolder();
+    private SEAR sear;
+    private final List<Process> processes = new ArrayList<>();
+    private final List<File> outputs = new ArrayList<>();
+
+    @Before
+    public void start() throws IOException {
+        System.setProperty("sear.project", folder.getRoot().toPath().resolve("SEARproject").toString());
+        System.setProperty("sear.headless", "true");
+        new Floor("floor", 20, 20);
+        new Box("ahead", 6, 0.2, 1, 0).move(0, 0.5, 3);
+        new Box("left", 1, 1, 1, 0).move(3, 0.5, 1);
+        new Cylinder("pillar", 0.2, 1, 0).move(-2, 0.5, 1.5);
+        SEARrobot robot = new SEARrobot("create");
+        Dynamics dynamics = new Dynamics("drive", 3.6, 60, 0.3, 0.4, 1000, 0.1, 0, 0.1, 0, 0, 0, 0);
+        dynamics.setPorts("/dev/my_Robot01", "/dev/SEAR_Robot_01");
+        dynamics.setModel("create2");
+        dynamics.setBaud(115200);
+        robot.addComponent(dynamics);
+        robot.addComponent(new Cylinder("body", 0.17, 0.07, 3));
+        double[][] wheels = {{-0.1175, 0, 1}, {0.1175, 0, 1}, {0, 0.13, 0}, {0, -0.13, 0}};
+        for (double[] at : wheels) {
+            Wheel wheel = new Wheel("wheel" + at[0] + at[1], 0.036, 0.02, (int) at[2]);
+            wheel.move(at[0], 0, at[1]);
+            robot.addWheel(wheel);
+        }
+        LIDAR lidar = new LIDAR("scanner");
+        lidar.setPorts("/dev/my_Lidar01", "/dev/SEAR_LIDAR_01");
+        lidar.move(0, 0.15, 0);
+        robot.addComponent(lidar);
+        GPS gps = new GPS("receiver", LATITUDE, 200, LONGITUDE);
+        gps.setPorts("/dev/my_GPS_01", "/dev/SEAR_GPS_01");
+        robot.addComponent(gps);
+        sear = (SEAR) Runtime.start("sear", "SEAR");
+        sear.startSimulation();
+        sear.simSleep(1);
+    }
+
+    @After
+    public void stop() {
+        processes.forEach(Process::destroyForcibly);
+        sear.stopSimulation();
+        Runtime.releaseService("sear");
+        System.clearProperty("sear.project");
+        System.clearProperty("sear.headless");
+    }
+
+    @Test
+    public void pycreate2DrivesAndReads() throws Exception {
+        String port = sear.exportPort("/dev/SEAR_Robot_01");
+        List<String> output = python("pycreate2_drive.py", port, Integer.toString(SECONDS));
+        assertTrue(output.toString(), output.stream().anyMatch(line -> line.matches("\\d+ readings, \\d+ mm")));
+    }
+
+    @Test
+    public void pyserialScansAndDrives() throws Exception {
+        int[] expected = millimetres(sear.getLidarResult("scanner"));
+        List<String> output = python("pyserial_scan.py", sear.exportPort("/dev/SEAR_Robot_01"), "115200", sear.exportPort("/dev/SEAR_LIDAR_01"));
+        int[] scan = Arrays.stream(output.get(0).split(" ")).mapToInt(Integer::parseInt).toArray();
+        assertEquals(expected.length, scan.length);
+        for (int i = 0; i < scan.length; i++) {
+            assertEquals("beam " + i, expected[i], scan[i], 1);
+        }
+        assertEquals(400, Integer.parseInt(output.get(1)), 40);
+    }
+
+    @Test
+    public void mrptsDriverSeesTheSameRanges() throws Exception {
+        Path config = folder.newFile("grabber.ini").toPath();
+        String port = sear.exportPort("/dev/SEAR_LIDAR_01", folder.getRoot().toPath().resolve("ttySICK").toString());
+        Files.writeString(config, Files.readString(SCRIPTS.resolve("sick-mrpt.ini")).replace("@PORT@", port).replace("@BAUD@", "38400")
+            .replace("@OUTPUT@", folder.getRoot().toPath().resolve("log").toString()));
+        Process grabber = start(new ProcessBuilder("rawlog-grabber", config.toString()));
+        List<String> output = read(grabber, SECONDS + 15);
+        grabber.getOutputStream().write('\n');
+        grabber.getOutputStream().flush();
+        assertTrue("rawlog-grabber ends at a key", grabber.waitFor(20, TimeUnit.SECONDS));
+        Path log = only("log*.rawlog", output);
+        run(new ProcessBuilder("rawlog-edit", "--export-2d-scans-txt", "-i", log.getFileName().toString(), "--out-dir", "."), output);
+        Path scans = only("*LASER*.txt", output, "times");
+        int[] expected = millimetres(sear.getLidarResult("scanner"));
+        List<String> lines = Files.readAllLines(scans);
+        assertTrue("only " + lines.size() + " scans in " + SECONDS + " s: " + output, lines.size() > SECONDS);
+        for (String line : lines.subList(1, lines.size())) {
+            compare(expected, line.trim().split("\\s+"));
+        }
+    }
+
+    /** MRPT asks for a value every half degree, the script call answers one a degree. */
+    private static void compare(int[] everyDegree, String[] timeThenRangesThenValid) {
+        assertEquals(1 + 2 * 361, timeThenRangesThenValid.length);
+        String[] metres = Arrays.copyOfRange(timeThenRangesThenValid, 1, 1 + 361);
+        for (int i = 0; i < everyDegree.length; i++) {
+            double measured = Double.parseDouble(metres[2 * i]) * 1000;
+            if (everyDegree[i] != LMS_NO_RETURN) {
+                assertEquals("at " + i + " degrees", everyDegree[i], measured, 1.01);
+            }
+        }
+    }
+
+    @Test
+    public void gpsdGetsAFix() throws Exception {
+        Path link = folder.getRoot().toPath().resolve("ttyGPS");
+        String port = sear.exportPort("/dev/SEAR_GPS_01", link.toString());
+        assertEquals(link.toString(), port);
+        int number = freePort();
+        start(new ProcessBuilder("gpsd", "-N", "-n", "-b", "-s", "38400", "-S", Integer.toString(number), port));
+        String fix = null;
+        long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(SECONDS + 40);
+        while (fix == null && System.nanoTime() < deadline) {
+            Process pipe = start(new ProcessBuilder("gpspipe", "-w", "-n", "12", "localhost:" + number));
+            fix = read(pipe, 20).stream().filter(line -> line.matches(".*\"class\":\"TPV\".*\"mode\":[23].*\"lat\":.*")).findFirst().orElse(null);
+        }
+        assertTrue("no fix", fix != null);
+        assertEquals(LATITUDE, number(fix, "lat"), 1e-5);
+        assertEquals(LONGITUDE, number(fix, "lon"), 1e-5);
+    }
+
+    private static double number(String json, String field) {
+        return Double.parseDouble(json.replaceAll(".*\"" + field + "\":(-?[0-9.]+).*", "$1"));
+    }
+
+    private static int freePort() throws IOException {
+        try (java.net.ServerSocket socket = new java.net.ServerSocket(0)) {
+            return socket.getLocalPort();
+        }
+    }
+
+    private static int[] millimetres(float[] metres) {
+        int[] values = new int[metres.length];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = metres[i] >= 8.19 ? LMS_NO_RETURN : Math.round(metres[i] * 1000);
+        }
+        return values;
+    }
+
+    private Path only(String glob, List<String> output, String... without) throws IOException {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder.getRoot().toPath(), glob)) {
+            for (Path file : files) {
+                if (Arrays.stream(without).noneMatch(file.getFileName().toString()::contains)) {
+                    return file;
+                }
+            }
+        }
+        throw new AssertionError("there is no " + glob + " in " + Arrays.toString(folder.getRoot().list()) + "\n" + String.join("\n", output));
+    }
+
+    private List<String> python(String script, String... arguments) throws Exception {
+        List<String> command = new ArrayList<>(Arrays.asList("python3", SCRIPTS.resolve(script).toString()));
+        command.addAll(Arrays.asList(arguments));
+        ProcessBuilder builder = new ProcessBuilder(command);
+        builder.environment().put("PYTHONPATH", ROOT.resolve("build/drivers").toString());
+        return run(builder, new ArrayList<>());
+    }
+
+    private List<String> run(ProcessBuilder builder, List<String> before) throws Exception {
+        Process process = start(builder);
+        List<String> output = read(process, SECONDS + 60);
+        before.addAll(output);
+        assertEquals(String.join("\n", before), 0, process.waitFor());
+        return output;
+    }
+
+    private Process start(ProcessBuilder builder) throws IOException {
+        builder.environment().merge("PATH", "/usr/sbin:/sbin", (path, more) -> path + File.pathSeparator + more);
+        Process process = builder.redirectErrorStream(true).redirectOutput(folder.newFile()).directory(folder.getRoot()).start();
+        processes.add(process);
+        outputs.add(builder.redirectOutput().file());
+        return process;
+    }
+
+    /** All that a process has said when it ends, or after some seconds. */
+    private List<String> read(Process process, int seconds) throws Exception {
+        process.waitFor(seconds, TimeUnit.SECONDS);
+        File file = outputs.get(processes.indexOf(process));
+        return Arrays.stream(new String(Files.readAllBytes(file.toPath()), StandardCharsets.ISO_8859_1).split("\r?\n|\r"))
+            .collect(Collectors.toList());
+    }
+}

@@ -1,0 +1,223 @@
+package org.myrobotlab.service;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.net.http.WebSocket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.codec.CodecUtils;
+import org.myrobotlab.framework.Talker;
+
+/** The web server of the embedded MyRobotLab: files, calls, messages, and who is refused. */
+public class WebGuiTest {
+    @Rule
+    public TemporaryFolder folder = new TemporaryFolder();
+    private final HttpClient client = HttpClient.newHttpClient();
+    private final BlockingQueue<Map<?, ?>> messages = new LinkedBlockingQueue<>();
+    private WebGui webGui;
+    private Talker talker;
+    private int port;
+
+    @Before
+    public void start() throws IOException {
+        try (ServerSocket free = new ServerSocket(0)) {
+            port = free.getLocalPort();
+        }
+        webGui = (WebGui) Runtime.create("webgui", "WebGui");
+        webGui.setPort(port);
+        webGui.getConfig().resources = List.of(folder.getRoot().toString());
+        webGui.startService();
+        talker = (Talker) Runtime.start("talker", Talker.class.getName());
+    }
+
+    @After
+    public void release() {
+        Runtime.releaseAll();
+    }
+
+    private HttpResponse<String> get(String path) throws IOException, InterruptedException {
+        return client.send(HttpRequest.newBuilder(URI.create("http://localhost:" + port + path)).build(), HttpResponse.BodyHandlers.ofString());
+    }
+
+    private HttpResponse<String> post(String path, String body) throws IOException, InterruptedException {
+        URI uri = URI.create("http://localhost:" + port + path);
+        return client.send(HttpRequest.newBuilder(uri).POST(HttpRequest.BodyPublishers.ofString(body)).build(), HttpResponse.BodyHandlers.ofString());
+    }
+
+    /** First line of the answer to a request with headers of one's own. */
+    private String status(String... headers) throws IOException {
+        try (Socket socket = new Socket("127.0.0.1", port)) {
+            socket.getOutputStream().write(("GET /api/service HTTP/1.1\r\nConnection: close\r\n" + String.join("\r\n", headers) + "\r\n\r\n")
+                .getBytes(StandardCharsets.US_ASCII));
+            return new String(socket.getInputStream().readAllBytes(), StandardCharsets.US_ASCII).split("\r\n")[0];
+        }
+    }
+
+    private WebSocket open() {
+        return client.newWebSocketBuilder().buildAsync(URI.create("ws://localhost:" + port + "/api/messages"), new WebSocket.Listener() {
+            private final StringBuilder text = new StringBuilder();
+
+            @Override
+            public CompletionStage<?> onText(WebSocket socket, CharSequence data, boolean last) {
+                text.append(data);
+                if (last) {
+                    messages.add(CodecUtils.fromJson(text.toString(), Map.class));
+                    text.setLength(0);
+                }
+                socket.request(1);
+                return null;
+            }
+        }).join();
+    }
+
+    /** The next message that has such a key. */
+    private Map<?, ?> next(String key) throws InterruptedException {
+        while (true) {
+            Map<?, ?> message = messages.poll(10, TimeUnit.SECONDS);
+            assertTrue("no message with " + key + " came for 10 s", message != null);
+            if (message.containsKey(key)) {
+                return message;
+            }
+        }
+    }
+
+    @Test
+    public void pagesLibrariesAndPanelsAreServed() throws Exception {
+        assertTrue(get("/").body().contains("ng-app=\"mrlapp\""));
+        assertTrue(get("/webjars/angularjs/angular.min.js").body().startsWith("/*\n AngularJS v1.5.3"));
+        assertEquals(200, get("/webjars/bootstrap/css/bootstrap.min.css").statusCode());
+        assertEquals(200, get("/webjars/jquery/jquery.min.js").statusCode());
+        assertTrue(get("/service/js/PythonGui.js").body().contains("PythonGuiCtrl"));
+        assertTrue(get("/service/js/SEARGui.js").body().contains("SEARGuiCtrl"));
+        assertEquals(404, get("/nix.html").statusCode());
+    }
+
+    @Test
+    public void aMissingPanelIsEmptyAndOneOnTheDiskWins() throws Exception {
+        assertEquals(200, get("/service/js/NixGui.js").statusCode());
+        assertEquals("", get("/service/js/NixGui.js").body());
+        Path panel = folder.getRoot().toPath().resolve("service/js/PythonGui.js");
+        Files.createDirectories(panel.getParent());
+        Files.writeString(panel, "mine");
+        assertEquals("mine", get("/service/js/PythonGui.js").body());
+        assertTrue(get("/service/js/PythonGui.js").headers().firstValue("content-type").orElse("").endsWith("/javascript"));
+        Files.writeString(folder.getRoot().toPath().getParent().resolve("secret-of-" + folder.getRoot().getName()), "secret");
+        assertEquals(404, get("/%2e%2e/secret-of-" + folder.getRoot().getName()).statusCode());
+    }
+
+    @Test
+    public void callsAreMadeByPostAndByGet() throws Exception {
+        assertEquals("1.5\n", post("/api/service/talker/half", "[3]").body());
+        assertEquals("1.5\n", get("/api/service/talker/half/3").body());
+        assertEquals("[4,5]\n", post("/api/service/talker/publishArray", "[[4, 5]]").body());
+        assertTrue(get("/api/service").body().contains("\"talker@embedded\""));
+        assertTrue(get("/api/service/talker").body().contains("\"simpleName\":\"Talker\""));
+        assertEquals("null\n", post("/api/service/talker/tick", "").body());
+        assertEquals("tick", talker.heard.take());
+    }
+
+    @Test
+    public void wrongCallsSayWhatIsWrong() throws Exception {
+        assertEquals("\"there is no service nix\"\n", get("/api/service/nix").body());
+        assertEquals(404, get("/api/service/nix").statusCode());
+        assertEquals("\"Talker has no method half for the arguments [1,2]\"\n", post("/api/service/talker/half", "[1, 2]").body());
+        assertTrue(post("/api/service/talker/half", "[1").body().startsWith("\"not JSON for List"));
+        assertEquals(500, post("/api/service/talker/fail", "[]").statusCode());
+        assertEquals("\"talker.fail: no good\"\n", post("/api/service/talker/fail", "[]").body());
+    }
+
+    @Test
+    public void otherHostsAndPagesOfOtherServersAreRefused() throws Exception {
+        assertEquals("HTTP/1.1 200 OK", status("Host: localhost:" + port));
+        assertEquals("HTTP/1.1 200 OK", status("Host: 127.0.0.1:" + port, "Origin: http://localhost:" + port));
+        assertEquals("HTTP/1.1 403 Forbidden", status("Host: evil.example:" + port));
+        assertEquals("HTTP/1.1 403 Forbidden", status("Host: localhost:" + port, "Origin: http://evil.example"));
+        assertEquals("HTTP/1.1 403 Forbidden", status("Host: localhost:" + port, "Origin: null"));
+        assertEquals("HTTP/1.1 403 Forbidden", status("Host: localhost:" + port, "Origin: http://localhost:" + (port + 1)));
+        assertEquals("HTTP/1.1 403 Forbidden", status("Host: localhost:" + port, "Sec-Fetch-Site: cross-site"));
+    }
+
+    @Test
+    public void pagesHearWhatTheySubscribeTo() throws Exception {
+        WebSocket page = open();
+        assertTrue(next("services").get("services").toString().contains("name=talker"));
+        page.sendText("{\"subscribe\":\"talker\",\"topic\":\"publishNumber\"}", true).join();
+        page.sendText("{\"id\":1,\"name\":\"talker\",\"method\":\"half\",\"data\":[5]}", true).join();
+        assertEquals(2.5, next("answer").get("answer"));
+        page.sendText("{\"id\":2,\"name\":\"talker\",\"method\":\"whoCalls\"}", true).join();
+        assertFalse("answers don't wait for the service's thread", "talker".equals(next("answer").get("answer")));
+        page.sendText("{\"name\":\"talker\",\"method\":\"publishNumber\",\"data\":[7]}", true).join();
+        assertEquals("{name=talker, method=onNumber, data=[7]}", next("method").toString());
+        talker.invoke("publishNumber", 8);
+        assertEquals(List.of(8), next("method").get("data"));
+        page.sendText("{\"id\":3,\"name\":\"nix\",\"method\":\"go\"}", true).join();
+        assertEquals("there is no service nix", next("error").get("error"));
+        page.sendText("nonsense", true).join();
+        assertTrue(next("error").get("error").toString().startsWith("not JSON for Map"));
+        page.abort();
+    }
+
+    @Test
+    public void subscriptionsOutliveTheService() throws Exception {
+        WebSocket page = open();
+        next("services");
+        page.sendText("{\"subscribe\":\"talker\",\"topic\":\"publishState\"}", true).join();
+        page.sendText("{\"id\":1,\"name\":\"talker\",\"method\":\"half\",\"data\":[5]}", true).join();
+        next("answer");
+        Runtime.release("talker");
+        while (next("services").get("services").toString().contains("name=talker")) {
+            assertTrue(Runtime.getService("talker") == null);
+        }
+        talker = (Talker) Runtime.start("talker", Talker.class.getName());
+        while (!next("services").get("services").toString().contains("name=talker")) {
+            assertTrue(talker.isRunning());
+        }
+        talker.broadcastState();
+        assertEquals("Talker", ((Map<?, ?>) ((List<?>) next("method").get("data")).get(0)).get("simpleName"));
+        page.abort();
+    }
+
+    @Test
+    public void aPortInUseIsAnErrorAndReleasingFreesIt() throws Exception {
+        WebGui second = (WebGui) Runtime.create("second", "WebGui");
+        second.setPort(port);
+        second.startService();
+        assertFalse(second.isStarted());
+        assertEquals("port " + port + " is in use by another program: choose another one", second.getLastError().key);
+        webGui.stop();
+        assertFalse(webGui.isStarted());
+        second.restart();
+        assertTrue(second.isStarted());
+    }
+
+    @Test
+    public void releasingLeavesNoThread() {
+        webGui.releaseService();
+        Set<String> left = new HashSet<>();
+        Thread.getAllStackTraces().keySet().stream().map(Thread::getName).filter(name -> name.startsWith("XNIO")).forEach(left::add);
+        assertEquals(Set.of(), left);
+    }
+}

@@ -1,0 +1,114 @@
+package org.myrobotlab.service.gps;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.Test;
+
+/** Sentences of real receivers are read, damaged ones left out. */
+public class NmeaReaderTest {
+    private static final String GGA = "$GPGGA,081436.000,5212.982135,N,00653.101394,E,1,3,2.88,102.907,M,47.093,M,,*5F";
+    private static final String MT3329 = "$GPGGA,102128.000,5129.0623,N,00632.2910,E,1,4,1.31,29.7,M,47.4,M,,*6D";
+    private static final String NO_FIX = "$GPGGA,235946.005,8960.000000,N,00000.000000,E,0,0,,137.000,M,13.000,M,,*49";
+
+    private final List<String> found = new ArrayList<>();
+    private final NmeaReader reader = new NmeaReader(found::add);
+
+    private void feed(String text) {
+        reader.feed(text.getBytes(StandardCharsets.ISO_8859_1));
+    }
+
+    @Test
+    public void aLogOfARealReceiverIsReadWhole() {
+        feed("$PMTK010,001*2E\r\n$POLYN,TIME,RESTART_OCCURRED\r\n" + NO_FIX + "\r\n" + GGA + "\r\n"
+            + "$GPGSA,A,2,21,28,08,,,,,,,,,,3.05,2.88,1.00*07\r\n$GPVTG,0.00,T,,M,0.039,N,0.072,K,A*32\r\n");
+        assertEquals(6, found.size());
+        assertEquals(0, reader.getDamaged());
+    }
+
+    @Test
+    public void aWrongCheckSumIsLeftOut() {
+        feed(GGA.replace("5212", "5213") + "\r\n" + MT3329 + "\r\n");
+        assertEquals("[" + MT3329 + "]", found.toString());
+        assertEquals(1, reader.getDamaged());
+    }
+
+    @Test
+    public void aSentenceThatBreaksOffDoesNotHurtTheNext() {
+        feed(GGA.substring(0, 30) + MT3329 + "\r\n");
+        assertEquals("[" + MT3329 + "]", found.toString());
+    }
+
+    @Test
+    public void afterGarbageTheNextSentenceIsRead() {
+        long seed = new Random().nextLong();
+        Random random = new Random(seed);
+        byte[] garbage = new byte[1_000_000];
+        random.nextBytes(garbage);
+        reader.feed(garbage);
+        found.clear();
+        feed("\r\n" + GGA + "\r\n");
+        assertEquals("seed " + seed, "[" + GGA + "]", found.toString());
+    }
+
+    /** Whole sentences with the right check sum and any fields, among any bytes; -Dsear.fuzzBytes sets how many. */
+    @Test
+    public void noSentenceStopsTheReader() {
+        long seed = Long.getLong("sear.fuzzSeed", 20261121L);
+        Random random = new Random(seed);
+        String letters = "0123456789.,,,,,,-NSEWMA$*\u00e4 ";
+        byte[] garbage = new byte[200];
+        for (int done = 0; done < Integer.getInteger("sear.fuzzBytes", 300_000);) {
+            StringBuilder body = new StringBuilder("GPGGA,");
+            for (int i = random.nextInt(90); i > 0; i--) {
+                body.append(letters.charAt(random.nextInt(letters.length())));
+            }
+            random.nextBytes(garbage);
+            reader.feed(garbage);
+            feed("\r\n" + NmeaReader.framed(body.toString().replaceAll("[$*\u00e4]", "")));
+            done += garbage.length + body.length();
+            for (String sentence : found) {
+                try {
+                    new GgaFix(sentence);
+                } catch (IllegalArgumentException e) {
+                    assertTrue("seed " + seed + ": " + e, e.getMessage() != null);
+                }
+            }
+            found.clear();
+        }
+        feed("\r\n" + GGA + "\r\n");
+        assertEquals("seed " + seed, "[" + GGA + "]", found.toString());
+    }
+
+    @Test
+    public void commandsGetTheCheckSumOfTheManual() {
+        assertEquals("$PMTK220,200*2C\r\n", NmeaReader.framed("PMTK220,200"));
+        assertEquals("$PMTK251,38400*27\r\n", NmeaReader.framed("PMTK251,38400"));
+        assertEquals("$PMTK000*32\r\n", NmeaReader.framed("PMTK000"));
+    }
+
+    @Test
+    public void tokensCarryTheSignsOfSouthAndWest() {
+        GgaFix fix = new GgaFix("$GPGGA,120000.000,3336.6000,N,08051.8999,W,1,8,1.0,182.5,M,-33.0,M,,*00");
+        assertEquals(15, fix.tokens.length);
+        assertEquals("3336.6000", fix.tokens[2]);
+        assertEquals("-08051.8999", fix.tokens[4]);
+        assertEquals("182.5", fix.tokens[9]);
+        assertEquals(33.61, fix.latitude, 1e-9);
+        assertEquals(-80.864998, fix.longitude, 1e-6);
+        assertEquals(182.5, fix.altitude, 0);
+        assertEquals("-3336.6000", new GgaFix("$GPGGA,1,3336.6000,S,08051.8999,E,1,8,1.0,182.5,M,-33.0,M,,*00").tokens[2]);
+    }
+
+    @Test
+    public void withoutAFixThereIsNoPosition() {
+        assertFalse(new GgaFix(NO_FIX).hasFix());
+        assertTrue(new GgaFix(GGA).hasFix());
+        assertEquals(52.21636892, new GgaFix(GGA).latitude, 1e-8);
+    }
+}

@@ -1,0 +1,223 @@
+package org.myrobotlab.service.lidar;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.Before;
+import org.junit.Test;
+
+/** The driver asks one thing at a time, repeats, gives up, and looks for the device at other rates. */
+public class LmsDriverTest {
+    private static final String SCAN_REQUEST = "02 00 02 00 30 01 31 18";
+    private static final byte[] MODE_REPLY = Hex.bytes("06 02 80 03 00 A0 00 10 16 0A");
+    private static final byte[] SCAN_REPLY = Hex.bytes("06 02 80 06 00 B0 01 40 D2 24 10 B0 99");
+
+    private final List<String> sent = new ArrayList<>();
+    private final List<String> errors = new ArrayList<>();
+    private final List<String> infos = new ArrayList<>();
+    private final List<String> answers = new ArrayList<>();
+    private double now;
+    private int baud = 9600;
+    private LmsDriver driver;
+
+    @Before
+    public void makeDriver() {
+        driver = new LmsDriver(new LmsDriver.Line() {
+            @Override
+            public void write(byte[] bytes) {
+                sent.add(Hex.text(bytes));
+            }
+
+            @Override
+            public void setBaud(int newBaud) {
+                baud = newBaud;
+            }
+
+            @Override
+            public int getBaud() {
+                return baud;
+            }
+
+            @Override
+            public double now() {
+                return now;
+            }
+        }, new LmsDriver.Events() {
+            @Override
+            public void scan(byte[] body) {
+                answers.add("streamed");
+            }
+
+            @Override
+            public void error(String message) {
+                errors.add(message);
+            }
+
+            @Override
+            public void info(String message) {
+                infos.add(message);
+            }
+        });
+    }
+
+    private void askScan() {
+        driver.ask(new LmsRequest("a scan", () -> LmsTelegram.of(LmsTelegram.SCAN, 1), LmsTelegram.SCAN_REPLY, 813, 1, body -> answers.add("scan")));
+    }
+
+    private void askMode() {
+        driver.ask(new LmsRequest("streaming", () -> LmsTelegram.of(LmsTelegram.MODE, LmsTelegram.STREAM_ALL), LmsTelegram.MODE_REPLY, 9, 3,
+            body -> answers.add("mode")));
+    }
+
+    private void pass(double seconds) {
+        for (double end = now + seconds; now < end; now += 0.01) {
+            driver.tick();
+        }
+    }
+
+    @Test
+    public void theNextRequestWaitsForTheAnswerToTheFormer() {
+        askScan();
+        askMode();
+        assertEquals(1, sent.size());
+        driver.receive(SCAN_REPLY);
+        assertEquals(2, sent.size());
+        driver.receive(MODE_REPLY);
+        assertEquals("[scan, mode]", answers.toString());
+        assertTrue(driver.isIdle());
+    }
+
+    /** -Dsear.fuzzBytes sets how many. */
+    @Test
+    public void afterAnyBytesTheNextScanIsAnswered() {
+        long seed = Long.getLong("sear.fuzzSeed", 20261121L);
+        Random random = new Random(seed);
+        byte[][] telegrams = {MODE_REPLY, SCAN_REPLY, {0x02, (byte) 0x80}, {0x06}, {0x15}};
+        byte[] block = new byte[1000];
+        for (int done = 0; done < Integer.getInteger("sear.fuzzBytes", 300_000); done += block.length) {
+            random.nextBytes(block);
+            for (int i = 0; i < 20; i++) {
+                byte[] piece = telegrams[random.nextInt(telegrams.length)];
+                System.arraycopy(piece, 0, block, random.nextInt(block.length - piece.length), piece.length);
+            }
+            driver.receive(block);
+            pass(random.nextDouble());
+            if (done % 50_000 == 0) {
+                driver.clear();
+                answers.clear();
+                askScan();
+                driver.receive(SCAN_REPLY);
+                assertTrue("seed " + seed + " after " + done + " bytes", answers.contains("scan"));
+                sent.clear();
+                errors.clear();
+                infos.clear();
+            }
+        }
+    }
+
+    @Test
+    public void timeThatStandsStillIsNoTimeOut() {
+        askScan();
+        for (int i = 0; i < 100_000; i++) {
+            driver.tick();
+        }
+        assertEquals(1, sent.size());
+    }
+
+    @Test
+    public void aRefusedRequestIsRepeatedAfterThePause() {
+        askScan();
+        driver.receive(Hex.bytes("15"));
+        driver.tick();
+        assertEquals(1, sent.size());
+        pass(0.05);
+        assertEquals(2, sent.size());
+        assertEquals(SCAN_REQUEST, sent.get(1));
+        driver.receive(SCAN_REPLY);
+        assertEquals("[scan]", answers.toString());
+        assertTrue(errors.isEmpty());
+    }
+
+    @Test
+    public void threeRefusalsAreAnError() {
+        askScan();
+        for (int i = 0; i < 3; i++) {
+            driver.receive(Hex.bytes("15"));
+            pass(0.05);
+        }
+        assertEquals(3, sent.size());
+        assertTrue(errors.toString(), errors.get(0).contains("NAK"));
+        assertTrue(driver.isIdle());
+    }
+
+    @Test
+    public void silenceOnALineThatSpokeIsRepeatedAndThenAnError() {
+        askMode();
+        driver.receive(MODE_REPLY);
+        askScan();
+        pass(30);
+        assertEquals(4, sent.size());
+        assertTrue(errors.toString(), errors.get(0).contains("no answer to a scan after 3 tries at 9600 baud"));
+        askScan();
+        assertEquals("after an error it takes requests again", 5, sent.size());
+    }
+
+    @Test
+    public void aDeviceLeftAtAnotherRateIsFound() {
+        askScan();
+        while (baud != 38400) {
+            pass(0.1);
+        }
+        driver.receive(SCAN_REPLY);
+        assertEquals("[scan]", answers.toString());
+        assertEquals("[the LIDAR answers at 38400 baud]", infos.toString());
+        assertTrue(errors.isEmpty());
+    }
+
+    @Test
+    public void aDeviceThatIsNotThereIsReportedOnce() {
+        askScan();
+        askMode();
+        pass(120);
+        assertEquals(errors.toString(), 1, errors.size());
+        assertTrue(driver.isIdle());
+    }
+
+    @Test
+    public void streamedScansCountAsAnswersToNothing() {
+        driver.receive(SCAN_REPLY);
+        askMode();
+        driver.receive(SCAN_REPLY);
+        driver.receive(MODE_REPLY);
+        assertEquals("[streamed, streamed, mode]", answers.toString());
+    }
+
+    @Test
+    public void whatIsNotPermittedIsAnErrorAndTheNextRequestFollows() {
+        askScan();
+        askMode();
+        driver.receive(Hex.bytes("06 02 80 02 00 92 10 7F 33"));
+        assertTrue(errors.get(0).contains("does not permit a scan"));
+        assertEquals(2, sent.size());
+    }
+
+    @Test
+    public void afterAChangeOfBaudRateTheDeviceGetsAMoment() {
+        driver.changeBaud(38400);
+        askScan();
+        assertEquals(0, sent.size());
+        pass(0.3);
+        assertEquals(1, sent.size());
+        assertEquals(38400, baud);
+    }
+
+    @Test(expected = IllegalStateException.class)
+    public void aScriptThatAsksFasterThanTheDeviceAnswersIsTold() {
+        for (int i = 0; i < 200; i++) {
+            askScan();
+        }
+    }
+}

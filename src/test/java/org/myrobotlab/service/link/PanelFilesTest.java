@@ -1,0 +1,82 @@
+package org.myrobotlab.service.link;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.service.LIDAR;
+
+/** Panels come to where MyRobotLab serves them, and what the user changed stays. */
+public class PanelFilesTest {
+    private static final String SCRIPT = "WebGui/app/service/js/LIDARGui.js";
+    private static final String RECORD = ".sear-files.properties";
+
+    @Rule
+    public final TemporaryFolder temporary = new TemporaryFolder();
+
+    private Path root() {
+        return temporary.getRoot().toPath();
+    }
+
+    private String installed() throws IOException {
+        PanelFiles.install(LIDAR.class, root());
+        return Files.readString(root().resolve(SCRIPT));
+    }
+
+    @Test
+    public void missingFilesAreWritten() throws IOException {
+        assertTrue(installed().contains("LIDARGui"));
+        assertTrue(Files.exists(root().resolve("WebGui/app/service/views/LIDARGui.html")));
+        assertTrue(Files.readString(root().resolve("LIDAR/LIDAR.py")).contains("singleScan"));
+    }
+
+    @Test
+    public void iconsAreSixteenPixels() throws IOException {
+        installed();
+        BufferedImage icon = ImageIO.read(root().resolve("LIDAR.png").toFile());
+        assertEquals(16, icon.getWidth());
+        assertEquals(16, icon.getHeight());
+    }
+
+    @Test
+    public void whatAnOlderVersionWroteIsReplaced() throws IOException {
+        String ours = installed();
+        Files.writeString(root().resolve(SCRIPT), "older");
+        Files.writeString(root().resolve(RECORD), SCRIPT + "=" + sha256("older") + "\n");
+        assertEquals(ours, installed());
+    }
+
+    @Test
+    public void whatTheUserChangedStays() throws IOException {
+        installed();
+        Files.writeString(root().resolve(SCRIPT), "mine");
+        assertEquals("mine", installed());
+    }
+
+    @Test
+    public void withoutMyRobotLabsResourcesNothingIsMade() throws IOException {
+        Path missing = root().resolve("resource");
+        PanelFiles.install(LIDAR.class, missing);
+        assertFalse(Files.exists(missing));
+    }
+
+    private static String sha256(String text) {
+        try {
+            StringBuilder hex = new StringBuilder();
+            for (byte b : java.security.MessageDigest.getInstance("SHA-256").digest(text.getBytes(java.nio.charset.StandardCharsets.UTF_8))) {
+                hex.append(String.format("%02x", b));
+            }
+            return hex.toString();
+        } catch (java.security.NoSuchAlgorithmException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}

@@ -1,0 +1,46 @@
+package org.myrobotlab.service.sear;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+
+/** A service that keeps what it is told. */
+final class RecordingHost implements Host {
+    final List<String> warnings = new CopyOnWriteArrayList<>();
+    final List<String> errors = new CopyOnWriteArrayList<>();
+    final List<SensorReading> readings = new CopyOnWriteArrayList<>();
+
+    @Override
+    public String getName() {
+        return "test";
+    }
+
+    @Override
+    public String getResourceRoot() {
+        return "resource";
+    }
+
+    @Override
+    public void warn(String message) {
+        warnings.add(message);
+    }
+
+    @Override
+    public void error(String message) {
+        errors.add(message);
+    }
+
+    @Override
+    public void windowClosed() {
+        warnings.add("window closed");
+    }
+
+    @Override
+    public void reading(SensorReading reading) {
+        readings.add(reading);
+    }
+
+    @Override
+    public void state() {
+        // Nobody listens.
+    }
+}

@@ -3,6 +3,7 @@ package org.SEAR.cli.install;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -39,6 +40,7 @@ public final class InstallCommand implements Callable<Integer> {
                 out.println("Nothing was changed (--dry-run).");
             } else {
                 plan.apply();
+                plan.leftovers().forEach(file -> out.println("  left    " + file + ": another program has it open; delete it by hand"));
                 if (remove) {
                     installer.removeEmptyFolders();
                 }
@@ -48,7 +50,8 @@ public final class InstallCommand implements Callable<Integer> {
         } catch (InstallException e) {
             spec.commandLine().getErr().println("sear install: " + e.getMessage());
         } catch (IOException e) {
-            spec.commandLine().getErr().println("sear install: " + e + ". Everything is as it was before.");
+            spec.commandLine().getErr().println("sear install: " + e + (e.getSuppressed().length == 0 ? ". Everything is as it was before."
+                : ". Putting everything back failed as well: " + Arrays.toString(e.getSuppressed())));
         }
         return 1;
     }

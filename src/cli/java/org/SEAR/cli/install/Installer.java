@@ -17,6 +17,7 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.ZipEntry;
+import java.util.zip.ZipException;
 import java.util.zip.ZipFile;
 
 /**
@@ -70,7 +71,6 @@ public final class Installer {
     public Plan install(Path plugin) throws InstallException, IOException {
         Payload payload = new Payload(plugin);
         mrl.refuseIfRunning();
-        mrl.refuseIfNotWritable();
         if (old != null && Versions.compare(old.version, payload.version()) > 0) {
             throw new InstallException("SEAR " + old.version + " is installed in " + mrl.root() + ", which is newer than this " + payload.version()
                 + ". To go back, remove it first: sear install --remove " + mrl.root());
@@ -96,6 +96,7 @@ public final class Installer {
         if (!plan.isEmpty() || old == null || !old.version.equals(receipt.version)) {
             plan.write(RECEIPT, receipt.bytes());
         }
+        mrl.refuseIfNotWritable(plan);
         return plan;
     }
 
@@ -184,7 +185,22 @@ public final class Installer {
         for (Map.Entry<String, String> service : SERVICES.entrySet()) {
             changed |= data.add(service.getKey(), service.getValue(), "SEAR".equals(service.getKey()) ? "simulator" : "sensors");
         }
-        change(plan, receipt, SERVICE_DATA, now, changed ? data.text().getBytes(StandardCharsets.UTF_8) : now);
+        if (!changed) {
+            change(plan, receipt, SERVICE_DATA, now, now, now);
+            return;
+        }
+        // what MyRobotLab wrote anew since the last installation has our entries in it: these are not part of what was there before
+        change(plan, receipt, SERVICE_DATA, now, withoutOurs(now), data.text().getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** Service data without entries of ours: the same bytes where there are none. */
+    private static byte[] withoutOurs(byte[] text) throws InstallException {
+        ServiceDataFile data = new ServiceDataFile(new String(text, StandardCharsets.UTF_8));
+        boolean there = false;
+        for (String service : SERVICES.keySet()) {
+            there |= data.remove(service);
+        }
+        return there ? data.text().getBytes(StandardCharsets.UTF_8) : text;
     }
 
     /** A yml that MRL wrote while the plug-in was missing has lost its type; MRL then answers null for the service until it is mended. */
@@ -196,17 +212,17 @@ public final class Installer {
             String path = mrl.root().relativize(yml).toString().replace('\\', '/');
             if (BARE.matcher(text).matches() && type.find() && SERVICES.containsKey(type.group(1))) {
                 byte[] mended = text.replaceFirst("config\\.ServiceConfig\\b", "config." + type.group(1) + "Config").getBytes(StandardCharsets.UTF_8);
-                change(plan, receipt, path, now, mended);
+                change(plan, receipt, path, now, now, mended);
             } else if (old != null && old.changed.containsKey(path)) {
-                change(plan, receipt, path, now, now);
+                change(plan, receipt, path, now, now, now);
             }
         }
     }
 
-    /** Changes a file that MRL owns; the receipt keeps what it was before the first installation. */
-    private void change(Plan plan, Receipt receipt, String path, byte[] now, byte[] then) throws IOException {
+    /** Changes a file that MRL owns; the receipt keeps what it was before the first installation. @param untouched how it is without us */
+    private void change(Plan plan, Receipt receipt, String path, byte[] now, byte[] untouched, byte[] then) throws IOException {
         boolean oursSoFar = old != null && Receipt.hash(now).equals(old.changed.get(path));
-        byte[] original = oursSoFar ? old.original(path) : now;
+        byte[] original = oursSoFar ? old.original(path) : untouched;
         if (java.util.Arrays.equals(original, then)) {
             return;
         }
@@ -221,15 +237,15 @@ public final class Installer {
             throw new InstallException("SEAR is not installed in " + mrl.root() + ": there is no " + RECEIPT + ".");
         }
         mrl.refuseIfRunning();
-        mrl.refuseIfNotWritable();
         Plan plan = new Plan(mrl.root());
         Map<String, String> ours = new TreeMap<>();
-        Path installed = mrl.jars().resolve(Payload.PLUGIN);
-        for (Map.Entry<String, byte[]> panel : panels(Files.exists(installed) ? installed : new Payload(plugin).plugin()).entrySet()) {
+        for (Map.Entry<String, byte[]> panel : panelsToRemove(plugin).entrySet()) {
             ours.put(panel.getKey(), Receipt.hash(panel.getValue()));
         }
         ours.putAll(copiedByServices());
         ours.putAll(old.added);
+        ours.remove(JARS + Payload.PLUGIN);
+        plan.delete(JARS + Payload.PLUGIN); // nobody else's, even if it is damaged
         plan.delete(COPIED);
         for (Map.Entry<String, String> file : ours.entrySet()) {
             deleteIfOurs(plan, file.getKey(), file.getValue());
@@ -241,7 +257,21 @@ public final class Installer {
             restore(plan, SERVICE_DATA, "");
         }
         plan.delete(RECEIPT);
+        mrl.refuseIfNotWritable(plan);
         return plan;
+    }
+
+    /** The installed jar's; of this distribution where that jar is gone or damaged. */
+    private Map<String, byte[]> panelsToRemove(Path plugin) throws InstallException, IOException {
+        Path installed = mrl.jars().resolve(Payload.PLUGIN);
+        if (Files.exists(installed)) {
+            try {
+                return panels(installed);
+            } catch (ZipException e) {
+                return panels(new Payload(plugin).plugin());
+            }
+        }
+        return panels(new Payload(plugin).plugin());
     }
 
     private void restore(Plan plan, String path, String written) throws IOException, InstallException {
@@ -253,14 +283,7 @@ public final class Installer {
         if (Receipt.hash(now).equals(written)) {
             plan.write(path, old.original(path));
         } else if (path.equals(SERVICE_DATA)) {
-            ServiceDataFile data = new ServiceDataFile(new String(now, StandardCharsets.UTF_8));
-            boolean there = false;
-            for (String service : SERVICES.keySet()) {
-                there |= data.remove(service);
-            }
-            if (there) {
-                plan.write(path, data.text().getBytes(StandardCharsets.UTF_8));
-            }
+            plan.write(path, withoutOurs(now));
         } else {
             plan.note("keep    " + path + ": it was changed since");
         }

@@ -103,7 +103,11 @@ final class MrlFolder {
 
     /** Refuses while a MyRobotLab runs from this folder: it has the jars open and writes the same files. */
     void refuseIfRunning() throws InstallException {
-        Optional<ProcessHandle> running = ProcessHandle.allProcesses().filter(process -> process.pid() != ProcessHandle.current().pid())
+        Set<Long> callers = new HashSet<>();
+        for (Optional<ProcessHandle> caller = Optional.of(ProcessHandle.current()); caller.isPresent(); caller = caller.get().parent()) {
+            callers.add(caller.get().pid()); // a shell whose command line names myrobotlab.jar and calls this program is no MyRobotLab
+        }
+        Optional<ProcessHandle> running = ProcessHandle.allProcesses().filter(process -> !callers.contains(process.pid()))
             .filter(this::runsFromHere).findFirst();
         if (running.isPresent()) {
             throw new InstallException("MyRobotLab is running from " + root + " (process " + running.get().pid() + "). Shut it down and call again.");
@@ -132,15 +136,17 @@ final class MrlFolder {
         }
     }
 
-    /** Refuses when one of the folders that will be written cannot be. */
-    void refuseIfNotWritable() throws InstallException {
-        for (Path folder : new Path[] {root, libraries(), jars()}) {
-            if (Files.exists(folder) && !(Files.isDirectory(folder) && Files.isWritable(folder))) {
-                throw new InstallException("No permission to write into " + folder + ". Run the command as the user who owns it.");
+    /** Refuses when something that has to be written can't be: a file, or a folder that gets or loses files. */
+    void refuseIfNotWritable(Plan plan) throws InstallException {
+        for (Path path : plan.touched()) {
+            if (!Files.isWritable(path)) {
+                throw new InstallException("No permission to write into " + path + ". Run the command as the user who owns it.");
             }
         }
-        if (Files.exists(serviceData()) && !Files.isWritable(serviceData())) {
-            throw new InstallException("No permission to change " + serviceData() + ". Run the command as the user who owns it.");
+        for (Path folder : new Path[] {libraries(), jars()}) {
+            if (Files.exists(folder) && !Files.isDirectory(folder)) {
+                throw new InstallException(folder + " is a file, and has to be a folder. Rename it and call again.");
+            }
         }
     }
 }

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.PosixFileAttributeView;
+import java.nio.file.attribute.PosixFileAttributes;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -20,10 +22,12 @@ import java.util.TreeSet;
 final class Plan {
     private static final String STAGED = ".sear-new";
     private static final String KEPT = ".sear-old";
+    private static final String ROOT = "root";
     private final Path root;
     private final Map<String, byte[]> writes = new TreeMap<>();
     private final Set<String> deletes = new TreeSet<>();
     private final List<String> notes = new ArrayList<>();
+    private final List<Path> leftovers = new ArrayList<>();
 
     Plan(Path root) {
         this.root = root;
@@ -74,18 +78,34 @@ final class Plan {
         return folders;
     }
 
-    /** Does it. @throws IOException after everything was put back as it was */
+    /** What the user needs the right to write for this: files that are changed, and the folders that get or lose files. */
+    Set<Path> touched() {
+        Set<String> paths = new TreeSet<>(writes.keySet());
+        paths.addAll(deletes);
+        Set<Path> touched = new TreeSet<>();
+        for (String path : paths) {
+            Path folder = root.resolve(path).getParent();
+            while (!Files.exists(folder)) {
+                folder = folder.getParent();
+            }
+            touched.add(folder);
+        }
+        writes.keySet().stream().map(root::resolve).filter(Files::exists).forEach(touched::add);
+        return touched;
+    }
+
+    /** Does it. @throws IOException after everything was put back as it was; what could not be put back is among its suppressed exceptions */
     void apply() throws IOException {
         Deque<Undo> undo = new ArrayDeque<>();
         try {
             for (String folder : newFolders()) {
-                Files.createDirectory(root.resolve(folder));
+                giveToOwner(Files.createDirectory(root.resolve(folder)));
                 undo.push(() -> Files.delete(root.resolve(folder)));
             }
             for (Map.Entry<String, byte[]> write : writes.entrySet()) {
                 Path staged = sibling(write.getKey(), STAGED);
                 undo.push(() -> Files.deleteIfExists(staged));
-                Files.write(staged, write.getValue());
+                giveToOwner(Files.write(staged, write.getValue()));
             }
             for (String path : deletes) {
                 setAside(path, undo);
@@ -107,11 +127,35 @@ final class Plan {
             }
             throw e;
         }
-        for (String path : writes.keySet()) {
-            Files.deleteIfExists(sibling(path, KEPT));
+        forgetKept();
+    }
+
+    /** All is done; an old file that another program still holds open stays beside the new one, where nothing reads it. */
+    private void forgetKept() {
+        Set<String> paths = new TreeSet<>(writes.keySet());
+        paths.addAll(deletes);
+        for (String path : paths) {
+            Path kept = sibling(path, KEPT);
+            try {
+                Files.deleteIfExists(kept);
+            } catch (IOException e) {
+                leftovers.add(kept);
+            }
         }
-        for (String path : deletes) {
-            Files.deleteIfExists(sibling(path, KEPT));
+    }
+
+    /** Old files that could not be deleted, after {@link #apply}. */
+    List<Path> leftovers() {
+        return leftovers;
+    }
+
+    /** What root writes belongs to the owner of the MyRobotLab, who has to be able to change it. */
+    private void giveToOwner(Path file) throws IOException {
+        PosixFileAttributeView view = Files.getFileAttributeView(file, PosixFileAttributeView.class);
+        if (view != null && ROOT.equals(view.getOwner().getName())) {
+            PosixFileAttributes owner = Files.readAttributes(root, PosixFileAttributes.class);
+            view.setOwner(owner.owner());
+            view.setGroup(owner.group());
         }
     }
 

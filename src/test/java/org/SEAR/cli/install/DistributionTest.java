@@ -160,14 +160,39 @@ public class DistributionTest {
             open(SHARED.getRoot().toPath());
             open(folder.getRoot().toPath());
         }
-        Files.setPosixFilePermissions(mrl.resolve("libraries/jar"), PosixFilePermissions.fromString("r-xr-xr-x"));
         command.addAll(List.of(distribution.launcher().toString(), "install", mrl.toString()));
-        List<String> before = tree(mrl);
-        Distribution.Result result = Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(), command);
-        Files.setPosixFilePermissions(mrl.resolve("libraries/jar"), PosixFilePermissions.fromString("rwxr-xr-x"));
-        assertEquals(result.toString(), 1, result.status);
-        assertTrue(result.err, result.err.startsWith("sear install: No permission to write into " + mrl));
-        assertEquals(before, tree(mrl));
+        Files.createDirectories(mrl.resolve("resource/WebGui"));
+        for (String closed : new String[] {"libraries/jar", "libraries/serviceData.json", "resource"}) {
+            if (command.contains("setpriv")) {
+                openAll(mrl);
+            }
+            Files.setPosixFilePermissions(mrl.resolve(closed), PosixFilePermissions.fromString("r-xr-xr-x"));
+            List<String> before = tree(mrl);
+            Distribution.Result result = Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(), command);
+            Files.setPosixFilePermissions(mrl.resolve(closed), PosixFilePermissions.fromString("rwxr-xr-x"));
+            assertEquals(result.toString(), 1, result.status);
+            assertTrue(result.err, result.err.startsWith("sear install: No permission to write into " + mrl.resolve(closed)));
+            assertEquals(before, tree(mrl));
+        }
+    }
+
+    /** Lets everybody write, so that one closed path is what stops them. */
+    private static void openAll(Path root) throws IOException {
+        try (Stream<Path> paths = Files.walk(root)) {
+            for (Path path : (Iterable<Path>) paths::iterator) {
+                Files.setPosixFilePermissions(path, PosixFilePermissions.fromString("rwxrwxrwx"));
+            }
+        }
+    }
+
+    /** A shell that names myrobotlab.jar and calls the installer is no running MyRobotLab. */
+    @Test
+    public void theCallerIsNotTakenForMyRobotLab() throws Exception {
+        Path mrl = myRobotLab();
+        Distribution.Result result = Distribution.run(mrl, folder.newFolder().toPath(), List.of("sh", "-c",
+            "test -f myrobotlab.jar && '" + distribution.launcher() + "' install --dry-run . && true"));
+        assertEquals(result.toString(), 0, result.status);
+        assertTrue(result.out, result.out.contains("Nothing was changed"));
     }
 
     private static void open(Path path) throws IOException {

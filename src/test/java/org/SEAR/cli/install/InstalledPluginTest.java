@@ -123,6 +123,7 @@ public class InstalledPluginTest {
 
     @Test
     public void itRunsAndLeavesNothingBehind() throws Exception {
+        isLeftAloneByTheInstaller();
         panelsComeFromTheResourceRoot();
         call("python/execFile", "[\"resource/SEAR/SEAR.py\"]");
         await("the script's output", () -> log().split(" m to the wall", -1).length == 6);
@@ -143,6 +144,15 @@ public class InstalledPluginTest {
         assertTrue("a thread keeps MyRobotLab alive\n" + log(), process.waitFor(PATIENCE, TimeUnit.SECONDS));
         assertEquals(log(), 0, process.exitValue());
         assertFalse(log(), log().contains("ERROR") || log().contains("Exception"));
+    }
+
+    private void isLeftAloneByTheInstaller() throws IOException {
+        try {
+            new Installer(mrl).install(mrl.resolve("libraries/jar"));
+            throw new AssertionError("was not refused");
+        } catch (InstallException e) {
+            assertEquals("MyRobotLab is running from " + mrl + " (process " + process.pid() + "). Shut it down and call again.", e.getMessage());
+        }
     }
 
     private void panelsComeFromTheResourceRoot() throws Exception {

@@ -237,7 +237,45 @@ public class InstallerTest {
     public void aFolderThatCannotBeWrittenIsRefused() throws Exception {
         delete(mrl.resolve("libraries"));
         Files.writeString(mrl.resolve("libraries"), "a file in the way");
-        assertRefused("No permission to write into", mrl);
+        assertRefused("libraries is a file, and has to be a folder", mrl);
+    }
+
+    /** MyRobotLab writes its service data anew now and then, in its own shape: an update must not take that for what was there before. */
+    @Test
+    public void anUpdateAfterMrlRewroteServiceDataCanStillBeRemovedWhole() throws Exception {
+        install();
+        String now = Files.readString(mrl.resolve("libraries/serviceData.json"));
+        text("libraries/serviceData.json", now.replace("\"license\" : \"apache\"", "\"license\" : \"apache\", \"link\" : null"));
+        payload("1.1.0");
+        install();
+        remove();
+        String left = Files.readString(mrl.resolve("libraries/serviceData.json"));
+        assertTrue(left, left.contains("service.Clock"));
+        assertFalse(left, left.contains("service.SEAR") || left.contains("service.LIDAR") || left.contains("service.GPS"));
+    }
+
+    @Test
+    public void aDamagedPluginCanBeRemovedAndRepaired() throws Exception {
+        Map<String, String> before = tree();
+        install();
+        Map<String, String> whole = tree();
+        text("libraries/jar/sear.jar", "half a jar");
+        install();
+        assertEquals(whole, tree());
+        text("libraries/jar/sear.jar", "half a jar");
+        remove();
+        assertEquals(before, tree());
+    }
+
+    @Test
+    public void everythingBelongsToTheOwnerOfTheFolder() throws Exception {
+        if ("root".equals(System.getProperty("user.name"))) {
+            Files.setOwner(mrl, mrl.getFileSystem().getUserPrincipalLookupService().lookupPrincipalByName("nobody"));
+        }
+        install();
+        for (String file : new String[] {"libraries/jar/sear.jar", "libraries/serviceData.json", "resource/SEAR.png"}) {
+            assertEquals(file, Files.getOwner(mrl), Files.getOwner(mrl.resolve(file)));
+        }
     }
 
     private void install() throws Exception {

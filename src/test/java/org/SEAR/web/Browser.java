@@ -1,0 +1,255 @@
+package org.SEAR.web;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.openqa.selenium.By;
+import org.openqa.selenium.Dimension;
+import org.openqa.selenium.NoSuchElementException;
+import org.openqa.selenium.OutputType;
+import org.openqa.selenium.SessionNotCreatedException;
+import org.openqa.selenium.StaleElementReferenceException;
+import org.openqa.selenium.TimeoutException;
+import org.openqa.selenium.WebElement;
+import org.openqa.selenium.chrome.ChromeDriver;
+import org.openqa.selenium.chrome.ChromeDriverService;
+import org.openqa.selenium.chrome.ChromeOptions;
+import org.openqa.selenium.logging.LogEntry;
+import org.openqa.selenium.logging.LogType;
+import org.openqa.selenium.logging.LoggingPreferences;
+import org.openqa.selenium.support.ui.ExpectedConditions;
+import org.openqa.selenium.support.ui.WebDriverWait;
+
+/** A headless Chromium without display and without memory of earlier runs. Elements are named by CSS selectors and waited for. */
+public final class Browser implements AutoCloseable {
+    /** For everything that takes time: slow machines get all they need. */
+    private static final Duration LIMIT = Duration.ofSeconds(60);
+    private static final Duration LOOK = Duration.ofMillis(100);
+    private static final int ATTEMPTS = 2;
+    private static final List<String> BROWSERS = List.of("chromium", "chromium-browser", "google-chrome", "google-chrome-stable");
+    private static final List<String> DRIVERS = List.of("chromedriver");
+
+    /** Warns of each Chromium that is newer than Selenium; held here, since loggers that nobody holds forget their level. */
+    private static final Logger VERSIONS = Logger.getLogger("org.openqa.selenium.devtools.CdpVersionFinder");
+
+    static {
+        VERSIONS.setLevel(Level.SEVERE);
+    }
+
+    private final ChromeDriver driver;
+    private final Path profile;
+    private final List<String> expected = new ArrayList<>();
+
+    /** @param width of its window in pixels @param height of its window in pixels */
+    public Browser(int width, int height) throws IOException {
+        String binary = program(BROWSERS);
+        String driverProgram = program(DRIVERS);
+        profile = Files.createTempDirectory("sear-browser").toRealPath();
+        Files.createDirectories(downloads());
+        ChromeOptions options = new ChromeOptions();
+        options.setBinary(binary);
+        options.addArguments("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+            "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--hide-scrollbars", "--lang=en",
+            "--window-size=" + width + "," + height, "--user-data-dir=" + profile.resolve("profile"));
+        options.setExperimentalOption("prefs", Map.of("download.default_directory", downloads().toString(), "download.prompt_for_download", false));
+        LoggingPreferences logs = new LoggingPreferences();
+        logs.enable(LogType.BROWSER, Level.ALL);
+        options.setCapability("goog:loggingPrefs", logs);
+        driver = start(driverProgram, options);
+        driver.manage().window().setSize(new Dimension(width, height));
+    }
+
+    /** A machine that is busy with other things may need a second attempt. */
+    private static ChromeDriver start(String driverProgram, ChromeOptions options) {
+        for (int attempt = 1;; attempt++) {
+            try {
+                return new ChromeDriver(new ChromeDriverService.Builder().usingDriverExecutable(new File(driverProgram)).usingAnyFreePort()
+                    .withSilent(true).build(), options);
+            } catch (SessionNotCreatedException e) {
+                if (attempt == ATTEMPTS) {
+                    throw e;
+                }
+            }
+        }
+    }
+
+    private static String program(List<String> names) {
+        for (String name : names) {
+            for (String folder : System.getenv().getOrDefault("PATH", "").split(File.pathSeparator)) {
+                Path file = Paths.get(folder, name);
+                if (Files.isExecutable(file)) {
+                    return file.toString();
+                }
+            }
+        }
+        throw new AssertionError("the browser tests need " + names.get(0) + " on the PATH: install Chromium and its driver"
+            + " (on Debian: apt-get install chromium chromium-driver; ./gradlew test does it by itself)");
+    }
+
+    /** For what has no shorter way here. */
+    public ChromeDriver driver() {
+        return driver;
+    }
+
+    /** Where downloads go. */
+    public Path downloads() {
+        return profile.resolve("downloads");
+    }
+
+    // ---- elements ------------------------------------------------------------------------------------------------------
+
+    /** Waits for a condition. @param what is waited for, for the message */
+    public void until(String what, BooleanSupplier condition) {
+        value(what, () -> condition.getAsBoolean() ? Boolean.TRUE : null);
+    }
+
+    /** Waits until something is there. @param supplier answers null as long as it is not */
+    public <T> T value(String what, Supplier<T> supplier) {
+        try {
+            return new WebDriverWait(driver, LIMIT, LOOK).ignoring(StaleElementReferenceException.class, NoSuchElementException.class)
+                .until(unused -> supplier.get());
+        } catch (TimeoutException e) {
+            throw new AssertionError("waited " + LIMIT.toSeconds() + " s for " + what, e);
+        }
+    }
+
+    /** The first visible element. */
+    public WebElement see(String css) {
+        return value("a visible " + css, () -> all(css).stream().filter(WebElement::isDisplayed).findFirst().orElse(null));
+    }
+
+    /** All elements that are there now, visible or not. */
+    public List<WebElement> all(String css) {
+        return driver.findElements(By.cssSelector(css));
+    }
+
+    /** Waits until there is a visible element whose text has such a part. */
+    public void seeText(String css, String part) {
+        value(css + " with the text \"" + part + "\"", () -> texts(css).stream().filter(text -> text.contains(part)).findFirst().orElse(null));
+    }
+
+    /** Texts of all visible elements. */
+    public List<String> texts(String css) {
+        return all(css).stream().filter(WebElement::isDisplayed).map(WebElement::getText).collect(Collectors.toList());
+    }
+
+    /** Text of the first visible element. */
+    public String text(String css) {
+        return see(css).getText();
+    }
+
+    /** Clicks an element as soon as that can be clicked. */
+    public void click(String css) {
+        until(css + " that can be clicked", () -> {
+            WebElement element = all(css).stream().filter(WebElement::isDisplayed).findFirst().orElse(null);
+            if (element == null || ExpectedConditions.elementToBeClickable(element).apply(driver) == null) {
+                return false;
+            }
+            element.click();
+            return true;
+        });
+    }
+
+    /** Types into a field in place of what is in it. */
+    public void type(String css, String text) {
+        WebElement field = see(css);
+        field.clear();
+        field.sendKeys(text);
+    }
+
+    /** Chooses an option of a select by its text. */
+    public void choose(String css, String option) {
+        until("option " + option + " of " + css, () -> {
+            WebElement select = see(css);
+            WebElement found = select.findElements(By.tagName("option")).stream().filter(one -> one.getText().trim().equals(option)).findFirst()
+                .orElse(null);
+            if (found == null || !select.isEnabled()) {
+                return false;
+            }
+            found.click();
+            return true;
+        });
+    }
+
+    /** Runs JavaScript in the page. @return what it returns: a number (Long or Double), text, Boolean, List, Map or null */
+    public Object script(String code, Object... arguments) {
+        return driver.executeScript(code, arguments);
+    }
+
+    /** Evaluates an expression in the scope of a panel, as {@code scope(".sear-main", "toScreen(1, 2).x")}. */
+    public Object scope(String css, String expression) {
+        return script("return angular.element(document.querySelector(arguments[0])).scope().$eval(arguments[1])", css, expression);
+    }
+
+    /** The same as a number. */
+    public double number(String css, String expression) {
+        return ((Number) Objects.requireNonNull(scope(css, expression), expression)).doubleValue();
+    }
+
+    /** Whether pages are to be light or dark, as the browser's user has set it. @param theme "light" or "dark" */
+    public void setTheme(String theme) {
+        driver.executeCdpCommand("Emulation.setEmulatedMedia", Map.of("features", List.of(Map.of("name", "prefers-color-scheme", "value", theme))));
+    }
+
+    // ---- what went wrong -----------------------------------------------------------------------------------------------
+
+    /** Errors of the console that this test brings about on purpose. @param part of their text */
+    public void expectErrors(String part) {
+        expected.add(part);
+    }
+
+    /** Errors of the console since the last time this was asked, without the expected ones; uncaught exceptions too. */
+    public List<String> errors() {
+        List<String> errors = new ArrayList<>();
+        for (LogEntry entry : driver.manage().logs().get(LogType.BROWSER)) {
+            if (entry.getLevel().intValue() >= Level.SEVERE.intValue() && expected.stream().noneMatch(entry.getMessage()::contains)) {
+                errors.add(entry.getMessage());
+            }
+        }
+        return errors;
+    }
+
+    /** Forgets errors and expectations, for the next test. */
+    void forget() {
+        driver.manage().logs().get(LogType.BROWSER);
+        expected.clear();
+    }
+
+    /** Writes what the window shows into a PNG file. */
+    public void picture(Path file) throws IOException {
+        Files.createDirectories(file.getParent());
+        Files.write(file, driver.getScreenshotAs(OutputType.BYTES));
+    }
+
+    /** A finished download; waits for it. */
+    public Path download(String name) {
+        Path file = downloads().resolve(name);
+        until("the download of " + name, () -> {
+            try (Stream<Path> files = Files.list(downloads())) {
+                return Files.exists(file) && files.noneMatch(one -> one.toString().endsWith(".crdownload"));
+            } catch (IOException e) {
+                return false;
+            }
+        });
+        return file;
+    }
+
+    @Override
+    public void close() {
+        driver.quit();
+        MyRobotLab.deleteFolder(profile);
+    }
+}

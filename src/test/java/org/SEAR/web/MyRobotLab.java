@@ -1,0 +1,163 @@
+package org.SEAR.web;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.net.ServerSocket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Comparator;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * The embedded MyRobotLab as users start it, {@code sear start.py --headless --keep}: a process of its own, in a folder of its own, with tabs on a
+ * free port. Its services are asked over HTTP.
+ */
+public final class MyRobotLab implements AutoCloseable {
+    private static final int START_SECONDS = 120;
+    private static final int STOP_SECONDS = 30;
+    private static final int LOOK_MILLIS = 100;
+    private static final String STARTED = "started.txt";
+    private static final String TAKEN = "is in use by another program";
+    private static final ObjectMapper JSON = new ObjectMapper();
+
+    private final HttpClient client = HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
+    private final Path folder;
+    private Process process;
+    private int port;
+
+    /** Starts it; returns when the script has ended. @param script Jython code that starts services */
+    public MyRobotLab(String script) throws IOException, InterruptedException {
+        folder = Files.createTempDirectory("sear-web").toRealPath();
+        Files.writeString(folder.resolve("start.py"), "# coding: utf-8\n" + script + "\nopen('" + STARTED + "', 'w').close()\n");
+        do {
+            try (ServerSocket free = new ServerSocket(0)) {
+                port = free.getLocalPort();
+            }
+            startProcess();
+        } while (log().contains(TAKEN));
+    }
+
+    private void startProcess() throws IOException, InterruptedException {
+        Files.deleteIfExists(folder.resolve(STARTED));
+        process = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx384m", "-XX:TieredStopAtLevel=1",
+            "-Dfile.encoding=UTF-8", "-cp", System.getProperty("sear.cliClasspath"), "org.SEAR.cli.SearCommand", "start.py", "--headless", "--keep",
+            "--port", String.valueOf(port)).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(logFile().toFile()).start();
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(START_SECONDS);
+        while (Files.notExists(folder.resolve(STARTED))) {
+            if (process.waitFor(LOOK_MILLIS, TimeUnit.MILLISECONDS) || System.nanoTime() > end) {
+                String log = log();
+                close();
+                throw new IllegalStateException("MyRobotLab did not start:\n" + log);
+            }
+        }
+    }
+
+    /** The address of its tabs. */
+    public String url() {
+        return "http://localhost:" + port + "/";
+    }
+
+    /** Its working folder, with {@code SEARproject} and what services write. */
+    public Path folder() {
+        return folder;
+    }
+
+    /** A file in the working folder. */
+    public Path file(String name) {
+        return folder.resolve(name);
+    }
+
+    /** Path of an example that comes with SEAR, as {@code example("office")}. */
+    public static Path example(String name) {
+        return Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("examples").resolve(name + ".sear");
+    }
+
+    /** The same for a script: a Python literal. */
+    public static String exampleForScript(String name) {
+        return "'" + example(name).toString().replace("\\", "\\\\") + "'";
+    }
+
+    /** Calls a method of a service and waits for its answer. @throws AssertionError with what it says, if it fails */
+    public JsonNode call(String service, String method, Object... arguments) {
+        URI uri = URI.create(url() + "api/service/" + service + "/" + method);
+        try {
+            HttpResponse<String> answer = client.send(HttpRequest.newBuilder(uri)
+                .POST(HttpRequest.BodyPublishers.ofString(JSON.writeValueAsString(arguments))).build(), HttpResponse.BodyHandlers.ofString());
+            if (answer.statusCode() != 200) {
+                throw new AssertionError(service + "." + method + " answered " + answer.statusCode() + ": " + answer.body());
+            }
+            return JSON.readTree(answer.body());
+        } catch (IOException e) {
+            throw new AssertionError(service + "." + method + ": " + e, e);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new AssertionError(e);
+        }
+    }
+
+    /** Runs Jython code in it and waits for its end. @throws AssertionError if it raises */
+    public void run(String code) {
+        if (!call("python", "exec", code).asBoolean()) {
+            throw new AssertionError("this raised:\n" + code + "\n" + log());
+        }
+    }
+
+    /** Ends the process, as Ctrl+C does; the folder stays. */
+    public void stop() {
+        process.destroy();
+        try {
+            if (!process.waitFor(STOP_SECONDS, TimeUnit.SECONDS)) {
+                process.destroyForcibly().waitFor();
+            }
+        } catch (InterruptedException e) {
+            process.destroyForcibly();
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Starts a stopped one again, in the same folder and on the same port. */
+    public void startAgain() throws IOException, InterruptedException {
+        startProcess();
+    }
+
+    private Path logFile() {
+        return folder.resolve("mrl.log");
+    }
+
+    /** All that it has printed since it was started. */
+    public String log() {
+        try {
+            return Files.exists(logFile()) ? new String(Files.readAllBytes(logFile()), StandardCharsets.UTF_8) : "";
+        } catch (IOException e) {
+            return e.toString();
+        }
+    }
+
+    /** Ends the process and deletes the folder. */
+    @Override
+    public void close() {
+        stop();
+        deleteFolder(folder);
+    }
+
+    static void deleteFolder(Path folder) {
+        try (Stream<Path> files = Files.walk(folder)) {
+            List<Path> deepestFirst = files.sorted(Comparator.reverseOrder()).collect(Collectors.toList());
+            for (Path file : deepestFirst) {
+                Files.deleteIfExists(file);
+            }
+        } catch (IOException | java.io.UncheckedIOException e) {
+            System.err.println(folder + " could not be deleted: " + e);
+        }
+    }
+}

@@ -1,0 +1,104 @@
+package org.SEAR.web;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.List;
+import org.junit.Assert;
+import org.junit.rules.ExternalResource;
+import org.junit.rules.TestRule;
+import org.junit.runner.Description;
+import org.junit.runners.model.Statement;
+
+/**
+ * One MyRobotLab and one browser for the tests of a class.
+ *
+ * <pre>
+ * &#64;ClassRule
+ * public static final Tabs TABS = new Tabs("Runtime.start('sear', 'SEAR')");
+ * &#64;Rule
+ * public final TestRule page = TABS.page("sear");
+ * </pre>
+ *
+ * <p>Each test begins with a page that was just loaded and shows that tab, and ends with a look at the browser's console, which must be without
+ * errors. When a test fails, {@code build/reports/web} gets what the page showed.
+ */
+public final class Tabs extends ExternalResource {
+    private static final int WIDTH = 1280;
+    private static final int HEIGHT = 1000;
+    private static final Path PICTURES = Paths.get(System.getProperty("sear.root", "."), "build/reports/web");
+
+    private final String script;
+    private MyRobotLab robotLab;
+    private Browser browser;
+    private int loads;
+
+    /** @param script Jython code that starts what the class needs */
+    public Tabs(String script) {
+        this.script = script;
+    }
+
+    @Override
+    protected void before() throws IOException, InterruptedException {
+        browser = new Browser(WIDTH, HEIGHT);
+        try {
+            robotLab = new MyRobotLab(script);
+        } catch (IOException | InterruptedException | RuntimeException e) {
+            browser.close();
+            throw e;
+        }
+    }
+
+    @Override
+    protected void after() {
+        browser.close();
+        robotLab.close();
+    }
+
+    public MyRobotLab robotLab() {
+        return robotLab;
+    }
+
+    public Browser browser() {
+        return browser;
+    }
+
+    /** Loads the page anew and shows a service's tab; returns when its panel is there. */
+    public void open(String service) {
+        open(browser, service);
+    }
+
+    /** The same in another browser. */
+    public void open(Browser other, String service) {
+        other.driver().get(robotLab.url() + "?load=" + ++loads + "#/" + service);
+        other.see("mrl-panel[name='" + service + "'] > *");
+    }
+
+    /** A rule for each test. @param service whose tab is shown at the start */
+    public TestRule page(String service) {
+        return (test, description) -> new Statement() {
+            @Override
+            public void evaluate() throws Throwable {
+                browser.forget();
+                try {
+                    open(service);
+                    test.evaluate();
+                    Assert.assertEquals("errors in the browser's console", List.of(), browser.errors());
+                } catch (Throwable e) {
+                    keepPicture(description);
+                    throw e;
+                }
+            }
+        };
+    }
+
+    private void keepPicture(Description test) {
+        Path file = PICTURES.resolve(test.getTestClass().getSimpleName() + "." + test.getMethodName() + ".png");
+        try {
+            browser.picture(file);
+            System.err.println(test + " failed, see " + file + "; console: " + browser.errors() + "; MyRobotLab printed:\n" + robotLab.log());
+        } catch (IOException | RuntimeException e) {
+            System.err.println(test + " failed, and there is no picture of it: " + e);
+        }
+    }
+}

@@ -29,6 +29,9 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     private static final String PEER = "serial";
     private static final List<String> MODELS = Arrays.asList("FV-M8", "MT3301", "MT3329", "NMEA");
     private static final String PLAIN = "NMEA";
+    /** The question for the firmware, and what its answer starts with. */
+    private static final String ASK_FIRMWARE = "PMTK605";
+    private static final String FIRMWARE = "$PMTK705,";
     private static final List<Integer> BAUDS = Arrays.asList(4800, 9600, 14400, 19200, 38400, 57600, 115200);
     /** Receivers send once a second; this long without a good sentence is a loss. Seconds. */
     private static final double SILENCE = 5;
@@ -46,6 +49,8 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     private transient double changeBaudAt = Double.POSITIVE_INFINITY;
     private transient int nextBaud;
     private transient volatile GgaFix lastFix;
+    private transient boolean asked;
+    private String firmware;
     private boolean connected;
     private boolean silent;
     private boolean fix;
@@ -70,7 +75,8 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     }
 
     /**
-     * Connects to the port the receiver is on.
+     * Connects to the port the receiver is on. When the first sentence has come, a receiver is asked for its firmware (unless the model is NMEA),
+     * and the model becomes the one it names.
      *
      * @param baud 4800, 9600, 14400, 19200, 38400, 57600 or 115200
      * @throws IOException if there is no such port, or it is in use
@@ -84,6 +90,8 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         reader.reset();
         silent = false;
         fix = false;
+        asked = false;
+        firmware = null;
         link.connect(port, baud);
         lastHeard = link.now();
         connected = true;
@@ -169,6 +177,11 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         return fix;
     }
 
+    /** The firmware as the receiver names it, for example {@code "MTK3301_1.0"}; null before it did. */
+    public String getFirmware() {
+        return firmware;
+    }
+
     /** The last GGA sentence; null before the first. */
     public GgaFix getLastFix() {
         return lastFix;
@@ -210,6 +223,11 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     private void onSentence(String sentence) {
         sentences++;
         heard();
+        if (sentence.startsWith(FIRMWARE)) {
+            onFirmware(sentence.substring(FIRMWARE.length()).split("[,*]", 2)[0]);
+        } else if (!asked && connected) {
+            askFirmware();
+        }
         invoke("publishSentence", sentence);
         if (sentence.startsWith("GGA", 3)) {
             try {
@@ -218,6 +236,28 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
                 warn("%s sent a GGA sentence that makes no sense: %s", getName(), sentence);
             }
         }
+    }
+
+    private void askFirmware() {
+        asked = true;
+        if (!PLAIN.equals(config.model)) {
+            try {
+                sendCommand(ASK_FIRMWARE);
+            } catch (IllegalStateException e) {
+                log.info("{} can't be asked for its firmware: {}", getName(), e.getMessage());
+            }
+        }
+    }
+
+    /** {@code MTK3301_1.0} is an MT3301's, {@code AXN_1.30} an MT3329's. */
+    private void onFirmware(String release) {
+        firmware = release;
+        if (release.contains("3301")) {
+            config.model = "MT3301";
+        } else if (release.startsWith("AXN")) {
+            config.model = "MT3329";
+        }
+        broadcastState();
     }
 
     private void heard() {

@@ -38,6 +38,8 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener {
     private boolean connected;
     private boolean streaming;
     private String unit = "mm";
+    private double spread;
+    private double resolution;
     private long scans;
 
     /** As MyRobotLab makes services. */
@@ -62,7 +64,7 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener {
     }
 
     /**
-     * Connects to the port the LIDAR is on, and asks the device for its unit and measuring mode. If it answers at another rate, the port follows.
+     * Connects to the port the LIDAR is on, and asks the device for its unit and its modes. If it answers at another rate, the port follows.
      *
      * @param baud 9600, 19200, 38400 or 500000
      * @throws IOException if there is no such port, or it is in use
@@ -194,7 +196,7 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener {
 
     void onScan(LmsScan scan) {
         scans++;
-        unit = scan.unit;
+        onUnit(scan.unit);
         invoke("publishLidarData", (Object) scan.raw);
         invoke("publishScan", scan);
     }
@@ -202,6 +204,19 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener {
     void onStreaming(boolean on) {
         streaming = on;
         broadcastState();
+    }
+
+    void onScanMode(double newSpread, double newResolution) {
+        spread = newSpread;
+        resolution = newResolution;
+        broadcastState();
+    }
+
+    void onUnit(String newUnit) {
+        if (!newUnit.equals(unit)) {
+            unit = newUnit;
+            broadcastState();
+        }
     }
 
     void onBaud(int baud) {
@@ -214,9 +229,19 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener {
         return streaming;
     }
 
-    /** {@code "mm"} or {@code "cm"}: what the last scan was in. */
+    /** {@code "mm"} or {@code "cm"}: what the device measures in. */
     public String getUnit() {
         return unit;
+    }
+
+    /** Degrees from the first to the last beam, as the device told; 0 before it did. */
+    public double getSpread() {
+        return spread;
+    }
+
+    /** Degrees between beams, as the device told; 0 before it did. */
+    public double getResolution() {
+        return resolution;
     }
 
     /** Scans received since the service was made. */

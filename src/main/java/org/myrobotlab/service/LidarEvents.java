@@ -27,6 +27,16 @@ final class LidarEvents implements LmsDevice.Listener {
     }
 
     @Override
+    public void scanMode(double spread, double resolution) {
+        service.onScanMode(spread, resolution);
+    }
+
+    @Override
+    public void unit(boolean millimetres) {
+        service.onUnit(millimetres ? "mm" : "cm");
+    }
+
+    @Override
     public void error(String message) {
         service.error("%s", message);
     }

@@ -91,6 +91,33 @@ public class GpsServiceTest {
     }
 
     @Test
+    public void theModelIsTheOneTheReceiverNames() throws Exception {
+        gps.addListener("publishSentence", "positions", "onValue");
+        gps.connect(PORT);
+        say(SOUTH_CAROLINA);
+        assertEquals(FarEnd.hex("$PMTK605*31\r\n".getBytes(StandardCharsets.US_ASCII)), String.join(" ", receiver.await(1)));
+        say(NmeaReader.framed("PMTK705,AXN_1.30,0000,20090609,"));
+        heard.await(2);
+        assertEquals("AXN_1.30", gps.getFirmware());
+        assertEquals("MT3329", gps.getConfig().model);
+        say(SOUTH_CAROLINA + NmeaReader.framed("PMTK705,MTK3301_1.0,0000,20090609,"));
+        assertEquals(4, heard.await(4).size());
+        assertEquals("MT3301", gps.getConfig().model);
+        assertEquals("asked once", 1, receiver.await(1).size());
+    }
+
+    @Test
+    public void aPlainReceiverIsAskedNothing() throws Exception {
+        gps.addListener("publishSentence", "positions", "onValue");
+        gps.setModel("NMEA");
+        gps.connect(PORT);
+        say(SOUTH_CAROLINA + SOUTH_CAROLINA);
+        assertEquals(2, heard.await(2).size());
+        assertEquals(0, receiver.await(0).size());
+        assertEquals("NMEA", gps.getConfig().model);
+    }
+
+    @Test
     public void unknownModelsAndRatesNameTheKnownOnes() {
         for (Runnable wrong : Arrays.<Runnable>asList(() -> gps.setModel("FV-M9"), () -> gps.setBaud(12345))) {
             try {

@@ -19,6 +19,7 @@ public class LidarServiceTest {
     private static final String PORT = "/dev/test_lidar";
     private static final String CONFIGURATION = "02 80 24 00 F4 00 00 70 00 00 00 01 00 00 02 02" + " 00".repeat(21) + " 02 00 10 3C FB";
     private static final String CM_WRITTEN = "02 80 25 00 F7 01 00 00 70 00 00 00 00 00 00 02 02" + " 00".repeat(21) + " 02 00 10 65 1A";
+    private static final String STATUS = status("25", "8A 56");
     private static final String MODE_TAKEN = "06 02 80 03 00 A0 00 10 16 0A";
     private static final String SCAN = "06 02 80 0E 00 B0 05 40 00 00 01 00 E8 83 F7 1F FF 1F 10 D4 58";
 
@@ -30,12 +31,19 @@ public class LidarServiceTest {
     @Before
     public void start() throws Exception {
         answers.put("02 00 01 00 74 50 12", "06 " + CONFIGURATION);
+        answers.put("02 00 01 00 31 15 12", STATUS);
         answers.put("02 00 02 00 30 01 31 18", SCAN);
         device = new FarEnd(PORT, answers::get);
         lidar = (LIDAR) Runtime.start("testLidar", "LIDAR");
         raw = (Heard) Runtime.start("rawScans", "Heard");
         lidar.addListener("publishLidarData", "rawScans", "onValue");
         lidar.addListener("publishStatus", "rawScans", "onStatus");
+    }
+
+    /** A device of 180 degrees by 0.5 in an operating mode. */
+    private static String status(String mode, String crc) {
+        return "06 02 80 9A 00 B1" + " 00".repeat(7) + " " + mode + " 00".repeat(98) + " B4 00 32 00" + " 00".repeat(11) + " 01" + " 00".repeat(30)
+            + " 10 " + crc;
     }
 
     @After
@@ -72,13 +80,13 @@ public class LidarServiceTest {
         answers.put("02 00 02 00 20 25 35 08", MODE_TAKEN);
         lidar.connect(PORT);
         lidar.startStreaming();
-        device.await(2);
+        device.await(3);
         for (int i = 0; i < 10; i++) {
             device.send(FarEnd.bytes(SCAN.substring(3)));
         }
         assertEquals(10, raw.await(10).size());
         lidar.stopStreaming();
-        assertEquals("02 00 02 00 20 25 35 08", device.await(3).get(2));
+        assertEquals("02 00 02 00 20 25 35 08", device.await(4).get(3));
     }
 
     @Test
@@ -98,7 +106,38 @@ public class LidarServiceTest {
         answers.put("02 00 23 00 77 00 00 70 00 00 00 00 00 00 02 02" + " 00".repeat(21) + " 02 00 41 B8", "06 " + CM_WRITTEN);
         lidar.connect(PORT);
         lidar.setToCM();
-        assertEquals("02 00 02 00 20 25 35 08", device.await(5).get(4));
+        assertEquals("02 00 02 00 20 25 35 08", device.await(6).get(5));
+    }
+
+    @Test
+    public void unitAndFanAreLearntFromTheDevice() throws Exception {
+        lidar.connect(PORT);
+        lidar.singleScan();
+        raw.await(1);
+        assertEquals(180, lidar.getSpread(), 0);
+        assertEquals(0.5, lidar.getResolution(), 0);
+        assertFalse(lidar.isStreaming());
+    }
+
+    @Test
+    public void aDeviceThatStreamsAlreadyIsStreaming() throws Exception {
+        answers.put("02 00 01 00 31 15 12", status("24", "B6 4E"));
+        answers.put("02 00 02 00 20 25 35 08", MODE_TAKEN);
+        lidar.connect(PORT);
+        lidar.setBaud(9600);
+        device.await(3);
+        assertTrue(lidar.isStreaming());
+    }
+
+    @Test
+    public void aNewScanModeIsTold() throws Exception {
+        answers.put("02 00 05 00 3B 64 00 64 00 1D 0F", "06 02 80 07 00 BB 01 64 00 64 00 10 4F BD");
+        lidar.connect(PORT);
+        lidar.setScanMode(100, 1);
+        lidar.singleScan();
+        raw.await(1);
+        assertEquals(100, lidar.getSpread(), 0);
+        assertEquals(1, lidar.getResolution(), 0);
     }
 
     @Test
@@ -107,6 +146,7 @@ public class LidarServiceTest {
         lidar.connect(PORT);
         lidar.setScanMode(100, 0.25);
         assertTrue(raw.getStatuses().toString(), raw.awaitStatus("refused scan mode 100, 0.25 and stays at 180, 0.5"));
+        assertEquals(0.5, lidar.getResolution(), 0);
     }
 
     @Test

@@ -30,6 +30,11 @@ public final class LmsDevice {
 
         void baud(int baud);
 
+        /** @param spread degrees from first to last beam @param resolution degrees between beams */
+        void scanMode(double spread, double resolution);
+
+        void unit(boolean millimetres);
+
         void error(String message);
 
         void info(String message);
@@ -94,8 +99,28 @@ public final class LmsDevice {
         return lastScan;
     }
 
-    /** Asks the device for its configuration: unit and measuring mode. */
+    /** Asks the device for its configuration and its status: unit, measuring mode, fan, and whether it streams already. */
     public void learn() {
+        learnConfiguration();
+        ask("the request for the status", LmsTelegram.of(LmsTelegram.STATUS), LmsTelegram.STATUS_REPLY, LmsTelegram.STATUS_LENGTH + OVERHEAD,
+            SHORT_PATIENCE, this::status);
+    }
+
+    private void status(byte[] reply) {
+        fan(LmsTelegram.word(reply, LmsTelegram.STATUS_SPREAD), LmsTelegram.word(reply, LmsTelegram.STATUS_RESOLUTION));
+        boolean streams = LmsTelegram.isStream(reply[LmsTelegram.STATUS_MODE]);
+        if (streams != streaming) {
+            streaming = streams;
+            listener.streaming(streams);
+        }
+    }
+
+    private void fan(int spread, int hundredths) {
+        resolution = hundredths / HUNDREDTHS;
+        listener.scanMode(spread, resolution);
+    }
+
+    private void learnConfiguration() {
         ask("the request for the configuration", LmsTelegram.of(LmsTelegram.GET_CONFIGURATION), LmsTelegram.CONFIGURATION_REPLY,
             LmsTelegram.CONFIGURATION_LENGTH, SHORT_PATIENCE, reply -> configured(reply, CONFIGURATION_AT));
     }
@@ -107,6 +132,7 @@ public final class LmsDevice {
         }
         configuration = block;
         measuringMode = block[LmsTelegram.CONFIGURATION_MODE] & 0xFF;
+        listener.unit(block[LmsTelegram.CONFIGURATION_UNIT] == 1);
     }
 
     /** Tells the device to talk at another rate and follows it. */
@@ -129,11 +155,12 @@ public final class LmsDevice {
         int hundredths = (int) Math.round(newResolution * HUNDREDTHS);
         pauseStreaming(() -> ask("scan mode " + spread + " degrees by " + newResolution, LmsTelegram.variant(spread, hundredths),
             LmsTelegram.VARIANT_REPLY, OVERHEAD + 3, MODE_PATIENCE, reply -> {
-                if (reply[1] == 1) {
-                    resolution = newResolution;
-                } else {
-                    listener.error("the LIDAR refused scan mode " + spread + ", " + newResolution + " and stays at " + LmsTelegram.word(reply, 2)
-                        + ", " + LmsTelegram.word(reply, 4) / HUNDREDTHS);
+                int nowSpread = LmsTelegram.word(reply, 2);
+                int nowResolution = LmsTelegram.word(reply, 4);
+                fan(nowSpread, nowResolution);
+                if (reply[1] != 1) {
+                    listener.error("the LIDAR refused scan mode " + spread + ", " + newResolution + " and stays at " + nowSpread + ", "
+                        + nowResolution / HUNDREDTHS);
                 }
             }));
     }
@@ -142,7 +169,7 @@ public final class LmsDevice {
     public void setUnit(boolean millimetres) {
         pauseStreaming(() -> {
             mode("installation mode", LmsTelegram.installationMode());
-            learn();
+            learnConfiguration();
             driver.ask(new LmsRequest("the change of unit", () -> withUnit(millimetres), LmsTelegram.SET_CONFIGURATION_REPLY,
                 LmsTelegram.CONFIGURATION_LENGTH, WRITE_PATIENCE, reply -> {
                     if (reply[1] == 1) {
@@ -221,6 +248,11 @@ public final class LmsDevice {
     }
 
     private final class Events implements LmsDriver.Events {
+        @Override
+        public void baud(int baud) {
+            listener.baud(baud);
+        }
+
         @Override
         public void scan(byte[] body) {
             scanned(body);

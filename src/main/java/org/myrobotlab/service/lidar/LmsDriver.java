@@ -40,6 +40,9 @@ final class LmsDriver implements LmsFramer.Sink {
         /** @param body command, data, status of a B0h telegram */
         void scan(byte[] body);
 
+        /** The device was found at another rate than the port was opened with; the port is at that rate now. */
+        void baud(int baud);
+
         void error(String message);
 
         void info(String message);
@@ -185,6 +188,7 @@ final class LmsDriver implements LmsFramer.Sink {
     private void hear() {
         if (!heard && baudsTried > 0) {
             events.info("the LIDAR answers at " + line.getBaud() + " baud");
+            events.baud(line.getBaud());
         }
         heard = true;
     }

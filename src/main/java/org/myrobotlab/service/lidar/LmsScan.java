@@ -23,8 +23,8 @@ public final class LmsScan {
 
     private static final int LIMIT_BELOW_TOP = 8;
     private static final double STRAIGHT_AHEAD = 90;
-    private static final double PER_MM = 0.001;
-    private static final double PER_CM = 0.01;
+    private static final double MM = 1000;
+    private static final double CM = 100;
 
     /**
      * @param raw values as they came, with their flag bits
@@ -45,7 +45,7 @@ public final class LmsScan {
         for (int i = 0; i < raw.length; i++) {
             this.raw[i] = raw[i] & mask;
             angles[i] = firstAngle + i * resolution;
-            metres[i] = this.raw[i] >= noReturn ? null : Double.valueOf(this.raw[i] * (millimetres ? PER_MM : PER_CM));
+            metres[i] = this.raw[i] >= noReturn ? null : Double.valueOf(this.raw[i] / (millimetres ? MM : CM));
         }
     }
 

@@ -17,6 +17,7 @@ final class LmsTelegram {
 
     static final int MODE_REPLY = 0xA0;
     static final int SCAN_REPLY = 0xB0;
+    static final int STATUS_REPLY = 0xB1;
     static final int TYPE_REPLY = 0xBA;
     static final int VARIANT_REPLY = 0xBB;
     static final int CONFIGURATION_REPLY = 0xF4;
@@ -34,6 +35,17 @@ final class LmsTelegram {
     /** Where the block has the unit: 0 centimetres, 1 millimetres. */
     static final int CONFIGURATION_UNIT = 6;
 
+    /** Bytes of a B1h telegram's body (telegram listing, table 7-33). */
+    static final int STATUS_LENGTH = 154;
+    /** Where it has the operating mode. */
+    static final int STATUS_MODE = 8;
+    /** Where it has the angle of the fan, degrees. */
+    static final int STATUS_SPREAD = 107;
+    /** Where it has the angle between beams, hundredths of a degree. */
+    static final int STATUS_RESOLUTION = 109;
+
+    private static final int FIRST_MEASURING_MODE = 0x20;
+    private static final int LAST_MEASURING_MODE = 0x2F;
     private static final int POLYNOMIAL = 0x8005;
     private static final String PASSWORD = "SICK_LMS";
 
@@ -98,6 +110,11 @@ final class LmsTelegram {
         body[0] = SET_CONFIGURATION;
         System.arraycopy(configuration, 0, body, 1, configuration.length);
         return body;
+    }
+
+    /** Whether a device in that operating mode sends by itself. */
+    static boolean isStream(int mode) {
+        return mode >= FIRST_MEASURING_MODE && mode <= LAST_MEASURING_MODE && mode != ON_REQUEST;
     }
 
     static int word(byte[] body, int at) {

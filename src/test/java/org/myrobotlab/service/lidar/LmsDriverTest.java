@@ -52,6 +52,11 @@ public class LmsDriverTest {
             }
 
             @Override
+            public void baud(int found) {
+                answers.add("at " + found);
+            }
+
+            @Override
             public void error(String message) {
                 errors.add(message);
             }
@@ -172,7 +177,7 @@ public class LmsDriverTest {
             pass(0.1);
         }
         driver.receive(SCAN_REPLY);
-        assertEquals("[scan]", answers.toString());
+        assertEquals("[at 38400, scan]", answers.toString());
         assertEquals("[the LIDAR answers at 38400 baud]", infos.toString());
         assertTrue(errors.isEmpty());
     }

@@ -187,9 +187,8 @@ final class WindowApplication extends SimpleApplication implements WindowBody {
         link.close();
         shown = false;
         if (closedByUser && !closing) {
-            Thread messenger = new Thread(this::tellClosed, "SEAR window closed");
-            messenger.setDaemon(true);
-            messenger.start();
+            // no daemon: a process that has only this window would end before the message is out
+            new Thread(this::tellClosed, "SEAR window closed").start();
         }
     }
 

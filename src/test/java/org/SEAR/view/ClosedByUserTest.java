@@ -1,0 +1,62 @@
+package org.SEAR.view;
+
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Test;
+import org.junit.runner.RunWith;
+import org.myrobotlab.service.Runtime;
+import org.myrobotlab.service.SEAR;
+
+/** What a SEAR service does when the user closes the window: goes on, or stops, as configured. */
+@RunWith(UnderXvfb.class)
+public class ClosedByUserTest {
+    private static final String TITLE = "SEAR";
+
+    private SEAR sear;
+
+    @Before
+    public void start() throws Exception {
+        ViewProjects.room();
+        System.setProperty("sear.headless", "false");
+        sear = (SEAR) Runtime.start("windowedSear", "SEAR");
+    }
+
+    @After
+    public void release() {
+        Runtime.releaseService("windowedSear");
+    }
+
+    private void closeWindow() throws Exception {
+        sear.startSimulation();
+        assertTrue(sear.isRunning());
+        CloseButton.press(TITLE);
+    }
+
+    /** The thread that tells the service has ended: what it had to say is in the service's inbox. */
+    private static boolean isTold() {
+        return Thread.getAllStackTraces().keySet().stream().map(Thread::getName)
+            .noneMatch(name -> name.equals("SEAR window closed") || name.equals("jME3 Main"));
+    }
+
+    @Test
+    public void theSimulationGoesOnWithoutAWindow() throws Exception {
+        assertFalse("default", sear.getConfig().closingWindowStops);
+        closeWindow();
+        Views.until("the window has gone", ClosedByUserTest::isTold);
+        double then = sear.getTime() + 1;
+        Views.until("time goes on", () -> sear.getTime() > then);
+        assertTrue(sear.isRunning());
+    }
+
+    @Test
+    public void theSimulationStopsWhereItIsConfiguredTo() throws Exception {
+        sear.getConfig().closingWindowStops = true;
+        closeWindow();
+        Views.until("the simulation has stopped", () -> !sear.isRunning());
+        sear.startSimulation();
+        assertTrue("it starts again", sear.isRunning());
+    }
+}

@@ -16,14 +16,14 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Puts a service's panel, icon and example script where MyRobotLab serves them from: below its resource root, on the disk. Files that are missing
- * or that an older version put there are written; files that the user has changed are left alone. Never creates the resource root itself, whose
- * absence makes MyRobotLab unpack its own.
+ * Puts a service's panel, icon, example script and example projects where MyRobotLab serves them from: below its resource root, on the disk. Files
+ * that are missing or that an older version put there are written; files that the user has changed are left alone. Never
+ * creates the resource root itself, whose absence makes MyRobotLab unpack its own.
  */
 public final class PanelFiles {
     private static final Logger log = LoggerFactory.getLogger(PanelFiles.class);
     private static final List<String> FILES = Arrays.asList("WebGui/app/service/js/%sGui.js", "WebGui/app/service/views/%sGui.html", "%s.png",
-        "%s/%s.py");
+        "%s/%s.py", "%s/maze.sear", "%s/office.sear", "%s/ramps.sear", "%s/sensors.sear");
     /** Where the jar has them. */
     private static final String IN_JAR = "/resource/";
     /** Below the resource root: what was written, by file name, as SHA-256. */

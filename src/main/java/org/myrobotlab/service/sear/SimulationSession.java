@@ -114,7 +114,14 @@ public final class SimulationSession {
             return;
         }
         stopped = true;
-        window.close();
+        try {
+            window.close();
+        } finally {
+            endWorld();
+        }
+    }
+
+    private void endWorld() {
         if (thread.isAlive()) {
             runner.stop();
             joinThread();

@@ -13,6 +13,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
@@ -118,6 +120,29 @@ public class DistributionTest {
         assertEquals(result.toString(), 5, metres.length);
         double wall = 2.95 - 0.15; // from where the sensor starts to the wall's near face
         assertEquals(result.toString(), wall - 5 * 0.3, Double.parseDouble(metres[4]), 0.1);
+    }
+
+    /** As in MyRobotLab's Python tab, where a simulation with these sensors runs. */
+    @Test
+    public void theExamplesOfLidarAndGpsPrintWhatTheyMeasure() throws Exception {
+        Path resources = Path.of(System.getProperty("sear.root", "."), "resources/resource").toAbsolutePath();
+        Path script = folder.getRoot().toPath().resolve("both.py");
+        Files.writeString(script, "sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('" + distribution.home().resolve("examples/sensors.sear")
+            + "')\nsear.startSimulation()\nsear.simSleep(1)\npython.execFile('" + resources.resolve("LIDAR/LIDAR.py") + "')\nsear.simSleep(3)\n"
+            + "print 'truth ' + str(min(sear.getLidarResult('myLidar')))\npython.execFile('" + resources.resolve("GPS/GPS.py")
+            + "')\nsear.simSleep(3.5)\nprint 'truth ' + ' '.join([str(x) for x in sear.getGpsResult('gpsUnit1')])\n");
+        Distribution.Result result = sear(script.toString(), "--headless", "--speed", "max", "--port", "none");
+        assertEquals(result.toString(), 0, result.status);
+        assertEquals("no warnings", "", result.err);
+        Matcher scan = Pattern.compile("181 readings, the nearest at (\\d+) mm\\Rtruth (\\S+)\\R").matcher(result.out);
+        assertTrue(result.toString(), scan.lookingAt());
+        assertEquals(Double.parseDouble(scan.group(2)), Integer.parseInt(scan.group(1)) / 1000.0, 0.002);
+        Matcher fix = Pattern.compile("(latitude (\\S+), longitude (\\S+), altitude (\\S+) m\\R){3,4}truth (\\S+) (\\S+) (\\S+)\\R")
+            .matcher(result.out.substring(scan.end()));
+        assertTrue(result.toString(), fix.matches());
+        assertEquals(Double.parseDouble(fix.group(5)), Double.parseDouble(fix.group(2)), 2e-6);
+        assertEquals(Double.parseDouble(fix.group(6)), Double.parseDouble(fix.group(3)), 2e-6);
+        assertEquals(Double.parseDouble(fix.group(7)), Double.parseDouble(fix.group(4)), 0.1);
     }
 
     @Test

@@ -37,6 +37,10 @@ public class InstalledPluginTest {
     private static final String THREADS = "from java.lang import Thread\n"
         + "print 'threads:' + ','.join([t.getName() for t in Thread.getAllStackTraces().keySet()])\n";
 
+    /** What stands nearest to the robot of examples/sensors.py, and where its GPS is. */
+    private static final String NEAREST = "(?s).*\\b181 readings, the nearest at 21[45]\\d mm\\R.*";
+    private static final String POSITION = "(?s).*\\blatitude 33\\.6100\\d\\d, longitude -80\\.8650\\d\\d, altitude 182\\.[56] m\\R.*";
+
     @Rule
     public TemporaryFolder folder = new TemporaryFolder();
     private final HttpClient client = HttpClient.newHttpClient();
@@ -128,8 +132,7 @@ public class InstalledPluginTest {
         call("python/execFile", "[\"resource/SEAR/SEAR.py\"]");
         await("the script's output", () -> log().split(" m to the wall", -1).length == 6);
         assertTrue(Files.isDirectory(mrl.resolve("SEARproject")));
-        call("sear/startSimulation", "[]");
-        call("sear/simSleep", "[0.5]");
+        theExamplesOfLidarAndGpsPrintWhatTheyMeasure();
         for (String service : new String[] {"sear", "lidar", "gps"}) {
             call("runtime/release", "[\"" + service + "\"]");
         }
@@ -144,6 +147,18 @@ public class InstalledPluginTest {
         assertTrue("a thread keeps MyRobotLab alive\n" + log(), process.waitFor(PATIENCE, TimeUnit.SECONDS));
         assertEquals(log(), 0, process.exitValue());
         assertFalse(log(), log().contains("ERROR") || log().contains("Exception"));
+    }
+
+    private void theExamplesOfLidarAndGpsPrintWhatTheyMeasure() throws Exception {
+        call("sear/loadProject", "[\"resource/SEAR/sensors.sear\"]");
+        call("sear/startSimulation", "[]");
+        call("sear/simSleep", "[1]");
+        call("python/execFile", "[\"resource/LIDAR/LIDAR.py\"]");
+        call("sear/simSleep", "[5]");
+        await("the scan", () -> log().matches(NEAREST));
+        call("python/execFile", "[\"resource/GPS/GPS.py\"]");
+        call("sear/simSleep", "[3]");
+        await("the position", () -> log().matches(POSITION));
     }
 
     private void isLeftAloneByTheInstaller() throws IOException {

@@ -1,18 +1,22 @@
 package org.myrobotlab.service.link;
 
+import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import javax.imageio.ImageIO;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.LIDAR;
+import org.myrobotlab.service.SEAR;
 
 /** Panels come to where MyRobotLab serves them, and what the user changed stays. */
 public class PanelFilesTest {
@@ -36,6 +40,16 @@ public class PanelFilesTest {
         assertTrue(installed().contains("LIDARGui"));
         assertTrue(Files.exists(root().resolve("WebGui/app/service/views/LIDARGui.html")));
         assertTrue(Files.readString(root().resolve("LIDAR/LIDAR.py")).contains("singleScan"));
+    }
+
+    @Test
+    public void everyExampleProjectIsOfferedInTheTab() throws IOException {
+        PanelFiles.install(SEAR.class, root());
+        try (DirectoryStream<Path> examples = Files.newDirectoryStream(Paths.get(System.getProperty("sear.root", "."), "examples"), "*.sear")) {
+            for (Path example : examples) {
+                assertArrayEquals(Files.readAllBytes(example), Files.readAllBytes(root().resolve("SEAR").resolve(example.getFileName())));
+            }
+        }
     }
 
     @Test

@@ -8,10 +8,12 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * A robot: components and wheels, no shape of its own. Its XML file in {@code robot/} has the names of its components, each of which has a file
- * beside it, and the wheels themselves.
+ * A robot: components and wheels, no shape of its own. It starts at the pose of its {@link Dynamics}, which counts from the robot's own pose; that
+ * is the world's origin until {@link #move} or {@link #rotate} say otherwise. Its XML file in {@code robot/} has the names of its components, each
+ * of which has a file beside it, and the wheels themselves.
  */
-@Described("a robot: the names of its components, whose files lie beside its own, and its wheels")
+@Described("a robot: the names of its components, whose files lie beside its own, and its wheels; moving or turning it moves the start pose of its"
+    + " Dynamics with it")
 public class SEARrobot extends SearObject {
     /** Most components of a robot. */
     private static final int MAX_COMPONENTS = 1000;

@@ -54,8 +54,7 @@ final class RobotBuilder {
         for (int i = 0; i < all.length; i++) {
             all[i] = places.get(i).times(solids.get(i).offset);
         }
-        Pose start = StartPoses.upright(robot.getName(),
-            Pose.ofDegrees(dynamics.getX(), dynamics.getY(), dynamics.getZ(), dynamics.getRx(), dynamics.getRy(), dynamics.getRz()), warnings);
+        Pose start = StartPoses.upright(robot.getName(), place(robot).times(place(dynamics)), warnings);
         body = new Body(robot.getName(), dynamics.getMass(), solids, all, centre, start);
         body.setRobot();
     }
@@ -79,10 +78,13 @@ final class RobotBuilder {
         for (SearObject part : object.getComponents()) {
             Solid solid = Solid.of(part, project);
             if (solid != null) {
-                add(solid, Pose.ofDegrees(part.getX(), part.getY(), part.getZ(), part.getRx(), part.getRy(), part.getRz()),
-                    ((Shape) part).isVisibleToSensors(), weight((Shape) part, solid));
+                add(solid, place(part), ((Shape) part).isVisibleToSensors(), weight((Shape) part, solid));
             }
         }
+    }
+
+    private static Pose place(SearObject object) {
+        return Pose.ofDegrees(object.getX(), object.getY(), object.getZ(), object.getRx(), object.getRy(), object.getRz());
     }
 
     /** Masses place the centre of mass where there are any, else volumes do. */

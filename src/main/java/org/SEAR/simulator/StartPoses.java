@@ -1,7 +1,9 @@
 package org.SEAR.simulator;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import org.SEAR.raycast.Pose;
 
 /** Start poses that can't be meant are put right, each with a warning. */
@@ -39,6 +41,24 @@ final class StartPoses {
                 double lifted = body.getStart().y - before;
                 if (lifted > 0) {
                     warnings.add(String.format(Locale.ROOT, "%s started inside something fixed; it was lifted by %.3f m", body.name, lifted));
+                }
+            }
+        }
+    }
+
+    /** Tells about things with mass that start inside one another: the first step will throw them apart. */
+    static void tellOverlaps(List<Body> bodies, List<String> warnings) {
+        List<Body> moving = bodies.stream().filter(body -> !body.isFixed()).collect(Collectors.toList());
+        List<Overlap> overlaps = moving.stream().map(Overlap::new).collect(Collectors.toList());
+        List<double[]> boxes = new ArrayList<>();
+        for (int i = 0; i < moving.size(); i++) {
+            Overlap mine = overlaps.get(i);
+            Pose start = moving.get(i).getStart();
+            boxes.add(mine.bounds(start));
+            for (int k = 0; k < i; k++) {
+                if (!mine.isApart(boxes.get(i), boxes.get(k)) && mine.overlaps(start, overlaps.get(k), ALLOWED)) {
+                    warnings.add(String.format(Locale.ROOT, "%s and %s start inside one another and will be pushed apart; move one of them",
+                        moving.get(k).name, moving.get(i).name));
                 }
             }
         }

@@ -45,6 +45,7 @@ final class World implements Physics.Touches {
             robots.add(new RobotModel(builder, robots.size(), scenes, truth, virtualWalls));
         }
         StartPoses.lift(physics.getBodies(), warnings);
+        StartPoses.tellOverlaps(physics.getBodies(), warnings);
         restart();
     }
 

@@ -99,6 +99,29 @@ public class WorldTest {
     }
 
     @Test
+    public void movingARobotMovesItsStartPose() throws Exception {
+        SEARrobot robot = Worlds.roomba("roomba", 0, 1, 0);
+        robot.move(3, 0, 2);
+        robot.rotate(0, 90, 0);
+        Pose pose = Worlds.start(project).getPose("roomba");
+        assertEquals("the turn takes the Dynamics' z = 1 to the x axis", 4, pose.x, 1e-9);
+        assertEquals(2, pose.z, 1e-9);
+        assertEquals("heads along x", 1, pose.rotate(0, 0, 1)[0], 1e-9);
+    }
+
+    @Test
+    public void robotsThatStartInsideOneAnotherAreTold() throws Exception {
+        Worlds.roomba("first", 0, 0, 0);
+        Worlds.roomba("second", 0.1, 0, 0);
+        Worlds.roomba("apart", 0.5, 0, 0);
+        Box crate = new Box("crate", 0.2, 0.2, 0.2, 1);
+        crate.move(0.5, 0.1, 0);
+        assertEquals("[crate and apart start inside one another and will be pushed apart; move one of them,"
+            + " first and second start inside one another and will be pushed apart; move one of them]",
+            Worlds.start(project).snapshot().warnings.toString());
+    }
+
+    @Test
     public void twoRobotsSeeEachOtherAndNotThemselves() throws Exception {
         Worlds.roomba("first", 0, 0, 0).addComponent(new Distance("firstEye", "laser", 0, 0, 0, 0, 0, 0));
         Worlds.roomba("second", 0, 2, 180).addComponent(new Distance("secondEye", "laser", 0, 0, 0, 0, 0, 0));

@@ -9,6 +9,8 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
     var QUALITIES = {0: 'no fix', 1: 'GPS', 2: 'differential GPS', 6: 'dead reckoning', 7: 'manual', 8: 'simulator'}
     var MOST_SENTENCES = 40
     var LONGEST_TRACK = 2000
+    var MOST_MESSAGES = 5
+    var HALF = 45               // units of the plot from the middle to the edge
     // WGS84: metres in a degree, as series in the latitude
     var METRES_PER_DEGREE = 111132.954
     var EQUATOR_DEGREE = 111412.84
@@ -18,16 +20,22 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
     $scope.form = {port: '', baud: 38400, model: 'FV-M8', raw: false}
     $scope.ports = []
     $scope.sentences = []
-    $scope.statuses = []
+    $scope.received = 0
+    $scope.messages = []
     $scope.tokens = null
     $scope.position = null
     $scope.track = []
     var touched = false
     var start = null
+    var counting = false        // whether the number of sentences has been asked for
 
+    // The fields show what the service is set to; until the user connects, what the user has typed.
     this.updateState = function(service) {
         $scope.service = service
-        if (!touched && service.config) {
+        $scope.received = service.sentences || 0
+        counting = false
+        touched = touched && !service.connected
+        if (service.config && !touched) {
             $scope.form.port = service.config.port || $scope.form.port
             $scope.form.baud = service.config.baud || $scope.form.baud
             $scope.form.model = service.config.model || $scope.form.model
@@ -47,17 +55,24 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
             onPosition(data)
             break
         case 'onSentence':
+            if (!counting) {
+                counting = true
+                msg.send('getSentenceCount')
+            }
             $scope.sentences.unshift(data)
             $scope.sentences.splice(MOST_SENTENCES)
+            break
+        case 'onSentenceCount':
+            $scope.received = data
+            counting = false
             break
         case 'onPortNames':
             $scope.ports = data
             break
         case 'onStatus':
-            if (data && data.level !== 'info') {
-                $scope.statuses.unshift({level: data.level, text: data.detail})
-                $scope.statuses.splice(5)
-            }
+            // an exception's detail is its stack trace; its key says what happened
+            $scope.messages.unshift({level: data.level, text: data.key || data.detail, time: new Date()})
+            $scope.messages.splice(MOST_MESSAGES)
             break
         default:
             return
@@ -78,6 +93,16 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
         $scope.plot = plot()
     }
 
+    /** Where the last fix lies from the first one, in words. */
+    $scope.offset = function() {
+        if (!$scope.track.length) {
+            return '–'
+        }
+        var last = $scope.track[$scope.track.length - 1]
+        return Math.abs(last[0]).toFixed(2) + (last[0] < 0 ? ' m west, ' : ' m east, ')
+            + Math.abs(last[1]).toFixed(2) + (last[1] < 0 ? ' m south' : ' m north')
+    }
+
     /** The track as an SVG polyline in a square of 100 units, with the scale that it has. */
     function plot() {
         var reach = 1
@@ -89,10 +114,10 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
         return {
             reach: reach,
             points: $scope.track.map(function(point) {
-                return (point[0] / reach * 45).toFixed(2) + ',' + (-point[1] / reach * 45).toFixed(2)
+                return (point[0] / reach * HALF).toFixed(2) + ',' + (-point[1] / reach * HALF).toFixed(2)
             }).join(' '),
             last: $scope.track[$scope.track.length - 1].map(function(metres, axis) {
-                return (axis ? -1 : 1) * metres / reach * 45
+                return (axis ? -1 : 1) * metres / reach * HALF
             })
         }
     }
@@ -103,6 +128,9 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
     $scope.latitude = LATITUDE
     $scope.longitude = LONGITUDE
     $scope.altitude = ALTITUDE
+    $scope.hasFix = function() {
+        return $scope.tokens !== null && Number($scope.tokens[6]) > 0
+    }
     $scope.quality = function() {
         return $scope.tokens ? QUALITIES[$scope.tokens[6] || 0] || 'quality ' + $scope.tokens[6] : '–'
     }
@@ -115,7 +143,7 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
         touched = true
     }
     $scope.connect = function() {
-        touched = false
+        $scope.messages = []
         msg.send('setModel', $scope.form.model)
         msg.send('connect', $scope.form.port, Number($scope.form.baud))
     }
@@ -129,6 +157,9 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
     $scope.refreshPorts = function() {
         msg.send('getPortNames')
     }
+    $scope.clearMessages = function() {
+        $scope.messages = []
+    }
     $scope.clearTrack = function() {
         $scope.track = []
         $scope.plot = null
@@ -139,6 +170,7 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
     msg.subscribe('publishGPS')
     msg.subscribe('publishSentence')
     msg.subscribe('publishStatus')
+    msg.subscribe('getSentenceCount')
     msg.subscribe('getPortNames')
     msg.subscribe(this)
     msg.send('getPortNames')

@@ -8,28 +8,54 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
     var RING_STEPS = [0.25, 0.5, 1, 2, 5, 10, 20]
     var MOST_RINGS = 6
     var EMPTY_REACH = 8         // metres, the range of most scanners
+    var SHRINK = 0.6            // the automatic range shrinks when the farthest value is this near, so that it doesn't jump to and fro
     var FULL_CIRCLE = 180.5
+    var RATE_MILLIS = 3000
+    var TABLE_MILLIS = 300
+    var MOST_MESSAGES = 5
+    var KEY_STEPS = {ArrowLeft: 1, ArrowRight: -1, ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10, Home: -Infinity, End: Infinity}
 
     $scope.bauds = [9600, 19200, 38400, 500000]
     $scope.modes = [
         {label: '180° / 1°', spread: 180, resolution: 1}, {label: '180° / 0.5°', spread: 180, resolution: 0.5},
         {label: '100° / 1°', spread: 100, resolution: 1}, {label: '100° / 0.5°', spread: 100, resolution: 0.5},
         {label: '100° / 0.25°', spread: 100, resolution: 0.25}]
-    $scope.form = {port: '', baud: 9600, mode: $scope.modes[0], table: false, rings: 'auto'}
+    $scope.form = {port: '', baud: 9600, mode: null, table: false, rings: 'auto'}
     $scope.ports = []
     $scope.scan = null
     $scope.rate = 0
-    $scope.statuses = []
+    $scope.messages = []
+    $scope.table = null
+    $scope.beam = null          // which value of the scan is pointed at
     var touched = false
+    var wanted = {}             // what was chosen here and is not settled yet: baud, mode
     var arrivals = []
+    var reach = 0
 
     this.updateState = function(service) {
         $scope.service = service
-        if (!touched && service.config) {
-            $scope.form.port = service.config.port || $scope.form.port
-            $scope.form.baud = service.config.baud || $scope.form.baud
-        }
+        follow()
         $timeout(draw)
+    }
+
+    // The fields show what the device is set to; until the user connects, what the user has typed.
+    function follow() {
+        var service = $scope.service
+        var mode = modeOf(service)
+        wanted.mode = wanted.mode === mode ? null : wanted.mode
+        $scope.form.mode = wanted.mode || mode
+        touched = touched && !service.connected
+        if (service.config && !touched) {
+            wanted.baud = wanted.baud === service.config.baud ? null : wanted.baud
+            $scope.form.port = service.config.port || $scope.form.port
+            $scope.form.baud = wanted.baud || service.config.baud || $scope.form.baud
+        }
+    }
+
+    function modeOf(service) {
+        return $scope.modes.filter(function(mode) {
+            return mode.spread === service.spread && mode.resolution === service.resolution
+        })[0] || null
     }
 
     this.onMsg = function(inMsg) {
@@ -47,15 +73,25 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
             $scope.$apply()
             break
         case 'onStatus':
-            if (data && data.level !== 'info') {
-                $scope.statuses.unshift({level: data.level, text: data.detail, time: new Date()})
-                $scope.statuses.splice(5)
-                $scope.$apply()
-            }
+            onStatus(data)
+            $scope.$apply()
             break
         default:
             break
         }
+    }
+
+    // An exception's detail is its stack trace; its key says what happened.
+    function onStatus(status) {
+        if (status.level === 'error' && $scope.service) {
+            wanted = {}
+            follow()
+        }
+        $scope.messages.unshift({level: status.level, text: status.key || status.detail, time: new Date()})
+        $scope.messages.splice(MOST_MESSAGES)
+    }
+    $scope.clearMessages = function() {
+        $scope.messages = []
     }
 
     // Scans may come faster than the screen is drawn: only the newest one is drawn.
@@ -64,10 +100,13 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
         $scope.scan = scan
         var now = Date.now()
         arrivals.push(now)
-        while (arrivals.length > 20 || arrivals[0] < now - 5000) {
+        while (arrivals[0] < now - RATE_MILLIS) {
             arrivals.shift()
         }
-        $scope.rate = arrivals.length > 1 ? (arrivals.length - 1) * 1000 / (now - arrivals[0]) : 0
+        $scope.rate = arrivals.length > 1 && now > arrivals[0] ? (arrivals.length - 1) * 1000 / (now - arrivals[0]) : 0
+        $scope.beam = $scope.beam === null ? null : Math.min($scope.beam, scan.angles.length - 1)
+        updateReach()
+        updateTable()
         if (!waiting) {
             waiting = true
             window.requestAnimationFrame(function() {
@@ -82,7 +121,8 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
         touched = true
     }
     $scope.connect = function() {
-        touched = false
+        wanted = {}
+        $scope.messages = []
         msg.send('connect', $scope.form.port, Number($scope.form.baud))
     }
     $scope.refreshPorts = function() {
@@ -90,13 +130,15 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
     }
     $scope.setBaud = function() {
         if ($scope.service.connected) {
-            msg.send('setBaud', Number($scope.form.baud))
+            wanted.baud = Number($scope.form.baud)
+            msg.send('setBaud', wanted.baud)
         } else {
             touched = true
         }
     }
     $scope.setMode = function() {
-        msg.send('setScanMode', $scope.form.mode.spread, $scope.form.mode.resolution)
+        wanted.mode = $scope.form.mode
+        msg.send('setScanMode', wanted.mode.spread, wanted.mode.resolution)
     }
 
     // ---- the plot: sensor at the bottom in the middle, 0 degrees to the right, 90 ahead --------------------------------------------------
@@ -104,20 +146,23 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
         return $scope.service ? document.getElementById('lidar-plot-' + $scope.service.name) : null
     }
 
-    /** Metres at the outermost ring: a round number beyond the farthest distance. */
+    /** Metres at the outermost ring: as chosen, or a round number beyond the farthest distance. */
     $scope.reach = function() {
+        return $scope.form.rings === 'auto' ? reach || EMPTY_REACH : Number($scope.form.rings)
+    }
+
+    function updateReach() {
         var farthest = 0
-        if ($scope.form.rings !== 'auto') {
-            return Number($scope.form.rings)
-        }
-        ($scope.scan ? $scope.scan.metres : []).forEach(function(metres) {
+        $scope.scan.metres.forEach(function(metres) {
             if (metres !== null && metres > farthest) {
                 farthest = metres
             }
         })
         farthest = farthest || EMPTY_REACH
-        var step = ringStep(farthest)
-        return Math.ceil(farthest / step) * step
+        if (farthest > reach || farthest < reach * SHRINK) {
+            var step = ringStep(farthest)
+            reach = Math.ceil(farthest / step) * step
+        }
     }
 
     function ringStep(reach) {
@@ -160,6 +205,7 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
         drawGrid(pen, geometry, colour)
         if ($scope.scan) {
             drawScan(pen, geometry)
+            drawBeam(pen, geometry, colour)
         }
         pen.fillStyle = colour
         pen.beginPath()
@@ -225,7 +271,80 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
         }
     }
 
+    function drawBeam(pen, geometry, colour) {
+        if ($scope.beam === null) {
+            return
+        }
+        var metres = $scope.scan.metres[$scope.beam]
+        var at = $scope.point(geometry, metres === null ? geometry.reach : Math.min(metres, geometry.reach), $scope.scan.angles[$scope.beam])
+        pen.strokeStyle = colour
+        pen.lineWidth = 1.5
+        pen.beginPath()
+        pen.moveTo(geometry.x, geometry.y)
+        pen.lineTo(at.x, at.y)
+        pen.stroke()
+        if (metres !== null && metres <= geometry.reach) {
+            pen.beginPath()
+            pen.arc(at.x, at.y, 5, 0, 2 * Math.PI)
+            pen.stroke()
+        }
+    }
+
+    // ---- one beam: under the mouse, or chosen with the keys --------------------------------------------------------------------------------
+    $scope.hover = function(event) {
+        if ($scope.scan) {
+            var geometry = $scope.geometry()
+            var degrees = Math.atan2(geometry.y - event.offsetY, event.offsetX - geometry.x) * 180 / Math.PI
+            var resolution = $scope.scan.resolution || 1
+            var index = Math.round(((degrees + 360 - $scope.scan.angles[0]) % 360) / resolution)
+            $scope.choose(index < $scope.scan.angles.length ? index : null)
+        }
+    }
+
+    $scope.choose = function(index) {
+        $scope.beam = index
+        draw()
+    }
+
+    $scope.key = function(event) {
+        var step = KEY_STEPS[event.key]
+        if (step && $scope.scan) {
+            event.preventDefault()
+            var last = $scope.scan.angles.length - 1
+            var from = $scope.beam === null ? Math.round(last / 2) - (isFinite(step) ? step : 0) : $scope.beam
+            $scope.choose(Math.max(0, Math.min(last, from + step)))
+        }
+    }
+
+    /** The chosen beam in words. */
+    $scope.beamText = function() {
+        var scan = $scope.scan
+        var i = $scope.beam
+        return !scan || i === null ? '' : scan.angles[i] + '°: '
+            + (scan.metres[i] === null ? 'no return (' + scan.raw[i] + ')' : scan.metres[i] + ' m (' + scan.raw[i] + ' ' + scan.unit + ')')
+    }
+
     // ---- table and file ------------------------------------------------------------------------------------------------------------------
+    // A table of hundreds of rows takes longer to lay out than a plot: while scans stream it shows some of them, and the last one in the end.
+    var tableTimer = null
+    function updateTable() {
+        if ($scope.form.table && !tableTimer) {
+            tableTimer = $timeout(function() {
+                tableTimer = null
+                makeTable()
+            }, TABLE_MILLIS)
+        }
+    }
+
+    function makeTable() {
+        $scope.table = {unit: $scope.scan.unit, rows: $scope.rows()}
+    }
+
+    $scope.showTable = function() {
+        $scope.form.table = !$scope.form.table
+        makeTable()
+    }
+
     $scope.rows = function() {
         var scan = $scope.scan
         return scan ? scan.angles.map(function(angle, i) {
@@ -249,9 +368,13 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
     $scope.redraw = function() {
         $timeout(draw)
     }
+    var theme = window.matchMedia('(prefers-color-scheme: dark)')
+    theme.addEventListener('change', draw)
     window.addEventListener('resize', draw)
     $scope.$on('$destroy', function() {
+        theme.removeEventListener('change', draw)
         window.removeEventListener('resize', draw)
+        $timeout.cancel(tableTimer)
     })
     $scope.$watch(function() {
         var element = canvas()

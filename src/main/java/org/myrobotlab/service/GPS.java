@@ -85,14 +85,15 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         if (link == null) {
             startService();
         }
-        config.baud = checkedBaud(baud);
-        config.port = port;
+        checkedBaud(baud);
         reader.reset();
         silent = false;
         fix = false;
         asked = false;
         firmware = null;
         link.connect(port, baud);
+        config.baud = baud;
+        config.port = port;
         lastHeard = link.now();
         connected = true;
         broadcastState();
@@ -265,6 +266,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         if (silent) {
             silent = false;
             info("%s sends again", getName());
+            broadcastState();
         }
     }
 
@@ -293,6 +295,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
             silent = true;
             warn("no data from %s on port %s at %d baud for %s s: is it switched on, and is this its baud rate?", getName(), link.getPortName(),
                 link.getBaud(), SILENCE);
+            broadcastState();
         }
     }
 

@@ -73,10 +73,11 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener {
         if (link == null) {
             startService();
         }
-        config.baud = LmsDevice.checkedBaud(baud);
-        config.port = port;
+        LmsDevice.checkedBaud(baud);
         device.clear();
         link.connect(port, baud);
+        config.baud = baud;
+        config.port = port;
         connected = true;
         device.learn();
         broadcastState();

@@ -10,7 +10,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 
 /** A page that is open in a browser. Any thread. */
 final class Client {
-    /** Messages that may wait for a slow page; what comes then is left out. */
+    /** Messages that may wait for a slow page; values that come then are left out. */
     private static final int MOST_WAITING = 200;
 
     private final WebSocketChannel channel;
@@ -32,11 +32,16 @@ final class Client {
         this.channel = channel;
     }
 
-    /** Sends a text; leaves it out while the page can't keep up. */
+    /** Sends a text. */
     void send(String text) {
+        waiting.incrementAndGet();
+        WebSockets.sendText(text, channel, sent);
+    }
+
+    /** Sends one of many values; leaves it out while the page can't keep up. */
+    void sendValue(String text) {
         if (waiting.get() < MOST_WAITING) {
-            waiting.incrementAndGet();
-            WebSockets.sendText(text, channel, sent);
+            send(text);
         }
     }
 

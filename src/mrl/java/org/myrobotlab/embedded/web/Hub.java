@@ -30,6 +30,8 @@ import org.slf4j.Logger;
 public final class Hub implements WebSocketConnectionCallback {
     private static final Logger LOG = LoggerFactory.getLogger(Hub.class);
     private static final int LONGEST_MESSAGE = 16 << 20;
+    /** What a slow page gets all the same: the next one of these may be long in coming. */
+    private static final Set<String> NEVER_LEFT_OUT = Set.of("publishState", "publishStatus");
 
     private final String listener;
     private final Set<Client> clients = ConcurrentHashMap.newKeySet();
@@ -114,7 +116,11 @@ public final class Hub implements WebSocketConnectionCallback {
         for (Client client : clients) {
             if (client.wants(name, msg.sendingMethod)) {
                 text = text == null ? encoded(name, msg) : text;
-                client.send(text);
+                if (NEVER_LEFT_OUT.contains(msg.sendingMethod)) {
+                    client.send(text);
+                } else {
+                    client.sendValue(text);
+                }
             }
         }
     }

@@ -11,6 +11,7 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
     var states = {}         // service -> its last state
     var methods = {}        // service -> names of its methods
     var interfaces = {}     // service -> msg
+    var missed = false      // whether states may have changed while there was no connection
     this.connected = false
     this.services = []
 
@@ -18,6 +19,7 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
         socket = new WebSocket((location.protocol === 'https:' ? 'wss://' : 'ws://') + location.host + '/api/messages')
         socket.onopen = function() {
             self.connected = true
+            missed = true
             Object.keys(topics).forEach(function(name) {
                 Object.keys(topics[name]).forEach(function(topic) {
                     transmit({subscribe: name, topic: topic})
@@ -72,10 +74,11 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
             methods[service.name] = service.methods
             addMethods(service.name)
             states[service.name] = states[service.name] || {name: service.name, simpleName: service.simpleName}
-            if (before.indexOf(key(service)) < 0 && callbacks[service.name]) {
+            if ((missed || before.indexOf(key(service)) < 0) && callbacks[service.name]) {
                 self.sendTo(service.name, 'broadcastState')
             }
         })
+        missed = false
         self.services = services
         $rootScope.$broadcast('mrl.services')
         $rootScope.$applyAsync()

@@ -75,10 +75,10 @@ final class FanCaster {
         world.zb = axes[5];
         world.zc = axes[8];
         world.zd = -(axes[2] * ox + axes[5] * oy + axes[8] * oz);
-        world.ready();
+        world.ready(tree);
         stack.start(tree, world, reachSquared);
         for (int node = stack.pop(depth); node >= 0; node = stack.pop(depth)) {
-            rays.nodes++;
+            rays.fanNodes++;
             int n = tree.count(node);
             if (n == 0) {
                 stack.pushChildren(tree, node, world, reachSquared);
@@ -190,12 +190,12 @@ final class FanCaster {
         cut.zb = own[10] * sy;
         cut.zc = own[11] * sz;
         cut.zd = -(own[0] * own[9] + own[1] * own[10] + own[2] * own[11]);
-        cut.ready();
         Mesh mesh = shapes.mesh[number];
         Tree tree = mesh.tree;
+        cut.ready(tree);
         meshStack.start(tree, cut, reachSquared);
         for (int node = meshStack.pop(depth); node >= 0; node = meshStack.pop(depth)) {
-            rays.nodes++;
+            rays.fanNodes++;
             int n = tree.count(node);
             if (n == 0) {
                 meshStack.pushChildren(tree, node, cut, reachSquared);

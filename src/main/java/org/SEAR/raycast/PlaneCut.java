@@ -2,10 +2,13 @@ package org.SEAR.raycast;
 
 /**
  * The plane of a fan as seen from some frame: of each point its height above the plane and its two coordinates in the fan's frame, x to the left and
- * z ahead. All three are linear in the point, rise or fall with each of its coordinates, and so are rounded the same way for a point and for the
- * corner of a box around it.
+ * z ahead. All three are linear in the point. Boxes are looked at by their centre and half sizes, with some slack for the rounding, so that no box
+ * is left out whose corner lies on the plane.
  */
 final class PlaneCut {
+    /** Relative error of the three functions, many times over. */
+    private static final double ROUNDING = 1e-14;
+
     /** Coefficients of height, x and z: three factors and a constant each. */
     double ha;
     double hb;
@@ -26,40 +29,63 @@ final class PlaneCut {
     double minZ;
     double maxZ;
 
-    /** Offsets of the box corner where each function is greatest. */
-    private int hx;
-    private int hy;
-    private int hz;
-    private int xx;
-    private int xy;
-    private int xz;
-    private int zx;
-    private int zy;
-    private int zz;
+    /** What a box's half sizes contribute: half of the absolute factors. */
+    private double reachHa;
+    private double reachHb;
+    private double reachHc;
+    private double reachXa;
+    private double reachXb;
+    private double reachXc;
+    private double reachZa;
+    private double reachZb;
+    private double reachZc;
+    /** More than the rounding of each function at any point of the hierarchy. */
+    private double slackH;
+    private double slackX;
+    private double slackZ;
 
-    /** To be called once the coefficients are set. */
-    void ready() {
-        hx = ha >= 0 ? 3 : 0;
-        hy = hb >= 0 ? 4 : 1;
-        hz = hc >= 0 ? 5 : 2;
-        xx = xa >= 0 ? 3 : 0;
-        xy = xb >= 0 ? 4 : 1;
-        xz = xc >= 0 ? 5 : 2;
-        zx = za >= 0 ? 3 : 0;
-        zy = zb >= 0 ? 4 : 1;
-        zz = zc >= 0 ? 5 : 2;
+    /** To be called once the coefficients are set. @param tree whose nodes will be asked for */
+    void ready(Tree tree) {
+        reachHa = Math.abs(ha) / 2;
+        reachHb = Math.abs(hb) / 2;
+        reachHc = Math.abs(hc) / 2;
+        reachXa = Math.abs(xa) / 2;
+        reachXb = Math.abs(xb) / 2;
+        reachXc = Math.abs(xc) / 2;
+        reachZa = Math.abs(za) / 2;
+        reachZb = Math.abs(zb) / 2;
+        reachZc = Math.abs(zc) / 2;
+        double x = tree.farthest(0);
+        double y = tree.farthest(1);
+        double z = tree.farthest(2);
+        slackH = ROUNDING * (reachHa * x + reachHb * y + reachHc * z + Math.abs(hd));
+        slackX = ROUNDING * (reachXa * x + reachXb * y + reachXc * z + Math.abs(xd));
+        slackZ = ROUNDING * (reachZa * x + reachZb * y + reachZc * z + Math.abs(zd));
     }
 
     /** Whether the plane meets a box of six floats; if so, computes the rectangle. */
     boolean meets(float[] box, int at) {
-        if (ha * box[at + hx] + hb * box[at + hy] + hc * box[at + hz] + hd < 0
-            || ha * box[at + 3 - hx] + hb * box[at + 5 - hy] + hc * box[at + 7 - hz] + hd > 0) {
+        double lowX = box[at];
+        double lowY = box[at + 1];
+        double lowZ = box[at + 2];
+        double x = box[at + 3] + lowX;
+        double y = box[at + 4] + lowY;
+        double z = box[at + 5] + lowZ;
+        double sizeX = x - 2 * lowX;
+        double sizeY = y - 2 * lowY;
+        double sizeZ = z - 2 * lowZ;
+        double height = (ha * x + hb * y + hc * z) * 0.5 + hd;
+        if (Math.abs(height) > reachHa * sizeX + reachHb * sizeY + reachHc * sizeZ + slackH) {
             return false;
         }
-        maxX = xa * box[at + xx] + xb * box[at + xy] + xc * box[at + xz] + xd;
-        minX = xa * box[at + 3 - xx] + xb * box[at + 5 - xy] + xc * box[at + 7 - xz] + xd;
-        maxZ = za * box[at + zx] + zb * box[at + zy] + zc * box[at + zz] + zd;
-        minZ = za * box[at + 3 - zx] + zb * box[at + 5 - zy] + zc * box[at + 7 - zz] + zd;
+        double reach = reachXa * sizeX + reachXb * sizeY + reachXc * sizeZ + slackX;
+        double middle = (xa * x + xb * y + xc * z) * 0.5 + xd;
+        maxX = middle + reach;
+        minX = middle - reach;
+        reach = reachZa * sizeX + reachZb * sizeY + reachZc * sizeZ + slackZ;
+        middle = (za * x + zb * y + zc * z) * 0.5 + zd;
+        maxZ = middle + reach;
+        minZ = middle - reach;
         return true;
     }
 

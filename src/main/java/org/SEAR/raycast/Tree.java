@@ -11,8 +11,8 @@ final class Tree {
     static final int STRIDE = 8;
     /** Floats of a node that are its bounds. */
     static final int BOUNDS = 6;
-    private static final int LINK = 6;
-    private static final int COUNT = 7;
+    static final int LINK = 6;
+    static final int COUNT = 7;
 
     final float[] data;
     /** Item numbers, leaf by leaf. */
@@ -56,6 +56,11 @@ final class Tree {
             data[at + k] = value;
         }
         return changed;
+    }
+
+    /** The greatest absolute coordinate of any item along an axis. */
+    double farthest(int axis) {
+        return data.length == 0 ? 0 : Math.max(Math.abs(data[axis]), Math.abs(data[axis + 3]));
     }
 
     /** Half the surface of a node's bounds, m^2. */

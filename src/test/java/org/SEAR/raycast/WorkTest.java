@@ -48,12 +48,12 @@ public class WorkTest {
             RandomScenes world = new RandomScenes(3);
             BeamScene scene = boxes(count, world);
             double size = Math.sqrt(5.0 * count) / 2 - 4;
-            long before = work.nodes + work.tested;
+            long before = work.nodes() + work.tested;
             scan(scene, world, size);
-            perFan[i] = (double) (work.nodes + work.tested - before) / FANS;
-            before = work.nodes + work.tested;
+            perFan[i] = (double) (work.nodes() + work.tested - before) / FANS;
+            before = work.nodes() + work.tested;
             beams(scene, world, size);
-            perBeam[i] = (double) (work.nodes + work.tested - before) / FANS;
+            perBeam[i] = (double) (work.nodes() + work.tested - before) / FANS;
         }
         String measured = perFan[0] + " " + perFan[1] + " " + perFan[2] + "; " + perBeam[0] + " " + perBeam[1] + " " + perBeam[2];
         assertTrue("nodes and shapes a fan of 100, 1000, 10000 boxes: " + measured, perFan[0] < 120 && perFan[1] < 140 && perFan[2] < 160);
@@ -67,11 +67,40 @@ public class WorkTest {
         world.scene.addMesh(hills, 1, 1, 1, BeamScene.WORLD);
         world.scene.commit();
         RayCaster work = BeamScene.casters().rays;
-        long nodes = work.nodes;
+        long nodes = work.nodes();
         long triangles = work.triangles;
         scan(world.scene, world, 5);
         assertTrue((work.triangles - triangles) / FANS + " triangles of " + hills.size(), (work.triangles - triangles) / FANS < 400);
-        assertTrue((work.nodes - nodes) / FANS + " nodes", (work.nodes - nodes) / FANS < 700);
+        assertTrue((work.nodes() - nodes) / FANS + " nodes", (work.nodes() - nodes) / FANS < 700);
+    }
+
+    @Test
+    public void aBeamLooksAtFewNodesAndItems() {
+        RandomScenes world = new RandomScenes(4);
+        world.scene.addMesh(RandomScenes.terrain(230, 20, 1, 1), 1, 1, 1, BeamScene.WORLD);
+        world.scene.commit();
+        check("over 105800 triangles", world.scene, world, 8, 36, 5);
+        RandomScenes crowd = new RandomScenes(3);
+        for (int i = 0; i < 1000; i++) {
+            Pose pose = Pose.ofDegrees(crowd.between(-4.5, 4.5), 0.5, crowd.between(-4.5, 4.5), crowd.between(-180, 180),
+                crowd.between(-180, 180), crowd.between(-180, 180));
+            crowd.place(crowd.scene.addBox(crowd.between(0.125, 0.5), crowd.between(0.125, 0.5), crowd.between(0.125, 0.5), BeamScene.WORLD), pose);
+        }
+        crowd.scene.commit();
+        check("between 1000 boxes on 81 m^2", crowd.scene, crowd, 4, 57, 16);
+    }
+
+    private void check(String where, BeamScene scene, RandomScenes world, double size, int mostNodes, int mostItems) {
+        RayCaster work = BeamScene.casters().rays;
+        long nodes = work.nodes();
+        long items = work.tested + work.triangles;
+        for (int i = 0; i < 1000; i++) {
+            double angle = world.between(-Math.PI, Math.PI);
+            scene.cast(world.between(-size, size), world.between(0.2, 0.8), world.between(-size, size), Math.sin(angle), 0, Math.cos(angle), 8,
+                BeamScene.WORLD, null);
+        }
+        String measured = (work.nodes() - nodes) / 1000.0 + " nodes, " + (work.tested + work.triangles - items) / 1000.0 + " items a beam " + where;
+        assertTrue(measured, work.nodes() - nodes < 1000L * mostNodes && work.tested + work.triangles - items < 1000L * mostItems);
     }
 
     @Test

@@ -11,6 +11,7 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
     var DRIVES = {forward: [SPEED, STRAIGHT], backward: [-SPEED, STRAIGHT], left: [SPEED, 0], right: [-SPEED, 0], stop: [0, STRAIGHT]}
 
     $scope.form = {path: 'project.sear', speed: '1', example: '', template: 'userCode.py', folder: 'SEARproject', beams: true, follow: false}
+    var asked = {}              // paths that this page wants saved and opened
     $scope.state = null
     $scope.examples = []
     $scope.problems = []
@@ -29,7 +30,7 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
     }
 
     this.onMsg = function(inMsg) {
-        var data = inMsg.data[0]
+        var data = inMsg.data && inMsg.data[0]
         switch (inMsg.method) {
         case 'onState':
             self.updateState(data)
@@ -38,7 +39,7 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
             onSimulation(data)
             return
         case 'onProblems':
-            $scope.problems = data || []
+            onProblems(data || [])
             break
         case 'onExamples':
             $scope.examples = data || []
@@ -47,12 +48,26 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
             $scope.transfer = null
             say('info', data)
             break
+        case 'onSaveProject':
+            say('info', 'saved ' + (asked.save || 'by another page'))
+            asked.save = null
+            break
+        case 'onLoadProject':
+            say('info', 'opened ' + (asked.load || 'by another page'))
+            asked.load = null
+            break
+        case 'onNewProject':
+            say('info', 'an empty project' + (data ? '; the former one is kept in ' + data : ''))
+            break
+        case 'onCopyTemplate':
+            say('info', 'copied to ' + data)
+            break
         case 'onBundle':
             onBundle(data)
             break
         case 'onStatus':
             if (data && data.detail) {
-                say(data.level, data.detail)
+                onStatus(data)
             }
             break
         default:
@@ -61,15 +76,39 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
         $scope.$applyAsync()
     }
 
+    function onStatus(status) {
+        var listed = $scope.problems.length && status.detail.indexOf($scope.problems[0].file) === 0
+        if (status.level === 'error') {
+            $scope.transfer = null
+        }
+        say(status.level, listed ? 'the project has ' + $scope.problems.length + ' problem(s), listed below' : status.detail)
+    }
+
+    function onProblems(problems) {
+        $scope.problems = problems
+        if (checking && !problems.length) {
+            say('info', 'the project has no problems')
+        }
+        checking = false
+    }
+
     function say(level, text) {
         $scope.messages.unshift({level: level, text: text})
         $scope.messages.splice(6)
     }
+    $scope.clear = function() {
+        $scope.messages = []
+    }
 
     // ---- the running world -----------------------------------------------------------------------------------------------------------------
     var waiting = false
+    var speed = 1               // as the simulation has it
     function onSimulation(state) {
         $scope.state = state && state.running ? state : null
+        if ($scope.state && state.wantedSpeed !== speed) {
+            speed = state.wantedSpeed
+            $scope.form.speed = String(speed)
+        }
         if (!waiting) {
             waiting = true
             window.requestAnimationFrame(function() {
@@ -133,13 +172,17 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
         $scope.problems = []
         $scope.form.path = path
         remember(path)
+        asked.load = path
         msg.send('loadProject', path)
     }
     $scope.save = function() {
         remember($scope.form.path)
+        asked.save = $scope.form.path
         msg.send('saveProject', $scope.form.path)
     }
+    var checking = false
     $scope.check = function() {
+        checking = true
         msg.send('getProblems')
     }
     $scope.copyTemplate = function() {
@@ -178,11 +221,19 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
         }
         $scope.transfer = null
         var link = document.createElement('a')
-        link.href = 'data:application/zip;base64,' + parts.join('')
-        link.download = 'project.sear'
+        link.href = window.URL.createObjectURL(new Blob(parts.map(bytes), {type: 'application/zip'}))
+        link.download = $scope.form.path.split(/[\\/]/).pop().replace(/(\.sear)?$/, '.sear')
         document.body.appendChild(link)
         link.click()
         document.body.removeChild(link)
+        $timeout(function() {
+            window.URL.revokeObjectURL(link.href)
+        }, 60000)
+    }
+    function bytes(base64) {
+        return Uint8Array.from(window.atob(base64), function(one) {
+            return one.charCodeAt(0)
+        })
     }
 
     // ---- the view from above: north (+x) up, east (+z) to the right ----------------------------------------------------------------------------
@@ -213,7 +264,7 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
         var high = [-Infinity, -Infinity]
         var all = shapes()
         var walls = all.filter(function(shape) {
-            return shape.object.type !== 'Floor' && !shape.robot
+            return !isGround(shape) && !shape.robot
         })
         angular.forEach(walls.length ? walls.concat(all.filter(ofRobot)) : all, function(shape) {
             angular.forEach(shape.outline, function(point) {
@@ -233,6 +284,9 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
 
     function ofRobot(shape) {
         return shape.robot
+    }
+    function isGround(shape) {
+        return shape.object.type === 'Floor' || shape.object.terrain
     }
 
     /** Everything that has a surface, with its outline on the ground. */
@@ -283,8 +337,13 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
             a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3], a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]]
     }
 
-    /** Corners of an object's shape in its own frame: of a box, or of round things' rims. */
+    /** Corners of an object's shape in its own frame: of a model as they came, of a box, or of round things' rims. */
     function corners(object) {
+        return object.corners || plainCorners(object).map(function(point) {
+            return object.scale ? [point[0] * object.scale[0], point[1] * object.scale[1], point[2] * object.scale[2]] : point
+        })
+    }
+    function plainCorners(object) {
         var size = object.size
         var points = []
         var i
@@ -362,11 +421,11 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
         drawGrid(pen, element, ink)
         var all = shapes()
         all.sort(function(a, b) {
-            return (b.object.type === 'Floor') - (a.object.type === 'Floor')
+            return Boolean(isGround(b)) - Boolean(isGround(a))
         })
         angular.forEach(all, function(shape) {
             polygon(pen, shape.outline)
-            pen.fillStyle = shape.robot ? 'rgba(51, 122, 183, 0.55)' : COLOURS[shape.object.type] || '#999'
+            pen.fillStyle = shape.robot ? 'rgba(51, 122, 183, 0.55)' : COLOURS[isGround(shape) ? 'Floor' : shape.object.type] || '#999'
             pen.fill()
             pen.strokeStyle = ink
             pen.globalAlpha = 0.6
@@ -436,10 +495,10 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
                 drawScan(pen, pose, sensor)
             }
             angular.forEach(sensor.cones, function(cone) {
-                wedge(pen, pose, cone.halfAngle, cone.range, 'rgba(217, 83, 79, 0.12)')
+                wedge(pen, pose, cone)
             })
-            if (sensor.cones && sensor.cones.length && sensor.value !== undefined) {
-                var hit = groundPoint(pose, 0, sensor.value)
+            if (sensor.hit) {
+                var hit = $scope.toScreen(sensor.hit[0], sensor.hit[2])
                 pen.fillStyle = '#d9534f'
                 pen.fillRect(hit.x - 2.5, hit.y - 2.5, 5, 5)
             }
@@ -475,17 +534,20 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
         })
     }
 
-    function wedge(pen, pose, halfAngle, range, colour) {
+    /** A cone of a sonar; one without width is a line. */
+    function wedge(pen, pose, cone) {
         var from = $scope.toScreen(pose[0], pose[2])
         pen.beginPath()
         pen.moveTo(from.x, from.y)
         for (var i = -6; i <= 6; i++) {
-            var at = groundPoint(pose, halfAngle * i / 6, range)
+            var at = groundPoint(pose, (cone.yaw || 0) + cone.halfAngle * i / 6, cone.range)
             pen.lineTo(at.x, at.y)
         }
         pen.closePath()
-        pen.fillStyle = colour
+        pen.fillStyle = 'rgba(217, 83, 79, 0.12)'
         pen.fill()
+        pen.strokeStyle = 'rgba(217, 83, 79, 0.25)'
+        pen.stroke()
     }
 
     /** A sensor's reading for people. */
@@ -495,6 +557,9 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
                 return metres !== null
             })
             return sensor.ranges.length + ' beams, ' + (near.length ? 'nearest ' + Math.min.apply(null, near).toFixed(3) + ' m' : 'nothing in range')
+        }
+        if (sensor.hit === null) {
+            return 'nothing within ' + String(Math.round(sensor.value * 1e3) / 1e3) + ' m'
         }
         var values = angular.isArray(sensor.value) ? sensor.value : String(sensor.value).split(',')
         return values.map(function(value) {
@@ -520,9 +585,11 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
     }
 
     // ---- mouse and drag and drop -----------------------------------------------------------------------------------------------------------
-    $timeout(function() {
+    var first = null
+    function listen() {
         var element = canvas()
         if (!element) {
+            first = $timeout(listen, 100)
             return
         }
         var grip = null
@@ -550,11 +617,14 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
         })
         document.getElementById('sear-file-' + $scope.service.name).addEventListener('change', function(event) {
             $scope.upload(event.target.files[0])
+            event.target.value = ''     // so that the same file can be chosen again
         })
-    }, 300)
+    }
+    first = $timeout(listen)
     window.addEventListener('resize', draw)
     $scope.$on('$destroy', function() {
         window.removeEventListener('resize', draw)
+        $timeout.cancel(first)
     })
     $scope.$watch(function() {
         var element = canvas()
@@ -564,6 +634,11 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
     msg.subscribe('publishSimulation')
     msg.subscribe('publishStatus')
     msg.subscribe('getProblems')
+    msg.subscribe('publishProblems')
+    msg.subscribe('saveProject')
+    msg.subscribe('loadProject')
+    msg.subscribe('newProject')
+    msg.subscribe('copyTemplate')
     msg.subscribe('getExamples')
     msg.subscribe('getBundle')
     msg.subscribe('publishUploaded')

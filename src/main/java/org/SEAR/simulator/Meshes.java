@@ -43,12 +43,19 @@ final class Meshes {
         return shape;
     }
 
-    /** The convex hull of the outermost corners in directions spread evenly over the sphere, for a body that moves. */
+    /** The convex hull of the outermost corners, for a body that moves. */
     static CollisionShape hull(Triangles mesh, double sx, double sy, double sz) {
+        ConvexHullShape shape = new ConvexHullShape(corners(mesh, sx, sy, sz, HULL_DIRECTIONS));
+        shape.setMargin(MARGIN);
+        return shape;
+    }
+
+    /** The outermost corners of the scaled mesh in directions spread evenly over the sphere, each once. */
+    static ObjectArrayList<Vector3f> corners(Triangles mesh, double sx, double sy, double sz, int directions) {
         boolean[] taken = new boolean[mesh.vertices.length / 3];
         ObjectArrayList<Vector3f> corners = new ObjectArrayList<>();
-        for (int i = 0; i < HULL_DIRECTIONS; i++) {
-            double dy = 1 - 2 * (i + 0.5) / HULL_DIRECTIONS;
+        for (int i = 0; i < directions; i++) {
+            double dy = 1 - 2 * (i + 0.5) / directions;
             double ring = Math.sqrt(1 - dy * dy);
             int corner = outermost(mesh, sx * ring * Math.cos(i * GOLDEN_ANGLE), sy * dy, sz * ring * Math.sin(i * GOLDEN_ANGLE));
             if (!taken[corner]) {
@@ -57,9 +64,7 @@ final class Meshes {
                     (float) (mesh.vertices[corner * 3 + 2] * sz)));
             }
         }
-        ConvexHullShape shape = new ConvexHullShape(corners);
-        shape.setMargin(MARGIN);
-        return shape;
+        return corners;
     }
 
     /** The vertex that is farthest in a direction of the unscaled mesh. */

@@ -2,7 +2,9 @@ package org.SEAR.simulator;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
@@ -29,6 +31,8 @@ final class RobotBuilder {
     final Body body;
     /** Greatest distance of the components from the vertical axis, metres. */
     final double radius;
+    /** Of the components that are models, see {@link Solid#corners}. */
+    final Map<SearObject, double[][]> corners = new IdentityHashMap<>();
     private final List<Solid> solids = new ArrayList<>();
     private final List<Pose> places = new ArrayList<>();
     private final List<Boolean> visible = new ArrayList<>();
@@ -78,6 +82,7 @@ final class RobotBuilder {
         for (SearObject part : object.getComponents()) {
             Solid solid = Solid.of(part, project);
             if (solid != null) {
+                corners.put(part, solid.corners());
                 add(solid, place(part), ((Shape) part).isVisibleToSensors(), weight((Shape) part, solid));
             }
         }

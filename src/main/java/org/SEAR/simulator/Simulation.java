@@ -10,6 +10,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.Future;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.SEAR.POJOs.SearObject;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectException;
 import org.SEAR.raycast.Pose;
@@ -174,6 +175,16 @@ public final class Simulation implements AutoCloseable {
     /** All robots, in the project's order. Simulation thread. */
     public List<Robot> getRobots() {
         return robots;
+    }
+
+    /**
+     * Corners of a model that are enough to draw its outline from any side: {x, y, z} in metres, scale included, in the object's frame. Any thread.
+     *
+     * @param object of this world's project
+     * @return empty for an object that is no model
+     */
+    public double[][] getCorners(SearObject object) {
+        return world.getCorners(object);
     }
 
     /** A sensor by name. @throws IllegalArgumentException that names the sensors there are. Simulation thread. */

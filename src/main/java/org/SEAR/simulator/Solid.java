@@ -30,6 +30,8 @@ final class Solid {
     private static final float MARGIN = 0.01f;
     /** Greatest share of the smallest half size that may be margin. */
     private static final double MARGIN_SHARE = 0.3;
+    /** Directions in which a drawing looks for a model's outermost corners. */
+    private static final int DRAWN_DIRECTIONS = 48;
     /** Corners of the polygon that stands for an ellipse. */
     private static final int CORNERS = 64;
     private static final Pose AXLE_ALONG_X = Pose.ofDegrees(0, 0, 0, 0, 0, 90);
@@ -162,6 +164,15 @@ final class Solid {
             half[i % 3] = Math.max(half[i % 3], Math.abs(triangles.vertices[i] * scale[i % 3]));
         }
         return new Solid(Kind.MESH, half[0], half[1], half[2], offset, triangles, sx, sy, sz);
+    }
+
+    /** Corners of a mesh, scale included, that are enough to draw its outline from any side, metres in the object's frame; empty for other shapes. */
+    double[][] corners() {
+        if (mesh == null) {
+            return new double[0][];
+        }
+        return Meshes.corners(mesh, scaleX, scaleY, scaleZ, DRAWN_DIRECTIONS).stream().map(corner -> new double[] {corner.x, corner.y, corner.z})
+            .toArray(double[][]::new);
     }
 
     /** Adds it to what beams meet. @return its number there */

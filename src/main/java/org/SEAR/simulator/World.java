@@ -2,7 +2,9 @@ package org.SEAR.simulator;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import javax.vecmath.Vector3f;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
@@ -22,6 +24,8 @@ final class World implements Physics.Touches {
     private final List<RobotModel> robots = new ArrayList<>();
     private final List<String> warnings = new ArrayList<>();
     private final VirtualWalls virtualWalls = new VirtualWalls();
+    /** Of everything that is a model; only looked up, never walked through. */
+    private final Map<SearObject, double[][]> corners = new IdentityHashMap<>();
     private List<Pose> poses;
     private final List<double[]> contacts = new ArrayList<>();
     private boolean wantsContacts;
@@ -32,6 +36,7 @@ final class World implements Physics.Touches {
             Body body = body(object, project);
             environment.add(body);
             if (body != null) {
+                corners.put(object, body.solids.get(0).corners());
                 physics.add(body);
                 body.addTo(scenes, Collections.singletonList(((Shape) object).isVisibleToSensors()), -1, 1);
                 virtualWalls.consider(body);
@@ -40,6 +45,7 @@ final class World implements Physics.Touches {
         for (SEARrobot robot : project.getRobots()) {
             RobotBuilder builder = RobotBuilder.of(robot, project, warnings);
             physics.add(builder.body);
+            corners.putAll(builder.corners);
             builder.addTo(scenes, robots.size());
             RobotTruth truth = new RobotTruth(builder.body, scenes, robots.size(), Earth.of(project, robot), epochMillis);
             robots.add(new RobotModel(builder, robots.size(), scenes, truth, virtualWalls));
@@ -148,6 +154,11 @@ final class World implements Physics.Touches {
     /** Poses of the environment objects, in the project's order; the same list as long as nothing moves. */
     List<Pose> getPoses() {
         return poses;
+    }
+
+    /** See {@link Solid#corners}. */
+    double[][] getCorners(SearObject object) {
+        return corners.getOrDefault(object, new double[0][]);
     }
 
     List<double[]> getContacts() {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.SEAR.project.Problem;
+import org.SEAR.project.ProjectException;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.SEARConfig;
@@ -254,6 +255,11 @@ public class SEAR extends Service<SEARConfig> {
         return attempt(works::problems);
     }
 
+    /** Tells panels why a project could not be started or loaded. */
+    public List<Problem> publishProblems(List<Problem> problems) {
+        return problems;
+    }
+
     // ---- projects and ports ----------------------------------------------------------------------------------------
 
     /** Begins an empty project; the present one is kept. @return where it was put; null if there was none */
@@ -381,6 +387,9 @@ public class SEAR extends Service<SEARConfig> {
             error("%s", missing(e));
             throw new IllegalStateException(missing(e), e);
         } catch (Exception e) {
+            if (e instanceof ProjectException) {
+                invoke("publishProblems", ((ProjectException) e).getProblems());
+            }
             error("%s", message(e));
             throw e instanceof IllegalStateException ? (IllegalStateException) e : new IllegalStateException(message(e), e);
         }

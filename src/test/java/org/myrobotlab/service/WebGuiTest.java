@@ -33,6 +33,10 @@ import org.myrobotlab.framework.Talker;
 
 /** The web server of the embedded MyRobotLab: files, calls, messages, and who is refused. */
 public class WebGuiTest {
+    private static final int MANY = 1000;
+    /** Fewer than may wait for a slow page. */
+    private static final int BATCH = 50;
+
     @Rule
     public TemporaryFolder folder = new TemporaryFolder();
     private final HttpClient client = HttpClient.newHttpClient();
@@ -177,6 +181,21 @@ public class WebGuiTest {
         assertEquals("there is no service nix", next("error").get("error"));
         page.sendText("nonsense", true).join();
         assertTrue(next("error").get("error").toString().startsWith("not JSON for Map"));
+        page.abort();
+    }
+
+    @Test
+    public void messagesOfAPageKeepTheirOrder() throws Exception {
+        WebSocket page = open();
+        page.sendText("{\"subscribe\":\"talker\",\"topic\":\"publishNumber\"}", true).join();
+        for (int round = 0; round < MANY; round += BATCH) {
+            for (int i = 0; i < BATCH; i++) {
+                page.sendText("{\"name\":\"talker\",\"method\":\"publishNumber\",\"data\":[" + (round + i) + "]}", true).join();
+            }
+            for (int i = 0; i < BATCH; i++) {
+                assertEquals(List.of(round + i), next("method").get("data"));
+            }
+        }
         page.abort();
     }
 

@@ -8,8 +8,9 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import org.SEAR.project.Bundle;
 import org.SEAR.project.ProjectException;
 
@@ -27,18 +28,21 @@ public final class Projects {
         this.resourceRoot = resourceRoot;
     }
 
-    /** Paths of the example bundles, in order: {@code examples} in the working folder, and MyRobotLab's resources of SEAR. */
+    /**
+     * Paths of the example bundles, ordered by name: from {@code examples} in the working folder, else from MyRobotLab's resources of SEAR, else from
+     * the jar, so that those that come with SEAR are there in every folder.
+     */
     public List<String> examples() throws IOException {
-        List<String> found = new ArrayList<>();
+        Map<String, String> found = new TreeMap<>();
         for (Path folder : Arrays.asList(Paths.get("examples"), Paths.get(resourceRoot, "SEAR"))) {
             if (Files.isDirectory(folder)) {
                 try (DirectoryStream<Path> bundles = Files.newDirectoryStream(folder, "*.sear")) {
-                    bundles.forEach(bundle -> found.add(bundle.toString()));
+                    bundles.forEach(bundle -> found.putIfAbsent(bundle.getFileName().toString(), bundle.toString()));
                 }
             }
         }
-        Collections.sort(found);
-        return found;
+        Examples.paths().forEach(path -> found.putIfAbsent(path.substring(path.lastIndexOf('/') + 1), path));
+        return new ArrayList<>(found.values());
     }
 
     /** {@code SEARproject} in the working folder, or what the system property {@code sear.project} says, as the objects have it. */
@@ -67,13 +71,14 @@ public final class Projects {
         Bundle.save(folder(), file);
     }
 
-    /** Replaces the project by a bundle's, once that is read whole and found valid. */
+    /** Replaces the project by a bundle's, once that is read whole and found valid. @param file may be an example's path that is not on the disk */
     public void load(Path file) throws IOException, ProjectException {
         refuseWhileRunning("loadProject");
-        if (!Files.isRegularFile(file)) {
+        if (Files.isRegularFile(file)) {
+            Bundle.load(file, folder());
+        } else if (!Examples.with(file, bundle -> Bundle.load(bundle, folder()))) {
             throw new IOException("there is no file " + file.toAbsolutePath());
         }
-        Bundle.load(file, folder());
     }
 
     /** Copies a template into a folder. @return the copy @throws IOException if that exists already */

@@ -363,6 +363,11 @@ public final class SimulationSession {
         return lockStep;
     }
 
+    /** Simulated seconds a second as they were asked for; infinity = as fast as possible. */
+    public double getWantedSpeed() {
+        return pace.getSpeed();
+    }
+
     /** Simulated seconds a second as measured lately. */
     public double getMeasuredSpeed() {
         return runner.getMeasuredSpeed();

@@ -10,10 +10,12 @@ import org.SEAR.POJOs.Cone;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.raycast.Pose;
+import org.SEAR.sensors.DistanceReading;
 import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.simulator.Robot;
@@ -25,17 +27,22 @@ import org.SEAR.simulator.Snapshot;
  * tenths of millimetres and thousandths of degrees.
  *
  * <pre>
- * {"time": 1.5, "step": 90, "running": true, "paused": false, "lockStep": false, "speed": 1.0,
- *  "objects": [{"name": "Box1", "type": "Box", "size": [0.25, 0.25, 0.25], "image": null, "pose": [..]}],
+ * {"time": 1.5, "step": 90, "running": true, "paused": false, "lockStep": false, "speed": 1.0 (measured), "wantedSpeed": 1.0,
+ *  "objects": [{"name": "Box1", "type": "Box", "size": [0.25, 0.25, 0.25], "scale": [1, 1, 1], "image": null, "pose": [..]},
+ *              {"name": "Tree1", "type": "Model", "corners": [[x, y, z], ..] (scaled, in its own frame), "terrain": false, ..}],
  *  "robots": [{"name": "myRoomba", "pose": [..], "speed": 0.2, "turnRate": 0, "radius": 0.17, "path": [[x, z], ..], "status": [..],
  *              "parts": [{"name", "type", "size", "image", "pose" (in the body)}]}],
- *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "cones": [{"halfAngle", "range"}]},
+ *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "hit": [x, y, z] or null,
+ *               "cones": [{"halfAngle", "range", "yaw"}]},
  *              {"name": "myLidar", "type": "LIDAR", "pose": [..], "spread": 180, "resolution": 1, "ranges": [.., null, ..]}]}
  * </pre>
  */
 public final class WorldState {
     private static final double FINE = 1e4;
+    private static final double MILLIMETRES = 1e3;
     private static final double ANGLE = 1e3;
+    /** Stands for "as fast as possible", which JSON has no number for. */
+    private static final double FASTEST = 1e6;
     private static final double PATH_STEP = 0.02;
     private static final int LONGEST_PATH = 500;
 
@@ -56,6 +63,7 @@ public final class WorldState {
         state.put("paused", session.isPaused());
         state.put("lockStep", session.isLockStep());
         state.put("speed", rounded(session.getMeasuredSpeed(), ANGLE));
+        state.put("wantedSpeed", Math.min(session.getWantedSpeed(), FASTEST));
         state.put("objects", objects(world, snapshot));
         state.put("robots", robots(world, snapshot));
         state.put("sensors", sensors(world));
@@ -73,24 +81,40 @@ public final class WorldState {
         List<Object> list = new ArrayList<>();
         List<SearObject> environment = world.getProject().getEnvironment();
         for (int i = 0; i < environment.size(); i++) {
-            list.add(object(environment.get(i), snapshot.environment.get(i)));
+            list.add(object(world, environment.get(i), snapshot.environment.get(i)));
         }
         return list;
     }
 
-    private static Map<String, Object> object(SearObject object, Pose pose) {
+    private static Map<String, Object> object(Simulation world, SearObject object, Pose pose) {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("name", object.getName());
         map.put("type", object.getClass().getSimpleName());
         map.put("size", size(object));
         if (object instanceof Shape) {
-            map.put("image", ((Shape) object).getImage());
+            Shape shape = (Shape) object;
+            map.put("image", shape.getImage());
+            map.put("scale", new double[] {shape.getScaleX(), shape.getScaleY(), shape.getScaleZ()});
+        }
+        if (object instanceof Model) {
+            map.put("terrain", ((Model) object).isTerrain());
+            map.put("corners", corners(world.getCorners(object)));
         }
         map.put("pose", numbers(pose));
         return map;
     }
 
-    /** Box [length, height, width]; Cylinder and Cone [radius, height]; Wheel [radius, width]; Floor [length, width]; else []. */
+    private static double[][] corners(double[]... exact) {
+        double[][] corners = new double[exact.length][3];
+        for (int i = 0; i < exact.length; i++) {
+            for (int axis = 0; axis < corners[i].length; axis++) {
+                corners[i][axis] = rounded(exact[i][axis], MILLIMETRES);
+            }
+        }
+        return corners;
+    }
+
+    /** Unscaled: Box [length, height, width]; Cylinder and Cone [radius, height]; Wheel [radius, width]; Floor [length, width]; else []. */
     private static double[] size(SearObject object) {
         if (object instanceof Box) {
             Box box = (Box) object;
@@ -127,10 +151,10 @@ public final class WorldState {
             List<Object> parts = new ArrayList<>();
             for (SearObject part : robot.getObject().getComponents()) {
                 if (part instanceof Shape) {
-                    parts.add(object(part, mount(part)));
+                    parts.add(object(world, part, mount(part)));
                 }
             }
-            robot.getObject().getWheels().forEach(wheel -> parts.add(object(wheel, mount(wheel))));
+            robot.getObject().getWheels().forEach(wheel -> parts.add(object(world, wheel, mount(wheel))));
             map.put("parts", parts);
             list.add(map);
         }
@@ -181,12 +205,17 @@ public final class WorldState {
         } else {
             map.put("value", Readings.converted(object, reading));
         }
+        if (reading instanceof DistanceReading) {
+            double[] hit = ((DistanceReading) reading).getHitPoint();
+            map.put("hit", hit == null ? null : corners(hit)[0]);
+        }
         if (object instanceof Distance) {
             List<Object> cones = new ArrayList<>();
             for (BeamCone cone : ((Distance) object).getCones()) {
                 Map<String, Object> one = new LinkedHashMap<>();
                 one.put("halfAngle", cone.getHalfAngle());
                 one.put("range", cone.getRange());
+                one.put("yaw", cone.getYaw());
                 cones.add(one);
             }
             map.put("cones", cones);

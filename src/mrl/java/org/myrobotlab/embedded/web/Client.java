@@ -3,9 +3,12 @@ package org.myrobotlab.embedded.web;
 import io.undertow.websockets.core.WebSocketCallback;
 import io.undertow.websockets.core.WebSocketChannel;
 import io.undertow.websockets.core.WebSockets;
+import java.util.ArrayDeque;
+import java.util.Queue;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /** A page that is open in a browser. Any thread. */
@@ -15,6 +18,8 @@ final class Client {
 
     private final WebSocketChannel channel;
     private final Set<String> topics = ConcurrentHashMap.newKeySet();
+    /** What is still to be done; the first is being done. */
+    private final Queue<Runnable> tasks = new ArrayDeque<>();
     private final AtomicInteger waiting = new AtomicInteger();
     private final WebSocketCallback<Void> sent = new WebSocketCallback<Void>() {
         @Override
@@ -42,6 +47,36 @@ final class Client {
     void sendValue(String text) {
         if (waiting.get() < MOST_WAITING) {
             send(text);
+        }
+    }
+
+    /** Has work done after all that was given before: parts of an upload must not overtake each other. */
+    void inOrder(Executor worker, Runnable work) {
+        synchronized (tasks) {
+            tasks.add(work);
+            if (tasks.size() > 1) {
+                return;
+            }
+        }
+        worker.execute(() -> workOff(worker));
+    }
+
+    private void workOff(Executor worker) {
+        Runnable work;
+        synchronized (tasks) {
+            work = tasks.peek();
+        }
+        try {
+            work.run();
+        } finally {
+            boolean more;
+            synchronized (tasks) {
+                tasks.remove();
+                more = !tasks.isEmpty();
+            }
+            if (more) {
+                worker.execute(() -> workOff(worker));
+            }
         }
     }
 

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executor;
 import org.myrobotlab.codec.CodecUtils;
 import org.myrobotlab.embedded.Json;
 import org.myrobotlab.framework.Message;
@@ -51,7 +52,7 @@ public final class Hub implements WebSocketConnectionCallback {
             @Override
             protected void onFullTextMessage(WebSocketChannel from, BufferedTextMessage message) {
                 String text = message.getData();
-                from.getWorker().execute(() -> receive(client, text));
+                client.inOrder(from.getWorker(), () -> receive(client, from.getWorker(), text));
             }
 
             @Override
@@ -62,7 +63,7 @@ public final class Hub implements WebSocketConnectionCallback {
         channel.resumeReceives();
     }
 
-    private void receive(Client client, String text) {
+    private void receive(Client client, Executor worker, String text) {
         Object id = null;
         try {
             Map<?, ?> msg = Json.read(text, Map.class);
@@ -72,12 +73,16 @@ public final class Hub implements WebSocketConnectionCallback {
             } else if (msg.containsKey("unsubscribe")) {
                 client.unsubscribe((String) msg.get("unsubscribe"), (String) msg.get("topic"));
             } else {
-                call(client, id, (String) msg.get("name"), (String) msg.get("method"), (List<?>) msg.get("data"));
+                call(client, worker, id, (String) msg.get("name"), (String) msg.get("method"), (List<?>) msg.get("data"));
             }
         } catch (IllegalArgumentException | ClassCastException e) {
-            LOG.debug("{}", text, e);
-            client.send(reply(id, "error", e.getMessage()));
+            fail(client, id, e);
         }
+    }
+
+    private static void fail(Client client, Object id, RuntimeException e) {
+        LOG.debug("message {} failed", id, e);
+        client.send(reply(id, "error", e.getMessage()));
     }
 
     private void subscribe(Client client, String name, String topic) {
@@ -88,8 +93,8 @@ public final class Hub implements WebSocketConnectionCallback {
         }
     }
 
-    /** Calls without "id" run on the service's own thread, one after the other; calls that want an answer run here. */
-    private void call(Client client, Object id, String name, String method, List<?> data) {
+    /** Calls without "id" run on the service's own thread, in the page's order; calls that want an answer run beside each other. */
+    private void call(Client client, Executor worker, Object id, String name, String method, List<?> data) {
         ServiceInterface service = Runtime.getService(name);
         if (service == null) {
             throw new IllegalArgumentException("there is no service " + name);
@@ -98,7 +103,13 @@ public final class Hub implements WebSocketConnectionCallback {
         if (id == null) {
             service.in(Message.createMessage(listener, name, method, arguments));
         } else {
-            client.send(reply(id, "answer", service.invoke(method, arguments)));
+            worker.execute(() -> {
+                try {
+                    client.send(reply(id, "answer", service.invoke(method, arguments)));
+                } catch (IllegalArgumentException e) {
+                    fail(client, id, e);
+                }
+            });
         }
     }
 

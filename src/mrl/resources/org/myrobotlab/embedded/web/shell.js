@@ -10,11 +10,16 @@
 
     app.controller('ShellCtrl', ['$scope', '$location', 'mrl', function($scope, $location, mrl) {
         var shell = this
-        var FIRST = ['SEAR', 'LIDAR', 'GPS', 'Python', 'Serial', 'Roomba', 'Runtime', 'WebGui']
+        var FIRST = ['SEAR', 'LIDAR', 'GPS', 'Roomba', 'Python']
+        var LAST = ['Runtime', 'WebGui']
+        var PORT = 'Serial'     // there are many of them, so they get a row of their own
+        shell.main = []
+        shell.ports = []
         shell.services = []
         shell.statuses = []
         shell.form = {name: '', type: ''}
-        shell.shown = $location.path().substring(1) || null
+        var wanted = null       // the tab that the user wants, shown whenever its service is there
+        shell.shown = null
 
         Object.defineProperty(shell, 'connected', {get: function() {
             return mrl.connected
@@ -22,23 +27,37 @@
 
         function order(service) {
             var at = FIRST.indexOf(service.simpleName)
-            return at < 0 ? FIRST.length : at
+            return at < 0 ? FIRST.length + 1 + LAST.indexOf(service.simpleName) : at
+        }
+
+        function choose() {
+            var names = shell.main.concat(shell.ports).map(function(service) {
+                return service.name
+            })
+            shell.shown = names.indexOf(wanted) < 0 ? names[0] : wanted
+        }
+
+        function isPort(service) {
+            return service.simpleName === PORT
         }
 
         $scope.$on('mrl.services', function() {
             shell.services = mrl.getServices().slice().sort(function(a, b) {
                 return order(a) - order(b) || (a.name < b.name ? -1 : 1)
             })
+            shell.ports = shell.services.filter(isPort)
+            shell.main = shell.services.filter(function(service) {
+                return !isPort(service)
+            })
             shell.services.forEach(function(service) {
                 mrl.subscribe(service.name, 'publishStatus')
                 mrl.subscribeToService(onStatus, service.name)
             })
-            var names = shell.services.map(function(service) {
-                return service.name
-            })
-            if (names.length && names.indexOf(shell.shown) < 0) {
-                shell.shown = names[0]
-            }
+            choose()
+        })
+        $scope.$on('$locationChangeSuccess', function() {
+            wanted = $location.path().substring(1) || wanted
+            choose()
         })
         $scope.$on('mrl.error', function(event, text) {
             add({level: 'error', name: 'page', detail: text})
@@ -57,7 +76,8 @@
         }
 
         shell.show = function(name) {
-            shell.shown = name
+            wanted = name
+            choose()
         }
         shell.start = function() {
             mrl.sendTo('runtime', 'start', shell.form.name, shell.form.type)

@@ -1,0 +1,158 @@
+package org.SEAR.web;
+
+import static org.junit.Assert.assertArrayEquals;
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Base64;
+import java.util.Random;
+import org.junit.Before;
+import org.junit.ClassRule;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TestRule;
+import org.openqa.selenium.WebElement;
+
+/** The SEAR tab as the place where projects are opened, saved, checked and exchanged. */
+public class ProjectsInTheTabTest {
+    @ClassRule
+    public static final Tabs TABS = new Tabs("Runtime.start('sear', 'SEAR')");
+    /** More than one part of an upload and of a download. */
+    private static final int LARGE = 1_500_000;
+    @Rule
+    public final TestRule page = TABS.page("sear");
+    private final Browser browser = TABS.browser();
+    private final MyRobotLab robotLab = TABS.robotLab();
+    private final SearTab tab = new SearTab(TABS);
+
+    @Before
+    public void stopped() {
+        tab.stopAll();
+    }
+
+    private Path project(String file) {
+        return robotLab.file("SEARproject").resolve(file);
+    }
+
+    private static byte[] noise(int size) {
+        byte[] bytes = new byte[size];
+        new Random(7).nextBytes(bytes);
+        return bytes;
+    }
+
+    @Test
+    public void aProjectIsSavedAndOpenedAgainAndItsPathIsRemembered() {
+        tab.openExample("maze");
+        browser.type(".sear-path", "kept.sear");
+        browser.click(".sear-save");
+        browser.until("the bundle", () -> Files.exists(robotLab.file("kept.sear")));
+        tab.openExample("ramps");
+        browser.until("another project", () -> Files.notExists(project("environment/goal.xml")));
+        browser.type(".sear-path", "kept.sear");
+        browser.click(".sear-load");
+        tab.waitForRobot("maze Roomba");
+        tab.start();
+        browser.seeText(".sear-robots", "maze Roomba");
+        assertTrue(browser.all(".sear-main datalist option").stream().anyMatch(option -> "kept.sear".equals(option.getAttribute("value"))));
+        assertTrue("no project is opened while one runs", !browser.see(".sear-load").isEnabled() && !browser.see(".sear-example").isEnabled());
+    }
+
+    @Test
+    public void aMissingFileIsToldInTheTab() {
+        browser.type(".sear-path", "nix.sear");
+        browser.click(".sear-load");
+        browser.seeText(".sear-main .alert-danger", "there is no file ");
+    }
+
+    @Test
+    public void theProblemsOfABadProjectAreListed() throws IOException {
+        tab.openExample("maze");
+        browser.until("the project", () -> Files.exists(project("environment")));
+        browser.click(".sear-check");
+        browser.seeText(".sear-main .alert-info", "the project has no problems");
+        Files.writeString(project("environment/bad.xml"), "<Box>\n<name>bad</name>\n<length>-1</length>\n<color>x</color>\n</Box>\n");
+        browser.click(".sear-check");
+        browser.seeText(".sear-problems tbody tr", "environment/bad.xml 3 length -1");
+        TABS.open("sear");
+        browser.click(".sear-start");
+        browser.seeText(".sear-problems tbody tr", "environment/bad.xml 3 length -1");
+        browser.seeText(".sear-problems tbody tr", "environment/bad.xml 4");
+        browser.seeText(".sear-main .alert-danger", "problem(s), listed below");
+        tab.waitForStatus("no simulation runs");
+        Files.delete(project("environment/bad.xml"));
+    }
+
+    @Test
+    public void aBundleIsUploadedInPartsAndDownloadedAgain() throws IOException {
+        tab.openExample("maze");
+        tab.waitForRobot("maze Roomba");
+        byte[] ballast = noise(LARGE);
+        Files.createDirectories(project("assets"));
+        Files.write(project("assets/ballast.bin"), ballast);
+        browser.type(".sear-path", "folder/large.sear");
+        browser.click(".sear-download");
+        Path large = browser.download("large.sear");
+        assertTrue(Files.size(large) > LARGE);
+        robotLab.call("sear", "newProject");
+        WebElement file = browser.all(".sear-file").get(0);
+        file.sendKeys(large.toString());
+        browser.seeText(".sear-main .alert-info", "loaded large.sear");
+        assertArrayEquals(ballast, Files.readAllBytes(project("assets/ballast.bin")));
+        tab.waitForRobot("maze Roomba");
+    }
+
+    @Test
+    public void aDroppedBundleIsOpened() throws IOException {
+        tab.openExample("maze");
+        tab.waitForRobot("maze Roomba");
+        drop("dropped.sear", Files.readAllBytes(MyRobotLab.example("ramps")));
+        browser.seeText(".sear-main .alert-info", "loaded dropped.sear");
+        tab.waitForRobot("climber");
+    }
+
+    @Test
+    public void aDroppedFileThatIsNoBundleIsRefusedAndTheProjectStays() throws IOException {
+        tab.openExample("maze");
+        tab.waitForRobot("maze Roomba");
+        drop("nonsense.sear", noise(100));
+        browser.see(".sear-main .alert-danger");
+        browser.seeText(".sear-main", "or drop a .sear file here");
+        tab.waitForRobot("maze Roomba");
+    }
+
+    /** As a browser does when a file is dropped. */
+    private void drop(String name, byte[] content) {
+        browser.script("var text = atob(arguments[1]); var bytes = new Uint8Array(text.length);"
+            + "for (var i = 0; i < text.length; i++) { bytes[i] = text.charCodeAt(i) }"
+            + "var data = new DataTransfer(); data.items.add(new File([bytes], arguments[0]));"
+            + "var event = function(type) { return new DragEvent(type, {dataTransfer: data, bubbles: true, cancelable: true}) };"
+            + "arguments[2].dispatchEvent(event('dragover')); arguments[2].dispatchEvent(event('drop'))",
+            name, Base64.getEncoder().encodeToString(content), browser.see(".sear-drop"));
+    }
+
+    @Test
+    public void templatesAreCopiedOnce() throws IOException {
+        browser.choose(".sear-template", "controller");
+        browser.type(".sear-folder", "scripts of mine");
+        browser.click(".sear-copy");
+        browser.seeText(".sear-main .alert-info", "controller.py");
+        assertTrue(Files.readString(robotLab.file("scripts of mine/controller.py")).contains("def "));
+        browser.click(".sear-copy");
+        browser.seeText(".sear-main .alert-danger", "exists already");
+    }
+
+    @Test
+    public void aNewProjectIsEmptyAndTheOldOneIsKept() {
+        tab.openExample("maze");
+        tab.waitForRobot("maze Roomba");
+        browser.click(".sear-new");
+        browser.seeText(".sear-main .alert-info", "kept");
+        browser.until("no project", () -> Files.notExists(project("robot")));
+        browser.click(".sear-start");
+        browser.seeText(".sear-main .alert-danger", "there is no project folder");
+        assertEquals("no simulation runs", browser.text(".sear-status"));
+    }
+}

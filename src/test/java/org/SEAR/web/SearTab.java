@@ -1,0 +1,86 @@
+package org.SEAR.web;
+
+import java.nio.file.Files;
+import java.util.Map;
+import org.openqa.selenium.WebElement;
+
+/** The SEAR tab as a user handles it. */
+final class SearTab {
+    static final String ROOT = ".sear-main";
+    /** Pixels. */
+    static final double NEAR = 2;
+
+    private final Browser browser;
+    private final MyRobotLab robotLab;
+
+    SearTab(Tabs tabs) {
+        this.browser = tabs.browser();
+        this.robotLab = tabs.robotLab();
+    }
+
+    /** Ends what a test before has left running. */
+    void stopAll() {
+        if (robotLab.call("sear", "isRunning").asBoolean()) {
+            robotLab.call("sear", "stopSimulation");
+        }
+        robotLab.call("sear", "setSpeed", 1);
+        waitForStatus("no simulation runs");
+    }
+
+    /** Chooses an example in the list, which opens it. */
+    void openExample(String name) {
+        String path = "examples/" + name + ".sear";
+        browser.choose(".sear-example", path);
+        browser.seeText(".sear-main .alert-info", "opened " + path);
+    }
+
+    /** Waits until the project has a robot. */
+    void waitForRobot(String name) {
+        browser.until("the robot " + name, () -> Files.exists(robotLab.file("SEARproject/robot/" + name + ".xml")));
+    }
+
+    /** Starts the simulation; returns when its first picture is there. */
+    void start() {
+        browser.click(".sear-start");
+        browser.until("a running simulation", () -> isTrue("state !== null && view.fitted"));
+    }
+
+    void waitForStatus(String part) {
+        browser.seeText(".sear-status", part);
+    }
+
+    boolean isTrue(String expression) {
+        return Boolean.TRUE.equals(browser.scope(ROOT, expression));
+    }
+
+    double number(String expression) {
+        return browser.number(ROOT, expression);
+    }
+
+    /** Simulated seconds that the panel shows; -1 if none. */
+    double time() {
+        return number("state ? state.time : -1");
+    }
+
+    /** Waits until the panel shows a later time. */
+    void waitForTime(double seconds) {
+        browser.until("simulated second " + seconds, () -> time() >= seconds);
+    }
+
+    /** The colour of a point of the ground in the view: red, green, blue, alpha as 0xRRGGBBAA. */
+    long colour(double x, double z) {
+        WebElement view = browser.see(".sear-view");
+        Object value = browser.script("var at = angular.element(arguments[0]).scope().toScreen(arguments[1], arguments[2]);"
+            + "var ratio = window.devicePixelRatio || 1;"
+            + "var c = arguments[0].getContext('2d').getImageData(Math.round(at.x * ratio), Math.round(at.y * ratio), 1, 1).data;"
+            + "return ((c[0] * 256 + c[1]) * 256 + c[2]) * 256 + c[3]", view, x, z);
+        return ((Number) value).longValue();
+    }
+
+    /** Where a point of the ground is on the canvas, pixels. */
+    @SuppressWarnings("unchecked")
+    double[] toScreen(double x, double z) {
+        Map<String, Number> at = (Map<String, Number>) browser.scope(ROOT, "toScreen(" + x + ", " + z + ")");
+        return new double[] {at.get("x").doubleValue(), at.get("y").doubleValue()};
+    }
+}

@@ -1,0 +1,205 @@
+package org.SEAR.web;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNotEquals;
+import static org.junit.Assert.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.Before;
+import org.junit.ClassRule;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TestRule;
+import org.openqa.selenium.Keys;
+import org.openqa.selenium.WebElement;
+import org.openqa.selenium.interactions.Actions;
+
+/** The SEAR tab while a world runs: view, driving, run control, tables. */
+public class SearTabTest {
+    @ClassRule
+    public static final Tabs TABS = new Tabs("Runtime.start('sear', 'SEAR')");
+    @Rule
+    public final TestRule page = TABS.page("sear");
+    private final Browser browser = TABS.browser();
+    private final MyRobotLab robotLab = TABS.robotLab();
+    private final SearTab tab = new SearTab(TABS);
+
+    @Before
+    public void stopped() {
+        tab.stopAll();
+    }
+
+    private double[] pose(String name) {
+        JsonNode pose = robotLab.call("sear", "getPose", name);
+        return new double[] {pose.get(0).asDouble(), pose.get(1).asDouble(), pose.get(2).asDouble()};
+    }
+
+    @Test
+    public void anExampleIsOpenedStartedAndDrivenAndTheViewShowsIt() {
+        tab.openExample("office");
+        tab.start();
+        tab.waitForStatus("running at ");
+        double[] before = {tab.number("state.robots[0].pose[0]"), tab.number("state.robots[0].pose[2]")};
+        long robot = tab.colour(before[0] - 0.1, before[1] + 0.05);
+        assertNotEquals("the robot is drawn where it stands", tab.colour(before[0] - 0.5, before[1] + 0.05), robot);
+        browser.click(".sear-forward");
+        browser.until("half a metre to the north", () -> tab.number("state.robots[0].pose[0]") > before[0] + 0.5);
+        browser.click(".sear-halt");
+        browser.until("the robot stands", () -> tab.number("state.robots[0].speed") == 0);
+        double[] truth = pose("office Roomba");
+        browser.until("the pose in the tab is the robot's", () -> Math.abs(tab.number("state.robots[0].pose[0]") - truth[0]) < 0.001);
+        double[] now = tab.toScreen(tab.number("state.robots[0].pose[0]"), tab.number("state.robots[0].pose[2]"));
+        double[] expected = tab.toScreen(truth[0], truth[2]);
+        assertEquals(expected[0], now[0], SearTab.NEAR);
+        assertEquals(expected[1], now[1], SearTab.NEAR);
+        assertEquals("north is up", tab.toScreen(before[0], before[1])[1] - (truth[0] - before[0]) * tab.number("view.scale"), now[1], SearTab.NEAR);
+        assertEquals("east is to the right", now[0] + tab.number("view.scale"), tab.toScreen(truth[0], truth[2] + 1)[0], SearTab.NEAR);
+        browser.until("the robot is no longer drawn where it was", () -> tab.colour(before[0] - 0.1, before[1] + 0.05) != robot);
+        assertTrue("its path is kept", tab.number("state.robots[0].path.length") > 10);
+        browser.click(".sear-stop");
+        tab.waitForStatus("no simulation runs");
+    }
+
+    @Test
+    public void modelsAreDrawnWithTheirOutline() {
+        tab.openExample("office");
+        tab.start();
+        browser.click(".sear-beams");
+        int plant = -1;
+        for (int i = 0; i < tab.number("state.objects.length"); i++) {
+            plant = tab.isTrue("state.objects[" + i + "].name === 'plant'") ? i : plant;
+        }
+        String object = "state.objects[" + plant + "]";
+        assertTrue(tab.number(object + ".corners.length") > 8);
+        double x = tab.number(object + ".pose[0]");
+        double z = tab.number(object + ".pose[2]");
+        browser.until("a green tree", () -> tab.colour(x + 0.05, z + 0.05) == 0x6b8e23ffL);
+        assertNotEquals("a metre beside it", 0x6b8e23ffL, tab.colour(x - 1, z));
+    }
+
+    @Test
+    public void pauseStepResumeResetAndSpeed() {
+        tab.openExample("maze");
+        tab.start();
+        browser.click(".sear-pause");
+        tab.waitForStatus("paused");
+        double paused = robotLab.call("sear", "getTime").asDouble();
+        browser.click(".sear-step");
+        browser.until("a step of 1/60 s", () -> Math.abs(robotLab.call("sear", "getTime").asDouble() - paused - 1 / 60.0) < 1e-6);
+        tab.waitForStatus("paused at ");
+        browser.click(".sear-resume");
+        tab.waitForStatus("running at ");
+        tab.waitForTime(paused + 0.2);
+        browser.click(".sear-pause");
+        browser.click(".sear-reset");
+        browser.until("time 0", () -> tab.time() == 0);
+        browser.click(".sear-resume");
+        browser.choose(".sear-speed", "5 ×");
+        browser.until("five times real time", () -> tab.number("state.speed") > 1.5);
+        TABS.open("sear");
+        browser.until("a page that comes later shows the speed", () -> "5".equals(browser.see(".sear-speed").getAttribute("value")));
+    }
+
+    @Test
+    public void theKeysOfTheWindowDriveWhenTheViewHasTheFocus() {
+        tab.openExample("maze");
+        tab.start();
+        WebElement view = browser.see(".sear-view");
+        new Actions(browser.driver()).moveToElement(view, 0, 0).click().sendKeys("u").perform();
+        browser.until("forward", () -> tab.number("state.robots[0].speed") > 0.1);
+        view.sendKeys("j");
+        browser.until("backward", () -> tab.number("state.robots[0].speed") < -0.1);
+        view.sendKeys("h");
+        browser.until("to the left", () -> tab.number("state.robots[0].turnRate") > 0.1);
+        view.sendKeys("k");
+        browser.until("to the right", () -> tab.number("state.robots[0].turnRate") < -0.1);
+        view.sendKeys(";");
+        browser.until("halt", () -> Math.abs(tab.number("state.robots[0].turnRate")) < 0.001);
+        double before = tab.time();
+        view.sendKeys(Keys.ENTER);
+        browser.until("reset", () -> tab.time() < before);
+    }
+
+    @Test
+    public void theOtherButtonsDriveToo() {
+        tab.openExample("maze");
+        tab.start();
+        browser.click(".sear-left");
+        browser.until("to the left", () -> tab.number("state.robots[0].turnRate") > 0.1);
+        browser.click(".sear-right");
+        browser.until("to the right", () -> tab.number("state.robots[0].turnRate") < -0.1);
+        browser.click(".sear-backward");
+        browser.until("backward", () -> tab.number("state.robots[0].speed") < -0.1);
+    }
+
+    @Test
+    public void theTablesShowEverySensorAndTheWorldAsATree() {
+        tab.openExample("sensors");
+        tab.start();
+        List<String> names = new ArrayList<>();
+        robotLab.call("sear", "getSensorNames").forEach(name -> names.add(name.asText()));
+        for (String name : names) {
+            browser.seeText(".sear-sensors tr", name);
+        }
+        browser.click(".sear-forward");
+        browser.until("the compass as the service answers it", () -> {
+            String shown = browser.text(".sear-sensors tr[data-sensor='compass'] .sear-reading");
+            return Math.abs(Double.parseDouble(shown) - robotLab.call("sear", "getCompassResult", "compass").asDouble()) < 1;
+        });
+        browser.seeText(".sear-sensors tr[data-sensor='myLidar'] .sear-reading", "361 beams, ");
+        browser.seeText(".sear-tree", "container Box");
+        browser.seeText(".sear-tree", "myRoomba robot");
+        browser.seeText(".sear-tree", "Roomba Body Cylinder");
+        browser.seeText(".sear-robot-status", "battery");
+        String position = browser.text(".sear-robot-position");
+        assertTrue(position, position.matches("-?\\d+\\.\\d{3}, -?\\d+\\.\\d{3}"));
+    }
+
+    /** The square at a beam's end stands where the beam met something, and nowhere if it met nothing. */
+    @Test
+    public void aSonarThatMeetsNothingHasNoHit() {
+        robotLab.run("from org.SEAR.POJOs import Box, Cylinder, Distance, Dynamics, Floor, SEARrobot, Wheel\nsear.newProject()\n"
+            + "Floor('floor', 20, 20, False)\nwall = Box('wall', 4, 0.2, 1, 0)\nwall.move(0, 0.5, 2)\n"
+            + "robot = SEARrobot('bot')\nrobot.addComponent(Dynamics('d', 4, 60, 0.3, 0.4, 10000, 0.1, 0, 0.1, 0, 0, 0, 0))\n"
+            + "robot.addComponent(Cylinder('body', 0.17, 0.08, 4))\n"
+            + "for i, x, z in ((0, 0, 0.16), (1, -0.16, 0), (1, 0.16, 0), (0, 0, -0.16)):\n"
+            + "    robot.addWheel(Wheel('w%d' % (x * 100 + z * 10), 0.0381, 0.03, i, x, 0, z))\n"
+            + "robot.addComponent(Distance('ahead', 'PING)))', 0, 0.1, 0.15, 0, 0, 0))\n"
+            + "robot.addComponent(Distance('behind', 'PING)))', 0, 0.1, -0.15, 0, 180, 0))\n");
+        tab.start();
+        browser.seeText(".sear-sensors tr[data-sensor='behind'] .sear-reading", "nothing within 3 m");
+        String ahead = "state.sensors[0].name === 'ahead' ? state.sensors[0] : state.sensors[1]";
+        assertEquals(2 - 0.1, tab.number("(" + ahead + ").hit[2]"), 0.01);
+        String behind = "state.sensors[0].name === 'ahead' ? state.sensors[1] : state.sensors[0]";
+        assertTrue(tab.isTrue("(" + behind + ").hit === null"));
+        assertNotEquals("no square at the end of the beam that met nothing", 0xd9534fffL, tab.colour(0, -0.15 - 3));
+        double z = tab.number("(" + ahead + ").hit[2]");
+        double x = tab.number("(" + ahead + ").hit[0]");
+        browser.until("a square at the wall", () -> tab.colour(x, z) == 0xd9534fffL);
+    }
+
+    @Test
+    public void theViewZoomsPansFitsAndFollows() {
+        tab.openExample("maze");
+        tab.start();
+        browser.click(".sear-pause");
+        double scale = tab.number("view.scale");
+        browser.click("button[aria-label='Zoom in']");
+        browser.until("closer", () -> tab.number("view.scale") > scale);
+        WebElement view = browser.see(".sear-view");
+        browser.script("arguments[0].dispatchEvent(new WheelEvent('wheel', {deltaY: 100, cancelable: true}))", view);
+        browser.script("arguments[0].dispatchEvent(new WheelEvent('wheel', {deltaY: 100, cancelable: true}))", view);
+        browser.until("farther", () -> tab.number("view.scale") < scale);
+        double before = tab.number("view.z");
+        new Actions(browser.driver()).moveToElement(view).clickAndHold().moveByOffset(60, 0).release().perform();
+        browser.until("panned", () -> tab.number("view.z") < before);
+        browser.click(".sear-fit");
+        browser.until("fitted", () -> Math.abs(tab.number("view.scale") - scale) < 1e-6);
+        browser.click(".sear-follow");
+        browser.until("the robot in the middle", () -> tab.isTrue("view.x === state.robots[0].pose[0] && view.z === state.robots[0].pose[2]"));
+        assertFalse(tab.isTrue("view.scale === 0"));
+    }
+}

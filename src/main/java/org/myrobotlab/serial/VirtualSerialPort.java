@@ -40,6 +40,7 @@ public class VirtualSerialPort extends Port {
     private volatile boolean paced = true;
     private volatile boolean opened;
     private volatile String owner;
+    private volatile String wayOut = "disconnect() there first";
     private volatile IntConsumer baudListener = baud -> { };
     private volatile LongConsumer handedHook = total -> { };
     private volatile PortClock clock;
@@ -91,6 +92,11 @@ public class VirtualSerialPort extends Port {
     /** Who else may not have a port of this name, in words, for example {@code "LIDAR myLidar of the running simulation"}; null for nobody. */
     public void setOwner(String who) {
         owner = who;
+    }
+
+    /** What a service does that wants this port while another has it, in words; "disconnect() there first" unless told otherwise. */
+    public void setWayOut(String advice) {
+        wayOut = advice;
     }
 
     /** See {@link #setOwner}. */
@@ -164,7 +170,7 @@ public class VirtualSerialPort extends Port {
     public void listen(Map<String, SerialDataListener> added) {
         synchronized (lock) {
             if (readingThread != null && !listeners.isEmpty() && Collections.disjoint(listeners.keySet(), added.keySet())) {
-                throw new IllegalStateException("port " + portName + " is in use by " + listeners.keySet() + ": disconnect() there first");
+                throw new IllegalStateException("port " + portName + " is in use by " + listeners.keySet() + ": " + wayOut);
             }
             listening = true;
             super.listen(added);

@@ -5,9 +5,11 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertNotNull;
 import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 import static org.junit.Assert.fail;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -160,6 +162,14 @@ public class SearServiceTest {
         lidar.singleScan();
         sear.simSleep(30);
         assertNotNull(heard.getStatuses().toString(), lidar.getLastScan());
+    }
+
+    @Test
+    public void whoConnectsToTheDevicesOwnEndIsToldTheRightPort() {
+        sear.startSimulation();
+        LIDAR lidar = (LIDAR) Runtime.start("testLidar", "LIDAR");
+        IOException e = assertThrows(IOException.class, () -> lidar.connect("/dev/my_Lidar01"));
+        assertTrue(e.getMessage(), e.getMessage().endsWith("it is the simulated device's own end, connect to " + TestWorld.LIDAR_PORT));
     }
 
     @Test

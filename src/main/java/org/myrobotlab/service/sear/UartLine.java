@@ -55,6 +55,7 @@ final class UartLine {
             SerialDeviceFactory.add(port);
             port.setOwner(owner);
         }
+        uart.setWayOut("it is the simulated device's own end, connect to " + user.getName());
         uart.setHandedHook(this::awaitDevice);
         user.setBaudListener(this::hostBaud);
         ServiceInterface started = Runtime.start(serviceName, "Serial");

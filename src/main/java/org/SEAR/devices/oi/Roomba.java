@@ -122,8 +122,10 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
     private void beat(double time) {
         double wheels = drive.isMoving() ? (hardware.getLeftLoad() + hardware.getRightLoad()) * Battery.STALLED_WHEEL : 0;
         battery.drain(asleep ? Battery.ASLEEP : Battery.IDLE + wheels, BEAT);
-        if (mode == OiMode.SAFE && isUnsafe()) {
+        String danger = mode == OiMode.SAFE ? danger() : null;
+        if (danger != null) {
             enter(OiMode.PASSIVE);
+            context.warn(danger + ": the robot left safe mode and stopped; send safe or full mode again when its wheels are on the ground");
         }
         if (model == OiModel.CREATE2 && mode == OiMode.PASSIVE && time - lastCommand > SLEEP_AFTER) {
             asleep = true;
@@ -134,9 +136,12 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
         }
     }
 
-    private boolean isUnsafe() {
-        return hardware.isLeftWheelDropped() || hardware.isRightWheelDropped() || model.hasCasterSwitch() && hardware.isCasterDropped()
-            || (drive.isForward() || drive.isBackwardAndTight()) && surroundings.isAnyCliff();
+    /** What ends safe mode, in words; null if nothing does. */
+    private String danger() {
+        if (hardware.isLeftWheelDropped() || hardware.isRightWheelDropped() || model.hasCasterSwitch() && hardware.isCasterDropped()) {
+            return "a wheel has dropped";
+        }
+        return (drive.isForward() || drive.isBackwardAndTight()) && surroundings.isAnyCliff() ? "a cliff" : null;
     }
 
     /** Changes the mode; motors and lights obey only in safe and full mode. */

@@ -220,6 +220,8 @@ public class RoombaTest {
         line.pass(0.1);
         assertEquals("full mode does not mind", OiMode.FULL, roomba.getMode());
         assertEquals("01", ask("8E 0A"));
+        assertTrue(line.warnings.toString(), line.warnings.get(0).startsWith("a cliff: the robot left safe mode"));
+        assertTrue(line.warnings.toString(), line.warnings.get(1).startsWith("a wheel has dropped: the robot left safe mode"));
     }
 
     @Test

@@ -45,6 +45,7 @@ final class Body {
     private final double cz;
     private final CollisionShape collision;
     private boolean robot;
+    private Obstacles obstacles;
     private boolean driven;
     private Pose anchor;
     private int still;
@@ -211,6 +212,19 @@ final class Body {
     /** Says that it is a robot's body: nothing brakes it but its wheels. */
     void setRobot() {
         robot = true;
+        obstacles = new Obstacles();
+    }
+
+    /** Says that something stands near a robot's body. @param nx from there to the body, world frame @param x of its surface @param gap metres */
+    void near(Body other, double nx, double ny, double nz, double x, double y, double z, double gap) {
+        if (obstacles != null) {
+            obstacles.add(other, nx, ny, nz, x, y, z, gap);
+        }
+    }
+
+    /** What stands near a robot's body; null if this is none. */
+    Obstacles getObstacles() {
+        return obstacles;
     }
 
     /** Whether the robot's motors turn: then it does not sleep. */

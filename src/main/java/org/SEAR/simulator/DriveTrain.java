@@ -159,6 +159,7 @@ final class DriveTrain extends TypedConstraint {
             wheel.lookAhead(scenes, pose, owner, ahead, Math.signum(sign));
         }
         first = true;
+        body.getObstacles().clear();
     }
 
     private static void axis(Pose pose, double[] into, double x, double y, double z) {
@@ -183,6 +184,7 @@ final class DriveTrain extends TypedConstraint {
         for (int i = 0; i < wheels.size(); i++) {
             wheels.get(i).solve(v);
         }
+        body.getObstacles().solve(v);
         write();
     }
 
@@ -214,11 +216,18 @@ final class DriveTrain extends TypedConstraint {
             RaycastWheel wheel = wheels.get(i);
             wheel.prepare(v, centre, ahead, rbA.getInvMass(), inverseInertia, groundSpeed);
         }
+        body.getObstacles().prepare(centre, rbA.getInvMass(), inverseInertia);
     }
 
     /** Turns the wheels and pushes the ground, after jbullet's step. */
     void roll() {
         read();
+        Obstacles obstacles = body.getObstacles();
+        for (int i = 0; i < obstacles.size(); i++) {
+            if (obstacles.reaction(i, impulse, point)) {
+                give(obstacles.body(i).getRigid());
+            }
+        }
         for (int i = 0; i < wheels.size(); i++) {
             RaycastWheel wheel = wheels.get(i);
             wheel.roll(v);

@@ -7,7 +7,8 @@ import com.bulletphysics.linearmath.Transform;
  * solid's frame, then placed in the world.
  */
 final class Feature {
-    private static final int MOST = 32;
+    /** Corners that it holds; a face that is to be cut needs room for those that cutting makes. */
+    static final int MOST = 32;
 
     int count;
     /** Whether it has a normal. */

@@ -12,9 +12,7 @@ import org.SEAR.project.Triangles;
 
 /** Collision shapes of triangle meshes. */
 final class Meshes {
-    /** Directions in which a hull's outermost corners are looked for; few corners keep jbullet fast. */
-    private static final int HULL_DIRECTIONS = 96;
-    /** jbullet puts the margin outside of meshes and hulls, so it is small: surfaces have to be where they are seen, metres. */
+    /** By how much jbullet's boxes around meshes are larger, metres; contacts come from the triangles themselves. */
     private static final float MARGIN = 5e-4f;
     private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
     private static final int VERTEX_BYTES = 3 * Float.BYTES;
@@ -43,9 +41,14 @@ final class Meshes {
         return shape;
     }
 
-    /** The convex hull of the outermost corners, for a body that moves. */
-    static CollisionShape hull(Triangles mesh, double sx, double sy, double sz) {
-        ConvexHullShape shape = new ConvexHullShape(corners(mesh, sx, sy, sz, HULL_DIRECTIONS));
+    /** The convex hull, for a body that moves. */
+    static CollisionShape hull(Hull hull) {
+        double[] points = hull.getCorners();
+        ObjectArrayList<Vector3f> corners = new ObjectArrayList<>();
+        for (int i = 0; i < points.length; i += 3) {
+            corners.add(new Vector3f((float) points[i], (float) points[i + 1], (float) points[i + 2]));
+        }
+        ConvexHullShape shape = new ConvexHullShape(corners);
         shape.setMargin(MARGIN);
         return shape;
     }

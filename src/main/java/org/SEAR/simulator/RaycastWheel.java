@@ -15,6 +15,9 @@ import org.SEAR.raycast.Pose;
 final class RaycastWheel {
     /** Coefficient of friction of a rubber wheel on a dry floor. */
     private static final double GRIP = 1;
+    /** Friction of a wheel's tread along what blocks it, level: else a robot that pushes against a wall would turn off it. */
+    private static final double OBSTACLE_GRIP = 0.3;
+    private static final double LEAST_LEVEL = 0.1;
     /** Ground that leans more than this (cosine of the angle to the suspension) is a wall and carries no wheel. */
     private static final double STEEPEST = 0.35;
     /** Share of the depth beyond the stop that is corrected in a step. */
@@ -47,6 +50,7 @@ final class RaycastWheel {
     private final Row forward = new Row();
     private final Row side = new Row();
     private final Row block = new Row();
+    private final Row slide = new Row();
     private final Hit hit = new Hit();
     private final Hit ahead = new Hit();
     private Body obstacle;
@@ -222,6 +226,9 @@ final class RaycastWheel {
     private void prepareObstacle(double[] centre, double inverseMass, Matrix3f inverseInertia) {
         block.set(ahead.nx, ahead.ny, ahead.nz, wx - centre[0], wy - centre[1], wz - centre[2], inverseMass, inverseInertia);
         block.impulse = 0;
+        double level = Math.max(Math.hypot(ahead.nx, ahead.nz), LEAST_LEVEL);
+        slide.set(ahead.nz / level, 0, -ahead.nx / level, wx - centre[0], wy - centre[1], wz - centre[2], inverseMass, inverseInertia);
+        slide.impulse = 0;
         groundPush = 0;
         if (!obstacle.isFixed()) {
             obstacle.velocityAt(wx, wy, wz, speedOfObstacle);
@@ -235,6 +242,10 @@ final class RaycastWheel {
         double yielding = obstacle.isFixed() ? 0 : 1 / obstacle.mass;
         double apart = block.speed(v) - groundPush + yielding * block.impulse;
         block.add(v, (allowed - apart) / (block.mobility + yielding), 0, Double.POSITIVE_INFINITY);
+        if (obstacle.isFixed()) {
+            double hold = OBSTACLE_GRIP * block.impulse;
+            slide.add(v, -slide.speed(v) / slide.mobility, -hold, hold);
+        }
     }
 
     /** One turn of the solver. @param v velocities of the centre of mass, changed */

@@ -24,9 +24,9 @@ import org.SEAR.project.Triangles;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.Pose;
 
-/** The exact geometry of one object of the grammar, scale included, as beams and as collisions need it. Immutable. */
+/** The exact geometry of one object of the grammar, scale included, as beams and as collisions need it. */
 final class Solid {
-    /** The collision margin of jbullet, metres, for shapes that are large enough. It lies inside the surface of boxes and cylinders. */
+    /** The collision margin of jbullet, metres, for shapes that are large enough; contacts come from the solids themselves. */
     private static final float MARGIN = 0.01f;
     /** Greatest share of the smallest half size that may be margin. */
     private static final double MARGIN_SHARE = 0.3;
@@ -50,6 +50,7 @@ final class Solid {
     private final double scaleX;
     private final double scaleY;
     private final double scaleZ;
+    private Hull hull;
 
     private Solid(Kind kind, double halfX, double halfY, double halfZ, Pose offset) {
         this(kind, halfX, halfY, halfZ, offset, null, 1, 1, 1);
@@ -204,9 +205,11 @@ final class Solid {
                 shape = new ConeShape((float) halfX, (float) (2 * halfY));
                 break;
             default:
-                return moving ? Meshes.hull(mesh, scaleX, scaleY, scaleZ) : Meshes.fixed(mesh, scaleX, scaleY, scaleZ);
+                shape = moving ? Meshes.hull(hull()) : Meshes.fixed(mesh, scaleX, scaleY, scaleZ);
         }
-        shape.setMargin(margin());
+        if (kind != Kind.MESH) {
+            shape.setMargin(margin());
+        }
         shape.setUserPointer(this);
         return shape;
     }
@@ -230,19 +233,53 @@ final class Solid {
         }
     }
 
-    /** Whether jbullet's shape for it is larger by its margin. */
-    boolean isMarginOutside() {
-        return kind == Kind.CONE || kind == Kind.MESH;
+    /** The convex hull of a mesh. */
+    Hull hull() {
+        if (hull == null) {
+            double[] points = new double[mesh.vertices.length];
+            double[] scale = {scaleX, scaleY, scaleZ};
+            for (int i = 0; i < points.length; i++) {
+                points[i] = mesh.vertices[i] * scale[i % 3];
+            }
+            hull = Hull.of(points);
+        }
+        return hull;
     }
 
-    /** The part of a box, cylinder or cone that faces a direction of its own frame; see {@link Features}. */
+    /** The part that faces a direction of its own frame, a mesh taken as its convex hull; see {@link Features}. */
     void feature(double dx, double dy, double dz, Feature into) {
         into.clear();
         if (kind == Kind.BOX) {
             Features.box(halfX, halfY, halfZ, dx, dy, dz, into);
+        } else if (kind == Kind.MESH) {
+            hull().feature(dx, dy, dz, into);
         } else {
             Features.round(halfX, kind == Kind.CONE ? 0 : halfX, halfY, dx, dy, dz, into);
         }
+    }
+
+    /** The farthest point in a direction of its own frame, a mesh taken as its convex hull. @param into takes {x, y, z} */
+    void farthestOfHull(double dx, double dy, double dz, double[] into) {
+        if (kind == Kind.MESH) {
+            hull().farthest(dx, dy, dz, into);
+            return;
+        }
+        if (kind == Kind.BOX) {
+            into[0] = Math.copySign(halfX, dx);
+            into[1] = Math.copySign(halfY, dy);
+            into[2] = Math.copySign(halfZ, dz);
+            return;
+        }
+        double across = Math.sqrt(dx * dx + dz * dz);
+        if (kind == Kind.CONE && dy * 2 * halfY > across * halfX) {
+            into[0] = 0;
+            into[1] = halfY;
+            into[2] = 0;
+            return;
+        }
+        into[0] = across > 0 ? halfX * dx / across : 0;
+        into[1] = kind == Kind.CONE ? -halfY : Math.copySign(halfY, dy);
+        into[2] = across > 0 ? halfX * dz / across : 0;
     }
 
     boolean isMesh() {
@@ -262,20 +299,13 @@ final class Solid {
 
     /** The farthest point in a direction of its own frame: {x, y, z}. */
     double[] farthest(double dx, double dy, double dz) {
-        if (kind == Kind.BOX) {
-            return new double[] {Math.copySign(halfX, dx), Math.copySign(halfY, dy), Math.copySign(halfZ, dz)};
-        }
+        double[] point = new double[3];
         if (kind == Kind.MESH) {
             int vertex = Meshes.outermost(mesh, dx * scaleX, dy * scaleY, dz * scaleZ);
-            return new double[] {mesh.vertices[vertex * 3] * scaleX, mesh.vertices[vertex * 3 + 1] * scaleY, mesh.vertices[vertex * 3 + 2] * scaleZ};
+            corner(vertex, Pose.IDENTITY, point);
+        } else {
+            farthestOfHull(dx, dy, dz, point);
         }
-        double across = Math.hypot(dx, dz);
-        double rimX = across > 0 ? halfX * dx / across : 0;
-        double rimZ = across > 0 ? halfX * dz / across : 0;
-        boolean apex = kind == Kind.CONE && dy * 2 * halfY > across * halfX;
-        if (apex) {
-            return new double[] {0, halfY, 0};
-        }
-        return new double[] {rimX, kind == Kind.CONE ? -halfY : Math.copySign(halfY, dy), rimZ};
+        return point;
     }
 }

@@ -17,17 +17,16 @@ import org.junit.Rule;
 import org.junit.Test;
 
 /**
- * Models of every format stand in the simulated world where their files and objects say: seen within a millimetre of their triangles, and hit there
- * but for the collision margin.
+ * Models of every format stand in the simulated world where their files and objects say: seen and hit within a millimetre of their triangles.
  * What the beams should measure comes from the triangles by Cramer's rule, without any of SEAR's code.
  */
 public class ModelsInTheWorldTest {
     private static final double MILLIMETRE = 0.001;
-    /** How far from the triangles a blocked robot stops at the most: two to four millimetres and the collision margin. */
-    private static final double MARGIN = 0.006;
     private static final double EYE_HEIGHT = 0.12;
     private static final double EYE_FORWARD = 0.1;
     private static final double NOSE = 0.16;
+    private static final double HALF_HEIGHT = 0.0381;
+    private static final double HEAVY = 2000;
     /** A wedge as of a doorstop, no two sides alike: 3 wide, 1 high, its front leans back. */
     private static final float[] WEDGE = {-1, 0, -0.3f, 2, 0, -0.3f, 2, 0, 0.6f, -1, 0, 0.6f, -1, 1, 0.2f, 2, 1, 0.4f};
     private static final int[] WEDGE_TRIANGLES = {0, 1, 2, 0, 2, 3, 0, 4, 5, 0, 5, 1, 3, 2, 5, 3, 5, 4, 0, 3, 4, 1, 5, 2};
@@ -159,28 +158,33 @@ public class ModelsInTheWorldTest {
         }
     }
 
-    /** Drives into the block's front. @return where the robot's middle is then */
-    private double stopped() throws Exception {
+    /** Drives against something in front. @return where the point of the robot that is foremost is then */
+    private double stopped(double[]... points) throws Exception {
         try (Simulation simulation = Simulation.load(project.folder(), 1)) {
             Robot robot = simulation.getRobots().get(0);
             run(simulation, 0.5);
             robot.drive(0.1, Double.POSITIVE_INFINITY);
             run(simulation, 10);
             assertTrue(robot.getHardware().isBumpedLeft() || robot.getHardware().isBumpedRight());
-            return robot.getPose().z;
+            double foremost = Double.NEGATIVE_INFINITY;
+            for (double[] point : points) {
+                foremost = Math.max(foremost, robot.getPose().transform(point[0], point[1], point[2])[2]);
+            }
+            return foremost;
         }
     }
 
     @Test
     public void asAnObstacleEachFormatIsHitAtItsTriangles() throws Exception {
         ModelFiles block = new ModelFiles(BLOCK, BLOCK_TRIANGLES, 0, -0.2f, 0);
-        for (double mass : new double[] {0, 2000}) {
+        for (double mass : new double[] {0, HEAVY}) {
             for (String ending : ModelLoader.ENDINGS) {
                 ProjectSwap.delete(project.folder());
                 new Floor("floor", 50, 50);
                 boxRobot(0.1);
                 new Model("block", block.put(project, ending), mass).move(0, 0.2, 0.85);
-                assertEquals(ending + " of " + mass + " kg", 0.6, stopped() + NOSE, MARGIN);
+                assertEquals(ending + " of " + mass + " kg", 0.6, stopped(new double[] {0, HALF_HEIGHT, NOSE}, new double[] {0, -HALF_HEIGHT, NOSE}),
+                    MILLIMETRE);
             }
         }
     }
@@ -194,7 +198,7 @@ public class ModelsInTheWorldTest {
             new Floor("floor", 50, 50);
             robot(0.1).addComponent(new Model("body", block.put(project, ending)));
             new Box("wall", 4, 0.2, 1, 0).move(0, 0, 0.8);
-            assertEquals(ending, 0.7, stopped() + 0.25, MARGIN);
+            assertEquals(ending, 0.7, stopped(new double[] {0, 0, 0.25}), MILLIMETRE);
         }
     }
 

@@ -1,0 +1,123 @@
+package org.SEAR.web;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.junit.ClassRule;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TestRule;
+import org.openqa.selenium.Keys;
+import org.openqa.selenium.WebElement;
+
+/** The Python tab and the Serial tab of the embedded MyRobotLab, with a simulated Roomba at the other end. */
+public class ScriptsAndPortsTest {
+    @ClassRule
+    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('examples/sensors.sear')\n"
+        + "sear.startSimulation()\nRuntime.start('line', 'Serial')");
+    @Rule
+    public final TestRule page = TABS.page("python");
+    private final Browser browser = TABS.browser();
+    private final MyRobotLab robotLab = TABS.robotLab();
+
+    private void code(String text) {
+        WebElement editor = browser.see(".python-code");
+        editor.sendKeys(Keys.chord(Keys.CONTROL, "a"), Keys.DELETE);
+        editor.sendKeys(text);
+    }
+
+    // ---- Python --------------------------------------------------------------------------------------------------------
+
+    @Test
+    public void aScriptRunsAndItsConsoleShowsWhatItPrints() {
+        code("for name in sear.getSensorNames(): print 'I have', name");
+        browser.click(".python-run");
+        browser.seeText(".mrl-console", "I have compass");
+        browser.seeText(".mrl-console", "I have rightEZ0");
+        browser.seeText(".python-status", "ready");
+        code("print 6 * 7");
+        browser.see(".python-code").sendKeys(Keys.chord(Keys.CONTROL, Keys.ENTER));
+        browser.seeText(".mrl-console", "42");
+    }
+
+    @Test
+    public void anErrorStandsInTheConsoleWithItsLine() {
+        code("print 'first'\nnonsense()");
+        browser.click(".python-run");
+        browser.seeText(".mrl-console .err", "line 2");
+        browser.seeText(".mrl-console .err", "NameError: name 'nonsense' is not defined");
+        browser.seeText("#shell-statuses", "NameError");
+    }
+
+    @Test
+    public void anEndlessScriptIsStopped() {
+        code("print 'on and on'\nwhile True: sleep(0.05)");
+        browser.click(".python-run");
+        browser.seeText(".python-status", "running");
+        browser.seeText(".mrl-console", "on and on");
+        assertTrue("one script at a time", !browser.see(".python-run").isEnabled());
+        browser.click(".python-stop");
+        browser.seeText(".python-status", "ready");
+    }
+
+    @Test
+    public void aScriptIsSavedAndOpenedAgainInColours() throws IOException {
+        String text = "# comment\nif True:\n    print \"text\", 12";
+        robotLab.call("python", "saveScript", "mine.py", text);
+        browser.type(".python-file", "mine.py");
+        browser.click(".python-open");
+        browser.until("the script", () -> text.equals(browser.see(".python-code").getAttribute("value")));
+        assertEquals("# comment", browser.texts(".py-c").get(0));
+        assertEquals(List.of("if", "True", "print"), browser.texts(".py-k"));
+        assertEquals(List.of("\"text\""), browser.texts(".py-s"));
+        assertEquals(List.of("12"), browser.texts(".py-n"));
+        browser.see(".python-code").sendKeys(Keys.chord(Keys.CONTROL, Keys.END), "\n", Keys.TAB, "x = 1");
+        browser.click(".python-save");
+        browser.until("the saved script", () -> read("mine.py").endsWith("12\n    x = 1"));
+        browser.until("it in the list of scripts", () -> browser.all(".mrl-python datalist option").stream()
+            .anyMatch(option -> "mine.py".equals(option.getAttribute("value"))));
+    }
+
+    private String read(String file) {
+        try {
+            return Files.readString(robotLab.file(file));
+        } catch (IOException e) {
+            return e.toString();
+        }
+    }
+
+    // ---- Serial --------------------------------------------------------------------------------------------------------
+
+    @Test
+    public void bytesGoOutAndComeBackInHex() {
+        browser.click("#tab-line");
+        String panel = "mrl-panel[name='line'] ";
+        browser.until("the ports of the simulated devices", () -> browser.all(panel + "datalist option").stream()
+            .anyMatch(option -> "/dev/SEAR_Robot_01".equals(option.getAttribute("value"))));
+        browser.type(panel + ".serial-port", "/dev/SEAR_Robot_01");
+        browser.choose(panel + ".serial-baud", "57600");
+        browser.click(panel + ".serial-connect");
+        browser.seeText(panel + ".label-success", "/dev/SEAR_Robot_01");
+        browser.type(panel + ".serial-data", "80 84 8E 2");
+        browser.click(panel + ".serial-send");
+        browser.seeText(panel + ".text-danger", "pairs of digits");
+        browser.type(panel + ".serial-data", "80 84 8E 23");
+        browser.click(panel + ".serial-send");
+        browser.seeText(panel + ".serial-out", "80 84 8E 23");
+        browser.seeText(panel + ".serial-in", "03");        // packet 35: the mode is "full"
+        browser.click(panel + ".serial-disconnect");
+        browser.see(panel + ".serial-connect");
+    }
+
+    @Test
+    public void serialPortsHaveTheirOwnRowOfTabs() {
+        List<String> main = browser.all(".nav-tabs a").stream().map(WebElement::getText).collect(Collectors.toList());
+        assertEquals(List.of("sear SEAR", "python Python", "runtime Runtime", "webgui WebGui"), main);
+        List<String> ports = browser.all(".shell-ports a").stream().map(WebElement::getText).collect(Collectors.toList());
+        assertTrue(ports.toString(), ports.contains("line") && ports.contains("myLidar_LIDARsimulator_Serial_Service"));
+    }
+}

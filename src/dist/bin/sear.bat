@@ -1,9 +1,17 @@
 @echo off
 rem Runs SEARs command line: sear SCRIPT.py [options], sear check, sear sensors, sear install. JAVA_OPTS adds options for the JVM.
 setlocal
-set HOME_DIR=%~dp0..
-set JAVA_CMD=java
-if not "%JAVA_HOME%"=="" set JAVA_CMD=%JAVA_HOME%\bin\java
+set "HOME_DIR=%~dp0.."
+set "JAVA_CMD=java"
+if defined JAVA_HOME if exist "%JAVA_HOME%\bin\java.exe" set "JAVA_CMD=%JAVA_HOME%\bin\java.exe"
+if not "%JAVA_CMD%"=="java" goto start
+where /q java
+if not errorlevel 1 goto start
+echo sear: needs Java 11 or newer on the PATH (or JAVA_HOME set): install it, for example from https://adoptium.net. 1>&2
+exit /b 1
+:start
 set SEAR_TERMINAL=1
-"%JAVA_CMD%" %JAVA_OPTS% -Dsear.home="%HOME_DIR%" -cp "%HOME_DIR%\plugin\*;%HOME_DIR%\lib\*" org.SEAR.cli.SearCommand %*
+rem Java 24 and newer warn of what XStream, LWJGL and JNA do unless they are told; older ones do not know how to be told.
+set "QUIET=-XX:+IgnoreUnrecognizedVMOptions --sun-misc-unsafe-memory-access=allow --enable-native-access=ALL-UNNAMED"
+"%JAVA_CMD%" %QUIET% %JAVA_OPTS% -Dsear.home="%HOME_DIR%" -cp "%HOME_DIR%\plugin\*;%HOME_DIR%\lib\*" org.SEAR.cli.SearCommand %*
 exit /b %ERRORLEVEL%

@@ -35,13 +35,13 @@ public interface RobotHardware {
     /** Whether something touches the front right quarter of the body (bumper). */
     boolean isBumpedRight();
 
-    /** Whether the left wheel hangs in its suspension without ground. */
+    /** Whether the left wheel hangs in its suspension without ground; not while the robot is let down at its start, up to a second. */
     boolean isLeftWheelDropped();
 
-    /** Whether the right wheel hangs in its suspension without ground. */
+    /** Whether the right wheel hangs in its suspension without ground; not while the robot is let down at its start, up to a second. */
     boolean isRightWheelDropped();
 
-    /** Whether the front idler hangs without ground. */
+    /** Whether the front idler hangs without ground; not while the robot is let down at its start, up to a second. */
     boolean isCasterDropped();
 
     /**

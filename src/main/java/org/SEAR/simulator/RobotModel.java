@@ -16,6 +16,8 @@ final class RobotModel implements Robot, RobotHardware {
     private static final double LEVEL = 0.7;
     /** Wheels farther down than this share of the rest length count as dropped. */
     private static final double DROPPED = 0.999;
+    /** Most steps that a robot is let down at its start before a hanging wheel counts. */
+    private static final int SETTLING = 60;
 
     private final SEARrobot object;
     private final Dynamics dynamics;
@@ -31,6 +33,7 @@ final class RobotModel implements Robot, RobotHardware {
     private DriveTrain train;
     private boolean bumpedLeft;
     private boolean bumpedRight;
+    private int unsettled;
 
     RobotModel(RobotBuilder from, int number, Scenes scenes, RobotTruth truth, VirtualWalls virtualWalls) {
         this.object = from.object;
@@ -60,6 +63,7 @@ final class RobotModel implements Robot, RobotHardware {
         }
         bumpedLeft = false;
         bumpedRight = false;
+        unsettled = SETTLING;
         truth.restart();
     }
 
@@ -87,6 +91,9 @@ final class RobotModel implements Robot, RobotHardware {
 
     /** Turns the wheels, moves its shapes in the scenes. After the physics step. */
     void follow(boolean awake) {
+        if (unsettled > 0) {
+            unsettled = train.getWheels().stream().anyMatch(this::hangs) ? unsettled - 1 : 0;
+        }
         if (awake) {
             train.roll();
             mirror();
@@ -266,7 +273,7 @@ final class RobotModel implements Robot, RobotHardware {
         for (int i = 0; i < train.getWheels().size(); i++) {
             RaycastWheel wheel = train.getWheels().get(i);
             if (wheel.isDriven() && wheel.x * side >= 0 && hangs(wheel)) {
-                return true;
+                return unsettled == 0;
             }
         }
         return false;
@@ -285,7 +292,7 @@ final class RobotModel implements Robot, RobotHardware {
                 front = wheel;
             }
         }
-        return front != null && hangs(front);
+        return unsettled == 0 && front != null && hangs(front);
     }
 
     @Override

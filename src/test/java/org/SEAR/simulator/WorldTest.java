@@ -122,6 +122,19 @@ public class WorldTest {
     }
 
     @Test
+    public void beingLetDownAtTheStartIsNoWheelDrop() throws Exception {
+        Worlds.roomba("roomba", 0, 0, 0);
+        Worlds.roomba("skydiver", 3, 0, 0).move(0, 20, 0);
+        Simulation simulation = Worlds.start(project);
+        RobotHardware hardware = simulation.getRobots().get(0).getHardware();
+        for (int i = 0; i < 90; i++) {
+            simulation.step();
+            assertFalse("step " + i, hardware.isLeftWheelDropped() || hardware.isRightWheelDropped() || hardware.isCasterDropped());
+        }
+        assertTrue("after a second it counts", simulation.getRobots().get(1).getHardware().isLeftWheelDropped());
+    }
+
+    @Test
     public void twoRobotsSeeEachOtherAndNotThemselves() throws Exception {
         Worlds.roomba("first", 0, 0, 0).addComponent(new Distance("firstEye", "laser", 0, 0, 0, 0, 0, 0));
         Worlds.roomba("second", 0, 2, 180).addComponent(new Distance("secondEye", "laser", 0, 0, 0, 0, 0, 0));

@@ -5,14 +5,20 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.Callable;
 import org.SEAR.simulator.SimulationRunner;
 
-/** Draws the pictures of the documentation from the examples, on an X server of its own: {@code scripts/screenshots}. */
+/** Draws the pictures of the documentation from the examples and the first script, on an X server of its own: {@code scripts/screenshots}. */
 public final class DocumentPictures {
     private static final int WIDTH = 960;
     private static final int HEIGHT = 600;
     private static final int SETTLE = 90;
+
+    private static final String INSIDE = "inside";
+    private static final List<String> WANTED = new ArrayList<>();
 
     private interface Scene {
         void set(Views view) throws Exception;
@@ -21,16 +27,24 @@ public final class DocumentPictures {
     private DocumentPictures() {
     }
 
-    /** @param arguments the folder for the pictures; with {@code inside} before it, in the process that has the display */
+    /** @param arguments the folder for the pictures and the names of those wanted, all if none is named; with {@code inside} before it, in the process that has the display */
     public static void main(String[] arguments) throws Exception {
-        if (arguments.length == 1) {
+        if (!arguments[0].equals(INSIDE)) {
+            List<String> inside = new ArrayList<>(List.of(INSIDE));
+            inside.addAll(Arrays.asList(arguments));
             try (Xvfb server = new Xvfb()) {
-                Process process = Xvfb.java(server.display(), List.of(), DocumentPictures.class.getName(), "inside", arguments[0])
+                Process process = Xvfb.java(server.display(), List.of(), DocumentPictures.class.getName(), inside.toArray(new String[0]))
                     .inheritIO().start();
                 System.exit(process.waitFor());
             }
         }
         Path folder = Files.createDirectories(Paths.get(arguments[1]));
+        WANTED.addAll(Arrays.asList(arguments).subList(2, arguments.length));
+        draw("first-steps", () -> projectOf("resources/resource/SEAR/SEAR.py"), folder, view -> {
+            view.world.simulation.post(simulation -> simulation.getRobots().get(0).drive(0.3, Double.POSITIVE_INFINITY));
+            drive(view, 3);
+            onWindow(view, () -> view.scene().camera().orbit(2.6f, 0.7f, 0.5f));
+        });
         draw("office", folder, view -> {
             view.world.runner.setPaused(true);
             onWindow(view, () -> view.scene().camera().orbit(3.2f, 0.75f, 0.62f));
@@ -58,16 +72,36 @@ public final class DocumentPictures {
         });
     }
 
+    /** Runs a script and answers the project that it made. */
+    private static Path projectOf(String script) throws Exception {
+        Path folder = Files.createTempDirectory("scene");
+        int status = new ProcessBuilder(System.getProperty("java.home") + "/bin/java", "-cp", System.getProperty("java.class.path"),
+            "org.SEAR.cli.SearCommand", Paths.get(script).toAbsolutePath().toString(), "--headless", "--speed", "max", "--port", "none")
+            .directory(folder.toFile()).inheritIO().start().waitFor();
+        if (status != 0) {
+            throw new IllegalStateException(script + " ended with " + status);
+        }
+        return folder.resolve("SEARproject");
+    }
+
     private static void draw(String example, Path folder, Scene scene) throws Exception {
-        try (Views view = new Views(Examples.folder(example), new WindowOptions().setSize(WIDTH, HEIGHT).setSamples(4))) {
+        draw(example, () -> Examples.folder(example), folder, scene);
+    }
+
+    private static void draw(String name, Callable<Path> project, Path folder, Scene scene) throws Exception {
+        if (!WANTED.isEmpty() && !WANTED.contains(name)) {
+            return;
+        }
+        try (Views view = new Views(project.call(), new WindowOptions().setSize(WIDTH, HEIGHT).setSamples(4))) {
             view.frames(SETTLE);
             scene.set(view);
             view.frames(SETTLE);
             onWindow(view, () -> view.scene().surroundings().setShadows(true));
-            view.picture(example);
-            Files.copy(Views.report().resolve(example + ".png"), folder.resolve(example + ".png"),
+            Views.until("no message is left", () -> view.scene().hud().messagesText().isEmpty());
+            view.picture(name);
+            Files.copy(Views.report().resolve(name + ".png"), folder.resolve(name + ".png"),
                 StandardCopyOption.REPLACE_EXISTING);
-            System.out.println(folder.resolve(example + ".png"));
+            System.out.println(folder.resolve(name + ".png"));
         }
     }
 }

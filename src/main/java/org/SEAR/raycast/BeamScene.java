@@ -26,6 +26,7 @@ public final class BeamScene {
     private boolean[] changed = new boolean[16];
     private int[] changes = new int[16];
     private int changeCount;
+    private long moves;
 
     /** What one thread needs to cast. */
     static final class Casters {
@@ -123,7 +124,13 @@ public final class BeamScene {
             shapes.place(shape, poses, shape * POSE);
         }
         tree.update(changes, changeCount);
+        moves += changeCount;
         changeCount = 0;
+    }
+
+    /** How many shapes {@link #commit} has taken over since the scene was made: the work it has done. Simulation thread. */
+    public long getMoves() {
+        return moves;
     }
 
     /** Number of shapes. */

@@ -53,6 +53,7 @@ final class Body {
     private Pose start;
     private Pose pose;
     private RigidBody rigid;
+    private final Frame frame = new Frame();
     private final Transform transform = new Transform();
     private final Quat4f rotation = new Quat4f();
     private final Vector3f low = new Vector3f();
@@ -108,7 +109,11 @@ final class Body {
     /** Moves its solids in the scenes to where it is. */
     void mirror(Scenes scenes) {
         for (int i = 0; i < shapes.length; i++) {
-            scenes.setPose(shapes[i], places[i] == Pose.IDENTITY ? pose : pose.times(places[i]));
+            frame.set(pose);
+            if (places[i] != Pose.IDENTITY) {
+                frame.times(places[i]);
+            }
+            scenes.setPose(shapes[i], frame);
         }
     }
 

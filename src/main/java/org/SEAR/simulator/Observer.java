@@ -96,14 +96,9 @@ final class Observer {
         double[] angular = robot.truth().angularVelocity();
         double[] ahead = pose.rotate(0, 0, 1);
         double[] up = pose.rotate(0, 1, 0);
-        List<RaycastWheel> train = robot.getTrain().getWheels();
-        Pose[] wheels = new Pose[train.size()];
-        for (int i = 0; i < wheels.length; i++) {
-            wheels[i] = train.get(i).place();
-        }
         return new Snapshot.RobotState(robot.getObject().getName(), pose,
             velocity[0] * ahead[0] + velocity[1] * ahead[1] + velocity[2] * ahead[2],
-            angular[0] * up[0] + angular[1] * up[1] + angular[2] * up[2], List.of(wheels), status);
+            angular[0] * up[0] + angular[1] * up[1] + angular[2] * up[2], new WheelPoses(robot.getTrain().getWheels()), status);
     }
 
     private void check(RobotModel robot) {

@@ -1,6 +1,5 @@
 package org.SEAR.simulator;
 
-import com.bulletphysics.collision.broadphase.DbvtBroadphase;
 import com.bulletphysics.collision.dispatch.CollisionDispatcher;
 import com.bulletphysics.collision.dispatch.CollisionObject;
 import com.bulletphysics.collision.narrowphase.ManifoldPoint;
@@ -76,7 +75,7 @@ final class Physics {
     void restart() {
         ContactConfiguration configuration = new ContactConfiguration();
         dispatcher = new CollisionDispatcher(configuration);
-        world = new DiscreteDynamicsWorld(dispatcher, new DbvtBroadphase(), new SequentialImpulseConstraintSolver(), configuration);
+        world = new DiscreteDynamicsWorld(dispatcher, new PairSearch(), new SequentialImpulseConstraintSolver(), configuration);
         world.setGravity(new Vector3f(0, (float) -GRAVITY, 0));
         world.getSolverInfo().splitImpulse = true;
         world.getSolverInfo().linearSlop = ContactPatch.SKIN;

@@ -366,8 +366,19 @@ final class RaycastWheel {
 
     /** Where the wheel is in the body frame, spin included. */
     Pose place() {
+        return place(length, angle);
+    }
+
+    /** Where it is when it hangs this far and has turned this much; depends on nothing that changes. Any thread. */
+    Pose place(double hanging, double turned) {
+        double half = Math.IEEEremainder(turned, 2 * HALF_TURN) / 2;
+        return new Pose(x, y - hanging, z, Math.sin(half), 0, 0, Math.cos(half));
+    }
+
+    /** Turns the body's frame into the wheel's, spin included. */
+    void place(Frame frame) {
         double half = Math.IEEEremainder(angle, 2 * HALF_TURN) / 2;
-        return new Pose(x, y - length, z, Math.sin(half), 0, 0, Math.cos(half));
+        frame.times(x, y - length, z, Math.sin(half), 0, 0, Math.cos(half));
     }
 
     /** How far its centre hangs below where it is fastened, metres. */

@@ -31,6 +31,7 @@ final class RobotModel implements Robot, RobotHardware {
     private final int[] wheelShapes;
     private final double bodyRadius;
     private DriveTrain train;
+    private final Frame frame = new Frame();
     private boolean bumpedLeft;
     private boolean bumpedRight;
     private int unsettled;
@@ -106,8 +107,10 @@ final class RobotModel implements Robot, RobotHardware {
     void mirror() {
         body.mirror(scenes);
         for (int i = 0; i < wheelShapes.length; i++) {
-            Pose wheel = train.getWheels().get(i).place();
-            scenes.setPose(wheelShapes[i], body.getPose().times(wheel).times(wheelSolids.get(i).offset));
+            frame.set(body.getPose());
+            train.getWheels().get(i).place(frame);
+            frame.times(wheelSolids.get(i).offset);
+            scenes.setPose(wheelShapes[i], frame);
         }
     }
 

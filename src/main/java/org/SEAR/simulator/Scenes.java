@@ -3,7 +3,6 @@ package org.SEAR.simulator;
 import java.util.ArrayList;
 import java.util.List;
 import org.SEAR.raycast.BeamScene;
-import org.SEAR.raycast.Pose;
 
 /**
  * What beams meet, and what wheels stand on. Both are the same scene unless an object is invisible to beams: wheels still stand on it.
@@ -37,7 +36,7 @@ final class Scenes {
         return owners.get(shape);
     }
 
-    void setPose(int shape, Pose pose) {
+    void setPose(int shape, Frame pose) {
         setPose(shape, pose.x, pose.y, pose.z, pose.qx, pose.qy, pose.qz, pose.qw);
     }
 

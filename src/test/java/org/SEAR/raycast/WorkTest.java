@@ -128,15 +128,22 @@ public class WorkTest {
     }
 
     @Test
-    public void aMillionTrianglesTakeLessThan150BytesEach() {
+    public void aMillionTrianglesTakeLessThan100BytesEachAndAreSortedALogarithmOfTimes() {
         Triangles hills = RandomScenes.terrain(708, 100, 3, 9);
         long own = 4L * hills.vertices.length + 4L * hills.indices.length;
-        long start = System.nanoTime();
         Mesh mesh = Mesh.of(hills);
-        double seconds = (System.nanoTime() - start) * 1e-9;
         long bytes = 4L * mesh.corners.length + 4L * mesh.tree.data.length + 4L * mesh.tree.items.length + own;
         assertEquals(1002528, hills.size());
-        assertTrue(bytes / hills.size() + " bytes a triangle", bytes / hills.size() < 150);
-        assertTrue("built in " + seconds + " s", seconds < 30);
+        assertTrue(bytes / hills.size() + " bytes a triangle", bytes / hills.size() < 100);
+        double depth = (double) depths(mesh.tree, 0, 0) / hills.size();
+        assertTrue("sorted " + depth + " times each while building", depth < 25);
+    }
+
+    /** The sum of the depths of all items: how often the builder had an item in its hands. */
+    private static long depths(Tree tree, int node, int depth) {
+        if (tree.count(node) > 0) {
+            return (long) depth * tree.count(node);
+        }
+        return depths(tree, tree.link(node), depth + 1) + depths(tree, tree.link(node) + 1, depth + 1);
     }
 }

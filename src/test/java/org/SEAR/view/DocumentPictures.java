@@ -27,7 +27,10 @@ public final class DocumentPictures {
     private DocumentPictures() {
     }
 
-    /** @param arguments the folder for the pictures and the names of those wanted, all if none is named; with {@code inside} before it, in the process that has the display */
+    /**
+     * @param arguments the folder for the pictures and the names of those wanted, all if none is named; with {@code inside} before it, in the
+     *     process that has the display
+     */
     public static void main(String[] arguments) throws Exception {
         if (!arguments[0].equals(INSIDE)) {
             List<String> inside = new ArrayList<>(List.of(INSIDE));

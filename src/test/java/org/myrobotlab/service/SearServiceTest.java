@@ -93,6 +93,19 @@ public class SearServiceTest {
         assertEquals(sear.getPose("roomba")[2] + TestWorld.LIDAR_Z, sear.getPose("scanner")[2], 1e-3);
     }
 
+    /** As when MyRobotLab ends: it takes the services one after another, the simulation last. */
+    @Test
+    public void aDeviceWhoseUartIsClosedFirstSaysNothing() throws Exception {
+        sear.startSimulation();
+        Serial uart = (Serial) Runtime.getService("receiver_GPSsimulator_Serial_Service");
+        uart.addListener("publishStatus", "searStatus", "onStatus");
+        uart.disconnect();
+        sear.simSleep(3);
+        uart.info("after three fixes");
+        assertTrue(heard.awaitStatus("after three fixes"));
+        assertFalse(heard.getStatuses().toString(), heard.getStatuses().toString().matches("(?s).*(closed port|did not reach).*"));
+    }
+
     @Test
     public void anOdometerObjectIsClearedWhenRead() throws Exception {
         TestWorld.write(folder, "robot/counter.xml", "<Odometer><name>counter</name></Odometer>");

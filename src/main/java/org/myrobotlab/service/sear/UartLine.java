@@ -76,12 +76,16 @@ final class UartLine {
         }
     }
 
-    /** The simulation thread brings bytes from the device. */
+    /** The simulation thread brings bytes from the device. Whoever has closed the UART, as MyRobotLab does when it ends, wants none of them. */
     private void toUser(byte[] bytes) {
         try {
-            serial.write(bytes);
+            if (uart.isOpen()) {
+                serial.write(bytes);
+            }
         } catch (Exception e) {
-            complain("bytes from " + line.getObjectName() + " did not reach port " + user.getName() + ": " + e);
+            if (uart.isOpen()) {
+                complain("bytes from " + line.getObjectName() + " did not reach port " + user.getName() + ": " + e);
+            }
         }
     }
 

@@ -1,12 +1,29 @@
-# A yard with obstacles of every kind, and a Roomba with every sensor.
+# A yard with obstacles of every kind, twenty boxes among them, and a Roomba with every sensor.
 from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, LIDAR, Model, Noise, \
     Odometer, SEARrobot, Wheel
 
 Floor("yard", 20, 20, False, "textures/grass.png")  # wide beams would see it in front of the robot
 
-container = Box("container", 6, 2.4, 2.6, 0, "textures/container.png")
-container.move(6, 1.3, -4)
-container.rotate(0, 20, 0)
+def fixed(name, length, width, height, x, y, z, image):
+    box = Box(name, length, width, height, 0, "textures/" + image)
+    box.move(x, y, z)
+    return box
+
+fixed("container", 6, 2.4, 2.6, 6, 1.3, -4, "container.png").rotate(0, 20, 0)
+fixed("second container", 6, 2.4, 2.6, 1, 1.3, 7.5, "container.png")
+fixed("loading ramp", 1.2, 1.6, 0.08, 1, 0.1, 5.45, "tiles.png").rotate(-10, 0, 0)
+
+fixed("shed, back wall", 0.15, 3, 2, -7, 1, 2.5, "brick.png")
+fixed("shed, left wall", 2, 0.15, 2, -6, 1, 1, "brick.png")
+fixed("shed, right wall", 2, 0.15, 2, -6, 1, 4, "brick.png")
+fixed("shed, roof", 2.4, 3.4, 0.1, -6, 2.05, 2.5, "container.png")
+
+for number in range(4):
+    fixed("garden wall %d" % (number + 1), 2.9, 0.2, 0.6, -6 + 3 * number, 0.3, -8, "brick.png")
+
+fixed("bench, seat", 1.6, 0.4, 0.05, -1.5, 0.425, -4.2, "container.png")
+for leg, x in (("left", -2.2), ("right", -0.8)):
+    fixed("bench, %s leg" % leg, 0.06, 0.4, 0.4, x, 0.2, -4.2, "brick.png")
 
 for number in range(6):
     box = Box("crate %d" % (number + 1), 0.5, 0.5, 0.5, 2)

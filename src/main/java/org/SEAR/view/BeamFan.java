@@ -16,6 +16,8 @@ final class BeamFan {
     final float[] ranges;
     /** Red, green, blue of each beam. */
     final float[] colors;
+    /** Numbers of the beams that are drawn as lines: not all, where there are very many. */
+    final int[] lines;
     /** Colour of the spheres where beams end on something. */
     final ColorRGBA hitColor;
     /** Radius of these spheres, metres. */
@@ -23,14 +25,15 @@ final class BeamFan {
     /** Whether a beam ends where it hits; else it is drawn in full length and only the sphere shows the hit. */
     final boolean cut;
 
-    BeamFan(String sensor, int robot, Pose mount, float[] directions, float[] ranges, float[] colors, ColorRGBA hitColor, float hitRadius,
-            boolean cut) {
+    BeamFan(String sensor, int robot, Pose mount, float[] directions, float[] ranges, float[] colors, int[] lines, ColorRGBA hitColor,
+            float hitRadius, boolean cut) {
         this.sensor = sensor;
         this.robot = robot;
         this.mount = mount;
         this.directions = directions;
         this.ranges = ranges;
         this.colors = colors;
+        this.lines = lines;
         this.hitColor = hitColor;
         this.hitRadius = hitRadius;
         this.cut = cut;

@@ -3,6 +3,8 @@ package org.SEAR.view;
 import com.jme3.math.ColorRGBA;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
+import org.SEAR.POJOs.BeamCone;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SearObject;
@@ -21,6 +23,8 @@ final class BeamFans {
     /** Share of a step that a spread may fall short of a whole number of steps. */
     private static final double ROUNDING = 1e-9;
     private static final float BYTE = 255f;
+    /** More lines than this for a sensor are a blot, and a machine without graphics card spends most of a picture's time on them. */
+    private static final int MOST_LINES = 240;
 
     private BeamFans() {
     }
@@ -61,7 +65,8 @@ final class BeamFans {
             colors[3 * i + 1] = (color >> 8 & 0xff) / BYTE;
             colors[3 * i + 2] = (color & 0xff) / BYTE;
         }
-        return new BeamFan(sensor.getName(), robot, mount(sensor), directions, ranges, colors, DISTANCE_HIT, DISTANCE_RADIUS, false);
+        return new BeamFan(sensor.getName(), robot, mount(sensor), directions, ranges, colors, lines(sensor.getCones(), count),
+            DISTANCE_HIT, DISTANCE_RADIUS, false);
     }
 
     private static BeamFan plane(LIDAR lidar, int robot) {
@@ -78,6 +83,30 @@ final class BeamFans {
             colors[3 * i + 1] = LIDAR_BEAM.g;
             colors[3 * i + 2] = LIDAR_BEAM.b;
         }
-        return new BeamFan(lidar.getName(), robot, mount(lidar), directions, ranges, colors, LIDAR_HIT, LIDAR_RADIUS, true);
+        return new BeamFan(lidar.getName(), robot, mount(lidar), directions, ranges, colors, everyNth(count, stride(count)),
+            LIDAR_HIT, LIDAR_RADIUS, true);
+    }
+
+    private static int stride(int count) {
+        return (count + MOST_LINES - 1) / MOST_LINES;
+    }
+
+    private static int[] everyNth(int count, int stride) {
+        return IntStream.range(0, count).filter(beam -> beam % stride == 0).toArray();
+    }
+
+    /** Of each cone the first line and every nth after it; cone by cone turned by one line, so that they fill each other's gaps. */
+    private static int[] lines(List<BeamCone> cones, int count) {
+        int stride = stride(count);
+        IntStream.Builder chosen = IntStream.builder();
+        int first = 0;
+        for (int cone = 0; cone < cones.size(); cone++) {
+            int size = cones.get(cone).getLines();
+            for (int i = 0; i < size; i += stride) {
+                chosen.add(first + (i + cone) % size);
+            }
+            first += size;
+        }
+        return chosen.build().toArray();
     }
 }

@@ -38,10 +38,9 @@ final class BeamView {
         this.fan = fan;
         node = new Node("beams of " + fan.sensor);
         SceneBuilder.place(node, fan.mount);
-        int count = fan.size();
-        ends = BufferUtils.createFloatBuffer(6 * count);
-        colors = BufferUtils.createFloatBuffer(8 * count);
-        spheres = BufferUtils.createFloatBuffer(3 * BALL_CORNERS * count);
+        ends = BufferUtils.createFloatBuffer(6 * fan.lines.length);
+        colors = BufferUtils.createFloatBuffer(8 * fan.lines.length);
+        spheres = BufferUtils.createFloatBuffer(3 * BALL_CORNERS * fan.size());
         lines.setMode(Mesh.Mode.Lines);
         lines.setBuffer(stream(Type.Position, 3, ends));
         lines.setBuffer(stream(Type.Color, 4, colors));
@@ -107,16 +106,17 @@ final class BeamView {
         float best = Float.POSITIVE_INFINITY;
         nearest.set(0, 0, 0);
         for (int i = 0; i < fan.size(); i++) {
-            boolean hit = i < shown.length && shown[i] <= fan.ranges[i];
-            float length = hit ? (float) shown[i] : fan.ranges[i];
-            line(i, fan.cut ? length : fan.ranges[i], hit);
-            if (hit) {
+            if (isHit(i)) {
+                float length = (float) shown[i];
                 sphere(i, length);
                 if (length < best) {
                     best = length;
                     nearest.set(fan.directions[3 * i], fan.directions[3 * i + 1], fan.directions[3 * i + 2]).multLocal(length);
                 }
             }
+        }
+        for (int beam : fan.lines) {
+            line(beam);
         }
         spheres.flip();
         ends.flip();
@@ -131,7 +131,13 @@ final class BeamView {
         lines.updateCounts();
     }
 
-    private void line(int beam, float length, boolean hit) {
+    private boolean isHit(int beam) {
+        return beam < shown.length && shown[beam] <= fan.ranges[beam];
+    }
+
+    private void line(int beam) {
+        boolean hit = isHit(beam);
+        float length = fan.cut && hit ? (float) shown[beam] : fan.ranges[beam];
         ends.put(0).put(0).put(0);
         ends.put(fan.directions[3 * beam] * length).put(fan.directions[3 * beam + 1] * length).put(fan.directions[3 * beam + 2] * length);
         float alpha = hit || !fan.cut ? OPAQUE : FAINT;

@@ -5,8 +5,10 @@ import com.jme3.font.BitmapText;
 import com.jme3.math.ColorRGBA;
 import com.jme3.math.Vector3f;
 import com.jme3.renderer.Camera;
+import com.jme3.scene.Geometry;
 import com.jme3.scene.Node;
 import com.jme3.scene.Spatial.CullHint;
+import com.jme3.scene.shape.Quad;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -18,38 +20,57 @@ final class Labels {
     private static final float LIFT = 20;
     private static final float LINE = 18;
     private static final ColorRGBA INK = new ColorRGBA(1, 1, 0.85f, 1);
-    private static final ColorRGBA EDGE = new ColorRGBA(0, 0, 0, 0.85f);
+    private static final ColorRGBA GROUND = new ColorRGBA(0.05f, 0.07f, 0.10f, 0.5f);
+    private static final float MARGIN = 4;
     private final BitmapFont font;
+    private final Materials materials;
     private final Node node = new Node("labels");
     private final Map<String, Label> labels = new LinkedHashMap<>();
     /** Left, bottom, right edge of each label placed in this picture. */
     private final List<float[]> taken = new ArrayList<>();
     private boolean shown = true;
+    private boolean covered;
 
-    /** Ink with an edge beneath, so that it can be read on any ground. */
+    /** Ink on a dark translucent ground, so that it can be read among beams. */
     private final class Label {
         final Node place = new Node("label");
-        final BitmapText ink = text(INK, 0, 0, 1);
-        final BitmapText edge = text(EDGE, 1, -1, 0);
+        final BitmapText ink = new BitmapText(font);
+        final Geometry ground = new Geometry("ground", new Quad(1, 1));
 
-        private BitmapText text(ColorRGBA color, float right, float up, float front) {
-            BitmapText text = new BitmapText(font);
-            text.setSize(SIZE);
-            text.setColor(color);
-            text.setLocalTranslation(right, up, front);
-            place.attachChild(text);
-            return text;
+        Label() {
+            ink.setSize(SIZE);
+            ink.setColor(INK);
+            ground.setMaterial(materials.flat(GROUND));
+            place.attachChild(ground);
+            place.attachChild(ink);
+        }
+
+        void write(String words) {
+            ink.setText(words);
+            ground.setLocalScale(ink.getLineWidth() + 2 * MARGIN, LINE, 1);
+            ground.setLocalTranslation(-MARGIN, -LINE, -0.5f);
         }
     }
 
-    Labels(BitmapFont font, Node gui) {
+    Labels(BitmapFont font, Materials materials, Node gui) {
         this.font = font;
+        this.materials = materials;
         gui.attachChild(node);
     }
 
     void toggle() {
         shown = !shown;
-        node.setCullHint(shown ? CullHint.Never : CullHint.Always);
+        show();
+    }
+
+    /** Whether a panel lies where the labels are. */
+    void setCovered(boolean on) {
+        covered = on;
+        show();
+    }
+
+    private void show() {
+        node.setCullHint(shown && !covered ? CullHint.Never : CullHint.Always);
     }
 
     boolean isShown() {
@@ -79,12 +100,12 @@ final class Labels {
         label.place.setCullHint(visible ? CullHint.Never : CullHint.Always);
         if (visible) {
             if (!words.equals(label.ink.getText())) {
-                label.ink.setText(words);
-                label.edge.setText(words);
+                label.write(words);
             }
             float width = label.ink.getLineWidth();
             float left = Math.round(pixel.x - width / 2);
-            label.place.setLocalTranslation(left, free(left, left + width, Math.round(pixel.y + LIFT)), -2);
+            float top = free(left - MARGIN, left + width + MARGIN, Math.round(pixel.y + LIFT));
+            label.place.setLocalTranslation(left, top, -2);
         }
     }
 

@@ -46,7 +46,7 @@ final class WindowScene {
         camera = new CameraRig(window.getCamera());
         controls = new Controls(new KeyLayout(window.getContext().getKeyInput()), camera, this::pressed);
         window.getInputManager().addRawInputListener(controls);
-        labels = new Labels(font, window.getGuiNode());
+        labels = new Labels(font, materials, window.getGuiNode());
         hud = new Hud(font, materials, window.getGuiNode());
         Consumer<String> tell = message -> window.enqueue(() -> hud.say(message));
         screenshots = new Screenshots(options.getScreenshotFolder(), background, tell);
@@ -139,6 +139,7 @@ final class WindowScene {
         switch (key) {
             case HELP:
                 hud.toggleHelp();
+                labels.setCovered(hud.isHelpShown());
                 break;
             case BEAMS:
                 world.toggleBeams();
@@ -185,7 +186,7 @@ final class WindowScene {
         }
         double wanted = SPEEDS[Math.max(0, Math.min(SPEEDS.length - 1, at + up))];
         link.setSpeed(wanted);
-        hud.say("speed " + Hud.factor(wanted));
+        hud.say("speed " + StatusWords.factor(wanted));
     }
 
     private void nextRobot() {

@@ -8,6 +8,7 @@ import java.nio.file.Paths;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SensorObject;
@@ -36,8 +37,9 @@ public class ExamplesTest {
     }
 
     @Test
-    public void theSensorsExampleHasEverySensor() throws Exception {
+    public void theSensorsExampleHasEverySensorAndTwentyBoxes() throws Exception {
         Project example = Bundle.load(EXAMPLES.resolve("sensors.sear"), project.folder());
+        assertEquals(20, example.getEnvironment().stream().filter(object -> object instanceof Box).count());
         Set<String> kinds = new TreeSet<>();
         for (SEARrobot robot : example.getRobots()) {
             robot.getComponents().forEach(c -> kinds.add(c.getClass().getSimpleName()));

@@ -158,7 +158,7 @@ public class KeysTest {
         view.press("F1");
         assertTrue(view.is(() -> view.scene().hud().isHelpShown()));
         for (Key key : Key.values()) {
-            assertTrue(key.label, Hud.helpText().contains(key.label + ":  " + key.help));
+            assertTrue(key.label, Hud.helpText().contains(key.label + "\t" + key.help));
         }
         view.picture("help");
         view.press("F1");

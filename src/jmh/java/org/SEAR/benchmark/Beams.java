@@ -18,7 +18,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Beams a microsecond (millions a second) over the worlds of DESIGN 11 and over growing ones. */
+/** Beams a microsecond (millions a second) in rooms of one size and in worlds that grow. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
@@ -26,7 +26,8 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 5, time = 300, timeUnit = TimeUnit.MILLISECONDS)
 @Fork(1)
 public class Beams {
-    @Param({"room-20", "room-100", "room-1000", "hall-100", "hall-1000", "hills-110000"})
+    @Param({"room-20", "room-100", "room-1000", "hall-10", "hall-100", "hall-1000", "hall-10000", "hills-1000", "hills-10000", "hills-110000",
+        "hills-1000000"})
     public String world;
 
     private BeamWorld beams;

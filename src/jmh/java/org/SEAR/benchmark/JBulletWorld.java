@@ -37,7 +37,8 @@ final class JBulletWorld {
         }
     }
 
-    private static CollisionShape mesh(Triangles triangles) {
+    /** Builds jbullet's hierarchy over triangles. */
+    static CollisionShape mesh(Triangles triangles) {
         ByteBuffer vertices = ByteBuffer.allocateDirect(4 * triangles.vertices.length).order(ByteOrder.nativeOrder());
         vertices.asFloatBuffer().put(triangles.vertices);
         ByteBuffer indices = ByteBuffer.allocateDirect(4 * triangles.indices.length).order(ByteOrder.nativeOrder());

@@ -1,82 +1,83 @@
 package org.SEAR.benchmark;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
-import java.util.Random;
-import java.util.stream.Stream;
 import org.SEAR.POJOs.Accelerometer;
-import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Dynamics;
-import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Gyroscope;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
-import org.SEAR.project.Project;
-import org.SEAR.project.ProjectException;
 import org.SEAR.simulator.SerialLine;
 import org.SEAR.simulator.Simulation;
 
 /**
- * The world of the step benchmark: a walled room of 10 m x 10 m with fixed rotated boxes of 0.25 to 1 m outside of a ring, on which a robot with four
- * wheels drives in circles of 1 m radius. A LIDAR of 361 beams is read ten times a simulated second.
+ * The world of the step benchmark: a {@link Room} in which a robot with four wheels drives in circles of 1 m radius. Its name is EQUIPMENT-ROOM, for
+ * example {@code lidar-room-20}; equipment is {@code drive} (no sensor), {@code lidar}, {@code lidarsN} (N LIDARs of 361 beams, read ten times a
+ * simulated second) or {@code all} (every sensor, and serial devices that send all the time).
  */
 public final class StepWorld implements AutoCloseable {
-    private static final double SIDE = 10;
-    private static final double WALL = 0.1;
-    private static final double WALL_HEIGHT = 2;
-    /** Boxes keep this far from the middle, metres. */
-    private static final double CLEAR = 2.3;
-    private static final double CIRCLE = 1;
-    private static final double SPEED = 0.4;
-    private static final int SCAN_EVERY = 6;
+    /** Radius of the circle, metres. */
+    static final double CIRCLE = 1;
+    /** m/s */
+    static final double SPEED = 0.4;
+    /** Steps from one reading of the LIDAR to the next. */
+    static final int SCAN_EVERY = 6;
+    /** Height of the first LIDAR above the body's origin and of each further one above the one below, metres. */
+    static final double LIDAR_HEIGHT = 0.3;
+    static final double LIDAR_PITCH = 0.02;
+    /** Height of the body's origin at the start, metres. */
+    static final double START_HEIGHT = 0.15;
+    static final double RANGE = 8;
     private static final double STEPS_A_SECOND = 60;
     /** LMS200: send all scans (operating mode 0x24). */
     private static final int[] ALL_SCANS = {0x02, 0x00, 0x02, 0x00, 0x20, 0x24, 0x34, 0x08};
     /** Roomba: start, full mode, drive at 400 mm/s on a radius of 1000 mm, stream packet group 3, distance, angle and bumps. */
     private static final int[] STREAM = {128, 132, 137, 1, 0x90, 3, 0xE8, 148, 4, 3, 19, 20, 7};
 
+    private final Room room;
+    private final int lidars;
+    private final BenchmarkProject project;
     private final Simulation simulation;
-    private final Path folder;
-    private final boolean lidar;
     private final boolean all;
 
-    /**
-     * Fills a folder of its own with the objects.
-     *
-     * @param lidar whether there is one
-     * @param all whether the robot has every sensor, and devices that send all the time
-     */
-    public StepWorld(int boxes, boolean lidar, boolean all) {
-        this.lidar = lidar;
-        this.all = all;
-        try {
-            folder = Files.createTempDirectory("sear-benchmark");
-            System.setProperty("sear.project", folder.resolve("SEARproject").toString());
-            room(boxes);
+    /** Fills a folder of its own with the objects. */
+    public StepWorld(String name) {
+        this(name, null);
+    }
+
+    /** @param kept a folder that keeps the project, and may have it already; null: a temporary one */
+    StepWorld(String name, Path kept) {
+        room = room(name);
+        all = name.startsWith("all-");
+        lidars = lidars(name);
+        project = new BenchmarkProject(kept, () -> {
+            room.build();
             robot();
-            simulation = Simulation.of(Project.read(Project.presentFolder()), 1);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        } catch (ProjectException e) {
-            throw new IllegalStateException(e);
-        }
+        });
+        simulation = project.getSimulation();
         if (all) {
             for (SerialLine line : simulation.getLines()) {
                 line.setSink(bytes -> { });
                 write(line, line.getObjectType().equals("LIDAR") ? ALL_SCANS : line.getObjectType().equals("Dynamics") ? STREAM : new int[0]);
             }
-        }
-        if (!all) {
+        } else {
             simulation.post(world -> world.getRobots().get(0).drive(SPEED, CIRCLE));
         }
+    }
+
+    /** How many LIDARs the robot of this world has. */
+    static int lidars(String name) {
+        String equipment = name.substring(0, name.indexOf('-'));
+        return equipment.equals("drive") ? 0 : equipment.startsWith("lidars") ? Integer.parseInt(equipment.substring("lidars".length())) : 1;
+    }
+
+    /** The still things of this world. */
+    static Room room(String name) {
+        return new Room(name.substring(name.indexOf('-') + 1));
     }
 
     private static void write(SerialLine line, int[] values) {
@@ -87,42 +88,17 @@ public final class StepWorld implements AutoCloseable {
         line.write(bytes);
     }
 
-    private static void room(int boxes) {
-        new Floor("floor", SIDE, SIDE);
-        for (int wall = 0; wall < 4; wall++) {
-            double at = (wall % 2 == 0 ? 1 : -1) * (SIDE + WALL) / 2;
-            Box box = new Box("wall" + wall, wall < 2 ? SIDE : WALL, wall < 2 ? WALL : SIDE, WALL_HEIGHT, 0);
-            box.move(wall < 2 ? 0 : at, WALL_HEIGHT / 2, wall < 2 ? at : 0);
-        }
-        Random random = new Random(2026);
-        for (int i = 0; i < boxes; i++) {
-            double x;
-            double z;
-            do {
-                x = (random.nextDouble() - 0.5) * (SIDE - 1);
-                z = (random.nextDouble() - 0.5) * (SIDE - 1);
-            } while (Math.hypot(x, z) < CLEAR);
-            Box box = new Box("box" + i, size(random), size(random), size(random), 0);
-            box.move(x, 0.5, z);
-            box.rotate(360 * random.nextDouble(), 360 * random.nextDouble(), 360 * random.nextDouble());
-        }
-    }
-
-    private static double size(Random random) {
-        return 0.25 + 0.75 * random.nextDouble();
-    }
-
     private void robot() {
         SEARrobot robot = new SEARrobot("roomba");
-        Dynamics dynamics = new Dynamics("dynamics", 40, 60, 0.3, 0.4, 10000, 0.1, -CIRCLE, 0.15, 0, 0, 0, 0);
+        Dynamics dynamics = new Dynamics("dynamics", 40, 60, 0.3, 0.4, 10000, 0.1, -CIRCLE, START_HEIGHT, 0, 0, 0, 0);
         robot.addComponent(dynamics);
         robot.addComponent(new Cylinder("body", 0.1666875, 0.0762, 40));
         robot.addWheel(new Wheel("front", 0.0381, 0.03, 0, 0, 0, 0.16));
         robot.addWheel(new Wheel("right", 0.0381, 0.03, 1, -0.16, 0, 0));
         robot.addWheel(new Wheel("left", 0.0381, 0.03, 1, 0.16, 0, 0));
         robot.addWheel(new Wheel("back", 0.0381, 0.03, 0, 0, 0, -0.16));
-        if (lidar) {
-            LIDAR scanner = new LIDAR("lidar", 8, 180, 0.5, 0, 0.3, 0);
+        for (int i = 0; i < lidars; i++) {
+            LIDAR scanner = new LIDAR("lidar" + i, RANGE, 180, 0.5, 0, LIDAR_HEIGHT + i * LIDAR_PITCH, 0, 0, 360.0 * i / lidars, 0);
             if (all) {
                 scanner.setPorts("lidarUart", "lidarUser");
             }
@@ -162,13 +138,6 @@ public final class StepWorld implements AutoCloseable {
 
     @Override
     public void close() {
-        simulation.close();
-        try (Stream<Path> files = Files.walk(folder)) {
-            for (Path file : (Iterable<Path>) files.sorted(Comparator.reverseOrder())::iterator) {
-                Files.delete(file);
-            }
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        project.close();
     }
 }

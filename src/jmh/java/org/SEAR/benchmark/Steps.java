@@ -16,33 +16,32 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Steps a second of one robot with four wheels that drives in a room; divided by 60 that is how many times faster than real time. */
+/** Steps a second of one robot with four wheels that drives among fixed boxes; divided by 60 that is how many times faster than real time. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.SECONDS)
 @Warmup(iterations = 3, time = 1)
-@Measurement(iterations = 5, time = 1)
+@Measurement(iterations = 5, time = 600, timeUnit = TimeUnit.MILLISECONDS)
 @Fork(1)
 public class Steps {
     private static final int BATCH = 60;
 
-    @Param({"20", "1000"})
-    public int boxes;
-    @Param({"drive", "lidar", "all"})
-    public String equipment;
+    @Param({"drive-room-20", "drive-room-1000", "lidar-room-20", "lidar-room-1000", "all-room-20", "all-room-1000",
+        "lidar-hall-10", "lidar-hall-100", "lidar-hall-1000", "lidar-hall-9900", "lidars2-room-20", "lidars4-room-20", "lidars8-room-20"})
+    public String world;
 
-    private StepWorld world;
+    private StepWorld steps;
 
     /** Makes the world. */
     @Setup(Level.Trial)
     public void build() {
-        world = new StepWorld(boxes, !equipment.equals("drive"), equipment.equals("all"));
+        steps = new StepWorld(world);
     }
 
     /** Lets go of it. */
     @TearDown(Level.Trial)
     public void end() {
-        world.close();
+        steps.close();
     }
 
     /** A simulated second. */
@@ -50,8 +49,8 @@ public class Steps {
     @OperationsPerInvocation(BATCH)
     public Object step() {
         for (int i = 0; i < BATCH; i++) {
-            world.step();
+            steps.step();
         }
-        return world.getSimulation().snapshot();
+        return steps.getSimulation().snapshot();
     }
 }

@@ -1,0 +1,60 @@
+package org.SEAR.benchmark;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.stream.Stream;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectException;
+import org.SEAR.simulator.Simulation;
+
+/** A project in a folder of its own, and the simulation made from it. */
+final class BenchmarkProject implements AutoCloseable {
+    private final Path folder;
+    private final boolean temporary;
+    private final Simulation simulation;
+
+    /**
+     * Writes the project unless it is there, and reads it.
+     *
+     * @param kept where the project is kept for another time; null: in a temporary folder
+     * @param build puts the objects into the present project
+     */
+    BenchmarkProject(Path kept, Runnable build) {
+        try {
+            temporary = kept == null;
+            folder = temporary ? Files.createTempDirectory("sear-benchmark") : kept;
+            Path project = folder.resolve("SEARproject");
+            System.setProperty("sear.project", project.toString());
+            if (!Files.exists(project)) {
+                build.run();
+            }
+            simulation = Simulation.of(Project.read(Project.presentFolder()), 1);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        } catch (ProjectException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    Simulation getSimulation() {
+        return simulation;
+    }
+
+    @Override
+    public void close() {
+        simulation.close();
+        if (!temporary) {
+            return;
+        }
+        try (Stream<Path> files = Files.walk(folder)) {
+            for (Path file : (Iterable<Path>) files.sorted(Comparator.reverseOrder())::iterator) {
+                Files.delete(file);
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

@@ -1,0 +1,276 @@
+"""The whole benchmark in one run: SEAR, jbullet, pybullet and MuJoCo in the same worlds. scripts/benchmark runs it; --help lists the options."""
+import argparse
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+import machine
+import page
+
+ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", "..", ".."))
+HERE = os.path.dirname(os.path.abspath(__file__))
+PACKAGE = "org.SEAR.benchmark."
+PEERS = {"mujoco": (("mujoco", "mujocoVersion"), ("mujoco-core", "mujocoCoreVersion"), ("numpy", "numpyVersion")),
+         "pybullet": (("pybullet", "pybulletVersion"), ("numpy", "numpyVersion"))}
+# Seconds that one world may take in another engine
+LONGEST_WORLD = 300
+
+FULL = {
+    "beams": ["room-20", "room-100", "room-1000", "hall-10", "hall-100", "hall-1000", "hall-10000", "hills-1000", "hills-10000", "hills-110000",
+              "hills-1000000"],
+    "drives": ["drive-room-20", "drive-room-1000", "lidar-room-20", "lidar-room-1000", "lidar-hall-10", "lidar-hall-100", "lidar-hall-1000",
+               "lidar-hall-9900", "lidars2-room-20", "lidars4-room-20", "lidars8-room-20"],
+    "own": ["all-room-20", "all-room-1000", "asleep-1000"],
+    "drops": ["drop-10", "drop-30", "drop-100", "drop-300", "drop-1000"],
+    "meshes": [1000, 10000, 110000, 1000000],
+    "runs": ["all-room-20", "all-room-1000"],
+    "jmh": [],
+    "steps": 3600,
+    "seconds": 1.2,
+    "scans": 30,
+}
+QUICK = {
+    "beams": ["hall-10", "hills-1000"],
+    "drives": ["lidar-room-20"],
+    "own": ["all-room-20"],
+    "drops": ["drop-10"],
+    "meshes": [1000],
+    "runs": ["all-room-20"],
+    "steps": 60,
+    "jmh": ["-f", "0", "-wi", "1", "-w", "50ms", "-i", "1", "-r", "50ms"],
+    "seconds": 0.1,
+    "scans": 2,
+}
+
+
+class Run:
+    """One run: what it is about, where its files go, what it has found."""
+
+    def __init__(self, options):
+        self.options = options
+        self.plan = QUICK if options.quick else FULL
+        self.folder = os.path.abspath(options.work)
+        os.makedirs(self.folder, exist_ok=True)
+        home = os.environ.get("JAVA_HOME")
+        self.java = os.path.join(home, "bin", "java") if home else "java"
+        self.began = time.time()
+
+    def say(self, what):
+        print("%4.0f s  %s" % (time.time() - self.began, what), flush=True)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def call_java(self, name, *args):
+        command = [self.java, "-Djmh.ignoreLock=true", "-cp", self.options.classpath, PACKAGE + name] + [str(arg) for arg in args]
+        with open(self.path("java.log"), "a") as log:
+            if subprocess.call(command, stdout=log, stderr=log, cwd=self.folder) != 0:
+                raise SystemExit("benchmark: %s failed; its messages are in %s" % (name, log.name))
+
+    def measure(self, *args):
+        target = self.path("measure.json")
+        self.call_java("Measures", target, *args)
+        return read(target)
+
+    # ---- what is measured ------------------------------------------------------------------------------------------------
+
+    def worlds(self):
+        self.say("writing the worlds")
+        self.call_java("WorldFiles", self.folder, *(self.plan["beams"] + self.plan["drives"] + self.plan["drops"]))
+
+    def jmh(self):
+        """Rates of SEAR and jbullet by (engine, world)."""
+        self.say("SEAR and jbullet: beams and steps")
+        results = []
+        steps = self.plan["drives"] + [world for world in self.plan["own"] if not world.startswith("asleep")]
+        drops = self.plan["drops"] + [world for world in self.plan["own"] if world.startswith("asleep")]
+        for benchmark, worlds in (("Beams", self.plan["beams"]), ("Steps", steps), ("Drops", drops)):
+            target = self.path("jmh-%s.json" % benchmark)
+            self.call_java("Report", target, PACKAGE + benchmark + ".", "-p", "world=" + ",".join(worlds), *self.plan["jmh"])
+            for result in read(target):
+                method = result["benchmark"].rsplit(".", 1)[1]
+                scale = 1e6 if result["primaryMetric"]["scoreUnit"] == "ops/us" else 1.0
+                share = result["secondaryMetrics"]["cpuShare"]["score"]
+                results.append({"engine": {"fan": "SEAR fan", "single": "SEAR single", "step": "SEAR"}.get(method, method),
+                                "world": result["params"]["world"], "perSecond": result["primaryMetric"]["score"] * scale, "cpuShare": share})
+        return results
+
+    def meshes(self):
+        found = []
+        for size in self.plan["meshes"]:
+            self.say("building the hierarchy of %d triangles" % size)
+            found.append(self.measure("mesh", size))
+        return found
+
+    def runs(self):
+        found = {}
+        for world in self.plan["runs"]:
+            self.say("start and memory, " + world)
+            folder = self.project(world)
+            shutil.rmtree(folder, ignore_errors=True)
+            os.makedirs(folder)
+            self.measure("project", world, folder)
+            found[world] = self.measure("run", world, folder, self.plan["steps"])
+        return found
+
+    def project(self, world):
+        return self.path("project-" + world)
+
+    def script(self):
+        """What a script sees in the embedded MyRobotLab; None without a built distribution."""
+        if self.options.no_script:
+            return None
+        self.say("start, latency and memory as a script sees them")
+        target = self.path("latency.json")
+        environment = dict(os.environ, SEAR_BENCHMARK_OUT=target, SEAR_BENCHMARK_SCANS=str(self.plan["scans"]))
+        launched = time.time()
+        with open(self.path("sear.log"), "w") as log:
+            status = subprocess.call([os.path.join(ROOT, "build", "install", "sear", "bin", "sear"),
+                                      os.path.join(ROOT, "src", "jmh", "jython", "latency.py"), "--headless", "--port", "none"],
+                                     cwd=self.project(self.plan["runs"][0]), env=environment, stdout=log, stderr=log)
+        if status != 0:
+            raise SystemExit("benchmark: the script failed; its messages are in " + log.name)
+        found = read(target)
+        found["launchToReading"] = found["readingAt"] - launched
+        return found
+
+    # ---- other engines ---------------------------------------------------------------------------------------------------
+
+    def install(self, engine):
+        """None when the engine is there, else why not."""
+        if self.options.no_peers:
+            return "left out by --no-peers"
+        with open(os.path.join(ROOT, "gradle.properties")) as file:
+            versions = dict(re.findall(r"^(\w+)=(.*)$", file.read(), re.MULTILINE))
+        wanted = ["%s==%s" % (name, versions[key]) for name, key in PEERS[engine]]
+        home = os.path.join(ROOT, "build", "peers-" + engine)
+        stamp = os.path.join(home, "installed.txt")
+        if os.path.exists(stamp) and read_text(stamp) == " ".join(wanted):
+            return None
+        self.say("installing " + ", ".join(wanted))
+        shutil.rmtree(home, ignore_errors=True)
+        for command in ([sys.executable, "-m", "venv", home],
+                        [os.path.join(home, "bin", "python"), "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps",
+                         "--only-binary", ":all:"] + wanted):
+            done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+            if done.returncode != 0:
+                lines = [line for line in done.stdout.splitlines() if "ERROR" in line] or done.stdout.splitlines() or ["no message"]
+                return "did not install: " + lines[-1].strip()
+        with open(stamp, "w") as file:
+            file.write(" ".join(wanted))
+        return None
+
+    def peers(self):
+        """Results of the other engines, and why an engine or a world is missing."""
+        results = []
+        missing = {}
+        for engine in sorted(PEERS):
+            reason = self.install(engine)
+            if reason:
+                missing[engine] = reason
+                continue
+            for world in self.plan["beams"] + self.plan["drives"] + self.plan["drops"]:
+                self.say("%s: %s" % (engine, world))
+                target = self.path("peer.json")
+                with open(self.path("%s.log" % engine), "a") as log:
+                    try:
+                        status = subprocess.call([os.path.join(ROOT, "build", "peers-" + engine, "bin", "python"), os.path.join(HERE, "peer.py"),
+                                                  engine, self.path(world + ".json"), target, str(self.plan["seconds"])],
+                                                 stdout=log, stderr=log, timeout=LONGEST_WORLD, cwd=self.folder,
+                                                 env=dict(os.environ, MUJOCO_GL="disable"))
+                    except subprocess.TimeoutExpired:
+                        status = "no answer within %d s" % LONGEST_WORLD
+                if status == 0:
+                    results.append(read(target))
+                else:
+                    missing["%s in %s" % (engine, world)] = "failed (%s)" % status
+        return results, missing
+
+    def compare(self, peers):
+        """In how many beams each engine differs from SEAR, and what physics came to; takes the long lists out of the peers' results."""
+        agreement = []
+        outcomes = []
+        for world in self.plan["beams"]:
+            data = read(self.path(world + ".json"))
+            sides = [("SEAR single", data["single"]), ("jbullet", data["jbullet"])]
+            sides += [(peer["engine"], peer.pop("ranges")) for peer in peers if peer["world"] == world]
+            agreement += [dict(differences(data["fan"], ranges), engine=engine, world=world) for engine, ranges in sides]
+        for world in self.plan["drops"] + self.plan["drives"]:
+            data = read(self.path(world + ".json"))
+            for engine, result in [("SEAR", data)] + [(peer["engine"], peer) for peer in peers if peer["world"] == world]:
+                if "heights" in result:
+                    heights = result.pop("heights")
+                    outcomes.append({"world": world, "engine": engine, "meanHeight": sum(heights) / len(heights), "lowest": min(heights)})
+                elif "way" in result:
+                    outcomes.append({"world": world, "engine": engine, "way": result["way"]})
+        return agreement, outcomes
+
+    def everything(self):
+        load = os.getloadavg()[0]
+        self.worlds()
+        found = {"date": time.strftime("%Y-%m-%d"), "quick": self.options.quick, "machine": machine.describe(self.java), "loadBefore": load}
+        found["rates"] = self.jmh()
+        found["meshes"] = self.meshes()
+        found["runs"] = self.runs()
+        found["script"] = self.script()
+        peers, found["missing"] = self.peers()
+        found["agreement"], found["outcomes"] = self.compare(peers)
+        found["rates"] += peers
+        found["minutes"] = (time.time() - self.began) / 60
+        return found
+
+
+def differences(truth, ranges):
+    """Beams of which one engine meets something and the other not, or farther than 1 mm (and 1 cm) from there."""
+    count = {"beams": min(len(truth), len(ranges)), "over1mm": 0, "over1cm": 0, "worst": 0.0}
+    for a, b in zip(truth, ranges):
+        apart = float("inf") if (a < 0) != (b < 0) else abs(a - b)
+        count["over1mm"] += apart > 1e-3
+        count["over1cm"] += apart > 1e-2
+        if apart != float("inf"):
+            count["worst"] = max(count["worst"], apart)
+    return count
+
+
+def read_text(path):
+    with open(path) as file:
+        return file.read()
+
+
+def read(path):
+    return json.loads(read_text(path))
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Measures SEAR beside other engines, and writes the tables and curves of docs/performance.md.")
+    parser.add_argument("--quick", action="store_true", help="tiny worlds and times: shows that everything runs; writes nothing into docs")
+    parser.add_argument("--no-peers", action="store_true", help="without the engines from PyPI")
+    parser.add_argument("--no-script", action="store_true", help="without the run in the embedded MyRobotLab")
+    parser.add_argument("--page-only", metavar="JSON", help="measure nothing: make the page from an earlier run's JSON")
+    parser.add_argument("--docs", help="the folder for performance.md, performance.json and images (default: docs; with --quick: that of --work)")
+    parser.add_argument("--work", default=os.path.join(ROOT, "build", "benchmark"), help="the folder for worlds and logs (default: build/benchmark)")
+    parser.add_argument("--classpath", help="of the benchmark's Java half (default: as build/benchmark/classpath.txt says)")
+    options = parser.parse_args()
+    docs = options.docs or (options.work if options.quick else os.path.join(ROOT, "docs"))
+    if options.page_only:
+        found = read(options.page_only)
+    else:
+        if options.classpath is None:
+            options.classpath = read_text(os.path.join(ROOT, "build", "benchmark", "classpath.txt"))
+        run = Run(options)
+        found = run.everything()
+        os.makedirs(docs, exist_ok=True)
+        with open(os.path.join(docs, "performance.json"), "w") as out:
+            json.dump(found, out, indent=1, sort_keys=True)
+            out.write("\n")
+        run.say("measured")
+    for line in page.write(found, os.path.join(ROOT, "docs", "performance.md"), docs):
+        print(line)
+
+
+if __name__ == "__main__":
+    main()

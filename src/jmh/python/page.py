@@ -1,0 +1,334 @@
+"""Makes the measured part of docs/performance.md, and its curves, from the JSON of a run."""
+import os
+import re
+
+import curves
+import goals
+
+BEGIN = "<!-- measured: scripts/benchmark writes from here -->"
+END = "<!-- measured: to here -->"
+# Where the measured process had less of a core than this, rates are counted by CPU time
+QUIET = 0.9
+PEERS = ("MuJoCo", "pybullet", "jbullet")
+STEPS_A_SECOND = 60.0
+NOTHING = "–"
+
+
+def size_of(world):
+    return int(world.rsplit("-", 1)[1])
+
+
+def digits(value, count=3):
+    """A number with so many digits that count."""
+    if value is None:
+        return NOTHING
+    text = "%.*g" % (count, value)
+    if "e" not in text and value < 1000:
+        return text
+    if value < 1:
+        return "%.*f" % (count + 2, value)
+    return "{:,.0f}".format(round(value, min(0, count - len("%.0f" % value)))).replace(",", " ")
+
+
+def row(cells):
+    return "| " + " | ".join(str(cell) for cell in cells) + " |"
+
+
+def table(head, rows):
+    return [row(head), "|" + "---|" * len(head)] + [row(cells) for cells in rows] + [""]
+
+
+class Results:
+    """A run's JSON, by questions."""
+
+    def __init__(self, found):
+        self.found = found
+        self.rates = {(rate["engine"], rate["world"]): rate for rate in found["rates"]}
+        self.judged = []
+
+    def is_busy(self, engine, world):
+        rate = self.rates.get((engine, world))
+        return rate is not None and rate["cpuShare"] < QUIET
+
+    def rate(self, engine, world):
+        """Units a second; of CPU time where others had much of the processor; None if not measured."""
+        rate = self.rates.get((engine, world))
+        if rate is None:
+            return None
+        return rate["perSecond"] / (rate["cpuShare"] if rate["cpuShare"] < QUIET else 1)
+
+    def shown(self, engine, world, unit):
+        """A rate as text, in units; with a star where it is by CPU time."""
+        rate = self.rate(engine, world)
+        return NOTHING if rate is None else digits(rate / unit) + ("*" if self.is_busy(engine, world) else "")
+
+    def ratio(self, a, b, world):
+        ours = self.rate(a, world)
+        theirs = self.rate(b, world)
+        return NOTHING if ours is None or theirs is None else "**×%s**" % digits(ours / theirs, 2)
+
+    def worlds(self, prefix):
+        return sorted({world for _, world in self.rates if re.match(prefix + r"-\d+$", world)}, key=size_of)
+
+    def judge(self, key, value, more_is_better=True):
+        """A goal's cell; remembers the ones that are missed."""
+        goal = goals.GOALS.get(key)
+        if goal is None or value is None:
+            return NOTHING if goal is None else goals.shown(key)
+        met = value >= goal if more_is_better else value <= goal
+        self.judged.append((key, value, met))
+        return "%s, %s" % (goals.shown(key), "met" if met else "**missed**")
+
+
+# ---- sections ------------------------------------------------------------------------------------------------------------
+
+def machine(results):
+    found = results.found
+    about = found["machine"]
+    cpu = about["cpu"] + (" at %s MHz" % about["mhz"] if about["mhz"] != "unknown" else "")
+    lines = ["Measured on %s: %s, %s cores, %s GiB of memory; %s; %s; Python %s." % (
+        found["date"], cpu, about["cores"], about["memoryGiB"], about["system"], about["java"], about["python"]),
+             "Each engine had one thread to itself. The run took %.0f minutes." % found["minutes"]]
+    versions = {rate["engine"]: rate["version"] for rate in found["rates"] if "version" in rate}
+    lines.append("Engines: SEAR (this commit), jbullet (the library that SEAR uses for bodies)%s."
+                 % "".join(", %s %s" % pair for pair in sorted(versions.items())))
+    for what, why in sorted(found["missing"].items()):
+        lines.append("Not measured: %s %s." % (what, why))
+    if any(rate["cpuShare"] < QUIET for rate in found["rates"]):
+        lines.append("Numbers with a star are by CPU time: other programs had a part of the processor meanwhile.")
+    if found["quick"]:
+        lines.append("This was a quick run, which only shows that everything runs: its numbers mean nothing.")
+    return lines + [""]
+
+
+def beams(results):
+    rows = []
+    for world in results.worlds("room") + results.worlds("hall") + results.worlds("hills"):
+        fan, single = results.rate("SEAR fan", world), results.rate("SEAR single", world)
+        rows.append([world] + [results.ratio("SEAR fan", peer, world) for peer in PEERS]
+                    + [results.shown("SEAR fan", world, 1e6), results.judge("fan " + world, fan and fan / 1e6),
+                       results.shown("SEAR single", world, 1e6), results.judge("single " + world, single and single / 1e6)]
+                    + [results.shown(peer, world, 1e6) for peer in PEERS])
+    return ["### Beams", "",
+            "Millions of beams a second. A fan is a LIDAR's scan of 361 beams over 180°, 8 m far, from 100 poses in turn; single beams are the",
+            "same ones cast one by one. `room-N`: N rotated boxes in a room of 10 m × 10 m; `hall-N`: N boxes in a hall that grows with them, 20 on",
+            "100 m²; `hills-N`: N triangles on 20 m × 20 m. The first three columns say how many times faster SEAR's fan is than the other engine.",
+            ""] + table(
+                ["world", "/ MuJoCo", "/ pybullet", "/ jbullet", "fan", "goal", "single", "goal", "MuJoCo", "pybullet", "jbullet"], rows)
+
+
+def agreement(results):
+    shown = {}
+    for one in results.found["agreement"]:
+        shown[one["engine"], one["world"]] = "%s of %s" % (digits(one["over1mm"], 9), digits(one["beams"], 9)) + (
+            ", worst %.2g m" % one["worst"] if one["over1mm"] else "")
+    engines = [engine for engine in ("SEAR single",) + PEERS if any(key[0] == engine for key in shown)]
+    worlds = list(dict.fromkeys(one["world"] for one in results.found["agreement"]))
+    return ["### Do they measure the same?", "",
+            "Every engine casts the very same beams (origins, directions, range). The table counts those whose distance differs from the fan's by",
+            "more than 1 mm, or that meet something where the fan meets nothing or the other way round.", ""] + table(
+                ["world"] + engines, [[world] + [shown.get((engine, world), NOTHING) for engine in engines] for world in worlds])
+
+
+def steps(results):
+    rows = []
+    what = {"drive": "no sensor", "lidar": "a LIDAR", "all": "everything"}
+    for equipment in ("drive", "lidar", "all"):
+        for world in results.worlds(equipment + "-room"):
+            rate = results.rate("SEAR", world)
+            rows.append(["%s, %d boxes" % (what[equipment], size_of(world)), results.ratio("SEAR", "MuJoCo", world),
+                         results.ratio("SEAR", "pybullet", world),
+                         results.shown("SEAR", world, STEPS_A_SECOND), results.judge(world, rate and rate / STEPS_A_SECOND),
+                         results.shown("MuJoCo", world, STEPS_A_SECOND), results.shown("pybullet", world, STEPS_A_SECOND)])
+    growth = results.worlds("lidar-hall")
+    lidars = [world for world in ("lidar-room-20", "lidars2-room-20", "lidars4-room-20", "lidars8-room-20") if ("SEAR", world) in results.rates]
+    more = [["%d boxes in a hall" % size_of(world), world] for world in growth]
+    more += [["%s LIDARs, 20 boxes" % re.sub(r"\D", "", world.split("-")[0]), world] for world in lidars[1:]]
+    lines = ["### Steps", "",
+             "Simulated seconds per second (how many times faster than the clock), 60 steps a simulated second. A robot with four wheels, two of",
+             "them driven, goes round among fixed boxes; each LIDAR of 361 beams is read ten times a simulated second. *Everything*: also four",
+             "PING))) sensors, GPS, compass, accelerometer and gyroscope, and the serial devices send all the time (the other engines have none",
+             "of these).", ""]
+    lines += table(["what", "/ MuJoCo", "/ pybullet", "SEAR", "goal", "MuJoCo", "pybullet"], rows)
+    if more:
+        lines += ["With one LIDAR in halls that grow, and with several LIDARs:", ""]
+        lines += table(["what", "/ MuJoCo", "/ pybullet", "SEAR", "MuJoCo", "pybullet"],
+                       [[name, results.ratio("SEAR", "MuJoCo", world), results.ratio("SEAR", "pybullet", world)]
+                        + [results.shown(engine, world, STEPS_A_SECOND) for engine in ("SEAR", "MuJoCo", "pybullet")] for name, world in more])
+    return lines
+
+
+def moving(results):
+    worlds = results.worlds("drop")
+    engines = ("SEAR", "MuJoCo", "pybullet")
+    rows = [[size_of(world), results.ratio("SEAR", "MuJoCo", world), results.ratio("SEAR", "pybullet", world)]
+            + [digits(1e6 / results.rate(engine, world)) if results.rate(engine, world) else NOTHING for engine in engines] for world in worlds]
+    lines = ["### Moving bodies", "",
+             "Microseconds a step, over the number of bodies that move: boxes of 20 kg fall from about a metre onto a floor and tumble. The",
+             "1.25 simulated seconds from letting go are counted; up to then no engine lets a body sleep.", ""]
+    lines += table(["boxes", "/ MuJoCo", "/ pybullet", "SEAR", "MuJoCo", "pybullet"], rows)
+    asleep = [digits(1e6 / results.rate("SEAR", world)) + " µs a step with %d of them" % size_of(world) for world in results.worlds("asleep")]
+    if asleep:
+        lines += ["Once they have fallen asleep SEAR needs %s." % ", ".join(asleep), ""]
+    heights = ["%s %.3f m" % (one["engine"], one["meanHeight"]) for one in results.found["outcomes"] if worlds and one["world"] == worlds[-1]]
+    ways = ["%s %.2f m" % (one["engine"], one["way"]) for one in results.found["outcomes"] if one["world"] == "drive-room-20"]
+    if heights:
+        lines += ["It is the same physics: 3 s after letting go the centres of the %d boxes are, on average, this high: %s." % (
+            size_of(worlds[-1]), ", ".join(heights))]
+    if ways:
+        lines += ["And the robot of the table above, told to drive 0.4 m/s, comes this far in 20 simulated seconds: %s." % ", ".join(ways)]
+    return lines + [""]
+
+
+def meshes(results):
+    rows = []
+    for mesh in results.found["meshes"]:
+        million = mesh["triangles"] >= 1e6
+        peers = []
+        for peer in ("MuJoCo", "pybullet"):
+            found = [rate for (engine, world), rate in results.rates.items()
+                     if engine == peer and world.startswith("hills") and abs(size_of(world) / mesh["triangles"] - 1) < 0.1]
+            # The process grows by other things, too, which hide a small model
+            size = ", %s bytes" % digits(found[0]["bytes"] / mesh["triangles"]) if found and mesh["triangles"] > 1e5 else ""
+            peers.append(digits(found[0]["buildCpu"]) + " s" + size if found else NOTHING)
+        first = mesh["first"] if mesh["firstCpu"] > QUIET * mesh["first"] else mesh["firstCpu"]
+        star = "*" if first != mesh["first"] else ""
+        total = mesh["bytes"] + mesh["modelBytes"]
+        rows.append([digits(mesh["triangles"], 9), digits(first) + star, results.judge("mesh seconds", first, False) if million else NOTHING,
+                     digits(mesh["medianCpu"]), digits(total), results.judge("mesh bytes", total, False) if million else NOTHING,
+                     digits(mesh["jbulletCpu"]) + " s"] + peers)
+    return ["### Building the hierarchy of a model", "",
+            "Seconds until the first beam can be cast: in a fresh JVM, and (CPU time) once the JVM is warm. Bytes a triangle, the model's vertices",
+            "and indices included. The other engines' columns are the CPU time and the growth of the process while they load the same model.",
+            ""] + table(
+                ["triangles", "seconds, first time", "goal", "seconds, warm", "bytes a triangle", "goal", "jbullet", "MuJoCo", "pybullet"], rows)
+
+
+def start(results):
+    rows = []
+    mebi = 1024.0 ** 2
+    for world, run in sorted(results.found["runs"].items(), key=lambda one: size_of(one[0])):
+        busy = run["toReadingCpu"] < QUIET * run["toReading"] and results.is_busy("SEAR", world)
+        seconds = run["toReadingCpu"] if busy else run["toReading"]
+        rows.append(["core only, all sensors, %d boxes: from opening the project to the first LIDAR reading" % size_of(world),
+                     digits(seconds) + " s" + ("*" if busy else ""), results.judge("start", seconds, False)])
+        rows.append(["the same, JVM included: most memory ever in use over 60 simulated seconds", digits(run["peakResident"] / mebi) + " MiB",
+                     results.judge("memory", run["peakResident"] / mebi, False)])
+        rows.append(["of it, the heap's objects at the end", digits(run["heap"] / mebi) + " MiB", NOTHING])
+    script = results.found["script"]
+    if script:
+        busy = any(rate["cpuShare"] < QUIET for rate in results.found["rates"] if rate["engine"] == "SEAR")
+        seconds = script["toReadingCpu"] if busy else script["toReading"]
+        rows.append(["in the embedded MyRobotLab: `sear.startSimulation()` to the first LIDAR reading",
+                     digits(seconds) + " s" + ("*" if busy else ""), results.judge("start", seconds, False)])
+        rows.append(["from the command `sear SCRIPT.py` to that reading, JVM, Jython and MyRobotLab included",
+                     digits(script["launchToReading"]) + " s", NOTHING])
+        rows.append(["its most memory ever in use", digits(script["peakResident"] / mebi) + " MiB", NOTHING])
+        rows.append(["`sear.getLidarResult(name)` in real time: median (longest of %d)" % script["call"]["count"],
+                     "%s ms (%s ms)" % (digits(1e3 * script["call"]["median"]), digits(1e3 * script["call"]["max"])), NOTHING])
+        for baud in (38400, 500000):
+            scan = script["scan%d" % baud]
+            wire = 10.0 * (2 * script["values"] + 10) / baud
+            rows.append(["`lidar.singleScan()` to `publishLidarData` in real time at %d baud, of which %.0f ms are the telegram on the wire" % (
+                baud, 1e3 * wire), "%s ms (%s ms)" % (digits(1e3 * scan["median"]), digits(1e3 * scan["max"])), NOTHING])
+    return ["### Start, memory, latency", ""] + table(["what", "measured", "goal"], rows)
+
+
+def missed(results):
+    lines = []
+    for key, value, met in results.judged:
+        if not met:
+            lines.append("- %s: %s, goal %s. %s" % (goals.name(key), digits(value), goals.shown(key), goals.reason(key)))
+    lines = list(dict.fromkeys(line.strip() for line in lines))
+    count = len(results.judged)
+    head = "%d of %d goals are met." % (sum(met for _, _, met in results.judged), count)
+    return ["### Goals", "", head + (" These are missed:" if lines else "")] + ([""] + lines if lines else []) + [""]
+
+
+def summary(results):
+    """How many times faster SEAR is, in the worlds that have goals."""
+    rows = []
+    for label, engine, worlds in (("LIDAR fan", "SEAR fan", ("room-20", "room-100", "room-1000", "hills-110000")),
+                                  ("a robot with a LIDAR", "SEAR", ("lidar-room-20", "lidar-room-1000")),
+                                  ("bodies that all move", "SEAR", ("drop-10", "drop-100", "drop-1000"))):
+        for world in worlds:
+            if (engine, world) in results.rates:
+                rows.append(["%s, %s" % (label, world)] + [results.ratio(engine, peer, world) for peer in PEERS])
+    return ["### In one look", "", "How many times faster SEAR is (below 1: slower):", ""] + table(
+        ["what"] + ["than " + peer for peer in PEERS], rows)
+
+
+# ---- pictures ------------------------------------------------------------------------------------------------------------
+
+def pictures(results):
+    """{file name: (alternative text, SVG)}."""
+    def series(engines, worlds, value, x=size_of):
+        made = []
+        for engine in engines:
+            points = [(x(world), value(results.rate(engine, world))) for world in worlds if results.rate(engine, world)]
+            if points:
+                made.append((engine, points))
+        return made
+
+    casters = ("SEAR fan", "SEAR single") + PEERS
+    steppers = ("SEAR", "MuJoCo", "pybullet")
+    lidars = ["lidar-room-20"] + sorted({world for _, world in results.rates if re.match(r"lidars\d+-room-20$", world)}, key=lidar_count)
+    wanted = (
+        ("speed-boxes.svg", "Cost of a beam by the number of boxes", "boxes (20 on 100 m²)", "ns a beam",
+         series(casters, results.worlds("hall"), lambda rate: 1e9 / rate)),
+        ("speed-triangles.svg", "Cost of a beam by the number of triangles", "triangles", "ns a beam",
+         series(casters, results.worlds("hills"), lambda rate: 1e9 / rate)),
+        ("speed-moving.svg", "Cost of a step by the number of moving bodies", "moving boxes", "µs a step",
+         series(steppers, results.worlds("drop"), lambda rate: 1e6 / rate)),
+        ("speed-steps.svg", "Speed of a robot with a LIDAR by the number of fixed boxes", "fixed boxes (20 on 100 m²)", "simulated seconds a second",
+         series(steppers, results.worlds("lidar-hall"), lambda rate: rate / STEPS_A_SECOND)),
+        ("speed-lidars.svg", "Speed of a robot by the number of its LIDARs", "LIDARs, 361 beams, 10 Hz each", "simulated seconds a second",
+         series(steppers, lidars, lambda rate: rate / STEPS_A_SECOND, lidar_count)),
+    )
+    return {name: (title, curves.draw(title, x, y, lines)) for name, title, x, y, lines in wanted if lines}
+
+
+def lidar_count(world):
+    return int(re.sub(r"\D", "", world.split("-")[0]) or 1)
+
+
+def growth(results):
+    """What a thousand times more costs, in words."""
+    lines = []
+    for label, prefix in (("boxes", "hall"), ("triangles", "hills")):
+        worlds = results.worlds(prefix)
+        if len(worlds) < 2 or not all(results.rate("SEAR fan", world) for world in worlds):
+            continue
+        low, high = worlds[0], worlds[-1]
+        parts = ["%s ×%s" % (engine, digits(results.rate(engine, low) / results.rate(engine, high), 2))
+                 for engine in ("SEAR fan", "SEAR single") + PEERS
+                 if results.rate(engine, low) and results.rate(engine, high)]
+        lines.append("From %s to %s %s a beam costs: %s." % (digits(size_of(low), 9), digits(size_of(high), 9), label, ", ".join(parts)))
+    return lines + [""] if lines else []
+
+
+def measured(results, drawn):
+    shown = {name: ["![%s](images/%s)" % (title, name), ""] for name, (title, _) in drawn.items()}
+    body = beams(results) + shown.get("speed-boxes.svg", []) + shown.get("speed-triangles.svg", []) + growth(results) + agreement(results)
+    body += steps(results) + shown.get("speed-steps.svg", []) + shown.get("speed-lidars.svg", [])
+    body += moving(results) + shown.get("speed-moving.svg", []) + meshes(results) + start(results)
+    return machine(results) + summary(results) + missed(results) + body
+
+
+def write(found, template, docs):
+    """Writes performance.md (the template with a new measured part) and images into the folder docs; answers the measured part's lines."""
+    results = Results(found)
+    drawn = pictures(results)
+    os.makedirs(os.path.join(docs, "images"), exist_ok=True)
+    for name, (_, svg) in drawn.items():
+        with open(os.path.join(docs, "images", name), "w", encoding="utf-8") as out:
+            out.write(svg)
+    lines = measured(results, drawn)
+    with open(template, encoding="utf-8") as file:
+        text = file.read()
+    if text.count(BEGIN) != 1 or text.count(END) != 1:
+        raise SystemExit("%s: the lines \"%s\" and \"%s\" have to be there once each; the measured part goes between them" % (template, BEGIN, END))
+    before, rest = text.split(BEGIN)
+    with open(os.path.join(docs, "performance.md"), "w", encoding="utf-8") as out:
+        out.write(before + BEGIN + "\n\n" + "\n".join(lines) + END + rest.split(END)[1])
+    return lines

@@ -1,0 +1,80 @@
+"""Runs one world of the benchmark in another engine: peer.py ENGINE WORLD.json OUT.json SECONDS. ENGINE is mujoco or pybullet."""
+import importlib
+import json
+import math
+import sys
+
+import timing
+
+# Beams that are compared are the scans of these many poses where a scan takes long
+FEW_POSES = 10
+LONG_SCAN = 0.05
+
+
+def beams(engine, world, seconds):
+    before = timing.resident()
+    scene, build = timing.once(lambda: engine.Beams(world))
+    grown = timing.resident() - before
+    poses = len(world["origins"])
+    first, took = timing.once(lambda: scene.ranges(0))
+    compared = poses if took["wall"] < LONG_SCAN else FEW_POSES
+    ranges = first + [distance for i in range(1, compared) for distance in scene.ranges(i)]
+    at = [0]
+
+    def scan():
+        at[0] = (at[0] + 1) % poses
+        scene.scan(at[0])
+
+    result = timing.rate(scan, world["beams"], seconds)
+    result.update(ranges=ranges, build=build["wall"], buildCpu=build["cpu"], bytes=grown)
+    return result
+
+
+def drop(engine, world, seconds):
+    scene = engine.Drop(world)
+
+    def run():
+        for _ in range(world["steps"]):
+            scene.step()
+
+    result = timing.rate(run, world["steps"], seconds, scene.reset)
+    scene.reset()
+    for _ in range(world["restSteps"]):
+        scene.step()
+    result["heights"] = scene.heights()
+    return result
+
+
+def drive(engine, world, seconds):
+    scene = engine.Drive(world)
+    way = 0.0
+    last = scene.position()
+    for _ in range(world.get("checkSteps", 0)):
+        scene.step()
+        now = scene.position()
+        way += math.hypot(now[0] - last[0], now[1] - last[1])
+        last = now
+
+    def run():
+        for _ in range(60):
+            scene.step()
+
+    result = timing.rate(run, 60, seconds)
+    if "way" in world:
+        result["way"] = way
+    return result
+
+
+def main():
+    engine = importlib.import_module(sys.argv[1] + "_engine")
+    with open(sys.argv[2]) as file:
+        world = json.load(file)
+    kind = beams if "beams" in world else drop if "mass" in world else drive
+    result = kind(engine, world, float(sys.argv[4]))
+    result.update(engine=engine.NAME, version=engine.VERSION, world=world["name"], peakResident=timing.peak_resident())
+    with open(sys.argv[3], "w") as out:
+        json.dump(result, out)
+
+
+if __name__ == "__main__":
+    main()

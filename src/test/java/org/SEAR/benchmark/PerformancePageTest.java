@@ -1,0 +1,56 @@
+package org.SEAR.benchmark;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+
+/** {@code scripts/benchmark}: it runs. */
+public class PerformancePageTest {
+    private static final Path ROOT = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath();
+    /** Seconds; a busy machine may take many times what a quiet one does. */
+    private static final int LONGEST = 600;
+
+    @Rule
+    public final TemporaryFolder folder = new TemporaryFolder();
+
+    private String run(String... options) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(Arrays.asList("python3", ROOT.resolve("src/jmh/python/benchmark.py").toString()));
+        command.addAll(Arrays.asList(options));
+        Path output = folder.newFile().toPath();
+        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(output.toFile());
+        builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
+        builder.environment().put("PYTHONIOENCODING", "utf-8");
+        Process process = builder.start();
+        boolean ended = process.waitFor(LONGEST, TimeUnit.SECONDS);
+        process.destroyForcibly();
+        String said = new String(Files.readAllBytes(output), StandardCharsets.UTF_8);
+        assertTrue("it takes too long: " + said, ended);
+        assertEquals(said, 0, process.exitValue());
+        return said;
+    }
+
+    @Test
+    public void aQuickRunMeasuresEverythingOnce() throws Exception {
+        Path work = folder.newFolder().toPath();
+        String said = run("--quick", "--no-peers", "--no-script", "--work", work.toString(), "--classpath", System.getProperty("sear.jmhClasspath"));
+        String page = Files.readString(work.resolve("performance.md"));
+        for (String row : new String[] {"| hall-10 |", "| hills-1000 |", "| a LIDAR, 20 boxes |", "| everything, 20 boxes |", "| 10 |",
+            "| 1 058 |"}) {
+            assertTrue(row + " is not in\n" + said, page.contains(row));
+        }
+        assertTrue(said, page.contains("Not measured: mujoco left out by --no-peers."));
+        assertTrue(said, page.contains("| hall-10 | 0 of 36 100 |"));
+    }
+}

@@ -512,15 +512,14 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
         return $scope.toScreen(pose[0] + along[0], pose[2] + along[2])
     }
 
+    /** The beams that met something; where nothing was met there is a gap. */
     function drawScan(pen, pose, sensor) {
         var from = $scope.toScreen(pose[0], pose[2])
         pen.beginPath()
         pen.moveTo(from.x, from.y)
         angular.forEach(sensor.ranges, function(metres, i) {
-            if (metres !== null) {
-                var at = groundPoint(pose, i * sensor.resolution - sensor.spread / 2, metres)
-                pen.lineTo(at.x, at.y)
-            }
+            var at = metres === null ? from : groundPoint(pose, i * sensor.resolution - sensor.spread / 2, metres)
+            pen.lineTo(at.x, at.y)
         })
         pen.closePath()
         pen.fillStyle = 'rgba(240, 173, 78, 0.18)'

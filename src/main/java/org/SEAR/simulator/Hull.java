@@ -27,6 +27,8 @@ final class Hull {
     private final double[] planes;
     /** For each face the corners of its plane, in order around it. */
     private final int[][] polygons;
+    private final double volume;
+    private final double[] centre = new double[3];
 
     private Hull(double[] points, List<Face> faces) {
         Set<Integer> used = new LinkedHashSet<>();
@@ -48,6 +50,38 @@ final class Hull {
             System.arraycopy(new double[] {face.nx, face.ny, face.nz, face.offset}, 0, planes, 4 * i, 4);
             polygons[i] = polygon(face);
         }
+        volume = weigh(points, faces);
+    }
+
+    /** Adds up the tetrahedra between the first point and each face. @return cubic metres */
+    private double weigh(double[] p, List<Face> faces) {
+        int first = faces.get(0).a;
+        double sum = 0;
+        for (Face face : faces) {
+            double[] n = cross(p, face.a, face.b, face.c);
+            double part = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                part += n[axis] * (p[3 * face.a + axis] - p[3 * first + axis]) / 6;
+            }
+            sum += part;
+            for (int axis = 0; axis < 3; axis++) {
+                centre[axis] += part * (p[3 * first + axis] + p[3 * face.a + axis] + p[3 * face.b + axis] + p[3 * face.c + axis]) / 4;
+            }
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            centre[axis] /= sum;
+        }
+        return sum;
+    }
+
+    /** Cubic metres. */
+    double getVolume() {
+        return volume;
+    }
+
+    /** Where its mass is if that is spread evenly: {x, y, z}. */
+    double[] getCentre() {
+        return centre.clone();
     }
 
     private static final class Face {

@@ -122,11 +122,12 @@ final class RobotBuilder {
         double[] sum = new double[3];
         double total = 0;
         for (int i = 0; i < solids.size(); i++) {
-            Pose place = places.get(i).times(solids.get(i).offset);
+            double[] inSolid = solids.get(i).centre();
+            double[] centre = places.get(i).times(solids.get(i).offset).transform(inSolid[0], inSolid[1], inSolid[2]);
             double weight = weights.get(i);
-            sum[0] += place.x * weight;
-            sum[1] += place.y * weight;
-            sum[2] += place.z * weight;
+            sum[0] += centre[0] * weight;
+            sum[1] += centre[1] * weight;
+            sum[2] += centre[2] * weight;
             total += weight;
         }
         return new double[] {sum[0] / total, sum[1] / total, sum[2] / total};

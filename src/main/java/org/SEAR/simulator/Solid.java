@@ -218,7 +218,12 @@ final class Solid {
         return (float) Math.min(MARGIN, MARGIN_SHARE * Math.min(halfX, Math.min(halfY, halfZ)));
     }
 
-    /** Cubic metres; a mesh counts as half of the box around it. */
+    /** Where a moving body has the mass of this, in the solid's frame: {x, y, z}. The middle; for a mesh that of its convex hull, filled evenly. */
+    double[] centre() {
+        return kind == Kind.MESH ? hull().getCentre() : new double[3];
+    }
+
+    /** Cubic metres; a mesh counts as its convex hull. */
     double volume() {
         double box = 8 * halfX * halfY * halfZ;
         switch (kind) {
@@ -229,7 +234,7 @@ final class Solid {
             case CONE:
                 return box * Math.PI / 12;
             default:
-                return box / 2;
+                return hull().getVolume();
         }
     }
 

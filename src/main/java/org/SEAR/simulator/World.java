@@ -70,8 +70,10 @@ final class World implements Physics.Touches {
             return null;
         }
         Pose place = solid.offset;
-        return new Body(object.getName(), ((Shape) object).getMass(), Collections.singletonList(solid), new Pose[] {place},
-            new double[] {place.x, place.y, place.z},
+        double mass = ((Shape) object).getMass();
+        double[] centre = mass > 0 ? solid.centre() : new double[3];
+        return new Body(object.getName(), mass, Collections.singletonList(solid), new Pose[] {place},
+            place.transform(centre[0], centre[1], centre[2]),
             Pose.ofDegrees(object.getX(), object.getY(), object.getZ(), object.getRx(), object.getRy(), object.getRz()));
     }
 

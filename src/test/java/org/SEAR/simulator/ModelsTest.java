@@ -125,4 +125,23 @@ public class ModelsTest {
         assertEquals(simulation.getPose("blunt").z + 0.45, pushed, 0.01);
         assertEquals(0, ((DistanceReading) simulation.read("eye")).getDistance(), 0.01);
     }
+
+    @Test
+    public void aModelWithMassIsHeavyInItsMiddleWhereverItsOriginIs() throws Exception {
+        StringBuilder cube = new StringBuilder();
+        for (int i = 0; i < 8; i++) {
+            cube.append(String.format(Locale.ROOT, "v %.1f %.1f %.1f%n", 0.4 * (i % 2), 0.4 * (i / 2 % 2), 0.4 * (i / 4)));
+        }
+        cube.append("f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+        project.put("assets/corner.obj", cube.toString());
+        new Floor("floor", 20, 20);
+        new Box("table", 2, 2, 1, 0).move(1, 0.5, 0);
+        new Model("stays", "corner.obj", 5).move(-0.12, 1, 0);
+        new Model("falls", "corner.obj", 5).move(-0.28, 1, -0.7);
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 4);
+        assertEquals(1, simulation.getPose("stays").y, 0.002);
+        assertEquals(-0.12, simulation.getPose("stays").x, 0.002);
+        assertTrue(simulation.getPose("falls").toString(), simulation.getPose("falls").y < 0.7);
+    }
 }

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.SEAR.project.Bundle;
+import org.SEAR.project.PercentProgress;
 import org.SEAR.project.Problem;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectException;
@@ -34,7 +35,8 @@ final class CheckCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         PrintWriter err = spec.commandLine().getErr();
         try {
-            List<String> warnings = Files.isDirectory(path) ? Project.read(project()).getWarnings() : Bundle.check(path);
+            List<String> warnings = Files.isDirectory(path) ? Project.read(project()).getWarnings()
+                : Bundle.check(path, new PercentProgress("checking", path, err::println));
             warnings.forEach(warning -> out.println("warning: " + warning));
             out.println(path + ": no problems");
             return ExitCode.OK;

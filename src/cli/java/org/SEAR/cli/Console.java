@@ -1,7 +1,12 @@
 package org.SEAR.cli;
 
-/** What of the log is seen on the console: warnings and errors, each as {@code [WARN] service: text}. What is set from outside wins. */
+/**
+ * What of the log is seen on the console: warnings, errors and the progress of long work, each as {@code [WARN] service: text}.
+ * What is set from outside wins.
+ */
 final class Console {
+    /** The logger of what takes long. */
+    private static final String PROGRESS = "org.SEAR.progress";
     private static final String PREFIX = "org.slf4j.simpleLogger.";
 
     private Console() {
@@ -10,6 +15,7 @@ final class Console {
     /** Before the first logger is made. */
     static void quiet() {
         set("defaultLogLevel", "warn");
+        set("log." + PROGRESS, "info");
         set("showThreadName", "false");
         set("showLogName", "false");
         set("levelInBrackets", "true");

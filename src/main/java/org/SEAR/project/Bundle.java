@@ -68,16 +68,21 @@ public final class Bundle {
         return Project.read(project);
     }
 
+    /** As {@link #check(Path, Progress)}, telling nobody. */
+    public static List<String> check(Path file) throws IOException, ProjectException {
+        return check(file, Progress.NONE);
+    }
+
     /**
      * Checks a bundle without keeping anything of it.
      *
      * @return warnings, empty if there are none
      * @throws ProjectException with everything that is wrong
      */
-    public static List<String> check(Path file) throws IOException, ProjectException {
+    public static List<String> check(Path file, Progress progress) throws IOException, ProjectException {
         Path temporary = Files.createTempDirectory("sear-check");
         try {
-            new BundleReader(file.toAbsolutePath().normalize(), Progress.NONE).unpack(temporary);
+            new BundleReader(file.toAbsolutePath().normalize(), progress).unpack(temporary);
             return Project.read(temporary).getWarnings();
         } finally {
             ProjectSwap.delete(temporary);

@@ -6,6 +6,8 @@ import com.jme3.export.binary.BinaryLoader;
 import com.jme3.scene.plugins.blender.BlenderContext;
 import com.jme3.scene.plugins.blender.BlenderLoader;
 import com.jme3.scene.plugins.blender.file.BlenderFileException;
+import com.jme3.scene.plugins.blender.file.FileBlockHeader;
+import com.jme3.scene.plugins.blender.file.Structure;
 import com.jme3.scene.plugins.ogre.MeshLoader;
 import com.jme3.scene.plugins.ogre.SceneLoader;
 import com.jme3.scene.plugins.ogre.SkeletonLoader;
@@ -71,12 +73,23 @@ final class GuardedLoaders {
         }
     }
 
-    /** Blender files without what they link to in others, which may lie anywhere on the disk. */
+    /** Blender files that link to no others, which may lie anywhere on the disk. */
     public static final class Blend extends BlenderLoader {
+        /** The structure that holds the path of another file; jMonkeyEngine does not know its block's code. */
+        private static final String LIBRARY = "Library";
+
         @Override
         protected BlenderContext setup(AssetInfo info) throws BlenderFileException {
             BlenderContext context = super.setup(info);
             info.getManager().unregisterLocator(info.getKey().getName(), LinkedContentLocator.class);
+            List<FileBlockHeader> unknown = context.getFileBlocks(FileBlockHeader.BlockCode.BLOCK_UNKN);
+            for (FileBlockHeader block : unknown == null ? List.<FileBlockHeader>of() : unknown) {
+                Structure data = block.getStructure(context);
+                if (data != null && LIBRARY.equals(data.getType())) {
+                    throw new BlenderFileException(info.getKey().getName() + " links to other files, which a model may not:"
+                        + " in Blender make everything local (File, Append instead of Link), or export .glb");
+                }
+            }
             return context;
         }
 

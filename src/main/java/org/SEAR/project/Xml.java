@@ -107,11 +107,11 @@ final class Xml {
         try {
             return unmarshal(text, name, classes, problems);
         } catch (XMLStreamException e) {
-            reportBroken(name, e, problems);
+            reportBroken(name, text, e, problems);
         } catch (XStreamException e) {
             XMLStreamException broken = xmlError(e);
             if (broken != null) {
-                reportBroken(name, broken, problems);
+                reportBroken(name, text, broken, problems);
             } else {
                 problems.add(name, 0, "", "it can't be read (" + firstLine(e) + ")", "an object of the grammar");
             }
@@ -156,11 +156,26 @@ final class Xml {
         return factory;
     }
 
-    private static void reportBroken(String name, XMLStreamException e, ProblemList problems) {
+    private static void reportBroken(String name, String text, XMLStreamException e, ProblemList problems) {
         int line = e.getLocation() == null ? 0 : e.getLocation().getLineNumber();
         String said = firstLine(e);
+        if (said.contains("Premature end of file")) {
+            problems.add(name, Math.max(1, line), "", "the file holds no object", "an object such as <Box>, with all its elements");
+            return;
+        }
+        if (isCutOff(text, e, said)) {
+            problems.add(name, Math.max(1, line), "", "the file ends in the middle", "the whole file, with the closing tag of its first element"
+                + " (was it copied or saved only in part?)");
+            return;
+        }
         int message = said.indexOf("Message: ");
         problems.add(name, line, "", message < 0 ? said : said.substring(message + "Message: ".length()), "well-formed XML without document type");
+    }
+
+    /** Whether the parser stopped because nothing more came: JDK's parser says so in one of many ways, always at the end of the text. */
+    private static boolean isCutOff(String text, XMLStreamException e, String said) {
+        boolean atEnd = e.getLocation() != null && e.getLocation().getCharacterOffset() >= text.length();
+        return atEnd && !text.trim().endsWith(">") || said.contains("must start and end within the same entity");
     }
 
     private static String firstLine(Exception e) {

@@ -5,9 +5,13 @@ import org.myrobotlab.framework.MRLListener;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.SensorReading;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** What the simulation tells its service. */
 final class SearHost implements Host {
+    /** The command line shows this logger. */
+    private static final Logger PROGRESS = LoggerFactory.getLogger("org.SEAR.progress");
     private static final String STATE = "publishSimulation";
 
     private final SEAR service;
@@ -24,6 +28,12 @@ final class SearHost implements Host {
     @Override
     public String getResourceRoot() {
         return Service.getResourceRoot();
+    }
+
+    @Override
+    public void progress(String message) {
+        service.info("%s", message);
+        PROGRESS.info(message);
     }
 
     @Override

@@ -105,6 +105,18 @@ public class SearCommandTest {
     }
 
     @Test
+    public void aLargeProjectShowsItsProgress() throws Exception {
+        String code = "from org.SEAR.POJOs import Box\nfrom java.nio.file import Files, Paths\nBox('Box1', 1, 2, 3, 4)\n"
+            + "f = open('SEARproject/assets/large.dat', 'wb') if Files.createDirectories(Paths.get('SEARproject/assets')) else None\n"
+            + "f.write('x' * (20 << 20))\nf.close()\n"
+            + "s = Runtime.start('s', 'SEAR')\ns.saveProject('large.sear')\ns.loadProject('large.sear')\n";
+        assertEquals(err, 0, sear(script(code), "--headless", "--port", "none"));
+        assertTrue(err, err.contains("saving large.sear: 100 % of 20 MB (") && err.contains("loading large.sear: 100 % of 20 MB ("));
+        assertEquals(out + err, 0, sear("check", "large.sear"));
+        assertTrue(err, err.contains("checking large.sear: 100 % of 20 MB ("));
+    }
+
+    @Test
     public void checkTellsGoodExamplesBrokenFoldersAndHostileBundlesApart() throws Exception {
         Path examples = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("examples");
         for (String example : new String[] {"maze", "office", "ramps", "sensors"}) {

@@ -34,7 +34,8 @@ final class BlendFile {
         "Object ID id short type char restrictflag char pad int lay void *parent void *data void *action void *pose float size[3] float obmat[4][4]"
             + " int pad2 ListBase modifiers ListBase defbase ListBase constraints",
         "Base Base *next Base *prev Object *object",
-        "Scene ID id ListBase base"};
+        "Scene ID id ListBase base",
+        "Library ID id void *idblock char name[240] char filepath[240]"};
 
     static {
         SIMPLE.put("char", 1);
@@ -81,8 +82,23 @@ final class BlendFile {
      */
     static byte[] mesh(float[] corners, int[][] polygons, float[] place) {
         BlendFile file = new BlendFile();
-        Block mesh = file.meshBlock(corners, polygons);
-        Block object = file.block("OB", "Object", 1).name("OBsolid");
+        return file.scene(file.meshBlock(corners, polygons), place);
+    }
+
+    /** The same object, but its mesh is in another file. @param path of that file, as Blender writes it */
+    static byte[] linked(String path) {
+        BlendFile file = new BlendFile();
+        Block library = file.block("LI", "Library", 1).name("LIother");
+        library.at(0, "name").put(path.getBytes(StandardCharsets.UTF_8));
+        library.at(0, "filepath").put(path.getBytes(StandardCharsets.UTF_8));
+        Block mesh = file.block("ID", "ID", 1);
+        mesh.at(0, "lib").putLong(library.address);
+        mesh.at(0, "name").put("MEsolid".getBytes(StandardCharsets.US_ASCII));
+        return file.scene(mesh, new float[3]);
+    }
+
+    private byte[] scene(Block mesh, float[] place) {
+        Block object = block("OB", "Object", 1).name("OBsolid");
         object.at(0, "type").putShort((short) 1);
         object.at(0, "lay").putInt(1);
         object.at(0, "data").putLong(mesh.address);
@@ -91,11 +107,11 @@ final class BlendFile {
         for (int i = 0; i < 16; i++) {
             matrix.putFloat(i == 15 || i % 5 == 0 ? 1 : i >= 12 ? place[i - 12] : 0);
         }
-        Block base = file.block("DATA", "Base", 1);
+        Block base = block("DATA", "Base", 1);
         base.at(0, "object").putLong(object.address);
-        Block scene = file.block("SC", "Scene", 1).name("SCscene");
+        Block scene = block("SC", "Scene", 1).name("SCscene");
         scene.at(0, "base").putLong(base.address).putLong(base.address);
-        return file.bytes();
+        return bytes();
     }
 
     private Block meshBlock(float[] corners, int[][] polygons) {

@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.SEAR.POJOs.Box;
 import org.junit.Rule;
 import org.junit.Test;
 
@@ -103,6 +104,25 @@ public class BrokenFilesTest {
         project.put("environment/b.xml", "<Nonsense/>");
         project.put("robot/r.xml", "<SEARrobot>\n<name>r</name>\n<component>gone</component>\n</SEARrobot>");
         assertEquals(5, problems(project.folder()).size());
+    }
+
+    @Test
+    public void aFileThatIsCutOffAnywhereIsSaidToEndInTheMiddle() {
+        String whole = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- a box -->\n<Box>\n  <name>b &amp; c</name>\n  <length>1.5</length>\n"
+            + "<!-- w --><width>1</width>\n<height>1</height>\n</Box>";
+        for (int length = 1; length < whole.length(); length++) {
+            String cut = whole.substring(0, length);
+            ProblemList problems = new ProblemList();
+            Xml.parse(cut.getBytes(StandardCharsets.UTF_8), "b.xml", Map.of("Box", Box.class), problems);
+            int line = (int) cut.chars().filter(c -> c == '\n').count() + 1;
+            try {
+                problems.throwIfAny();
+                fail(cut);
+            } catch (ProjectException e) {
+                String said = e.getMessage();
+                assertTrue(cut + "\n" + said, said.contains("b.xml:" + line + ": the file ends in the middle") || said.contains("holds no object"));
+            }
+        }
     }
 
     @Test

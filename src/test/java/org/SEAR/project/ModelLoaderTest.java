@@ -16,8 +16,13 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributeView;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.nio.file.attribute.FileTime;
 import java.util.zip.GZIPOutputStream;
 import org.SEAR.POJOs.Model;
+import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
 
@@ -153,6 +158,35 @@ public class ModelLoaderTest {
         assertRefused("cut.glb", "can't be loaded");
         project.put("assets/noise.blend", "BLENDER-v279REND");
         assertRefused("noise.blend", "can't be loaded");
+    }
+
+    @Test
+    public void aBlenderFileThatLinksToAnotherIsRefusedAndTheOtherNotRead() throws Exception {
+        float[] corners = {0, 0, 0, 2, 0, 0, 2, 0, 2};
+        byte[] other = BlendFile.mesh(corners, new int[][] {{0, 1, 2}}, new float[3]);
+        Path outside = project.getRoot().toPath().resolve("other.blend");
+        Files.write(outside, other);
+        put("assets/inside.blend", other);
+        for (String path : new String[] {outside.toString(), "//../../other.blend", "//inside.blend", "/nowhere.blend"}) {
+            put("assets/linked.blend", BlendFile.linked(path));
+            FileTime before = lastRead(outside);
+            assertRefused("linked.blend", "linked.blend links to other files, which a model may not");
+            assertEquals(before, Files.readAttributes(outside, BasicFileAttributes.class).lastAccessTime());
+        }
+        Model model = new Model("linked model", "linked.blend");
+        try {
+            Simulation.load(project.folder(), 1).close();
+            fail("was loaded");
+        } catch (ProjectException e) {
+            assertTrue(e.getMessage(), e.getMessage().contains("linked model.xml") && e.getMessage().contains("links to other files"));
+        }
+        assertEquals("linked.blend", model.getPath());
+    }
+
+    /** Its last access was set to long ago, so that systems that note reads only now and then note the next. */
+    private static FileTime lastRead(Path file) throws IOException {
+        Files.getFileAttributeView(file, BasicFileAttributeView.class).setTimes(null, FileTime.fromMillis(0), null);
+        return Files.readAttributes(file, BasicFileAttributes.class).lastAccessTime();
     }
 
     @Test

@@ -396,6 +396,20 @@ public class SearServiceTest {
     }
 
     @Test
+    public void savingAndLoadingALargeProjectTellHowFarTheyAre() throws Exception {
+        Path bundle = temporary.getRoot().toPath().resolve("large.sear");
+        Files.createDirectories(folder.resolve("assets"));
+        Files.write(folder.resolve("assets/large.dat"), new byte[20 << 20]);
+        sear.saveProject(bundle.toString());
+        sear.loadProject(bundle.toString());
+        for (String what : new String[] {"saving", "loading"}) {
+            assertTrue(heard.getStatuses().toString(), heard.awaitStatus(what + " large.sear: 100 % of 20 MB ("));
+            long told = heard.getStatuses().stream().filter(status -> status.contains(what + " large.sear: ")).count();
+            assertTrue(heard.getStatuses().toString(), told >= 4 && told <= 10);
+        }
+    }
+
+    @Test
     public void templatesAreCopiedOnce() throws Exception {
         String copy = sear.copyTemplate("controller.py", folder.toString());
         assertTrue(Files.readString(Path.of(copy)).startsWith("# controller.py"));

@@ -8,6 +8,9 @@ public interface Host {
     /** The folder where MyRobotLab has its services' resources. */
     String getResourceRoot();
 
+    /** How far something is that takes long. */
+    void progress(String message);
+
     /** Something the user should know. */
     void warn(String message);
 

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.SEAR.project.Bundle;
+import org.SEAR.project.PercentProgress;
 import org.SEAR.project.ProjectException;
 
 /** The project folder and the templates in the jar. Any thread. */
@@ -20,12 +21,12 @@ public final class Projects {
     private static final String DEFAULT_FOLDER = "SEARproject";
 
     private final Control control;
-    private final String resourceRoot;
+    private final Host host;
 
-    /** @param resourceRoot MyRobotLab's, where examples may lie */
-    public Projects(Control control, String resourceRoot) {
+    /** @param host hears how far saving and loading are; in its resources examples may lie */
+    public Projects(Control control, Host host) {
         this.control = control;
-        this.resourceRoot = resourceRoot;
+        this.host = host;
     }
 
     /**
@@ -34,7 +35,7 @@ public final class Projects {
      */
     public List<String> examples() throws IOException {
         Map<String, String> found = new TreeMap<>();
-        for (Path folder : Arrays.asList(Paths.get("examples"), Paths.get(resourceRoot, "SEAR"))) {
+        for (Path folder : Arrays.asList(Paths.get("examples"), Paths.get(host.getResourceRoot(), "SEAR"))) {
             if (Files.isDirectory(folder)) {
                 try (DirectoryStream<Path> bundles = Files.newDirectoryStream(folder, "*.sear")) {
                     bundles.forEach(bundle -> found.putIfAbsent(bundle.getFileName().toString(), bundle.toString()));
@@ -68,14 +69,14 @@ public final class Projects {
         if (!Files.isDirectory(folder())) {
             throw new IOException("there is no project folder " + folder() + ": create some objects first (org.SEAR.POJOs)");
         }
-        Bundle.save(folder(), file);
+        Bundle.save(folder(), file, new PercentProgress("saving", file, host::progress));
     }
 
     /** Replaces the project by a bundle's, once that is read whole and found valid. @param file may be an example's path that is not on the disk */
     public void load(Path file) throws IOException, ProjectException {
         refuseWhileRunning("loadProject");
         if (Files.isRegularFile(file)) {
-            Bundle.load(file, folder());
+            Bundle.load(file, folder(), new PercentProgress("loading", file, host::progress));
         } else if (!Examples.with(file, bundle -> Bundle.load(bundle, folder()))) {
             throw new IOException("there is no file " + file.toAbsolutePath());
         }

@@ -20,7 +20,7 @@ public final class Works {
     public Works(Host host) {
         control = new Control(host, Projects::folder);
         readings = new Readings(control);
-        projects = new Projects(control, host.getResourceRoot());
+        projects = new Projects(control, host);
         publisher = new Publisher(host, control, readings);
         exports = new Exports(host, control);
         transfers = new Transfers(projects::save, projects::load);

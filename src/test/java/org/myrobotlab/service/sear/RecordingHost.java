@@ -20,6 +20,11 @@ final class RecordingHost implements Host {
     }
 
     @Override
+    public void progress(String message) {
+        warnings.add(message);
+    }
+
+    @Override
     public void warn(String message) {
         warnings.add(message);
     }

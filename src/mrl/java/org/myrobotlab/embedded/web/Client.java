@@ -4,6 +4,7 @@ import io.undertow.websockets.core.WebSocketCallback;
 import io.undertow.websockets.core.WebSocketChannel;
 import io.undertow.websockets.core.WebSockets;
 import java.util.ArrayDeque;
+import java.util.Map;
 import java.util.Queue;
 import java.util.Set;
 import java.util.TreeSet;
@@ -13,25 +14,15 @@ import java.util.concurrent.atomic.AtomicInteger;
 
 /** A page that is open in a browser. Any thread. */
 final class Client {
-    /** Messages that may wait for a slow page; values that come then are left out. */
+    /** Values of a topic that may wait for a slow page; those that come then are left out. */
     private static final int MOST_WAITING = 200;
 
     private final WebSocketChannel channel;
     private final Set<String> topics = ConcurrentHashMap.newKeySet();
     /** What is still to be done; the first is being done. */
     private final Queue<Runnable> tasks = new ArrayDeque<>();
-    private final AtomicInteger waiting = new AtomicInteger();
-    private final WebSocketCallback<Void> sent = new WebSocketCallback<Void>() {
-        @Override
-        public void complete(WebSocketChannel unused, Void nothing) {
-            waiting.decrementAndGet();
-        }
-
-        @Override
-        public void onError(WebSocketChannel unused, Void nothing, Throwable error) {
-            waiting.decrementAndGet();
-        }
-    };
+    /** By topic, what the page has not taken yet: bytes of a serial port, one message each, must not crowd out a scan. */
+    private final Map<String, AtomicInteger> waiting = new ConcurrentHashMap<>();
 
     Client(WebSocketChannel channel) {
         this.channel = channel;
@@ -39,14 +30,14 @@ final class Client {
 
     /** Sends a text. */
     void send(String text) {
-        waiting.incrementAndGet();
-        WebSockets.sendText(text, channel, sent);
+        WebSockets.sendText(text, channel, new Sent(new AtomicInteger()));
     }
 
-    /** Sends one of many values; leaves it out while the page can't keep up. */
-    void sendValue(String text) {
-        if (waiting.get() < MOST_WAITING) {
-            send(text);
+    /** Sends one of many values of a topic; leaves it out while the page can't keep up with that topic. */
+    void sendValue(String service, String topic, String text) {
+        AtomicInteger count = waiting.computeIfAbsent(service + "/" + topic, unused -> new AtomicInteger());
+        if (count.get() < MOST_WAITING) {
+            WebSockets.sendText(text, channel, new Sent(count));
         }
     }
 
@@ -98,5 +89,25 @@ final class Client {
         String prefix = service + "/";
         topics.stream().filter(one -> one.startsWith(prefix)).forEach(one -> found.add(one.substring(prefix.length())));
         return found;
+    }
+
+    /** Counts a message from when it is sent until it is gone, or the page is. */
+    private static final class Sent implements WebSocketCallback<Void> {
+        private final AtomicInteger count;
+
+        Sent(AtomicInteger count) {
+            this.count = count;
+            count.incrementAndGet();
+        }
+
+        @Override
+        public void complete(WebSocketChannel channel, Void nothing) {
+            count.decrementAndGet();
+        }
+
+        @Override
+        public void onError(WebSocketChannel channel, Void nothing, Throwable error) {
+            count.decrementAndGet();
+        }
     }
 }

@@ -130,7 +130,7 @@ public final class Hub implements WebSocketConnectionCallback {
                 if (NEVER_LEFT_OUT.contains(msg.sendingMethod)) {
                     client.send(text);
                 } else {
-                    client.sendValue(text);
+                    client.sendValue(name, msg.sendingMethod, text);
                 }
             }
         }

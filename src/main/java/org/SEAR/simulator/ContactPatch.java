@@ -24,12 +24,12 @@ final class ContactPatch extends CollisionAlgorithm {
     /** Surfaces farther apart than this have no contact, metres; jbullet's own limit. */
     static final float BREAKING = 0.02f;
 
-    private final Closest closest = new Closest();
-    private final Patch patch = new Patch();
-    private final Contacts contacts = new Contacts();
-    private final Placed placedA = new Placed();
-    private final Placed placedB = new Placed();
-    private final Triangle triangle = new Triangle();
+    private final Closest closest;
+    private final Patch patch;
+    private final Contacts contacts;
+    private final Placed placedA;
+    private final Placed placedB;
+    private final Triangle triangle;
     private final Transform place = new Transform();
     private final Transform inMesh = new Transform();
     private final Vector3f low = new Vector3f();
@@ -46,15 +46,28 @@ final class ContactPatch extends CollisionAlgorithm {
         }
     };
 
-    private ContactPatch(CollisionAlgorithmConstructionInfo info) {
+    private ContactPatch(CollisionAlgorithmConstructionInfo info, Maker maker) {
+        closest = maker.closest;
+        patch = maker.patch;
+        contacts = maker.contacts;
+        placedA = maker.placedA;
+        placedB = maker.placedB;
+        triangle = maker.triangle;
         init(info);
     }
 
-    /** Makes them for a world. */
+    /** Makes them for a world. They work one after the other and share their tools: pairs come and go all the time. */
     static final class Maker extends CollisionAlgorithmCreateFunc {
+        private final Closest closest = new Closest();
+        private final Patch patch = new Patch();
+        private final Contacts contacts = new Contacts();
+        private final Placed placedA = new Placed();
+        private final Placed placedB = new Placed();
+        private final Triangle triangle = new Triangle();
+
         @Override
         public CollisionAlgorithm createCollisionAlgorithm(CollisionAlgorithmConstructionInfo info, CollisionObject a, CollisionObject b) {
-            return new ContactPatch(info);
+            return new ContactPatch(info, this);
         }
 
         @Override

@@ -16,6 +16,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 PACKAGE = "org.SEAR.benchmark."
 PEERS = {"mujoco": (("mujoco", "mujocoVersion"), ("mujoco-core", "mujocoCoreVersion"), ("numpy", "numpyVersion")),
          "pybullet": (("pybullet", "pybulletVersion"), ("numpy", "numpyVersion"))}
+# Load a core above which the machine is too busy to measure
+BUSY = 0.25
 # Seconds that one world may take in another engine
 LONGEST_WORLD = 300
 
@@ -211,6 +213,8 @@ class Run:
 
     def everything(self):
         load = os.getloadavg()[0]
+        if load > BUSY * os.cpu_count() and not self.options.quick:
+            self.say("this machine is busy (load average %.1f, %d cores): the numbers will mean little" % (load, os.cpu_count()))
         self.worlds()
         found = {"date": time.strftime("%Y-%m-%d"), "quick": self.options.quick, "machine": machine.describe(self.java), "loadBefore": load}
         found["rates"] = self.jmh()

@@ -9,8 +9,17 @@ GOALS = {
 UNITS = {"mesh seconds": "below %g s", "mesh bytes": "below %g", "start": "below %g s", "memory": "below %g MiB"}
 NAMES = {"mesh seconds": "seconds to build the hierarchy of a million triangles", "mesh bytes": "bytes a triangle",
          "start": "seconds from the start to the first reading", "memory": "MiB of memory"}
-# By the start of the goal's name
-REASONS = {}
+# By the start of the goal's name, the longest that fits; what was counted, not guessed
+REASONS = {
+    "fan hills": "The plane of a scan cuts about 290 triangles and opens 570 nodes for its 361 beams, so that nearly every beam meets a triangle of "
+                 "its own; in `room-1000` it is 23 boxes and 77 nodes.",
+    "fan room-1000": "So full a room makes a scan open 77 nodes and cut 23 boxes; in `room-20` it is 26 and 10.",
+    "single room-1000": "The boxes of so full a room overlap: a single beam opens 44 nodes and tests 12 boxes; in `room-20` it is 10 and 1.",
+    "single hills": "A single beam opens 28 nodes of the hierarchy and tests 3 triangles.",
+    "mesh seconds": "One thread builds the hierarchy.",
+    "memory": "The JVM's default options let garbage gather; the table has what the heap's objects themselves need.",
+}
+UNKNOWN = "Why has not been looked into."
 
 
 def shown(key):
@@ -27,4 +36,5 @@ def name(key):
 
 def reason(key):
     """Why it is missed, as far as it is known."""
-    return next((why for start, why in REASONS.items() if key.startswith(start)), "")
+    fitting = [start for start in REASONS if key.startswith(start)]
+    return REASONS[max(fitting, key=len)] if fitting else UNKNOWN

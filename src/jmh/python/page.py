@@ -95,7 +95,9 @@ def machine(results):
     for what, why in sorted(found["missing"].items()):
         lines.append("Not measured: %s %s." % (what, why))
     if any(rate["cpuShare"] < QUIET for rate in found["rates"]):
-        lines.append("Numbers with a star are by CPU time: other programs had a part of the processor meanwhile.")
+        lines.append("Numbers with a star are by CPU time: other programs had a part of the processor meanwhile (load average %.1f before the run)."
+                     % found["loadBefore"])
+        lines.append("A JVM then spends much of its time compiling, so that SEAR and jbullet look slower than they are.")
     if found["quick"]:
         lines.append("This was a quick run, which only shows that everything runs: its numbers mean nothing.")
     return lines + [""]

@@ -12,11 +12,14 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** {@code scripts/benchmark}: it runs. */
+/** {@code scripts/benchmark}: it runs, and docs/performance.md is what it makes of its numbers. */
 public class PerformancePageTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath();
     /** Seconds; a busy machine may take many times what a quiet one does. */
@@ -39,6 +42,45 @@ public class PerformancePageTest {
         assertTrue("it takes too long: " + said, ended);
         assertEquals(said, 0, process.exitValue());
         return said;
+    }
+
+    private static List<Path> curves(Path docs) throws IOException {
+        try (Stream<Path> files = Files.list(docs.resolve("images"))) {
+            return files.filter(file -> file.getFileName().toString().matches("speed-.*\\.svg")).sorted().collect(Collectors.toList());
+        }
+    }
+
+    @Test
+    public void tablesAndCurvesAreMadeFromRecordedNumbers() throws Exception {
+        Path made = folder.newFolder().toPath();
+        run("--page-only", ROOT.resolve("src/test/resources/performance/recorded.json").toString(), "--docs", made.toString());
+        String page = Files.readString(made.resolve("performance.md"));
+        for (String part : new String[] {"# How fast is SEAR?", "| hills-1000000 |", "| everything, 1000 boxes |", "| 8 LIDARs, 20 boxes |",
+            "Not measured: ", "of 19 goals are met", "## How it is measured"}) {
+            assertTrue(part + " is not in\n" + page, page.contains(part));
+        }
+        assertEquals(5, curves(made).size());
+        for (Path curve : curves(made)) {
+            assertTrue(page.contains("(images/" + curve.getFileName() + ")"));
+            assertEquals("svg", DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(curve.toFile())
+                .getDocumentElement().getTagName());
+        }
+    }
+
+    /** As soon as a run on a quiet machine has been recorded. */
+    @Test
+    public void thePageBelongsToItsNumbers() throws Exception {
+        Path numbers = ROOT.resolve("docs/performance.json");
+        if (!Files.exists(numbers)) {
+            return;
+        }
+        Path made = folder.newFolder().toPath();
+        run("--page-only", numbers.toString(), "--docs", made.toString());
+        assertEquals("docs/performance.md is not what \"scripts/benchmark --page-only docs/performance.json\" makes",
+            Files.readString(made.resolve("performance.md")), Files.readString(ROOT.resolve("docs/performance.md")));
+        for (Path curve : curves(made)) {
+            assertEquals(Files.readString(curve), Files.readString(ROOT.resolve("docs/images").resolve(curve.getFileName())));
+        }
     }
 
     @Test

@@ -90,12 +90,12 @@ public class StepWorkTest {
 
     @Test
     public void aStepAllocatesLittle() throws Exception {
-        allocates("driving", circling(), 0, 4000);
+        allocates("driving", circling(), 0, 2600);
     }
 
     @Test
     public void aScanAllocatesItsRangesAndLittleElse() throws Exception {
-        allocates("driving with a LIDAR read at each step", circling(), 361 * Double.BYTES, 4400);
+        allocates("driving with a LIDAR read at each step", circling(), 361 * Double.BYTES, 2800);
     }
 
     /** @param scan bytes of the scan that is read after each step, 0 = none is read @param most bytes a step besides */

@@ -32,7 +32,7 @@ FULL = {
     "runs": ["all-room-20", "all-room-1000"],
     "jmh": [],
     "steps": 3600,
-    "seconds": 1.2,
+    "seconds": 0.9,
     "scans": 30,
 }
 QUICK = {

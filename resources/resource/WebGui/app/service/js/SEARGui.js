@@ -76,7 +76,16 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
         $scope.$applyAsync()
     }
 
+    var lastError = ''
     function onStatus(status) {
+        if (status.level === 'error') {
+            // MyRobotLab tells of a call that failed what the service has told already
+            var again = lastError && status.detail !== lastError && status.detail.slice(-lastError.length) === lastError
+            lastError = status.detail
+            if (again) {
+                return
+            }
+        }
         var listed = $scope.problems.length && status.detail.indexOf($scope.problems[0].file) === 0
         if (status.level === 'error') {
             $scope.transfer = null
@@ -621,8 +630,11 @@ angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope'
     }
     first = $timeout(listen)
     window.addEventListener('resize', draw)
+    var theme = window.matchMedia('(prefers-color-scheme: dark)')
+    theme.addListener(draw)
     $scope.$on('$destroy', function() {
         window.removeEventListener('resize', draw)
+        theme.removeListener(draw)
         $timeout.cancel(first)
     })
     $scope.$watch(function() {

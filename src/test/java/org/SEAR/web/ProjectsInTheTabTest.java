@@ -65,6 +65,12 @@ public class ProjectsInTheTabTest {
         browser.type(".sear-path", "nix.sear");
         browser.click(".sear-load");
         browser.seeText(".sear-main .alert-danger", "there is no file ");
+        browser.type(".sear-path", "nor this.sear");
+        browser.click(".sear-load");
+        browser.seeText(".sear-main .alert-danger", "nor this.sear");
+        assertEquals("each is told once", 2, browser.all(".sear-main .alert-danger").size());
+        browser.click(".sear-main .alert .close");
+        browser.until("no messages", () -> browser.all(".sear-main .alert").isEmpty());
     }
 
     @Test

@@ -32,7 +32,7 @@ public final class Hub implements WebSocketConnectionCallback {
     private static final Logger LOG = LoggerFactory.getLogger(Hub.class);
     private static final int LONGEST_MESSAGE = 16 << 20;
     /** What a slow page gets all the same: the next one of these may be long in coming. */
-    private static final Set<String> NEVER_LEFT_OUT = Set.of("publishState", "publishStatus");
+    private static final Set<String> NEVER_LEFT_OUT = Set.of("publishState", "publishStatus", "getBundle");
 
     private final String listener;
     private final Set<Client> clients = ConcurrentHashMap.newKeySet();

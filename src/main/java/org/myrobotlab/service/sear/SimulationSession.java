@@ -299,10 +299,11 @@ public final class SimulationSession {
         tellWarnings();
     }
 
-    /** Time stands still until {@link #resume}. */
-    public void pause() {
+    /** Time stands still until {@link #resume}; the step in hand has ended when this returns. */
+    public void pause() throws InterruptedException {
         paused = true;
         runner.setPaused(true);
+        ask(world -> true);
     }
 
     /** Ends {@link #pause}. */

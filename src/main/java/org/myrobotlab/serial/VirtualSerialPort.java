@@ -157,10 +157,14 @@ public class VirtualSerialPort extends Port {
             opened = false;
             incoming.clear();
             handed = accepted;
-            super.close();
-            listeners.clear();
             rate = DEFAULT_BAUD;
             lock.notifyAll();
+        }
+        super.close(); // waits for the reader thread, which needs the lock to end
+        synchronized (lock) {
+            if (!opened) {
+                listeners.clear();
+            }
         }
         baudListener.accept(0);
     }

@@ -89,6 +89,19 @@ public class VirtualSerialPortTest {
     }
 
     @Test
+    public void closingDoesNotWaitForAReaderThatWaitsForThePort() throws Exception {
+        long least = Long.MAX_VALUE;
+        for (int i = 0; i < 5; i++) {
+            connect();
+            long start = System.nanoTime();
+            right.close();
+            least = Math.min(least, System.nanoTime() - start);
+            left.close();
+        }
+        assertTrue("took " + least + " ns", least < TimeUnit.MILLISECONDS.toNanos(500));
+    }
+
+    @Test
     public void aMegabyteInBurstsArrivesWholeAndInOrder() throws Exception {
         connect();
         left.setPaced(false);

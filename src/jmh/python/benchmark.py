@@ -49,6 +49,12 @@ QUICK = {
 }
 
 
+def launcher_options():
+    """What the launcher tells the JVM about memory."""
+    with open(os.path.join(ROOT, "src", "dist", "bin", "sear")) as launcher:
+        return re.search('^memory="(.*)"$', launcher.read(), re.MULTILINE).group(1).split()
+
+
 class Run:
     """One run: what it is about, where its files go, what it has found."""
 
@@ -67,15 +73,15 @@ class Run:
     def path(self, name):
         return os.path.join(self.folder, name)
 
-    def call_java(self, name, *args):
-        command = [self.java, "-Djmh.ignoreLock=true", "-cp", self.options.classpath, PACKAGE + name] + [str(arg) for arg in args]
+    def call_java(self, name, *args, options=()):
+        command = [self.java, *options, "-Djmh.ignoreLock=true", "-cp", self.options.classpath, PACKAGE + name] + [str(arg) for arg in args]
         with open(self.path("java.log"), "a") as log:
             if subprocess.call(command, stdout=log, stderr=log, cwd=self.folder) != 0:
                 raise SystemExit("benchmark: %s failed; its messages are in %s" % (name, log.name))
 
-    def measure(self, *args):
+    def measure(self, *args, options=()):
         target = self.path("measure.json")
-        self.call_java("Measures", target, *args)
+        self.call_java("Measures", target, *args, options=options)
         return read(target)
 
     # ---- what is measured ------------------------------------------------------------------------------------------------
@@ -116,7 +122,7 @@ class Run:
             shutil.rmtree(folder, ignore_errors=True)
             os.makedirs(folder)
             self.measure("project", world, folder)
-            found[world] = self.measure("run", world, folder, self.plan["steps"])
+            found[world] = self.measure("run", world, folder, self.plan["steps"], options=launcher_options())
         return found
 
     def project(self, world):

@@ -17,7 +17,7 @@ REASONS = {
     "single room-1000": "The boxes of so full a room overlap: a single beam opens 44 nodes and tests 12 boxes; in `room-20` it is 10 and 1.",
     "single hills": "A single beam opens 28 nodes of the hierarchy and tests 3 triangles.",
     "mesh seconds": "One thread builds the hierarchy.",
-    "memory": "The JVM's default options let garbage gather; the table has what the heap's objects themselves need.",
+    "memory": "Garbage gathers between two collections; the table has what the heap's objects themselves need.",
 }
 UNKNOWN = "Why has not been looked into."
 

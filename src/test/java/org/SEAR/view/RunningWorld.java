@@ -13,8 +13,14 @@ final class RunningWorld implements AutoCloseable {
     final Thread thread;
 
     RunningWorld(Path project) throws Exception {
+        this(project, false);
+    }
+
+    /** @param paused whether it waits at its start */
+    RunningWorld(Path project, boolean paused) throws Exception {
         simulation = Simulation.load(project, SEED);
         runner = new SimulationRunner(simulation);
+        runner.setPaused(paused);
         thread = new Thread(runner, "simulation");
         thread.setDaemon(true);
         thread.start();

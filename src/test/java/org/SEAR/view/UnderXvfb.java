@@ -4,7 +4,6 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.Base64;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -58,11 +57,7 @@ public final class UnderXvfb extends Runner {
         StringBuilder log = new StringBuilder();
         Map<String, Description> open = new HashMap<>(methods);
         try (Xvfb server = new Xvfb()) {
-            List<String> options = new ArrayList<>(FIXED_HEAP);
-            if (System.getProperty(LoopTest.SLOWER_PROPERTY) != null) {
-                options.add("-D" + LoopTest.SLOWER_PROPERTY + "=" + System.getProperty(LoopTest.SLOWER_PROPERTY));
-            }
-            Process process = Xvfb.java(server.display(), options, Inside.class.getName(), tests.getName()).start();
+            Process process = Xvfb.java(server.display(), FIXED_HEAP, Inside.class.getName(), tests.getName()).start();
             BufferedReader lines = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
                 if (line.startsWith(MARK)) {

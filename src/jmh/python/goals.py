@@ -16,9 +16,16 @@ REASONS = {
     "fan room-1000": "So full a room makes a scan open 77 nodes and cut 23 boxes; in `room-20` it is 26 and 10.",
     "single room-1000": "The boxes of so full a room overlap: a single beam opens 44 nodes and tests 12 boxes; in `room-20` it is 10 and 1.",
     "single hills": "A single beam opens 28 nodes of the hierarchy and tests 3 triangles.",
+    "single room-100": "So many boxes in 100 m² overlap; `hall-100` has as many with room between them.",
+    "lidar-room": "LIDAR and wheels look among 1000 boxes that overlap; `1000 boxes in a hall` has as many with room between them.",
+    "all-room": "Beams and wheels look among 1000 boxes that overlap.",
+    "start": "Each object is a file of its own, read and checked while the JVM still compiles: this is the project with 1000 of them.",
     "mesh seconds": "One thread builds the hierarchy.",
     "memory": "Garbage gathers between two collections; the table has what the heap's objects themselves need.",
 }
+# What the other engines made in millions of beams a second where the goals were set
+REFERENCE = {("MuJoCo", "room-20"): 5.5, ("pybullet", "room-20"): 0.55, ("jbullet", "room-20"): 0.27, ("pybullet", "hall-100"): 0.45,
+             ("MuJoCo", "hall-100"): 3.7, ("pybullet", "hall-1000"): 0.41, ("MuJoCo", "hall-1000"): 1.1}
 UNKNOWN = "Why has not been looked into."
 
 

@@ -236,6 +236,15 @@ def start(results):
     return ["### Start, memory, latency", ""] + table(["what", "measured", "goal"], rows)
 
 
+def reference(results):
+    """How fast this machine is beside the one that the goals were set on, by the engines measured on both."""
+    shares = sorted(results.rate(engine, world) / 1e6 / made for (engine, world), made in goals.REFERENCE.items() if results.rate(engine, world))
+    if not shares:
+        return ""
+    return (" They were set on a machine on which the other engines made %s million beams where this one made 1 (median of %d measurements)."
+            % (digits(1 / shares[len(shares) // 2]), len(shares)))
+
+
 def missed(results):
     lines = []
     for key, value, met in results.judged:
@@ -243,7 +252,7 @@ def missed(results):
             lines.append("- %s: %s, goal %s. %s" % (goals.name(key), digits(value), goals.shown(key), goals.reason(key)))
     lines = list(dict.fromkeys(line.strip() for line in lines))
     count = len(results.judged)
-    head = "%d of %d goals are met." % (sum(met for _, _, met in results.judged), count)
+    head = "%d of %d goals are met." % (sum(met for _, _, met in results.judged), count) + reference(results)
     return ["### Goals", "", head + (" These are missed:" if lines else "")] + ([""] + lines if lines else []) + [""]
 
 

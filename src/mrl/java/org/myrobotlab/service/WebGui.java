@@ -106,7 +106,7 @@ public class WebGui extends Service<WebGuiConfig> implements ServiceLifeCycleLis
 
     @Override
     public void onStarted(String name) {
-        hub.started(name);
+        hub.tellServices();
     }
 
     @Override

@@ -144,20 +144,15 @@ public final class Hub implements WebSocketConnectionCallback {
         return Json.write(plain);
     }
 
-    /** A service has started: listens for the pages that want to hear it, and tells all pages. */
-    public void started(String fullName) {
-        String name = CodecUtils.getShortName(fullName);
-        ServiceInterface service = Runtime.getService(name);
-        if (service != null) {
-            clients.forEach(client -> client.topicsOf(name).forEach(topic ->
-                service.addListener(topic, listener, CodecUtils.getCallbackTopicName(topic))));
-        }
-        tellServices();
+    private void listen(ServiceInterface service) {
+        clients.forEach(client -> client.topicsOf(service.getName()).forEach(topic ->
+            service.addListener(topic, listener, CodecUtils.getCallbackTopicName(topic))));
     }
 
-    /** Tells all pages which services there are. */
+    /** Tells all pages which services there are. One that has just been registered is listened to before a page can see it. */
     public void tellServices() {
         String text = services();
+        Runtime.getServices().forEach(this::listen);
         clients.forEach(client -> client.send(text));
     }
 

@@ -2,6 +2,7 @@ package org.myrobotlab.service;
 
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
@@ -11,6 +12,7 @@ import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.SEARConfig;
 import org.myrobotlab.service.link.PanelFiles;
+import org.myrobotlab.service.sear.Preview;
 import org.myrobotlab.service.sear.SensorReading;
 import org.myrobotlab.service.sear.Works;
 
@@ -248,6 +250,19 @@ public class SEAR extends Service<SEARConfig> {
     /** The state of the world for panels, ten times a second while somebody subscribes; its form stands at {@code WorldState}. */
     public Map<String, Object> publishSimulation() {
         return attempt(works::state);
+    }
+
+    /**
+     * The project's world as it would start, for panels while nothing runs; its form stands at {@code Preview}. What is wrong stands in it, too.
+     *
+     * @param known the stamp of the one that the panel has; empty if none
+     */
+    public Map<String, Object> getPreview(String known) {
+        try {
+            return works == null ? Collections.emptyMap() : works.preview(known);
+        } catch (LinkageError e) {
+            return Preview.none(missing(e));
+        }
     }
 
     /** What is wrong with the project, for panels; empty if nothing. */

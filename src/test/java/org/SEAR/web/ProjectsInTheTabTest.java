@@ -86,7 +86,7 @@ public class ProjectsInTheTabTest {
         browser.click(".sear-start");
         browser.seeText(".sear-problems tbody tr", "environment/bad.xml 3 length -1");
         browser.seeText(".sear-problems tbody tr", "environment/bad.xml 4");
-        browser.seeText(".sear-main .alert-danger", "problem(s), listed below");
+        browser.seeText(".sear-main .alert-danger", "problems, listed below");
         tab.waitForStatus("no simulation runs");
         Files.delete(project("environment/bad.xml"));
     }

@@ -3,8 +3,10 @@ package org.myrobotlab.service;
 import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNotEquals;
 import static org.junit.Assert.assertNotNull;
 import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertSame;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 import static org.junit.Assert.fail;
@@ -380,6 +382,27 @@ public class SearServiceTest {
         assertEquals(2, ((List<?>) state.get("objects")).size());
         assertEquals(6, ((List<?>) state.get("sensors")).size());
         assertEquals("roomba", ((Map<?, ?>) ((List<?>) state.get("robots")).get(0)).get("name"));
+    }
+
+    @Test
+    public void panelsGetTheProjectAsItWouldStartAndAgainWhenItChanges() throws Exception {
+        Map<String, Object> first = sear.getPreview("");
+        Map<?, ?> world = (Map<?, ?>) first.get("world");
+        assertEquals(2, ((List<?>) world.get("objects")).size());
+        assertEquals(6, ((List<?>) world.get("sensors")).size());
+        assertSame("nothing is made anew as long as nothing has changed", first, sear.getPreview(""));
+        assertEquals(Map.of("stamp", first.get("stamp")), sear.getPreview((String) first.get("stamp")));
+        TestWorld.write(folder, "environment/bad.xml", "<Nonsense/>");
+        Map<String, Object> broken = sear.getPreview((String) first.get("stamp"));
+        assertNotEquals(first.get("stamp"), broken.get("stamp"));
+        assertNull(broken.get("world"));
+        assertEquals(1, ((List<?>) broken.get("problems")).size());
+        Files.delete(folder.resolve("environment/bad.xml"));
+        sear.startSimulation();
+        assertEquals("a running world is published another way", Map.of(), sear.getPreview(""));
+        sear.stopSimulation();
+        sear.newProject();
+        assertEquals(List.of(), ((Map<?, ?>) sear.getPreview("").get("world")).get("objects"));
     }
 
     @Test

@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Supplier;
 import org.SEAR.project.Bundle;
 import org.SEAR.project.PercentProgress;
 import org.SEAR.project.ProjectException;
@@ -52,9 +53,16 @@ public final class Projects {
     }
 
     /** Puts the present project aside. @return where it is now; null if there was none */
-    public Path startAnew() throws IOException {
+    public synchronized Path startAnew() throws IOException {
         refuseWhileRunning("newProject");
         return Bundle.newProject(folder());
+    }
+
+    /** Looks at the project while {@link #load} and {@link #startAnew} wait: some systems rename no folder whose files are being read. */
+    <T> T undisturbed(Supplier<T> look) {
+        synchronized (this) {
+            return look.get();
+        }
     }
 
     /** Refuses to take the project away from under a running simulation. */
@@ -73,7 +81,7 @@ public final class Projects {
     }
 
     /** Replaces the project by a bundle's, once that is read whole and found valid. @param file may be an example's path that is not on the disk */
-    public void load(Path file) throws IOException, ProjectException {
+    public synchronized void load(Path file) throws IOException, ProjectException {
         refuseWhileRunning("loadProject");
         if (Files.isRegularFile(file)) {
             Bundle.load(file, folder(), new PercentProgress("loading", file, host::progress));

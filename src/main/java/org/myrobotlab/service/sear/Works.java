@@ -16,6 +16,7 @@ public final class Works {
     private final Exports exports;
     private final Transfers transfers;
     private final WorldState state = new WorldState();
+    private final Preview preview = new Preview();
 
     public Works(Host host) {
         control = new Control(host, Projects::folder);
@@ -55,6 +56,14 @@ public final class Works {
     public Map<String, Object> state() throws InterruptedException {
         SimulationSession session = control.sessionOrNull();
         return session == null ? WorldState.nothing() : session.ask(world -> state.of(world, session));
+    }
+
+    /** The world as it would start, for panels while nothing runs; nothing while a simulation does. @param known the stamp of the one they have */
+    public Map<String, Object> preview(String known) {
+        if (control.isRunning()) {
+            return Collections.emptyMap();
+        }
+        return projects.undisturbed(() -> preview.of(Projects.folder(), known));
     }
 
     /** What is wrong with the project; empty if nothing. */

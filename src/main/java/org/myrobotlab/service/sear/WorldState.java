@@ -51,6 +51,17 @@ public final class WorldState {
 
     /** The present state; simulation thread. */
     synchronized Map<String, Object> of(Simulation world, SimulationSession session) {
+        Map<String, Object> state = of(world);
+        state.put("running", true);
+        state.put("paused", session.isPaused());
+        state.put("lockStep", session.isLockStep());
+        state.put("speed", rounded(session.getMeasuredSpeed(), ANGLE));
+        state.put("wantedSpeed", Math.min(session.getWantedSpeed(), FASTEST));
+        return state;
+    }
+
+    /** The world without what only a running simulation has; simulation thread. */
+    synchronized Map<String, Object> of(Simulation world) {
         Snapshot snapshot = world.snapshot();
         if (snapshot.time < lastTime) {
             paths.clear();
@@ -59,14 +70,18 @@ public final class WorldState {
         Map<String, Object> state = new LinkedHashMap<>();
         state.put("time", snapshot.time);
         state.put("step", snapshot.step);
-        state.put("running", true);
-        state.put("paused", session.isPaused());
-        state.put("lockStep", session.isLockStep());
-        state.put("speed", rounded(session.getMeasuredSpeed(), ANGLE));
-        state.put("wantedSpeed", Math.min(session.getWantedSpeed(), FASTEST));
         state.put("objects", objects(world, snapshot));
         state.put("robots", robots(world, snapshot));
         state.put("sensors", sensors(world));
+        return state;
+    }
+
+    /** A world without anything in it. */
+    static Map<String, Object> empty() {
+        Map<String, Object> state = new LinkedHashMap<>();
+        for (String list : new String[] {"objects", "robots", "sensors"}) {
+            state.put(list, new ArrayList<>());
+        }
         return state;
     }
 

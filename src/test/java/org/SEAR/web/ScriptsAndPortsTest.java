@@ -3,6 +3,7 @@ package org.SEAR.web;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.util.List;
@@ -111,6 +112,43 @@ public class ScriptsAndPortsTest {
         browser.seeText(panel + ".serial-in", "03");        // packet 35: the mode is "full"
         browser.click(panel + ".serial-disconnect");
         browser.see(panel + ".serial-connect");
+    }
+
+    private boolean isListenedTo(String topic) {
+        for (JsonNode listener : robotLab.call("line", "getNotifyList", topic)) {
+            if (listener.get("callbackName").asText().startsWith("webgui")) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    @Test
+    public void bytesOnlyComeToAPageThatShowsThem() {
+        String panel = "mrl-panel[name='line'] ";
+        browser.until("a panel", () -> !browser.all(panel + ".serial-port").isEmpty());
+        browser.until("nobody listens", () -> !isListenedTo("publishTX") && !isListenedTo("publishBytes"));
+        browser.click("#tab-line");
+        browser.until("the page listens", () -> isListenedTo("publishTX") && isListenedTo("publishBytes"));
+        robotLab.call("line", "connect", "/dev/SEAR_Robot_01", 57600, 8, 1, 0);
+        try {
+            robotLab.call("line", "write", 0x80);
+            browser.seeText(panel + ".serial-out", "80");
+            browser.click("#tab-python");
+            browser.until("nobody listens any more", () -> !isListenedTo("publishTX") && !isListenedTo("publishBytes"));
+            robotLab.call("line", "write", 0x83);
+            browser.click("#tab-line");
+            browser.until("the page listens again", () -> isListenedTo("publishTX"));
+            robotLab.call("line", "write", 0x84);
+            browser.seeText(panel + ".serial-out", "84");
+            assertEquals("80\n(not shown: bytes while another tab was in front)\n84",
+                browser.text(panel + ".serial-out").replaceAll(" *(\n|$)", "$1"));
+            browser.seeText(panel, "Out: 2 bytes");
+        } finally {
+            robotLab.call("line", "disconnect");
+        }
+        browser.driver().get("about:blank");
+        browser.until("nobody listens without a page", () -> !isListenedTo("publishTX") && !isListenedTo("publishState"));
     }
 
     @Test

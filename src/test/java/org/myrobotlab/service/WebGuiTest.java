@@ -219,6 +219,35 @@ public class WebGuiTest {
         page.abort();
     }
 
+    /** How many topics of the talker are listened to for pages; waits until there are so many. */
+    private void waitForTopics(int wanted) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(10);
+        while (talker.getOutbox().getAttached("publishNumber").size() + talker.getOutbox().getAttached("publishState").size() != wanted) {
+            assertTrue("not " + wanted + " for 10 s: " + talker.getNotifyList(), System.nanoTime() < end);
+            Thread.onSpinWait();
+        }
+    }
+
+    @Test
+    public void aServiceIsOnlyListenedToAsLongAsAPageWantsIt() throws Exception {
+        WebSocket first = open();
+        WebSocket second = open();
+        for (WebSocket page : List.of(first, second)) {
+            page.sendText("{\"subscribe\":\"talker\",\"topic\":\"publishNumber\"}", true).join();
+            page.sendText("{\"subscribe\":\"talker\",\"topic\":\"publishState\"}", true).join();
+        }
+        waitForTopics(2);
+        first.sendText("{\"unsubscribe\":\"talker\",\"topic\":\"publishNumber\"}", true).join();
+        first.sendText("{\"id\":1,\"name\":\"talker\",\"method\":\"half\",\"data\":[5]}", true).join();
+        next("answer");
+        waitForTopics(2);
+        second.sendText("{\"unsubscribe\":\"talker\",\"topic\":\"publishNumber\"}", true).join();
+        waitForTopics(1);
+        first.abort();
+        second.sendClose(WebSocket.NORMAL_CLOSURE, "").join();
+        waitForTopics(0);
+    }
+
     @Test
     public void aPortInUseIsAnErrorAndReleasingFreesIt() throws Exception {
         WebGui second = (WebGui) Runtime.create("second", "WebGui");

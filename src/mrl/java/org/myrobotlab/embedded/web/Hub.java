@@ -46,7 +46,7 @@ public final class Hub implements WebSocketConnectionCallback {
     public void onConnect(WebSocketHttpExchange exchange, WebSocketChannel channel) {
         Client client = new Client(channel);
         clients.add(client);
-        channel.addCloseTask(closed -> clients.remove(client));
+        channel.addCloseTask(closed -> forget(client));
         client.send(services());
         channel.getReceiveSetter().set(new AbstractReceiveListener() {
             @Override
@@ -71,7 +71,7 @@ public final class Hub implements WebSocketConnectionCallback {
             if (msg.containsKey("subscribe")) {
                 subscribe(client, (String) msg.get("subscribe"), (String) msg.get("topic"));
             } else if (msg.containsKey("unsubscribe")) {
-                client.unsubscribe((String) msg.get("unsubscribe"), (String) msg.get("topic"));
+                unsubscribe(client, (String) msg.get("unsubscribe"), (String) msg.get("topic"));
             } else {
                 call(client, worker, id, (String) msg.get("name"), (String) msg.get("method"), (List<?>) msg.get("data"));
             }
@@ -85,11 +85,31 @@ public final class Hub implements WebSocketConnectionCallback {
         client.send(reply(id, "error", e.getMessage()));
     }
 
-    private void subscribe(Client client, String name, String topic) {
+    private synchronized void subscribe(Client client, String name, String topic) {
         client.subscribe(name, topic);
         ServiceInterface service = Runtime.getService(name);
         if (service != null) {
             service.addListener(topic, listener, CodecUtils.getCallbackTopicName(topic));
+        }
+    }
+
+    private synchronized void unsubscribe(Client client, String name, String topic) {
+        client.unsubscribe(name, topic);
+        ServiceInterface service = Runtime.getService(name);
+        if (service != null) {
+            leave(service, topic);
+        }
+    }
+
+    private synchronized void forget(Client client) {
+        clients.remove(client);
+        Runtime.getServices().forEach(service -> client.topicsOf(service.getName()).forEach(topic -> leave(service, topic)));
+    }
+
+    /** What no page wants any more is no longer heard. Only the Runtime is: of it the WebGui itself wants to know who comes and goes. */
+    private void leave(ServiceInterface service, String topic) {
+        if (!(service instanceof Runtime) && clients.stream().noneMatch(client -> client.wants(service.getName(), topic))) {
+            service.removeListener(topic, listener, CodecUtils.getCallbackTopicName(topic));
         }
     }
 
@@ -144,7 +164,7 @@ public final class Hub implements WebSocketConnectionCallback {
         return Json.write(plain);
     }
 
-    private void listen(ServiceInterface service) {
+    private synchronized void listen(ServiceInterface service) {
         clients.forEach(client -> client.topicsOf(service.getName()).forEach(topic ->
             service.addListener(topic, listener, CodecUtils.getCallbackTopicName(topic))));
     }

@@ -209,5 +209,9 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
         }
     }
 
+    // A browser may keep a page that was left, connection and all, for the button that goes back; then it connects again.
+    window.addEventListener('pagehide', function() {
+        socket.close()
+    })
     connect()
 }])

@@ -3,6 +3,8 @@ angular.module('mrlapp.service.SerialGui', []).controller('SerialGuiCtrl', ['$sc
     var msg = this.msg
     var MOST_BYTES = 4096
     var PER_LINE = 16
+    var GAP = '(not shown: bytes while another tab was in front)'
+    var BYTES = ['publishBytes', 'publishTX']
 
     $scope.bauds = [2400, 4800, 9600, 19200, 38400, 57600, 115200]
     $scope.form = {port: '', baud: 9600, data: '', hex: true}
@@ -34,11 +36,33 @@ angular.module('mrlapp.service.SerialGui', []).controller('SerialGuiCtrl', ['$sc
         }
     }
 
-    // Bytes may come faster than the screen is drawn.
+    // There are many ports, and they may be busy: bytes only come while they can be seen.
+    $scope.$watch('shell.shown === name', function(shown) {
+        if (shown) {
+            mark($scope.received)
+            mark($scope.sent)
+        }
+        BYTES.forEach(function(topic) {
+            msg[shown ? 'subscribe' : 'unsubscribe'](topic)
+        })
+    })
+
+    function mark(where) {
+        if (where.bytes.length && where.bytes[where.bytes.length - 1] !== GAP) {
+            where.bytes.push(GAP)
+            redraw()
+        }
+    }
+
     function keep(where, bytes) {
         where.count += bytes.length
         where.bytes = where.bytes.concat(bytes)
         where.bytes.splice(0, where.bytes.length - MOST_BYTES)
+        redraw()
+    }
+
+    // Bytes may come faster than the screen is drawn.
+    function redraw() {
         if (!waiting) {
             waiting = true
             window.requestAnimationFrame(function() {
@@ -51,9 +75,16 @@ angular.module('mrlapp.service.SerialGui', []).controller('SerialGuiCtrl', ['$sc
     }
 
     function hex(bytes) {
-        return bytes.map(function(value, at) {
+        var column = 0
+        return bytes.map(function(value) {
+            if (value === GAP) {
+                var end = column ? '\n' : ''
+                column = 0
+                return end + GAP + '\n'
+            }
             var digits = (value & 0xFF).toString(16).toUpperCase()
-            return (digits.length < 2 ? '0' : '') + digits + ((at + 1) % PER_LINE ? ' ' : '\n')
+            column = (column + 1) % PER_LINE
+            return (digits.length < 2 ? '0' : '') + digits + (column ? ' ' : '\n')
         }).join('')
     }
 
@@ -84,8 +115,6 @@ angular.module('mrlapp.service.SerialGui', []).controller('SerialGuiCtrl', ['$sc
         }))
     }
 
-    msg.subscribe('publishBytes')
-    msg.subscribe('publishTX')
     msg.subscribe('getPortNames')
     msg.subscribe(this)
     msg.send('getPortNames')

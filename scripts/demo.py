@@ -106,7 +106,9 @@ for (what, command, seconds) in (("Forward", roomba.goForward, 3), ("Turning lef
 # With a terminal the simulation goes on until Enter, with --keep until Ctrl+C; its tabs show it meanwhile.
 keep = System.getProperty("sear.keep") == "true"
 if keep or os.environ.get("SEAR_TERMINAL"):
-    print "The simulation goes on; see its tabs at http://localhost:8888. " + ("Ctrl+C" if keep else "Enter") + " ends it."
+    page = Runtime.getService("webgui")
+    where = "; see its tabs at http://localhost:%d" % page.getPort() if page is not None else ""
+    print "The simulation goes on%s. %s ends it." % (where, "Ctrl+C" if keep else "Enter")
 if os.environ.get("SEAR_TERMINAL") and not keep:
     raw_input()
 if not keep:

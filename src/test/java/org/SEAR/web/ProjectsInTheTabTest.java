@@ -111,6 +111,24 @@ public class ProjectsInTheTabTest {
     }
 
     @Test
+    public void onlyThePageThatAskedForADownloadGetsIt() throws IOException {
+        tab.openExample("maze");
+        tab.waitForRobot("maze Roomba");
+        Files.createDirectories(project("assets"));
+        Files.write(project("assets/ballast.bin"), noise(LARGE));
+        try (Browser other = new Browser(1000, 800)) {
+            TABS.open(other, "sear");
+            browser.type(".sear-path", "mine.sear");
+            browser.click(".sear-download");
+            browser.download("mine.sear");
+            robotLab.call("sear", "saveProject", "later.sear");
+            other.seeText(".sear-main .alert-info", "saved by another page");
+            assertEquals("nothing was loaded beside it", 0, other.downloads().toFile().list().length);
+            assertEquals("nor begun", null, other.scope(SearTab.ROOT, "transfer"));
+        }
+    }
+
+    @Test
     public void aDroppedBundleIsOpened() throws IOException {
         tab.openExample("maze");
         tab.waitForRobot("maze Roomba");

@@ -3,7 +3,8 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
     var self = this
     var msg = this.msg
 
-    var MARGIN = 28
+    var MARGIN = 28             // pixels above and below the plot
+    var SIDE = 42               // beside it, for the labels of 0 and 180 degrees
     var ANGLE_STEP = 30
     var RING_STEPS = [0.25, 0.5, 1, 2, 5, 10, 20]
     var MOST_RINGS = 6
@@ -180,7 +181,7 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
         var width = element ? element.clientWidth : 0
         var height = element ? element.clientHeight : 0
         var full = $scope.scan && $scope.scan.spread > FULL_CIRCLE
-        var radius = full ? Math.min(width, height) / 2 - MARGIN : Math.min(width / 2 - MARGIN, height - 2 * MARGIN)
+        var radius = Math.min(width / 2 - SIDE, full ? height / 2 - MARGIN : height - 2 * MARGIN)
         return {x: width / 2, y: full ? height / 2 : height - MARGIN, radius: radius, reach: $scope.reach(), full: full}
     }
 

@@ -396,6 +396,7 @@
         $scope.problems = []        // what a call found wrong
         $scope.messages = []
         $scope.transfer = null
+        $scope.pending = null       // what the service has been told to do and has not done yet: starting or stopping
         $scope.recent = readRecent()
         $scope.view = {x: 0, z: 0, scale: 60, fitted: false}
 
@@ -444,6 +445,7 @@
 
         this.updateState = function(service) {
             $scope.service = service
+            $scope.pending = null
             if (!service.simulating) {
                 $scope.state = null
                 look()
@@ -458,6 +460,7 @@
             }
             if (status.level === 'error') {
                 $scope.transfer = null
+                $scope.pending = null
                 // MyRobotLab tells of a call that failed what the service has told already
                 var again = lastError && status.detail !== lastError && status.detail.slice(-lastError.length) === lastError
                 lastError = status.detail
@@ -517,18 +520,23 @@
             return Boolean($scope.service && $scope.service.simulating)
         }
         $scope.statusText = function() {
-            if (!isSimulating()) {
-                return 'no simulation runs'
-            }
-            var state = $scope.state
-            return ($scope.service.paused ? 'paused' : 'running') + (state ? ' at ' + state.time.toFixed(2) + ' s' : '')
-                + (state && state.speed ? ', ' + state.speed.toFixed(1) + ' × real time' : '')
+            return $scope.pending || (!isSimulating() ? 'no simulation runs' : $scope.service.paused ? 'paused' : 'running')
+        }
+        /** Goes on where the status ends; apart from it, since that is read out when it changes. */
+        $scope.timeText = function() {
+            var state = $scope.pending ? null : $scope.state
+            return state ? ' at ' + state.time.toFixed(2) + ' s' + (state.speed ? ', ' + state.speed.toFixed(1) + ' × real time' : '') : ''
         }
         $scope.reading = readingText
 
         $scope.start = function() {
             $scope.problems = []
+            $scope.pending = 'starting'
             msg.send('startSimulation')
+        }
+        $scope.stop = function() {
+            $scope.pending = 'stopping'
+            msg.send('stopSimulation')
         }
         $scope.setSpeed = function() {
             msg.send('setSpeed', Number($scope.form.speed))

@@ -204,6 +204,11 @@ public final class Browser implements AutoCloseable {
         driver.executeCdpCommand("Emulation.setEmulatedMedia", Map.of("features", List.of(Map.of("name", "prefers-color-scheme", "value", theme))));
     }
 
+    /** Makes the page narrower than a window can be, as a telephone's; 0 for the window's own width. @param width pixels */
+    public void setPageWidth(int width) {
+        driver.executeCdpCommand("Emulation.setDeviceMetricsOverride", Map.of("width", width, "height", 0, "deviceScaleFactor", 0, "mobile", false));
+    }
+
     // ---- what went wrong -----------------------------------------------------------------------------------------------
 
     /** Errors of the console that this test brings about on purpose. @param part of their text */

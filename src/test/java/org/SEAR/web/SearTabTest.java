@@ -124,6 +124,29 @@ public class SearTabTest {
     }
 
     @Test
+    public void aDoubleClickStartsAndStopsOnceAndNothingIsComplainedAbout() {
+        tab.openExample("maze");
+        new Actions(browser.driver()).doubleClick(browser.see(".sear-start")).perform();
+        tab.waitForStatus("running");
+        new Actions(browser.driver()).doubleClick(browser.see(".sear-stop")).perform();
+        tab.waitForStatus("no simulation runs");
+        browser.click(".sear-check");
+        browser.seeText(".sear-main .alert-info", "the project has no problems");
+        assertEquals(List.of(), browser.all(".sear-main .alert-danger"));
+    }
+
+    @Test
+    public void keysThatTheBrowserWantsAreLeftToIt() {
+        tab.openExample("maze");
+        tab.start();
+        WebElement view = browser.see(".sear-view");
+        view.sendKeys(Keys.chord(Keys.CONTROL, Keys.ALT, "k"));
+        view.sendKeys("u");
+        browser.until("forward, and no turn before", () -> tab.number("state.robots[0].speed") > 0.1);
+        assertEquals(0, tab.number("state.robots[0].turnRate"), 0.1);
+    }
+
+    @Test
     public void theOtherButtonsDriveToo() {
         tab.openExample("maze");
         tab.start();

@@ -18,6 +18,8 @@ public class ShellTest {
         + "Runtime.start('line', 'Serial')");
     /** Of the guidelines for accessible pages (WCAG 2, level AA). */
     private static final double CONTRAST = 4.5;
+    /** Pixels, of a telephone. */
+    private static final int NARROW = 400;
     /** Texts that can hardly be told from what they stand on: of each the contrast and the beginning. Disabled controls don't count. */
     private static final String FAINT = "var limit = arguments[0]; var faint = [];"
         + "function parse(c) { var n = c.match(/[\\d.]+/g).map(Number); return n.length < 4 ? n.concat(1) : n }"
@@ -67,7 +69,7 @@ public class ShellTest {
     @Test
     public void theMeasureOfContrastFindsFaintTexts() {
         browser.script("document.querySelector('.sear-status').style.color = '#999'");
-        assertEquals(List.of("2.8 STRONG.sear-status ng-binding no simulation runs"), browser.script(FAINT, 3));
+        assertEquals(List.of("2.8 SPAN.ng-binding no simulation runs"), browser.script(FAINT, 3));
     }
 
     @Test
@@ -86,6 +88,23 @@ public class ShellTest {
             }
         } finally {
             browser.setTheme("light");
+            robotLab.call("sear", "stopSimulation");
+        }
+    }
+
+    @Test
+    public void aNarrowPageFitsIntoItsWindow() {
+        tab.start();
+        try {
+            browser.setPageWidth(NARROW);
+            for (String service : new String[] {"sear", "python", "line", "runtime"}) {
+                browser.click("#tab-" + service);
+                browser.see("mrl-panel[name='" + service + "'] > *");
+                browser.until(service + " without anything beside the window", () ->
+                    ((Number) browser.script("return document.documentElement.scrollWidth")).intValue() == NARROW);
+            }
+        } finally {
+            browser.setPageWidth(0);
             robotLab.call("sear", "stopSimulation");
         }
     }

@@ -41,10 +41,14 @@ final class Materials {
         return material;
     }
 
-    /** Lit, of one colour. */
+    /**
+     * Lit, of one colour. By the corner: under a sun that is infinitely far away a flat side looks the same as by the pixel, and software OpenGL
+     * needs a third less time.
+     */
     Material lit(ColorRGBA color) {
         Material material = new Material(assets, "Common/MatDefs/Light/Lighting.j3md");
         material.setBoolean("UseMaterialColors", true);
+        material.setBoolean("VertexLighting", true);
         material.setColor("Diffuse", color);
         material.setColor("Ambient", color);
         return material;

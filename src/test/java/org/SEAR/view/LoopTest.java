@@ -24,14 +24,19 @@ public class LoopTest {
     private static final int STEPS = 600;
     private static final double FRAMES_PER_SECOND = 30;
     /** What is left of two is the simulation's. */
-    private static final double CORES = 1.5;
+    private static final double CORES = 1.2;
     private static final int PICTURES = 60;
     private static final int WARM_UP_PICTURES = 40;
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
-    /** 1.2 is the goal; on two cores that software OpenGL shares 1.2 to 1.4 is measured, and two runs without window can differ as much. */
-    private static final double SLOWER = 1.6;
+    /** What the 99th percentile of a step's time may grow by; measuring ends when it is reached ... */
+    private static final double WANTED = 1.2;
+    /** ... and the test fails beyond this, because machines that run tests have other work as well. */
+    private static final double SLOWER = 1.4;
+    private static final int LEAST_TURNS = 2;
+    private static final int MOST_TURNS = 8;
+    private static final int WARM_UP_STEPS = 10_000;
     private static final int TRIES = 6;
-    private static final int TIMED_STEPS = 200;
+    private static final int TIMED_STEPS = 300;
     private static final long STEP_LENGTH = 16_666_667L;
 
     /** Drives an arc and writes down everything that the sensors read, step by step. */
@@ -102,11 +107,11 @@ public class LoopTest {
             - THREADS.getThreadCpuTime(view.world.thread.getId());
     }
 
-    /** Runs at real time and answers the processor time that 99 % of the steps stay below, ns. */
-    private static long slowStep(Simulation simulation) {
-        long[] times = new long[TIMED_STEPS];
+    /** Runs at real time. @return the processor time of each step, ns */
+    private static long[] steps(Simulation simulation, int count) {
+        long[] times = new long[count];
         long due = System.nanoTime();
-        for (int i = 0; i < TIMED_STEPS; i++) {
+        for (int i = 0; i < count; i++) {
             long start = THREADS.getCurrentThreadCpuTime();
             simulation.step();
             times[i] = THREADS.getCurrentThreadCpuTime() - start;
@@ -115,10 +120,19 @@ public class LoopTest {
                 LockSupport.parkNanos(due - System.nanoTime());
             }
         }
-        Arrays.sort(times);
-        return times[TIMED_STEPS * 99 / 100];
+        return times;
     }
 
+    /** What 99 % of the steps stay below, ns. */
+    private static long slowStep(List<long[]> runs) {
+        long[] all = runs.stream().flatMapToLong(Arrays::stream).sorted().toArray();
+        return all[all.length * 99 / 100];
+    }
+
+    /**
+     * Compiled code is compared: the steps before are run as fast as possible. With and without window take turns, because what else the machine does
+     * changes the times of both, and all the steps of a kind are one sample.
+     */
     @Test
     public void stepsTakeNoLongerWithTheWindow() throws Exception {
         Simulation simulation = Simulation.load(Examples.folder(EXAMPLE), 1);
@@ -127,19 +141,25 @@ public class LoopTest {
         for (String name : simulation.getSensorNames()) {
             simulation.watch(name, true);
         }
-        slowStep(simulation);
-        long without = Long.MAX_VALUE;
-        long with = Long.MAX_VALUE;
-        for (int i = 0; i < TRIES && with > without * SLOWER || i < 2; i++) {
-            without = Math.min(without, slowStep(simulation));
+        for (int i = 0; i < WARM_UP_STEPS; i++) {
+            simulation.step();
+        }
+        steps(simulation, TIMED_STEPS);
+        List<long[]> without = new ArrayList<>();
+        List<long[]> with = new ArrayList<>();
+        double ratio = Double.POSITIVE_INFINITY;
+        while (with.size() < LEAST_TURNS || ratio > WANTED && with.size() < MOST_TURNS) {
+            without.add(steps(simulation, TIMED_STEPS));
             SimulatorWindow window = SimulatorWindow.open(runner, new WindowOptions());
             assertTrue(window.getProblem(), window.isOpen());
-            slowStep(simulation);
-            with = Math.min(with, slowStep(simulation));
+            steps(simulation, TIMED_STEPS / 2);
+            with.add(steps(simulation, TIMED_STEPS));
             window.close();
-            System.out.println("99th percentile of a step, us: " + without / 1000 + " without, " + with / 1000 + " with window");
+            ratio = (double) slowStep(with) / slowStep(without);
+            System.out.println("99th percentile of a step, us: " + slowStep(without) / 1000 + " without, " + slowStep(with) / 1000
+                + " with window; ratio " + ratio);
         }
-        assertTrue("99 % of the steps take less than " + without / 1000 + " us without and " + with / 1000 + " us with the window",
-            with <= without * SLOWER);
+        assertTrue("99 % of the steps take less than " + slowStep(without) / 1000 + " us without and " + slowStep(with) / 1000
+            + " us with the window", ratio <= SLOWER);
     }
 }

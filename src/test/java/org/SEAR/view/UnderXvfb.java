@@ -64,6 +64,7 @@ public final class UnderXvfb extends Runner {
                     relay(line.substring(MARK.length()).split(" "), open, notifier);
                 } else {
                     log.append(line).append('\n');
+                    System.out.println(line);
                 }
             }
             log.append("the process ended with ").append(process.waitFor());

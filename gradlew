@@ -36,6 +36,8 @@ if [ -n "$missing" ]; then
 fi
 
 rm -f build/test-summary.txt
+# Without a locale, as in a bare container, Java can't write a file with an umlaut in its name.
+case ${LC_ALL:-${LC_CTYPE:-${LANG:-}}} in "" | C | POSIX) LC_ALL=C.UTF-8; export LC_ALL ;; esac
 [ -t 0 ] && SEAR_TERMINAL=1 && export SEAR_TERMINAL
 gradle "$@"
 status=$?

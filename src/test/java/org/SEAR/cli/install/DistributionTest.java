@@ -115,6 +115,17 @@ public class DistributionTest {
         }
     }
 
+    /** A container has no locale, and Java then takes file names for ASCII. */
+    @Test
+    public void umlautsAreWrittenWithoutALocaleToo() throws Exception {
+        Path script = folder.newFile("umlaut.py").toPath();
+        Files.writeString(script, "from org.SEAR.POJOs import Box\nBox('T\u00fcr', 1, 1, 1)\nBox(u'\u65e5', 1, 1, 1)\n");
+        Distribution.Result result = Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(), List.of("env", "LC_ALL=C", "LANG=C",
+            distribution.launcher().toString(), script.toString(), "--headless", "--port", "none"));
+        assertEquals(result.toString(), 0, result.status);
+        assertTrue(Files.exists(folder.getRoot().toPath().resolve("SEARproject/environment/T\u00fcr.xml")));
+    }
+
     @Test
     public void theLauncherRunsFromAnotherFolderAndThroughALink() throws Exception {
         Distribution.Result version = sear("--version");

@@ -33,8 +33,11 @@ final class PseudoTerminal implements OuterEnd {
     private static final int POLL_MILLIS = 100;
     private static final short POLL_IN = 1;
     /** Linux's codes of baud rates (asm-generic/termbits.h). macOS uses the numbers themselves. */
-    private static final int[][] LINUX_BAUDS = {{2400, 0xB}, {4800, 0xC}, {9600, 0xD}, {19200, 0xE}, {38400, 0xF}, {57600, 0x1001},
-        {115200, 0x1002}, {230400, 0x1003}, {460800, 0x1004}, {500000, 0x1005}};
+    private static final int[][] LINUX_BAUDS = {{300, 0x7}, {600, 0x8}, {1200, 0x9}, {2400, 0xB}, {4800, 0xC}, {9600, 0xD}, {19200, 0xE},
+        {38400, 0xF}, {57600, 0x1001}, {115200, 0x1002}, {230400, 0x1003}, {460800, 0x1004}, {500000, 0x1005}, {1000000, 0x1008}};
+    /** Linux's TCGETS2, whose termios2 has the rate as a number, those without a code (14400, 28800) too. */
+    private static final long GET_TERMIOS_2 = 0x802C542AL;
+    private static final int OUTPUT_SPEED = 40;
 
     private final String port;
     private final C c;
@@ -70,6 +73,8 @@ final class PseudoTerminal implements OuterEnd {
         int tcgetattr(int fd, Pointer termios);
 
         int tcsetattr(int fd, int when, Pointer termios);
+
+        int ioctl(int fd, NativeLong request, Pointer argument);
 
         void cfmakeraw(Pointer termios);
 
@@ -188,7 +193,11 @@ final class PseudoTerminal implements OuterEnd {
         }
     }
 
+    /** 0 for a rate that the system doesn't tell. */
     private int currentBaud(Pointer termios) {
+        if (Platform.isLinux() && c.ioctl(slave, new NativeLong(GET_TERMIOS_2, true), termios) == 0) {
+            return termios.getInt(OUTPUT_SPEED);
+        }
         c.tcgetattr(slave, termios);
         int code = c.cfgetospeed(termios).intValue();
         return Platform.isMac() ? code : translated(code, 1, 0);

@@ -18,6 +18,7 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import org.junit.After;
+import org.junit.Assume;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
@@ -147,13 +148,42 @@ public class ExportsTest {
         });
         String path = exports.terminal("/dev/test_user", null);
         assertEquals(0, new ProcessBuilder("stty", "-F", path, "19200").inheritIO().start().waitFor());
+        awaitBaud(19200, baud);
+        assertEquals(0, new ProcessBuilder("stty", "-F", path, "300").inheritIO().start().waitFor());
+        awaitBaud(300, baud);
+    }
+
+    private static void awaitBaud(int expected, int[] baud) throws InterruptedException {
         long end = System.nanoTime() + PATIENCE;
         synchronized (baud) {
-            while (baud[0] != 19200 && System.nanoTime() < end) {
+            while (baud[0] != expected && System.nanoTime() < end) {
                 baud.wait(50);
             }
-            assertEquals(19200, baud[0]);
+            assertEquals(expected, baud[0]);
         }
+    }
+
+    /** Command 129 of a Create offers 14400 and 28800 baud, for which Linux has no code; programs set them by ioctl TCSETS2, as pyserial does. */
+    @Test
+    public void aRateForWhichTheSystemHasNoCodeReachesThePort() throws Exception {
+        Assume.assumeTrue("TCSETS2 is Linux's", System.getProperty("os.name").equals("Linux"));
+        int[] baud = new int[1];
+        user.setBaudListener(rate -> {
+            synchronized (baud) {
+                baud[0] = rate;
+                baud.notifyAll();
+            }
+        });
+        String set = "import fcntl, os, struct, sys\n"
+            + "fd = os.open(sys.argv[1], os.O_RDWR | os.O_NOCTTY)\n"
+            + "termios2 = bytearray(44)\n"
+            + "fcntl.ioctl(fd, 0x802C542A, termios2)\n"
+            + "struct.pack_into('I', termios2, 8, struct.unpack_from('I', termios2, 8)[0] & ~0x100F | 0x1000)\n"
+            + "struct.pack_into('II', termios2, 36, 14400, 14400)\n"
+            + "fcntl.ioctl(fd, 0x402C542B, termios2)\n";
+        String path = exports.terminal("/dev/test_user", null);
+        assertEquals(0, new ProcessBuilder("python3", "-c", set, path).inheritIO().start().waitFor());
+        awaitBaud(14400, baud);
     }
 
     @Test

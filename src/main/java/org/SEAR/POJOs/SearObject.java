@@ -45,7 +45,7 @@ public abstract class SearObject {
     /** @param name becomes the name of the file */
     protected SearObject(String name) {
         life = Life.BEING_MADE;
-        this.name = name;
+        this.name = ScriptText.of(name);
     }
 
     /**

@@ -71,21 +71,31 @@ final class ProjectLinker {
                 Assembly.link(robot, (SearObject) part.object);
             }
         }
+        if (!hasDynamics) {
+            warnings.add(parsed.file + ": " + robot + " has no Dynamics, and no simulation starts without; robot.addComponent(Dynamics(name, mass))"
+                + " adds one");
+        }
     }
 
-    /** Scripts ask by name, so a name means one thing in the whole project; some systems take capitals for small letters. */
+    /**
+     * Scripts ask by name, so a name means one thing in the whole project; some systems take capitals for small letters. Wheels stand in their
+     * robot's file, and every robot may have a left one.
+     */
     private void checkNames() {
         Map<String, String> seen = new HashMap<>();
         environment.values().forEach(parsed -> checkName(seen, parsed, "name", parsed.object));
         for (ParsedObject parsed : parts.values()) {
-            if (parsed.object instanceof SEARrobot) {
+            if (parsed.object instanceof SEARrobot || owners.containsKey(parsed)) {
                 checkName(seen, parsed, "name", parsed.object);
+            }
+        }
+        for (ParsedObject parsed : parts.values()) {
+            if (parsed.object instanceof SEARrobot) {
+                Map<String, String> seenHere = new HashMap<>(seen);
                 int index = 0;
                 for (Wheel wheel : ((SEARrobot) parsed.object).getWheels()) {
-                    checkName(seen, parsed, "wheel#" + index++, wheel);
+                    checkName(seenHere, parsed, "wheel#" + index++, wheel);
                 }
-            } else if (owners.containsKey(parsed)) {
-                checkName(seen, parsed, "name", parsed.object);
             }
         }
     }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
@@ -92,7 +93,7 @@ final class ProjectReader {
             return List.of();
         }
         try (Stream<Path> all = Files.list(directory)) {
-            List<Path> files = all.filter(ProjectReader::isObjectFile).sorted().limit(MAX_FILES + 1L).collect(Collectors.toList());
+            List<Path> files = all.filter(file -> isObjectFile(file, name)).sorted().limit(MAX_FILES + 1L).collect(Collectors.toList());
             if (files.size() > MAX_FILES) {
                 problems.add(name, 0, "", "it has more than " + MAX_FILES + " files", "at most " + MAX_FILES + " objects");
                 return List.of();
@@ -104,9 +105,13 @@ final class ProjectReader {
         }
     }
 
-    private static boolean isObjectFile(Path file) {
+    private boolean isObjectFile(Path file, String folderName) {
         String name = file.getFileName().toString();
-        return name.endsWith(ProjectFolder.XML) && !name.startsWith(".");
+        boolean xml = name.endsWith(ProjectFolder.XML);
+        if (!xml && name.toLowerCase(Locale.ROOT).endsWith(ProjectFolder.XML)) {
+            warnings.add(folderName + "/" + name + " is not read: the name of an object's file ends in " + ProjectFolder.XML + ", in small letters");
+        }
+        return xml && !name.startsWith(".");
     }
 
     private void linkBeams(Map<String, ParsedObject> parts) {

@@ -1,0 +1,83 @@
+package org.SEAR.project;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.Wheel;
+import org.SEAR.simulator.Simulation;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** Projects as users write them: by the page that tells how, and with what they take for granted. */
+public class HandWrittenProjectTest {
+    private static final String ROBOT = "<SEARrobot><name>r</name><wheel><name>left</name><radius>0.1</radius><width>0.1</width></wheel></SEARrobot>";
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    @Test
+    public void theRobotOfThePageIsWholeAndStarts() throws Exception {
+        String page = Files.readString(Path.of(System.getProperty("sear.root", "."), "docs/projects.md"), StandardCharsets.UTF_8);
+        Matcher block = Pattern.compile("```xml\n(<(\\w+)>\n  <name>([^<]+)</name>.*?)```", Pattern.DOTALL).matcher(page);
+        while (block.find()) {
+            project.put((block.group(2).equals("Beam") ? "beams/" : "robot/") + block.group(3) + ".xml", block.group(1));
+        }
+        Simulation world = Simulation.load(project.folder(), 1);
+        world.step();
+        assertEquals(List.of("frontEye"), world.getSensorNames());
+        assertEquals(List.of(), Project.read(project.folder()).getWarnings());
+    }
+
+    @Test
+    public void everyRobotMayHaveALeftWheel() throws Exception {
+        for (String name : List.of("first", "second")) {
+            SEARrobot robot = new SEARrobot(name);
+            robot.addComponent(new Dynamics(name + " drive", 2));
+            Wheel left = new Wheel("left", 0.1, 0.05);
+            robot.addWheel(left);
+            left.move(0.2, 0, 0);
+        }
+        assertEquals(2, Project.read(project.folder()).getRobots().size());
+        new Box("left", 1, 1, 1);
+        try {
+            Project.read(project.folder());
+            throw new AssertionError("a wheel has the name of a box");
+        } catch (ProjectException e) {
+            assertEquals(2, e.getProblems().size());
+        }
+    }
+
+    @Test
+    public void aRobotWithoutDynamicsIsWarnedOfBeforeItIsStarted() throws Exception {
+        project.put("robot/r.xml", ROBOT);
+        List<String> warnings = Project.read(project.folder()).getWarnings();
+        assertTrue(warnings.toString(), warnings.size() == 1 && warnings.get(0).startsWith("robot/r.xml: SEARrobot \"r\" has no Dynamics"));
+    }
+
+    @Test
+    public void aFileWhoseEndingHasCapitalsIsWarnedOf() throws Exception {
+        project.put("environment/crate.XML", "<Box><name>crate</name><length>1</length><width>1</width><height>1</height></Box>");
+        List<String> warnings = Project.read(project.folder()).getWarnings();
+        assertTrue(warnings.toString(), warnings.size() == 1 && warnings.get(0).startsWith("environment/crate.XML is not read: "));
+    }
+
+    /** Jython makes one character of each byte of a plain Python 2 string. */
+    @Test
+    public void aPlainPythonStringIsTheNameThatItsAuthorWrote() throws Exception {
+        String bytes = new String("T\u00fcr".getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
+        assertEquals("T\u00fcr", new Box(bytes, 1, 1, 1).getName());
+        assertEquals("caf\u00e9 \u00df", new Box("caf\u00e9 \u00df", 1, 1, 1).getName());
+        assertEquals("\u65e5\u672c", new Box("\u65e5\u672c", 1, 1, 1).getName());
+        assertTrue(project.files().toString(), Files.exists(project.folder().resolve("environment/T\u00fcr.xml")));
+        assertEquals(3, Project.read(project.folder()).getEnvironment().size());
+    }
+}

@@ -142,12 +142,13 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         return baud;
     }
 
-    /** @param model FV-M8, MT3301, MT3329 (these take PMTK commands) or NMEA (never sent anything) */
+    /** @param model FV-M8 (FV_M8 as well), MT3301, MT3329 (these take PMTK commands) or NMEA (never sent anything) */
     public void setModel(String model) {
-        if (!MODELS.contains(model)) {
+        String known = model == null ? null : model.replace('_', '-');
+        if (!MODELS.contains(known)) {
             throw new IllegalArgumentException("GPS model is \"" + model + "\", legal: " + MODELS);
         }
-        config.model = model;
+        config.model = known;
         broadcastState();
     }
 

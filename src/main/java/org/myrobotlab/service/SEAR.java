@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import org.SEAR.POJOs.ScriptText;
 import org.SEAR.project.Problem;
 import org.SEAR.project.ProjectException;
 import org.myrobotlab.framework.Message;
@@ -285,7 +286,7 @@ public class SEAR extends Service<SEARConfig> {
     /** Saves the project as a bundle, for example {@code "robot.sear"}. */
     public void saveProject(String path) {
         attempt(() -> {
-            works.projects().save(Paths.get(path));
+            works.projects().save(bundle(path));
             return null;
         });
     }
@@ -293,7 +294,7 @@ public class SEAR extends Service<SEARConfig> {
     /** Replaces the project by a bundle's, once that is read whole and found valid; the present one is kept as backup. */
     public void loadProject(String path) {
         attempt(() -> {
-            works.projects().load(Paths.get(path));
+            works.projects().load(bundle(path));
             return null;
         });
     }
@@ -338,6 +339,13 @@ public class SEAR extends Service<SEARConfig> {
     /** The same as a TCP server on the loopback address, raw bytes, on every system. @param number TCP port, 0 for any free one @return the number */
     public int exportTcp(String userPort, int number) {
         return attempt(() -> works.exports().tcp(userPort, number));
+    }
+
+    private static Path bundle(String path) {
+        if (path == null) {
+            throw new IllegalArgumentException("the path is missing (None), legal: the path of a bundle, such as \"robot.sear\"");
+        }
+        return Paths.get(ScriptText.of(path));
     }
 
     private static String text(Path path) {

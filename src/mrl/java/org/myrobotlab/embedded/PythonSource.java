@@ -1,6 +1,7 @@
 package org.myrobotlab.embedded;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.regex.Pattern;
 
 /** Source code as Python 2 wants it. */
@@ -12,8 +13,11 @@ final class PythonSource {
     private PythonSource() {
     }
 
-    /** Code that names no encoding is UTF-8, and not ASCII alone as Python 2 takes it. */
+    /** Code that names no encoding is UTF-8, and not ASCII alone as Python 2 takes it; the mark that editors of Windows begin with is none of it. */
     static byte[] withEncoding(byte[] code) {
+        if (isMarked(code)) {
+            return withEncoding(Arrays.copyOfRange(code, UTF_8_MARK.length, code.length));
+        }
         if (isAscii(code) || ENCODING.matcher(new String(code, StandardCharsets.ISO_8859_1)).find()) {
             return code;
         }
@@ -21,6 +25,10 @@ final class PythonSource {
         System.arraycopy(UTF_8_MARK, 0, marked, 0, UTF_8_MARK.length);
         System.arraycopy(code, 0, marked, UTF_8_MARK.length, code.length);
         return marked;
+    }
+
+    private static boolean isMarked(byte[] code) {
+        return code.length >= UTF_8_MARK.length && Arrays.equals(Arrays.copyOf(code, UTF_8_MARK.length), UTF_8_MARK);
     }
 
     private static boolean isAscii(byte[] code) {

@@ -117,6 +117,13 @@ public class GpsServiceTest {
         assertEquals("NMEA", gps.getConfig().model);
     }
 
+    /** As MyRobotLab's own GPS service of old wrote it. */
+    @Test
+    public void aModelMayBeWrittenWithAnUnderscore() {
+        gps.setModel("FV_M8");
+        assertEquals("FV-M8", gps.getConfig().model);
+    }
+
     @Test
     public void unknownModelsAndRatesNameTheKnownOnes() {
         for (Runnable wrong : Arrays.<Runnable>asList(() -> gps.setModel("FV-M9"), () -> gps.setBaud(12345))) {

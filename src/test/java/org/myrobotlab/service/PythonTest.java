@@ -81,6 +81,16 @@ public class PythonTest {
     }
 
     @Test
+    public void aFileMayBeginWithTheMarkOfWindowsEditors() throws Exception {
+        for (String code : new String[] {"x = 1\r\n", "# coding: utf-8\r\nx = u'\u00fc'\r\n", "x = u'\u65e5'\r\n"}) {
+            Path script = folder.newFile().toPath();
+            Files.writeString(script, "\ufeff" + code);
+            assertTrue(code, python.execFile(script.toString()));
+        }
+        assertTrue(python.exec("assert x == u'\\u65e5'"));
+    }
+
+    @Test
     public void anErrorShowsTheTracebackWithFileAndLine() throws Exception {
         Path script = folder.newFile("wrong.py").toPath();
         Files.writeString(script, "# \u00e4\ndef f():\n    return 1 / 0\n\nf()\n");

@@ -331,6 +331,10 @@ public class SearServiceTest {
         assertFails("simSleep of -1", () -> sear.simSleep(-1));
         assertFails("newProject needs the simulation to be stopped", sear::newProject);
         assertFails("there is no template \"mine.py\"", () -> sear.copyTemplate("mine.py", "."));
+        assertFails("the folder is missing", () -> sear.copyTemplate("controller.py", null));
+        assertFails("the name is missing", () -> sear.getDistanceResult(null));
+        assertFails("the name is missing", () -> sear.getPose(null));
+        assertFails("the path is missing", () -> sear.saveProject(null));
         sear.simSleep(0.5);
         assertTrue(sear.isRunning());
         assertEquals(0.5, sear.getTime(), 1e-6);

@@ -95,6 +95,9 @@ public final class Projects {
         if (!TEMPLATES.contains(name)) {
             throw new IllegalArgumentException("there is no template \"" + name + "\"; there are " + TEMPLATES);
         }
+        if (folder == null) {
+            throw new IllegalArgumentException("the folder is missing (None), legal: the path of a folder, such as \"SEARproject\"");
+        }
         Path copy = Paths.get(folder).resolve(name);
         if (Files.exists(copy)) {
             throw new IOException(copy + " exists already: delete or rename it to get a fresh one");

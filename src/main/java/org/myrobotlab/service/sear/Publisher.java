@@ -5,6 +5,7 @@ import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import org.SEAR.POJOs.ScriptText;
 import org.myrobotlab.serial.PortClock;
 
 /**
@@ -63,7 +64,8 @@ public final class Publisher {
     }
 
     /** @param rate a second of simulated time, above 0 to 60 */
-    public void start(String sensor, double rate) {
+    public void start(String name, double rate) {
+        String sensor = ScriptText.of(name);
         if (!(rate > 0 && rate <= HIGHEST_RATE)) {
             throw new IllegalArgumentException("rate is " + rate + ", legal: above 0 to " + HIGHEST_RATE + " readings a second");
         }
@@ -75,7 +77,7 @@ public final class Publisher {
 
     /** Ends {@link #start}. */
     public void stop(String sensor) {
-        subscriptions.remove(sensor);
+        subscriptions.remove(ScriptText.of(sensor));
     }
 
     private void look() {

@@ -7,6 +7,7 @@ import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Gyroscope;
 import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.ScriptText;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.raycast.Pose;
 import org.SEAR.sensors.DistanceReading;
@@ -62,7 +63,8 @@ public final class Readings {
         return read(name, SearObject.class);
     }
 
-    private Object read(String name, Class<? extends SearObject> type) throws InterruptedException {
+    private Object read(String asked, Class<? extends SearObject> type) throws InterruptedException {
+        String name = given(asked);
         return control.session().ask(world -> {
             Sensor<?> sensor = world.getSensor(name);
             SearObject object = sensor.getParameters();
@@ -145,7 +147,8 @@ public final class Readings {
     }
 
     /** A robot by name, or the first. @throws IllegalArgumentException that names the robots there are */
-    static Robot robot(Simulation world, String name) {
+    static Robot robot(Simulation world, String asked) {
+        String name = ScriptText.of(asked);
         for (Robot robot : world.getRobots()) {
             if (name == null || robot.getObject().getName().equals(name)) {
                 return robot;
@@ -157,8 +160,16 @@ public final class Readings {
     }
 
     /** [x, y, z, rx, ry, rz] in the world, metres and degrees, of a robot, an object, a part or a sensor. */
-    public double[] pose(String name) throws InterruptedException {
+    public double[] pose(String asked) throws InterruptedException {
+        String name = given(asked);
         return control.session().ask(world -> asNumbers(find(world, name)));
+    }
+
+    private static String given(String name) {
+        if (name == null) {
+            throw new IllegalArgumentException("the name is missing (None), legal: the name of a sensor, robot, part or object");
+        }
+        return ScriptText.of(name);
     }
 
     private static Pose find(Simulation world, String name) {

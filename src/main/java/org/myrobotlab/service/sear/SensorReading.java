@@ -1,5 +1,7 @@
 package org.myrobotlab.service.sear;
 
+import java.util.Arrays;
+
 /** One reading as it is published: JSON-friendly, immutable. */
 public final class SensorReading {
     /** Name of the sensor. */
@@ -13,5 +15,12 @@ public final class SensorReading {
         this.name = name;
         this.time = time;
         this.value = value;
+    }
+
+    /** {@code ping at 2.5 s: 0.47}. */
+    @Override
+    public String toString() {
+        return name + " at " + time + " s: " + (value instanceof float[] ? Arrays.toString((float[]) value)
+            : value instanceof double[] ? Arrays.toString((double[]) value) : value);
     }
 }

@@ -461,6 +461,7 @@
             if (status.level === 'error') {
                 $scope.transfer = null
                 $scope.pending = null
+                asked = {}
                 // MyRobotLab tells of a call that failed what the service has told already
                 var again = lastError && status.detail !== lastError && status.detail.slice(-lastError.length) === lastError
                 lastError = status.detail

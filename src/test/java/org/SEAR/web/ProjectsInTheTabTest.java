@@ -71,6 +71,8 @@ public class ProjectsInTheTabTest {
         assertEquals("each is told once", 2, browser.all(".sear-main .alert-danger").size());
         browser.click(".sear-main .alert .close");
         browser.until("no messages", () -> browser.all(".sear-main .alert").isEmpty());
+        robotLab.call("sear", "loadProject", MyRobotLab.example("maze").toString());
+        browser.seeText(".sear-main .alert-info", "opened by another page");
     }
 
     @Test

@@ -55,6 +55,18 @@ public class ReconnectTest {
     }
 
     @Test
+    public void aPageThatWasLeftGoesOnWhenTheUserComesBack() {
+        tab.openExample("maze");
+        tab.start();
+        browser.driver().get("about:blank");
+        browser.driver().navigate().back();
+        tab.waitForStatus("running at ");
+        tab.waitForTime(tab.time() + 0.2);
+        robotLab.call("sear", "stopSimulation");
+        browser.seeText(".sear-note", "Not running");
+    }
+
+    @Test
     public void aServiceThatIsReleasedAndStartedAgainHasItsTabAgain() {
         robotLab.call("runtime", "release", "sear");
         browser.until("no tab", () -> browser.all("#tab-sear").isEmpty());

@@ -33,6 +33,7 @@ public final class Simulation implements AutoCloseable {
     private final Instruments instruments;
     private final Observer observer;
     private final Warnings warnings = new Warnings();
+    private final List<String> deviceWarnings;
     private final List<Robot> robots;
     private final ConcurrentLinkedQueue<Consumer<Simulation>> commands = new ConcurrentLinkedQueue<>();
     private final ConcurrentLinkedQueue<Runnable> questions = new ConcurrentLinkedQueue<>();
@@ -46,6 +47,7 @@ public final class Simulation implements AutoCloseable {
         this.project = project;
         world = new World(project, epochMillis);
         instruments = new Instruments(world.getRobots(), seed, warnings::add);
+        deviceWarnings = warnings.list();
         observer = new Observer(world, instruments, warnings);
         robots = Collections.unmodifiableList(new ArrayList<Robot>(world.getRobots()));
         start();
@@ -68,7 +70,7 @@ public final class Simulation implements AutoCloseable {
 
     private void start() {
         step = 0;
-        warnings.restart(project.getWarnings(), world.getWarnings());
+        warnings.restart(project.getWarnings(), world.getWarnings(), deviceWarnings);
         instruments.warn();
         snapshot = observer.look(step);
     }

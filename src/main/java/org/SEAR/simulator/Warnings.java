@@ -16,10 +16,11 @@ final class Warnings {
     }
 
     /** Starts again with what is known from the start. */
-    void restart(List<String> project, List<String> world) {
+    void restart(List<String> project, List<String> world, List<String> devices) {
         all.clear();
         all.addAll(project);
         all.addAll(world);
+        all.addAll(devices);
         list = List.copyOf(all);
     }
 

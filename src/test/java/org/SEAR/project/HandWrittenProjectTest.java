@@ -11,6 +11,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.simulator.Simulation;
@@ -68,6 +69,25 @@ public class HandWrittenProjectTest {
         project.put("environment/crate.XML", "<Box><name>crate</name><length>1</length><width>1</width><height>1</height></Box>");
         List<String> warnings = Project.read(project.folder()).getWarnings();
         assertTrue(warnings.toString(), warnings.size() == 1 && warnings.get(0).startsWith("environment/crate.XML is not read: "));
+    }
+
+    @Test
+    public void whatADeviceCantDoIsToldAtTheStartAndAfterAReset() throws Exception {
+        SEARrobot robot = new SEARrobot("r");
+        robot.addComponent(new Dynamics("drive", 2));
+        LIDAR lidar = new LIDAR("lidar");
+        lidar.setPorts("/dev/a", "/dev/b");
+        lidar.setBaud(57600);
+        lidar.setSpread(90);
+        robot.addComponent(lidar);
+        Simulation world = Simulation.load(project.folder(), 1);
+        for (int start = 0; start < 2; start++) {
+            List<String> warnings = world.snapshot().warnings;
+            assertEquals(warnings.toString(), 2, warnings.size());
+            assertTrue(warnings.toString(), warnings.get(0).startsWith("lidar: spread 90.0 with resolution 1.0 is none of an LMS200"));
+            world.step();
+            world.reset();
+        }
     }
 
     /** Jython makes one character of each byte of a plain Python 2 string. */

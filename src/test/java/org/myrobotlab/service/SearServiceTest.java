@@ -317,6 +317,21 @@ public class SearServiceTest {
     }
 
     @Test
+    public void afterAResetWarningsAreToldAnew() throws Exception {
+        sear.startSimulation();
+        Serial serial = (Serial) Runtime.start("testSerial", "Serial");
+        serial.connect(TestWorld.ROOMBA_PORT, 57600, 8, 1, 0);
+        serial.write(FarEnd.bytes("80 01"));
+        sear.simSleep(0.5);
+        assertTrue(heard.awaitStatus("opcode 1 is none"));
+        sear.reset();
+        serial.write(FarEnd.bytes("80 01 02"));
+        sear.simSleep(0.5);
+        assertTrue(heard.awaitStatus("opcode 2 is none"));
+        assertEquals(2, heard.getStatuses().stream().filter(status -> status.contains("opcode 1 is none")).count());
+    }
+
+    @Test
     public void mistakesAreErrorsAndTheSimulationGoesOn() throws Exception {
         assertFails("no simulation runs", sear::stopSimulation);
         assertFails("no simulation runs", () -> sear.getDistanceResult("ping"));

@@ -24,13 +24,13 @@ public final class Lms200Type implements DeviceType {
         }
         Variant variant = Variant.of((int) Math.round(lidar.getSpread()), (int) Math.round(lidar.getResolution() * HUNDREDTHS));
         if (variant == null) {
-            context.warn(lidar.getName() + ": spread " + lidar.getSpread() + " with resolution " + lidar.getResolution()
+            context.warn("spread " + lidar.getSpread() + " with resolution " + lidar.getResolution()
                 + " is none of an LMS200 (100 with 1, 0.5, 0.25; 180 with 1, 0.5): its device starts with 180 and 0.5");
             variant = Variant.V180_HALF;
         }
         int baud = lidar.getBaud();
         if (Baud.ofRate(baud) == null) {
-            context.warn(lidar.getName() + ": " + baud + " baud is none of an LMS200 (9600, 19200, 38400, 500000): its device starts with 9600");
+            context.warn(baud + " baud is none of an LMS200 (9600, 19200, 38400, 500000): its device starts with 9600");
             baud = Baud.B9600.getRate();
         }
         return new Lms200(new PowerOn(variant, baud, lidar.isLenient(), Identity.LMS200_30106), context);

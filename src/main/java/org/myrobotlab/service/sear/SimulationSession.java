@@ -2,8 +2,10 @@ package org.myrobotlab.service.sear;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
@@ -44,7 +46,7 @@ public final class SimulationSession {
     private volatile Throwable failure;
     private volatile double scriptTime;
     private final Callers callers = new Callers();
-    private int warned;
+    private final Set<String> told = new HashSet<>();
     private volatile boolean driven;
     private volatile long lastDriven;
 
@@ -326,6 +328,7 @@ public final class SimulationSession {
                 world.reset();
                 return true;
             });
+            forgetWarnings();
             scriptTime = 0;
             SimulationClock fresh = new SimulationClock(simulation, lockStep);
             clock.moveTickersTo(fresh);
@@ -374,11 +377,21 @@ public final class SimulationSession {
         return runner.getMeasuredSpeed();
     }
 
+    /** After a reset: what happens again is told again; what is odd from the start has been told. */
+    private void forgetWarnings() {
+        synchronized (told) {
+            told.retainAll(simulation.snapshot().warnings);
+        }
+    }
+
     /** Publishes what the simulation has warned of since the last time. */
-    public synchronized void tellWarnings() {
-        List<String> all = simulation.snapshot().warnings;
-        for (; warned < all.size(); warned++) {
-            host.warn(all.get(warned));
+    public void tellWarnings() {
+        synchronized (told) {
+            for (String warning : simulation.snapshot().warnings) {
+                if (told.add(warning)) {
+                    host.warn(warning);
+                }
+            }
         }
     }
 

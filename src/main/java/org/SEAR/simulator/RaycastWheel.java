@@ -59,6 +59,7 @@ final class RaycastWheel {
     private double wy;
     private double wz;
     private double groundPush;
+    private double groundSlide;
     private double stalled;
     private final double[] speedOfObstacle = new double[3];
     private double softness;
@@ -230,22 +231,25 @@ final class RaycastWheel {
         slide.set(ahead.nz / level, 0, -ahead.nx / level, wx - centre[0], wy - centre[1], wz - centre[2], inverseMass, inverseInertia);
         slide.impulse = 0;
         groundPush = 0;
+        groundSlide = 0;
         if (!obstacle.isFixed()) {
             obstacle.velocityAt(wx, wy, wz, speedOfObstacle);
             groundPush = ahead.nx * speedOfObstacle[0] + ahead.ny * speedOfObstacle[1] + ahead.nz * speedOfObstacle[2];
+            groundSlide = slide.dx() * speedOfObstacle[0] + slide.dy() * speedOfObstacle[1] + slide.dz() * speedOfObstacle[2];
         }
     }
 
-    /** What can move gives way as it is pushed. */
+    /**
+     * What can move gives way as it is pushed. The grip across is not given to it: that would be a speed of its own in the next step, before the
+     * floor has held it, and the wheel would follow instead of standing.
+     */
     private void solveObstacle(double[] v) {
         double allowed = room > 0 ? -room / Simulation.STEP : -CORRECTION * room / Simulation.STEP;
         double yielding = obstacle.isFixed() ? 0 : 1 / obstacle.mass;
         double apart = block.speed(v) - groundPush + yielding * block.impulse;
         block.add(v, (allowed - apart) / (block.mobility + yielding), 0, Double.POSITIVE_INFINITY);
-        if (obstacle.isFixed()) {
-            double hold = OBSTACLE_GRIP * block.impulse;
-            slide.add(v, -slide.speed(v) / slide.mobility, -hold, hold);
-        }
+        double hold = OBSTACLE_GRIP * block.impulse;
+        slide.add(v, -(slide.speed(v) - groundSlide) / slide.mobility, -hold, hold);
     }
 
     /** One turn of the solver. @param v velocities of the centre of mass, changed */

@@ -90,6 +90,30 @@ public class BlockedRobotTest {
         }
     }
 
+    /** A wheel in front of the body meets the box first; without grip there the robot turned off it and drove back. */
+    @Test
+    public void aWheelThatSticksOutHoldsItStraightAtWhatIsHeavy() throws Exception {
+        for (double mass : new double[] {0, 30, 1000}) {
+            new Floor("floor", 50, 50);
+            SEARrobot object = new SEARrobot("robot");
+            object.addComponent(new Dynamics("dynamics", 4, 60, 0.3, 0.4, 10000, 0.1, 0, 0.1, 0, 0, 0, 0));
+            object.addComponent(new Cylinder("body", 0.1666875, 0.0762, 4));
+            object.addWheel(new Wheel("front", 0.0381, 0.03, 0, 0, 0, 0.16));
+            object.addWheel(new Wheel("right", 0.0381, 0.03, 1, -0.16, 0, 0));
+            object.addWheel(new Wheel("left", 0.0381, 0.03, 1, 0.16, 0, 0));
+            object.addWheel(new Wheel("back", 0.0381, 0.03, 0, 0, 0, -0.16));
+            new Box("obstacle", 1, 1, 1, mass).move(0, 0.5, 2);
+            Simulation simulation = Worlds.start(project);
+            Worlds.run(simulation, 0.5);
+            simulation.getRobots().get(0).drive(0.3, Double.POSITIVE_INFINITY);
+            Worlds.run(simulation, 20);
+            Pose pose = simulation.getRobots().get(0).getPose();
+            double[] forward = pose.rotate(0, 0, 1);
+            assertEquals(mass + " kg: degrees off straight on", 0, Math.toDegrees(Math.atan2(forward[0], forward[2])), 1);
+            assertEquals(mass + " kg: front of the front wheel at the box", 1.5, pose.z + 0.16 + 0.0381, 0.01);
+        }
+    }
+
     private void assertStops(String shape, String kind, double mass, double speed) throws Exception {
         String what = shape + " robot at " + speed + " m/s against a " + kind + " of " + mass + " kg";
         new Floor("floor", 50, 50);

@@ -11,6 +11,7 @@ import org.SEAR.project.PercentProgress;
 import org.SEAR.project.Problem;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectException;
+import org.SEAR.simulator.Simulation;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
@@ -35,7 +36,7 @@ final class CheckCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         PrintWriter err = spec.commandLine().getErr();
         try {
-            List<String> warnings = Files.isDirectory(path) ? Project.read(project()).getWarnings()
+            List<String> warnings = Files.isDirectory(path) ? checkFolder()
                 : Bundle.check(path, new PercentProgress("checking", path, err::println));
             warnings.forEach(warning -> out.println("warning: " + warning));
             out.println(path + ": no problems");
@@ -49,6 +50,13 @@ final class CheckCommand implements Callable<Integer> {
             err.println("sear check: " + path + " can't be read: " + reason(e));
         }
         return PROBLEMS;
+    }
+
+    /** Builds the world, too: a model that can't be loaded and a robot without Dynamics are found only then. */
+    private List<String> checkFolder() throws ProjectException {
+        try (Simulation world = Simulation.of(Project.read(project()), 0)) {
+            return world.snapshot().warnings;
+        }
     }
 
     private static String reason(IOException e) {

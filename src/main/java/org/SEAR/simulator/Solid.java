@@ -6,7 +6,6 @@ import com.bulletphysics.collision.shapes.ConeShape;
 import com.bulletphysics.collision.shapes.CylinderShape;
 import java.io.IOException;
 import java.util.Collections;
-import java.util.List;
 import javax.vecmath.Vector3f;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Cone;
@@ -148,14 +147,14 @@ final class Solid {
         try {
             triangles = new ModelLoader(project).triangles(model);
         } catch (IOException e) {
-            throw problem(model, "a model that can be loaded (" + e.getMessage() + ")");
+            throw problem(model, project, "a model that can be loaded (" + e.getMessage() + ")");
         }
         return mesh(triangles, model.getScaleX(), model.getScaleY(), model.getScaleZ(), Pose.IDENTITY);
     }
 
-    private static ProjectException problem(Model model, String legal) {
-        List<Problem> problems = Collections.singletonList(new Problem(model.getName() + ".xml", 0, "path", model.getPath(), legal));
-        return new ProjectException(problems);
+    private static ProjectException problem(Model model, Project project, String legal) {
+        String file = (project.getEnvironment().contains(model) ? "environment/" : "robot/") + model.getName() + ".xml";
+        return new ProjectException(Collections.singletonList(new Problem(file, 0, "path", model.getPath(), legal)));
     }
 
     private static Solid mesh(Triangles triangles, double sx, double sy, double sz, Pose offset) {

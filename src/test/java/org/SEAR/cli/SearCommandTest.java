@@ -105,6 +105,21 @@ public class SearCommandTest {
     }
 
     @Test
+    public void checkFindsWhatOnlyTheStartWouldRefuse() throws Exception {
+        Path project = Files.createDirectories(folder.getRoot().toPath().resolve("project"));
+        Path robot = Files.createDirectories(project.resolve("robot")).resolve("r.xml");
+        Files.writeString(robot, "<SEARrobot><name>r</name></SEARrobot>");
+        assertEquals(2, sear("check", "project"));
+        assertTrue(out, out.startsWith("robot/r.xml: robot r has no Dynamics, legal: "));
+        Files.delete(robot);
+        Path environment = Files.createDirectories(project.resolve("environment"));
+        Files.writeString(environment.resolve("m.xml"), "<Model><name>m</name><path>m.glb</path></Model>");
+        Files.writeString(Files.createDirectories(project.resolve("assets")).resolve("m.glb"), "glTF is binary, this is not");
+        assertEquals(2, sear("check", "project"));
+        assertTrue(out, out.startsWith("environment/m.xml: path is \"m.glb\", legal: a model that can be loaded"));
+    }
+
+    @Test
     public void aLargeProjectShowsItsProgress() throws Exception {
         String code = "from org.SEAR.POJOs import Box\nfrom java.nio.file import Files, Paths\nBox('Box1', 1, 2, 3, 4)\n"
             + "f = open('SEARproject/assets/large.dat', 'wb') if Files.createDirectories(Paths.get('SEARproject/assets')) else None\n"

@@ -18,6 +18,11 @@ final class ProblemList {
         }
     }
 
+    /** Takes over what another list has, as far as there is room. */
+    void addAll(ProblemList others) {
+        problems.addAll(others.problems.subList(0, Math.min(others.size(), MOST - size())));
+    }
+
     private static String shortened(String value) {
         StringBuilder text = new StringBuilder();
         value.codePoints().limit(LONGEST_VALUE).forEach(c -> text.appendCodePoint(Character.isISOControl(c) ? ' ' : c));

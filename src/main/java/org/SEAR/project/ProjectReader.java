@@ -23,6 +23,8 @@ import org.SEAR.POJOs.Wheel;
 /** Reads a SEARproject folder: first each file for itself, then what the objects are to each other. One use. */
 final class ProjectReader {
     private static final int MAX_FILES = 10000;
+    /** So many files are read at the same time, and their problems kept, before the next ones are. */
+    private static final int BATCH = 256;
 
     private final Path folder;
     private final ProblemList problems = new ProblemList();
@@ -56,16 +58,37 @@ final class ProjectReader {
     private Map<String, ParsedObject> readFolder(String name) {
         Map<String, ParsedObject> objects = new LinkedHashMap<>();
         Map<String, Class<? extends SearObject>> roots = roots(name);
-        for (Path file : list(folder.resolve(name), name)) {
-            String fileName = file.getFileName().toString();
-            ParsedObject parsed = Xml.read(file, name + "/" + fileName, roots, problems);
-            String stem = fileName.substring(0, fileName.length() - ProjectFolder.XML.length());
-            objects.put(stem, parsed == null ? ParsedObject.broken(name + "/" + fileName, 0) : parsed);
-            if (parsed != null && !parsed.isBroken()) {
-                checkFile(parsed, (SearObject) parsed.object, stem);
-            }
+        List<Path> files = list(folder.resolve(name), name);
+        for (int from = 0; from < files.size() && !problems.isFull(); from += BATCH) {
+            List<Path> batch = files.subList(from, Math.min(files.size(), from + BATCH));
+            batch.parallelStream().map(file -> new ReadFile(file, name, roots)).collect(Collectors.toList()).forEach(read -> {
+                problems.addAll(read.problems);
+                objects.put(read.stem(), read.parsed == null ? ParsedObject.broken(read.name, 0) : read.parsed);
+                if (read.parsed != null && !read.parsed.isBroken()) {
+                    checkFile(read.parsed, (SearObject) read.parsed.object, read.stem());
+                }
+            });
         }
         return objects;
+    }
+
+    /** One file and what is wrong with it. Made on any thread, because a project may have thousands. */
+    private static final class ReadFile {
+        final Path file;
+        final String name;
+        final ProblemList problems = new ProblemList();
+        final ParsedObject parsed;
+
+        ReadFile(Path file, String folder, Map<String, Class<? extends SearObject>> roots) {
+            this.file = file;
+            name = folder + "/" + file.getFileName();
+            parsed = Xml.read(file, name, roots, problems);
+        }
+
+        String stem() {
+            String fileName = file.getFileName().toString();
+            return fileName.substring(0, fileName.length() - ProjectFolder.XML.length());
+        }
     }
 
     private void checkFile(ParsedObject parsed, SearObject object, String stem) {

@@ -41,15 +41,41 @@ final class Xml {
     private Xml() {
     }
 
+    /** XStream without its converters for other classes, which take longer to set up than a project to read. */
+    private static final class GrammarStream extends XStream {
+        GrammarStream() {
+            super(new PureJavaReflectionProvider(), new StaxDriver());
+        }
+
+        @Override
+        protected void setupConverters() {
+            registerConverter(new GrammarConverter(), PRIORITY_VERY_HIGH);
+        }
+
+        @Override
+        protected void setupAliases() {
+            // each of the grammar's classes gets its own
+        }
+
+        @Override
+        protected void setupDefaultImplementations() {
+            // the grammar names no interfaces
+        }
+
+        @Override
+        protected void setupImmutableTypes() {
+            // objects are written without references
+        }
+    }
+
     private static XStream xstream(Map<String, ? extends Class<?>> classes) {
         return XSTREAMS.computeIfAbsent(Set.copyOf(classes.values()), key -> newXStream(classes));
     }
 
     private static XStream newXStream(Map<String, ? extends Class<?>> classes) {
-        XStream xstream = new XStream(new PureJavaReflectionProvider(), new StaxDriver());
+        XStream xstream = new GrammarStream();
         xstream.addPermission(NoTypePermission.NONE);
         xstream.setMode(XStream.NO_REFERENCES);
-        xstream.registerConverter(new GrammarConverter(), XStream.PRIORITY_VERY_HIGH);
         classes.forEach((element, type) -> {
             xstream.allowTypes(new Class<?>[] {type});
             xstream.alias(element, type);

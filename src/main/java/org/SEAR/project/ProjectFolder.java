@@ -1,5 +1,6 @@
 package org.SEAR.project;
 
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 
@@ -23,7 +24,12 @@ final class ProjectFolder {
 
     /** The file of an object. */
     static Path file(Path folder, boolean part, String name) {
-        return folder.resolve(part ? ROBOT : ENVIRONMENT).resolve(name + XML);
+        try {
+            return folder.resolve(part ? ROBOT : ENVIRONMENT).resolve(name + XML);
+        } catch (InvalidPathException e) {
+            throw new IllegalArgumentException("name is \"" + name + "\", legal: a name in the letters that Java can write to file names here ("
+                + System.getProperty("sun.jnu.encoding") + "); with LC_ALL=C.UTF-8 in its environment it can write all", e);
+        }
     }
 
     static boolean isTemporary(String fileName) {

@@ -182,7 +182,7 @@ final class PseudoTerminal implements OuterEnd {
             descriptor.setShort(Integer.BYTES + Short.BYTES, (short) 0);
             boolean some = c.poll(descriptor, new NativeLong(1), POLL_MILLIS) > 0;
             int newBaud = currentBaud(termios);
-            if (newBaud != lastBaud) {
+            if (newBaud != lastBaud && newBaud > 0) {
                 lastBaud = newBaud;
                 baud.accept(newBaud);
             }
@@ -193,7 +193,7 @@ final class PseudoTerminal implements OuterEnd {
         }
     }
 
-    /** 0 for a rate that the system doesn't tell. */
+    /** 0 for a rate that the system doesn't tell, and while a program hangs up. */
     private int currentBaud(Pointer termios) {
         if (Platform.isLinux() && c.ioctl(slave, new NativeLong(GET_TERMIOS_2, true), termios) == 0) {
             return termios.getInt(OUTPUT_SPEED);

@@ -124,6 +124,11 @@ public class DistributionTest {
             distribution.launcher().toString(), script.toString(), "--headless", "--port", "none"));
         assertEquals(result.toString(), 0, result.status);
         assertTrue(Files.exists(folder.getRoot().toPath().resolve("SEARproject/environment/T\u00fcr.xml")));
+        Distribution.Result bare = Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(), List.of("env", "LC_ALL=C", "LANG=C",
+            Distribution.java().toString(), "-cp", distribution.home().resolve("plugin") + "/*:" + distribution.home().resolve("lib") + "/*",
+            "org.SEAR.cli.SearCommand", script.toString(), "--headless", "--port", "none"));
+        assertEquals(bare.toString(), 1, bare.status);
+        assertTrue(bare.toString(), bare.err.contains("with LC_ALL=C.UTF-8 in its environment"));
     }
 
     @Test

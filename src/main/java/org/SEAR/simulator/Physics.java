@@ -6,7 +6,6 @@ import com.bulletphysics.collision.narrowphase.ManifoldPoint;
 import com.bulletphysics.collision.narrowphase.PersistentManifold;
 import com.bulletphysics.dynamics.DiscreteDynamicsWorld;
 import com.bulletphysics.dynamics.RigidBody;
-import com.bulletphysics.dynamics.constraintsolver.SequentialImpulseConstraintSolver;
 import com.bulletphysics.dynamics.constraintsolver.TypedConstraint;
 import java.util.ArrayList;
 import java.util.List;
@@ -34,10 +33,6 @@ final class Physics {
     private static final double ROBOT_REST = 1e-4;
     /** Surfaces closer than this touch, metres. */
     private static final float TOUCH = 0.002f;
-
-    /** Turns of the solver while only robots move, and while objects do: a stack needs more. */
-    private static final int TURNS = 10;
-    private static final int OBJECT_TURNS = 40;
 
     /** Takes the contacts of a step. */
     interface Touches {
@@ -75,7 +70,7 @@ final class Physics {
     void restart() {
         ContactConfiguration configuration = new ContactConfiguration();
         dispatcher = new CollisionDispatcher(configuration);
-        world = new DiscreteDynamicsWorld(dispatcher, new PairSearch(), new SequentialImpulseConstraintSolver(), configuration);
+        world = new DiscreteDynamicsWorld(dispatcher, new PairSearch(), new IslandSolver(), configuration);
         world.setGravity(new Vector3f(0, (float) -GRAVITY, 0));
         world.getSolverInfo().splitImpulse = true;
         world.getSolverInfo().linearSlop = ContactPatch.SKIN;
@@ -103,12 +98,10 @@ final class Physics {
     void step() {
         noticeWaking();
         boolean busy = false;
-        boolean objects = false;
         for (int i = 0; i < movable.size(); i++) {
             Body body = movable.get(i);
             if (awake[body.number]) {
                 busy = true;
-                objects |= !body.isRobot();
                 redraw |= leavesZone(body.number);
             }
         }
@@ -116,7 +109,6 @@ final class Physics {
             drawZones();
         }
         if (busy) {
-            world.getSolverInfo().numIterations = objects ? OBJECT_TURNS : TURNS;
             world.stepSimulation((float) Simulation.STEP, 0, (float) Simulation.STEP);
         }
         for (int i = 0; i < movable.size(); i++) {

@@ -171,8 +171,7 @@ final class Body {
         double dy = pose.y - anchor.y;
         double dz = pose.z - anchor.z;
         double cosine = Math.abs(pose.qx * anchor.qx + pose.qy * anchor.qy + pose.qz * anchor.qz + pose.qw * anchor.qw);
-        double turn = 2 * Math.acos(Math.min(1, cosine));
-        if (!mayRest || dx * dx + dy * dy + dz * dz > band * band || turn > TURN_PER_METRE * band) {
+        if (!mayRest || dx * dx + dy * dy + dz * dz > band * band || cosine < Math.cos(TURN_PER_METRE * band / 2)) {
             anchor = pose;
             still = 0;
             rigid.setSleepingThresholds(0, 0);

@@ -17,7 +17,8 @@ final class WindowApplication extends SimpleApplication implements WindowBody {
     /** Held, so that its level stays. */
     private static final Logger ENGINE = Logger.getLogger("com.jme3");
     private static final int HARDWARE_FRAMES = 60;
-    private static final int SOFTWARE_FRAMES = 40;
+    /** A little more than anybody needs to see motion: each picture takes caches and time from the simulation. */
+    private static final int SOFTWARE_FRAMES = 34;
     /** Seconds that a machine may take to open a window. */
     private static final long PATIENCE = 60;
     private static final int DEPTH_BITS = 24;

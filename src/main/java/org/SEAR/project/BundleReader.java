@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.zip.CRC32;
 import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
@@ -17,6 +18,8 @@ import java.util.zip.Inflater;
 final class BundleReader {
     private static final int BLOCK = 1 << 16;
     private static final int LONGEST_VERSION = 20;
+    private static final Pattern OBJECT = Pattern.compile("(environment|robot)/[^/]+\\.xml");
+    private static final Pattern INNER_OBJECT = Pattern.compile(".+/" + OBJECT.pattern());
 
     private final Path bundle;
     private final String name;
@@ -52,6 +55,7 @@ final class BundleReader {
                 }
             }
             checkVersion(channel, version);
+            checkPlace(entries);
             problems.throwIfAny();
             for (ZipIndex.Entry entry : entries) {
                 if (entry != version && !entry.isFolder()) {
@@ -59,6 +63,22 @@ final class BundleReader {
                 }
             }
             problems.throwIfAny();
+        }
+    }
+
+    /** Who zips a project by hand easily has all of it in one folder more, and would open an empty world. */
+    private void checkPlace(List<ZipIndex.Entry> entries) {
+        ZipIndex.Entry inner = null;
+        for (ZipIndex.Entry entry : entries) {
+            if (OBJECT.matcher(entry.name).matches()) {
+                return;
+            }
+            if (inner == null && INNER_OBJECT.matcher(entry.name).matches()) {
+                inner = entry;
+            }
+        }
+        if (inner != null) {
+            refuse(inner, "environment, robot and assets at the top of the bundle, not in a folder of it");
         }
     }
 

@@ -67,6 +67,7 @@ public class HostileBundleTest {
         bundle("very long name", with("assets/" + "a".repeat(300)), path);
         bundle("very deep", with("a/".repeat(50) + "b"), path);
         bundle("empty name", with(""), path);
+        bundle("one folder too deep", with("SEARproject/environment/b.xml"), "legal: environment, robot and assets at the top of the bundle");
         RawZip twice = with("environment/b.xml");
         twice.stored("environment/b.xml", BOX);
         bundle("twice", twice, "legal: each name once");

@@ -36,8 +36,8 @@ final class CheckCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         PrintWriter err = spec.commandLine().getErr();
         try {
-            List<String> warnings = Files.isDirectory(path) ? checkFolder()
-                : Bundle.check(path, new PercentProgress("checking", path, err::println));
+            List<String> warnings = Files.isDirectory(path) ? warnings(Project.read(project()))
+                : Bundle.check(path, new PercentProgress("checking", path, err::println), CheckCommand::warnings);
             warnings.forEach(warning -> out.println("warning: " + warning));
             out.println(path + ": no problems");
             return ExitCode.OK;
@@ -53,8 +53,8 @@ final class CheckCommand implements Callable<Integer> {
     }
 
     /** Builds the world, too: a model that can't be loaded and a robot without Dynamics are found only then. */
-    private List<String> checkFolder() throws ProjectException {
-        try (Simulation world = Simulation.of(Project.read(project()), 0)) {
+    private static List<String> warnings(Project project) throws ProjectException {
+        try (Simulation world = Simulation.of(project, 0)) {
             return world.snapshot().warnings;
         }
     }

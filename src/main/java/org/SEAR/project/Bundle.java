@@ -68,9 +68,15 @@ public final class Bundle {
         return Project.read(project);
     }
 
-    /** As {@link #check(Path, Progress)}, telling nobody. */
+    /** What somebody wants to see of a project that was found valid. */
+    public interface Look {
+        /** @return warnings, empty if there are none @throws ProjectException with everything that is wrong */
+        List<String> at(Project project) throws ProjectException;
+    }
+
+    /** As {@link #check(Path, Progress, Look)}, of what stands in the files only, telling nobody. */
     public static List<String> check(Path file) throws IOException, ProjectException {
-        return check(file, Progress.NONE);
+        return check(file, Progress.NONE, Project::getWarnings);
     }
 
     /**
@@ -79,11 +85,11 @@ public final class Bundle {
      * @return warnings, empty if there are none
      * @throws ProjectException with everything that is wrong
      */
-    public static List<String> check(Path file, Progress progress) throws IOException, ProjectException {
+    public static List<String> check(Path file, Progress progress, Look look) throws IOException, ProjectException {
         Path temporary = Files.createTempDirectory("sear-check");
         try {
             new BundleReader(file.toAbsolutePath().normalize(), progress).unpack(temporary);
-            return Project.read(temporary).getWarnings();
+            return look.at(Project.read(temporary));
         } finally {
             ProjectSwap.delete(temporary);
         }

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import org.SEAR.project.Bundle;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
@@ -110,6 +111,9 @@ public class SearCommandTest {
         Path robot = Files.createDirectories(project.resolve("robot")).resolve("r.xml");
         Files.writeString(robot, "<SEARrobot><name>r</name></SEARrobot>");
         assertEquals(2, sear("check", "project"));
+        assertTrue(out, out.startsWith("robot/r.xml: robot r has no Dynamics, legal: "));
+        Bundle.save(project, folder.getRoot().toPath().resolve("robot.sear"));
+        assertEquals(2, sear("check", "robot.sear"));
         assertTrue(out, out.startsWith("robot/r.xml: robot r has no Dynamics, legal: "));
         Files.delete(robot);
         Path environment = Files.createDirectories(project.resolve("environment"));

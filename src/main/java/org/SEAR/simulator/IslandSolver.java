@@ -16,13 +16,21 @@ final class IslandSolver extends SequentialImpulseConstraintSolver {
     /** A stack. */
     private static final int TURNS_TOGETHER = 40;
 
+    private long turns;
+
     /** Called for each group of moving bodies that touch each other; what is fixed does not count among them. */
     @Override
     public float solveGroup(ObjectArrayList<CollisionObject> bodies, int bodyCount, ObjectArrayList<PersistentManifold> manifolds,
             int firstManifold, int manifoldCount, ObjectArrayList<TypedConstraint> constraints, int firstConstraint, int constraintCount,
             ContactSolverInfo info, IDebugDraw drawer, Dispatcher dispatcher) {
         info.numIterations = bodyCount > 1 ? TURNS_TOGETHER : TURNS_ALONE;
+        turns += manifoldCount + constraintCount > 0 ? info.numIterations : 0;
         return super.solveGroup(bodies, bodyCount, manifolds, firstManifold, manifoldCount, constraints, firstConstraint, constraintCount, info,
             drawer, dispatcher);
+    }
+
+    /** Turns so far, of all groups that touched anything: the work it has done. */
+    long getTurns() {
+        return turns;
     }
 }

@@ -44,6 +44,7 @@ final class Physics {
     private final List<Body> movable = new ArrayList<>();
     private DiscreteDynamicsWorld world;
     private CollisionDispatcher dispatcher;
+    private IslandSolver solver;
     private double[][] bounds;
     private double[][] zones;
     private boolean[] inside;
@@ -70,7 +71,8 @@ final class Physics {
     void restart() {
         ContactConfiguration configuration = new ContactConfiguration();
         dispatcher = new CollisionDispatcher(configuration);
-        world = new DiscreteDynamicsWorld(dispatcher, new PairSearch(), new IslandSolver(), configuration);
+        solver = new IslandSolver();
+        world = new DiscreteDynamicsWorld(dispatcher, new PairSearch(), solver, configuration);
         world.setGravity(new Vector3f(0, (float) -GRAVITY, 0));
         world.getSolverInfo().splitImpulse = true;
         world.getSolverInfo().linearSlop = ContactPatch.SKIN;
@@ -227,5 +229,10 @@ final class Physics {
             count += one ? 1 : 0;
         }
         return count;
+    }
+
+    /** How often the contact solver has turned since {@link #restart}. */
+    long getSolverTurns() {
+        return solver.getTurns();
     }
 }

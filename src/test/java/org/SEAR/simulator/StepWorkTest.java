@@ -21,6 +21,7 @@ public class StepWorkTest {
     private static final int FIXED = 200;
     private static final int LOOSE = 40;
     private static final int STEPS = 300;
+    private static final int TURNING_STEPS = 30;
     /** Rounds of which the best counts: bytes get fewer once the compiler has found out what need not be made. */
     private static final int MOST_ROUNDS = 100;
 
@@ -114,5 +115,31 @@ public class StepWorkTest {
             least = Math.min(least, (threads.getThreadAllocatedBytes(id) - before) / STEPS - scan);
         }
         assertTrue(what + ": " + least + " bytes a step, legal: " + most, least <= most);
+    }
+
+    /** Turns of the contact solver in the first simulated half second of boxes that fall from a hand's breadth, two at a place or one. */
+    private long turns(double[] places) throws Exception {
+        new Floor("floor", 80, 80);
+        for (int i = 0; i < places.length; i++) {
+            boolean upper = i > 0 && places[i] == places[i - 1];
+            new Box("box" + i, 0.4, 0.4, 0.4, 5).move(places[i], upper ? 0.7 : 0.25, 0);
+        }
+        Simulation simulation = Worlds.start(project);
+        for (int i = 0; i < TURNING_STEPS; i++) {
+            simulation.step();
+        }
+        return simulation.getWorld().getPhysics().getSolverTurns();
+    }
+
+    @Test
+    public void bodiesThatLieApartAreSolvedWithFewTurns() throws Exception {
+        long turns = turns(new double[] {0, 3, 6, 9});
+        assertTrue("turns: " + turns, turns > 0 && turns <= 4 * 10 * TURNING_STEPS);
+    }
+
+    @Test
+    public void aStackIsSolvedWithManyTurns() throws Exception {
+        long turns = turns(new double[] {0, 0});
+        assertTrue("turns: " + turns, turns > 10 * 40 && turns <= 2 * 40 * TURNING_STEPS);
     }
 }

@@ -18,7 +18,8 @@ import java.util.zip.Inflater;
 final class BundleReader {
     private static final int BLOCK = 1 << 16;
     private static final int LONGEST_VERSION = 20;
-    private static final Pattern OBJECT = Pattern.compile("(environment|robot)/[^/]+\\.xml");
+    private static final Pattern OBJECT = Pattern.compile("(" + ProjectFolder.ENVIRONMENT + "|" + ProjectFolder.ROBOT + ")/[^/]+"
+        + Pattern.quote(ProjectFolder.XML));
     private static final Pattern INNER_OBJECT = Pattern.compile(".+/" + OBJECT.pattern());
 
     private final Path bundle;

@@ -63,9 +63,9 @@ final class ProjectReader {
             List<Path> batch = files.subList(from, Math.min(files.size(), from + BATCH));
             batch.parallelStream().map(file -> new ReadFile(file, name, roots)).collect(Collectors.toList()).forEach(read -> {
                 problems.addAll(read.problems);
-                objects.put(read.stem(), read.parsed == null ? ParsedObject.broken(read.name, 0) : read.parsed);
+                objects.put(read.stem, read.parsed == null ? ParsedObject.broken(read.name, 0) : read.parsed);
                 if (read.parsed != null && !read.parsed.isBroken()) {
-                    checkFile(read.parsed, (SearObject) read.parsed.object, read.stem());
+                    checkFile(read.parsed, (SearObject) read.parsed.object, read.stem);
                 }
             });
         }
@@ -74,20 +74,16 @@ final class ProjectReader {
 
     /** One file and what is wrong with it. Made on any thread, because a project may have thousands. */
     private static final class ReadFile {
-        final Path file;
         final String name;
+        final String stem;
         final ProblemList problems = new ProblemList();
         final ParsedObject parsed;
 
         ReadFile(Path file, String folder, Map<String, Class<? extends SearObject>> roots) {
-            this.file = file;
-            name = folder + "/" + file.getFileName();
-            parsed = Xml.read(file, name, roots, problems);
-        }
-
-        String stem() {
             String fileName = file.getFileName().toString();
-            return fileName.substring(0, fileName.length() - ProjectFolder.XML.length());
+            name = folder + "/" + fileName;
+            stem = fileName.substring(0, fileName.length() - ProjectFolder.XML.length());
+            parsed = Xml.read(file, name, roots, problems);
         }
     }
 

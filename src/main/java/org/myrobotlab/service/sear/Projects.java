@@ -59,10 +59,8 @@ public final class Projects {
     }
 
     /** Looks at the project while {@link #load} and {@link #startAnew} wait: some systems rename no folder whose files are being read. */
-    <T> T undisturbed(Supplier<T> look) {
-        synchronized (this) {
-            return look.get();
-        }
+    synchronized <T> T undisturbed(Supplier<T> look) {
+        return look.get();
     }
 
     /** Refuses to take the project away from under a running simulation. */

@@ -18,7 +18,7 @@ public class GPS extends SensorObject implements SerialObject {
     private String userPort;
     @Param(doc = "speed of the device's line at power-on", unit = "baud", min = 300, max = 1e6)
     private int baud = 38400;
-    @Param(doc = "receiver behind the ports", values = {"MT3301", "FV-M8", "FV_M8", "FV-M11", "FV_M11", "MT3329"})
+    @Param(doc = "receiver behind the ports", text = TextRule.GPS_MODEL)
     private String model = "MT3301";
     @Param(doc = "fixes a second", unit = "Hz", min = 0.1, max = 5)
     private double rate = 1;

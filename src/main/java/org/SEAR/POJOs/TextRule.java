@@ -48,6 +48,13 @@ public enum TextRule {
         boolean allows(String text) {
             return HEX_COLOR.matcher(text).matches();
         }
+    },
+    /** A GPS receiver, in whatever spelling: fv_m8 is an FV-M8. */
+    GPS_MODEL("MT3301 (also FV-M8, FV-M11) or MT3329") {
+        @Override
+        boolean allows(String text) {
+            return RECEIVERS.contains(text.replaceAll("[^A-Za-z0-9]", "").toUpperCase(Locale.ROOT));
+        }
     };
 
     private static final Pattern FORBIDDEN = Pattern.compile("[/\\\\:*?\"<>|\\p{Cntrl}\\x{fffe}\\x{ffff}]");
@@ -56,6 +63,7 @@ public enum TextRule {
     private static final Pattern LINE_BREAKS = Pattern.compile("[\\p{Cntrl}\\x{fffe}\\x{ffff}]");
     private static final Set<String> DEVICES = Set.of("CON", "PRN", "AUX", "NUL", "COM1", "COM2", "COM3", "COM4", "COM5", "COM6", "COM7", "COM8",
         "COM9", "LPT1", "LPT2", "LPT3", "LPT4", "LPT5", "LPT6", "LPT7", "LPT8", "LPT9");
+    private static final Set<String> RECEIVERS = Set.of("MT3301", "MT3329", "FVM8", "FVM11");
     private static final int MAX_LENGTH = 200;
     /** File systems end at 255 bytes, and a temporary file's name is a little longer. */
     private static final int MAX_BYTES = 200;

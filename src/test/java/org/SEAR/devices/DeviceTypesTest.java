@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.ServiceLoader;
+import org.SEAR.POJOs.TextRule;
 import org.SEAR.devices.gps.GpsModel;
 import org.SEAR.devices.lms.Variant;
 import org.SEAR.devices.oi.OiModel;
@@ -31,6 +32,15 @@ public class DeviceTypesTest {
         assertEquals(GpsModel.MT3301, GpsModel.of("FV_M8"));
         assertEquals(GpsModel.MT3329, GpsModel.of("mt3329"));
         assertNull(Variant.of(180, 25));
+    }
+
+    /** A project that is valid starts. */
+    @Test
+    public void anObjectTakesTheReceiversThatThereAreInAnySpelling() {
+        for (String name : Arrays.asList("FV_M8", "fv m11", "mt3329", "MT3301")) {
+            assertTrue(name, TextRule.GPS_MODEL.isLegal(name) && GpsModel.of(name) != null);
+        }
+        assertTrue(!TextRule.GPS_MODEL.isLegal("NEO-6M") && refusal(() -> GpsModel.of("NEO-6M")).contains("MT3329"));
     }
 
     @Test

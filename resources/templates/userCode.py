@@ -12,7 +12,7 @@ GYROSCOPE = 0x2E
 COMPASS = 0x2F
 
 sear = Runtime.start("SEAR", "SEAR")
-if not sear.isRunning():
+if not sear.isSimulating():
     sear.startSimulation()
 sear.simSleep(1)                        # things fall into their places
 python.execFile(controllerFile)         # the microcontroller

@@ -140,7 +140,7 @@ public class SEAR extends Service<SEARConfig> {
     }
 
     /** Whether a simulation runs (a paused one too). */
-    public boolean isRunning() {
+    public boolean isSimulating() {
         return works != null && works.control().isRunning();
     }
 
@@ -384,7 +384,7 @@ public class SEAR extends Service<SEARConfig> {
 
     /** The simulation has changed its state. */
     void changed() {
-        simulating = isRunning();
+        simulating = isSimulating();
         paused = simulating && works.control().session().isPaused();
         broadcastState();
     }

@@ -31,7 +31,7 @@ public class ClosedByUserTest {
 
     private void closeWindow() throws Exception {
         sear.startSimulation();
-        assertTrue(sear.isRunning());
+        assertTrue(sear.isSimulating());
         CloseButton.press(TITLE);
     }
 
@@ -48,15 +48,15 @@ public class ClosedByUserTest {
         Views.until("the window has gone", ClosedByUserTest::isTold);
         double then = sear.getTime() + 1;
         Views.until("time goes on", () -> sear.getTime() > then);
-        assertTrue(sear.isRunning());
+        assertTrue(sear.isSimulating());
     }
 
     @Test
     public void theSimulationStopsWhereItIsConfiguredTo() throws Exception {
         sear.getConfig().closingWindowStops = true;
         closeWindow();
-        Views.until("the simulation has stopped", () -> !sear.isRunning());
+        Views.until("the simulation has stopped", () -> !sear.isSimulating());
         sear.startSimulation();
-        assertTrue("it starts again", sear.isRunning());
+        assertTrue("it starts again", sear.isSimulating());
     }
 }

@@ -47,7 +47,7 @@ final class DeviceWorld {
     static void restart(MyRobotLab robotLab) {
         robotLab.call("lidar", "disconnect");
         robotLab.call("gps", "disconnect");
-        if (robotLab.call("sear", "isRunning").asBoolean()) {
+        if (robotLab.call("sear", "isSimulating").asBoolean()) {
             robotLab.call("sear", "stopSimulation");
         }
         robotLab.call("sear", "startSimulation");

@@ -20,7 +20,7 @@ final class SearTab {
 
     /** Ends what a test before has left running. */
     void stopAll() {
-        if (robotLab.call("sear", "isRunning").asBoolean()) {
+        if (robotLab.call("sear", "isSimulating").asBoolean()) {
             robotLab.call("sear", "stopSimulation");
         }
         robotLab.call("sear", "setSpeed", 1);

@@ -67,7 +67,7 @@ public class LifeTest {
             SEAR sear = start("life" + round % 2);
             sear.simSleep(0.1);
             assertTrue(Runtime.releaseService(sear.getName()));
-            assertFalse(sear.isRunning());
+            assertFalse(sear.isSimulating());
             assertNothingIsLeft();
         }
     }
@@ -76,12 +76,12 @@ public class LifeTest {
     public void stoppedAndStartedAgainItIsTheSameService() {
         SEAR sear = start("life");
         sear.stopService();
-        assertFalse(sear.isRunning());
+        assertFalse(sear.isSimulating());
         assertNothingIsLeft();
         sear.startService();
         sear.startSimulation();
         sear.simSleep(0.1);
-        assertTrue(sear.isRunning());
+        assertTrue(sear.isSimulating());
     }
 
     @Test
@@ -152,7 +152,7 @@ public class LifeTest {
         Runtime.releaseService("first");
         second.startSimulation();
         second.simSleep(0.1);
-        assertTrue(second.isRunning());
+        assertTrue(second.isSimulating());
         Runtime.releaseService("second");
         assertNothingIsLeft();
     }

@@ -213,7 +213,7 @@ public class SearServiceTest {
         } finally {
             Runtime.releaseService("otherSear");
         }
-        assertTrue(sear.isRunning());
+        assertTrue(sear.isSimulating());
         sear.simSleep(0.1);
     }
 
@@ -351,7 +351,7 @@ public class SearServiceTest {
         assertFails("the name is missing", () -> sear.getPose(null));
         assertFails("the path is missing", () -> sear.saveProject(null));
         sear.simSleep(0.5);
-        assertTrue(sear.isRunning());
+        assertTrue(sear.isSimulating());
         assertEquals(0.5, sear.getTime(), 1e-6);
     }
 
@@ -359,7 +359,7 @@ public class SearServiceTest {
     public void aMissingProjectFolderIsNamed() throws Exception {
         sear.newProject();
         assertFails("there is no project folder " + folder, sear::startSimulation);
-        assertFalse(sear.isRunning());
+        assertFalse(sear.isSimulating());
     }
 
     @Test

@@ -103,7 +103,7 @@ public class WindowLifeTest {
         sear.startSimulation();
         assertEquals(1, windows());
         sear.stopService();
-        assertFalse(sear.isRunning());
+        assertFalse(sear.isSimulating());
         assertNothingIsLeft();
         sear.startService();
         start();

@@ -21,8 +21,9 @@ import org.junit.Test;
 /** The rooms of the plug-in and who may call whom: a room imports only from rooms below it. */
 public class RoomsTest {
     /** Top to bottom. */
-    private static final List<String> ROOMS = Arrays.asList("org.myrobotlab.service", "org.myrobotlab.serial", "org.SEAR.view", "org.SEAR.devices",
-        "org.SEAR.simulator", "org.SEAR.sensors", "org.SEAR.raycast", "org.SEAR.project", "org.SEAR.POJOs");
+    private static final List<String> ROOMS = Arrays.asList("org.myrobotlab.service", "org.myrobotlab.serial", "org.SEAR.view", "org.SEAR.simulator",
+        "org.SEAR.robot", "org.SEAR.physics", "org.SEAR.devices", "org.SEAR.sensors", "org.SEAR.raycast", "org.SEAR.collision", "org.SEAR.project",
+        "org.SEAR.geometry", "org.SEAR.POJOs");
     private static final List<String> CORE = ROOMS.subList(3, ROOMS.size());
     private static final Pattern NAME = Pattern.compile("\\b(?:org|com)\\.[A-Za-z0-9_.]+");
     private static final Path SOURCES = Paths.get(System.getProperty("sear.root", "."), "src/main/java");

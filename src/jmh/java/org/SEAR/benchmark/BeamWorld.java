@@ -1,10 +1,10 @@
 package org.SEAR.benchmark;
 
 import java.util.Random;
-import org.SEAR.project.Triangles;
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.Triangles;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.Hit;
-import org.SEAR.raycast.Pose;
 
 /**
  * The worlds of the benchmark: a walled square with rotated boxes of 0.25 to 1 m, or hills of triangles, and 100 poses of a LIDAR in it. The same

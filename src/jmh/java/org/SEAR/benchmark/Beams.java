@@ -2,8 +2,8 @@ package org.SEAR.benchmark;
 
 import java.util.concurrent.TimeUnit;
 import javax.vecmath.Vector3f;
+import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
-import org.SEAR.raycast.Pose;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;

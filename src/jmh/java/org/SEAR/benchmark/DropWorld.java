@@ -2,7 +2,7 @@ package org.SEAR.benchmark;
 
 import java.util.Random;
 import org.SEAR.POJOs.Floor;
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.Simulation;
 
 /**

@@ -14,7 +14,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import javax.vecmath.Quat4f;
 import javax.vecmath.Vector3f;
-import org.SEAR.project.Triangles;
+import org.SEAR.geometry.Triangles;
 
 /** The same world for jbullet's rayTest. */
 final class JBulletWorld {

@@ -10,7 +10,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
-import org.SEAR.project.Triangles;
+import org.SEAR.geometry.Triangles;
 import org.SEAR.raycast.BeamScene;
 
 /**

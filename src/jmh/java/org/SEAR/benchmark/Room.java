@@ -3,7 +3,7 @@ package org.SEAR.benchmark;
 import java.util.Random;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Floor;
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
 
 /**
  * The still things that a robot drives among: a walled square with fixed boxes of 0.25 to 1 m, rotated, outside of the ring on which it drives.

@@ -11,7 +11,7 @@ import org.SEAR.POJOs.Gyroscope;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
-import org.SEAR.simulator.SerialLine;
+import org.SEAR.devices.SerialLine;
 import org.SEAR.simulator.Simulation;
 
 /**

@@ -10,8 +10,8 @@ import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
 import javax.vecmath.Vector3f;
+import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
-import org.SEAR.raycast.Pose;
 
 /**
  * Writes worlds of the benchmark as JSON files, with what SEAR and jbullet measure in them, so that other engines can run the same and be compared.

@@ -18,6 +18,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.SEAR.POJOs.Model;
+import org.SEAR.geometry.Triangles;
 
 /**
  * Loads models with jMonkeyEngine's loaders, without a display. The geometry that the physics and the beams get and the scene that a window shows

@@ -1,6 +1,7 @@
 package org.SEAR.project;
 
 import com.jme3.math.Vector3f;
+import org.SEAR.geometry.Triangles;
 
 /** Where the centre of a terrain is: in the middle of its extent in x and z, on its highest surface there. */
 final class Terrain {

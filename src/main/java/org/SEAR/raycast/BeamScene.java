@@ -1,7 +1,8 @@
 package org.SEAR.raycast;
 
 import java.util.Arrays;
-import org.SEAR.project.Triangles;
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.Triangles;
 
 /**
  * The exact geometry that beams meet: boxes, cylinders, cones and triangle meshes, each with a pose in the world.

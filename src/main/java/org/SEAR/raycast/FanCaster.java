@@ -1,5 +1,8 @@
 package org.SEAR.raycast;
 
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.Rotation;
+
 /**
  * Casts plane fans: cuts the scene with the fan's plane and lets each beam look only at the lines that lie in its direction. Holds what one thread
  * needs for it; allocates only when a fan of another pattern comes.
@@ -33,7 +36,7 @@ final class FanCaster {
         ox = pose.x;
         oy = pose.y;
         oz = pose.z;
-        Rotations.matrix(pose.qx, pose.qy, pose.qz, pose.qw, axes, 0);
+        Rotation.write(pose.qx, pose.qy, pose.qz, pose.qw, axes, 0);
         depth.start(start, step, count, maxRange);
         if (depth.beams.regular) {
             reachSquared = maxRange * maxRange * (1 + 1e-12);

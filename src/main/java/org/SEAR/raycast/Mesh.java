@@ -2,7 +2,7 @@ package org.SEAR.raycast;
 
 import java.util.Map;
 import java.util.WeakHashMap;
-import org.SEAR.project.Triangles;
+import org.SEAR.geometry.Triangles;
 
 /**
  * Triangles in the order of their hierarchy, in the model's own unscaled frame: 36 bytes a triangle for the corners and about as many for the

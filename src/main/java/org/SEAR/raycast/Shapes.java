@@ -1,6 +1,7 @@
 package org.SEAR.raycast;
 
 import java.util.Arrays;
+import org.SEAR.geometry.Rotation;
 
 /**
  * The shapes of a scene in flat arrays. {@link #data} holds {@link #STRIDE} numbers a shape: rotation matrix (world = R * own, row by row),
@@ -46,7 +47,7 @@ final class Shapes {
 
     void place(int shape, double[] pose, int at) {
         int i = shape * STRIDE;
-        Rotations.matrix(pose[at + 3], pose[at + 4], pose[at + 5], pose[at + 6], data, i);
+        Rotation.write(pose[at + 3], pose[at + 4], pose[at + 5], pose[at + 6], data, i);
         System.arraycopy(pose, at, data, i + POSITION, 3);
     }
 

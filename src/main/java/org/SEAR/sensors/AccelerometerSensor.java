@@ -3,7 +3,8 @@ package org.SEAR.sensors;
 import java.util.Arrays;
 import org.SEAR.POJOs.Accelerometer;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.Rotation;
 
 /**
  * Acceleration of the sensor's own place along its axes, m/s^2 (without rotation: +x left, +y up, +z forward).

@@ -7,7 +7,7 @@ import java.util.Collections;
 import java.util.List;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
 
 /**
  * Heading of the sensor's forward axis, degrees clockwise from north, (-180, 180]; boxed in a Double, NaN when the reading dropped out.

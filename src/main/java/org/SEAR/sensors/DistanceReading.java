@@ -1,6 +1,6 @@
 package org.SEAR.sensors;
 
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
 
 /** What a distance sensor met in one step, with everything that shows it. Immutable, any thread. */
 public final class DistanceReading {

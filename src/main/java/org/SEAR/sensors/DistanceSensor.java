@@ -4,9 +4,10 @@ import java.util.Collections;
 import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.Rotation;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.Hit;
-import org.SEAR.raycast.Pose;
 
 /**
  * An ultrasonic, infrared, radar, sonar or laser range sensor: the distance along the line on which anything is nearest, of all lines of all cones,

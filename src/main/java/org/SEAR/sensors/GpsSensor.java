@@ -2,7 +2,7 @@ package org.SEAR.sensors;
 
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
 
 /**
  * Place and motion of the antenna on WGS84.

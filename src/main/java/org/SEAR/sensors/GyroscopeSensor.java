@@ -2,6 +2,7 @@ package org.SEAR.sensors;
 
 import org.SEAR.POJOs.Gyroscope;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.geometry.Rotation;
 
 /**
  * Rates of turn about the sensor's axes, rad/s, counter-clockwise positive (without rotation: about +x left, +y up, +z forward; a turn to the left is

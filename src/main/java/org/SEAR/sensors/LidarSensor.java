@@ -2,8 +2,8 @@ package org.SEAR.sensors;
 
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
-import org.SEAR.raycast.Pose;
 
 /**
  * A plane of beams: range i = distance from the sensor's origin to the nearest surface in the direction (sin a, 0, cos a) of its frame,

@@ -3,7 +3,7 @@ package org.SEAR.sensors;
 import java.util.Collections;
 import java.util.List;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
 
 /**
  * One simulated sensor: reading = f(truth, parameters, own random numbers). Simulation thread only.

@@ -1,7 +1,7 @@
 package org.SEAR.sensors;
 
+import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
-import org.SEAR.raycast.Pose;
 
 /**
  * What a sensor may know: the exact state of its robot after one step. The simulator fills it; sensors only read it. Simulation thread.

@@ -8,9 +8,14 @@ import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SerialObject;
+import org.SEAR.devices.Cable;
+import org.SEAR.devices.DeviceType;
+import org.SEAR.devices.SerialDevice;
+import org.SEAR.devices.SerialLine;
+import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.Hit;
-import org.SEAR.raycast.Pose;
+import org.SEAR.robot.RobotModel;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.SensorTypes;
 

@@ -6,7 +6,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
+import org.SEAR.robot.RobotModel;
+import org.SEAR.robot.WheelPoses;
 
 /** Makes the snapshots. What did not change is shared with the snapshot before. Simulation thread. */
 final class Observer {

@@ -2,8 +2,10 @@ package org.SEAR.simulator;
 
 import java.util.List;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
-import org.SEAR.raycast.Pose;
+import org.SEAR.robot.RaycastWheel;
+import org.SEAR.robot.RobotModel;
 
 /** Finds where things are by their names. Simulation thread. */
 final class Places {

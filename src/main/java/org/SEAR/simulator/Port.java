@@ -3,6 +3,10 @@ package org.SEAR.simulator;
 import java.util.function.Consumer;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SerialObject;
+import org.SEAR.devices.Cable;
+import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.RobotHardware;
+import org.SEAR.robot.RobotModel;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.Truth;
 

@@ -11,9 +11,12 @@ import java.util.concurrent.Future;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.devices.SerialLine;
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.TimeStep;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectException;
-import org.SEAR.raycast.Pose;
+import org.SEAR.robot.Robot;
 import org.SEAR.sensors.Sensor;
 
 /**
@@ -24,7 +27,7 @@ import org.SEAR.sensors.Sensor;
  */
 public final class Simulation implements AutoCloseable {
     /** Length of a step, simulated seconds. */
-    public static final double STEP = 1 / 60.0;
+    public static final double STEP = TimeStep.SECONDS;
     /** UTC of simulated time 0 unless set, milliseconds since 1970. */
     public static final long EPOCH = Instant.parse("2026-01-01T12:00:00Z").toEpochMilli();
 

@@ -2,7 +2,7 @@ package org.SEAR.simulator;
 
 import java.util.List;
 import java.util.Map;
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
 
 /** The state of the world after one step, for everybody who looks. Immutable, any thread. */
 public final class Snapshot {

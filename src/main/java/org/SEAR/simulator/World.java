@@ -9,9 +9,18 @@ import javax.vecmath.Vector3f;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
+import org.SEAR.geometry.Pose;
+import org.SEAR.physics.Body;
+import org.SEAR.physics.Physics;
+import org.SEAR.physics.Scenes;
+import org.SEAR.physics.Solid;
+import org.SEAR.physics.StartPoses;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectException;
-import org.SEAR.raycast.Pose;
+import org.SEAR.robot.RobotBuilder;
+import org.SEAR.robot.RobotModel;
+import org.SEAR.robot.RobotTruth;
+import org.SEAR.robot.VirtualWalls;
 import org.SEAR.sensors.Earth;
 
 /** The things of a project: environment and robots in physics and before the beams. Simulation thread. */

@@ -1,7 +1,7 @@
 package org.SEAR.view;
 
 import com.jme3.math.ColorRGBA;
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
 
 /** The beams of one sensor as they are drawn: directions in the sensor's frame, greatest lengths, colours. Immutable. */
 final class BeamFan {

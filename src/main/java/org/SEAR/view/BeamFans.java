@@ -7,10 +7,10 @@ import java.util.stream.IntStream;
 import org.SEAR.POJOs.BeamCone;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.LIDAR;
-import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
-import org.SEAR.raycast.Pose;
 import org.SEAR.sensors.BeamPattern;
 
 /** The beams of a project's sensors. */

@@ -3,7 +3,7 @@ package org.SEAR.view;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
 
 /** What a window needs to know about the world after one step, in the window's own terms. Immutable, any thread. */
 final class Moment {

@@ -6,7 +6,7 @@ import com.jme3.math.Vector3f;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Iterator;
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
 
 /**
  * Turns moments that arrive at uneven times into smooth motion: keeps the last few, and shows the world a little late, between the two moments that

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
 
 /** What the window's panels say about a moment. */
 final class StatusWords {

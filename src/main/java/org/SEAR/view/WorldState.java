@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
 
 /** Everything that a {@link WorldLink} answers at one time, as it travels to a window in a process of its own. Immutable, any thread. */
 final class WorldState {

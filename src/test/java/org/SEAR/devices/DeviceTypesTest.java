@@ -12,7 +12,6 @@ import org.SEAR.POJOs.TextRule;
 import org.SEAR.devices.gps.GpsModel;
 import org.SEAR.devices.lms.Variant;
 import org.SEAR.devices.oi.OiModel;
-import org.SEAR.simulator.DeviceType;
 import org.junit.Test;
 
 /** The registry of devices, and names of models. */

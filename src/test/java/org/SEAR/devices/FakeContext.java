@@ -6,9 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.Truth;
-import org.SEAR.simulator.DeviceContext;
-import org.SEAR.simulator.RobotHardware;
-import org.SEAR.simulator.SerialDevice;
 
 /** A line of ten bits a byte, a scripted clock and settable hardware around one device. */
 public final class FakeContext implements DeviceContext {

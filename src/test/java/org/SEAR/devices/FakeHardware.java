@@ -1,7 +1,5 @@
 package org.SEAR.devices;
 
-import org.SEAR.simulator.RobotHardware;
-
 /** Hardware whose state a test sets. Lengths in metres, angles in radians. */
 public final class FakeHardware implements RobotHardware {
     public double left;

@@ -11,7 +11,6 @@ import org.SEAR.devices.lms.Devices;
 import org.SEAR.devices.oi.OiModel;
 import org.SEAR.devices.oi.Roomba;
 import org.SEAR.sensors.GpsFix;
-import org.SEAR.simulator.SerialDevice;
 import org.junit.Test;
 
 /** Random bytes, whole commands among them, never stop a device; -Dsear.fuzzBytes sets how many. */

@@ -22,6 +22,7 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.FileTime;
 import java.util.zip.GZIPOutputStream;
 import org.SEAR.POJOs.Model;
+import org.SEAR.geometry.Triangles;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;

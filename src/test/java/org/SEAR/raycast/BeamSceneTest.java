@@ -11,7 +11,8 @@ import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import org.SEAR.project.Triangles;
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.Triangles;
 import org.junit.Test;
 
 /** Surfaces, edges, owners, visibility and movement in small scenes. */

@@ -2,6 +2,7 @@ package org.SEAR.raycast;
 
 import static org.junit.Assert.assertEquals;
 
+import org.SEAR.geometry.Pose;
 import org.junit.Test;
 
 /** The shortest beam of a bundle is the shortest of the same beams cast one by one. */

@@ -5,7 +5,8 @@ import static org.junit.Assert.assertEquals;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.SEAR.project.Triangles;
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.Triangles;
 import org.junit.Test;
 
 /** The hierarchies only leave out what a beam misses: it meets the same, to the byte, as when every box and triangle is tried alone. */

@@ -3,6 +3,7 @@ package org.SEAR.raycast;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
+import org.SEAR.geometry.Pose;
 import org.junit.Test;
 
 /** Beams and fans against independently written geometry, over random scenes. */

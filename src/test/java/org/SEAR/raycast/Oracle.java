@@ -2,7 +2,8 @@ package org.SEAR.raycast;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.SEAR.project.Triangles;
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.Triangles;
 
 /**
  * What beams meet, computed the slow and plain way for the tests: every shape, in the world's frame, from the textbook's vector formulas (planes,

@@ -1,7 +1,8 @@
 package org.SEAR.raycast;
 
 import java.util.Random;
-import org.SEAR.project.Triangles;
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.Triangles;
 
 /** A scene of random shapes together with its {@link Oracle}. */
 final class RandomScenes {

@@ -14,9 +14,9 @@ import org.SEAR.POJOs.BeamCone;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Noise;
+import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.raycast.BeamScene;
-import org.SEAR.raycast.Pose;
 import org.junit.Rule;
 import org.junit.Test;
 

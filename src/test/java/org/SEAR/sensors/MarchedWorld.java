@@ -3,8 +3,8 @@ package org.SEAR.sensors;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
-import org.SEAR.raycast.Pose;
 
 /**
  * A world of solids twice over: in a beam scene, and as exact distance functions along which a beam is marched. The two ways to a range

@@ -1,7 +1,7 @@
 package org.SEAR.sensors;
 
+import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
-import org.SEAR.raycast.Pose;
 
 /** A truth that a test moves by hand, one step at a time. */
 final class ScriptedTruth implements Truth {

@@ -13,8 +13,10 @@ import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.devices.RobotHardware;
+import org.SEAR.geometry.Pose;
+import org.SEAR.physics.Body;
 import org.SEAR.project.ProjectRule;
-import org.SEAR.raycast.Pose;
 import org.junit.Rule;
 import org.junit.Test;
 

@@ -4,8 +4,10 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import org.SEAR.POJOs.Floor;
+import org.SEAR.devices.RobotHardware;
+import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
-import org.SEAR.raycast.Pose;
+import org.SEAR.robot.Robot;
 import org.junit.Rule;
 import org.junit.Test;
 

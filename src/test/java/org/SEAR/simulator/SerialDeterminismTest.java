@@ -14,6 +14,7 @@ import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.devices.SerialLine;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
 import org.junit.Rule;

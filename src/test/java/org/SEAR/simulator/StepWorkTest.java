@@ -10,9 +10,9 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.raycast.BeamScene;
-import org.SEAR.raycast.Pose;
 import org.junit.Rule;
 import org.junit.Test;
 

@@ -10,8 +10,9 @@ import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
-import org.SEAR.raycast.Pose;
+import org.SEAR.robot.Robot;
 import org.junit.Rule;
 import org.junit.Test;
 

@@ -1,9 +1,9 @@
 package org.SEAR.devices.gps;
 
 import java.nio.charset.StandardCharsets;
+import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.SerialDevice;
 import org.SEAR.sensors.GpsFix;
-import org.SEAR.simulator.DeviceContext;
-import org.SEAR.simulator.SerialDevice;
 
 /**
  * The firmware of a MediaTek GPS receiver (San Jose Navigation FV-M8 class): sentences out with each fix, PMTK commands in with acknowledgements.

@@ -2,9 +2,9 @@ package org.SEAR.devices.gps;
 
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.simulator.DeviceContext;
-import org.SEAR.simulator.DeviceType;
-import org.SEAR.simulator.SerialDevice;
+import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.DeviceType;
+import org.SEAR.devices.SerialDevice;
 
 /** Puts a MediaTek receiver behind the ports of a GPS. */
 public final class Mt3301Type implements DeviceType {

@@ -4,12 +4,12 @@ import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
 import java.util.function.DoubleConsumer;
+import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.SerialDevice;
 import org.SEAR.devices.Timeline;
 import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.LidarSource;
-import org.SEAR.simulator.DeviceContext;
-import org.SEAR.simulator.SerialDevice;
-import org.SEAR.simulator.Simulation;
+import org.SEAR.geometry.TimeStep;
 
 /**
  * The firmware of a SICK LMS200: telegrams in ({@link TelegramReader}), an ACK and a reply out, one request after the other, and streams of scans.
@@ -21,7 +21,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     /** Requests that wait while another is being answered; more are dropped. */
     private static final int MAX_WAITING = 16;
     /** A byte may look late by the step of the simulation in which the host wrote it. */
-    private static final double GAP = Timing.HOST_GAP + Simulation.STEP;
+    private static final double GAP = Timing.HOST_GAP + TimeStep.SECONDS;
     /** Checksum that MyRobotLab's old driver sends with each baud telegram: that of 9600 baud. */
     private static final int OLD_DRIVER_CRC = 0x0852;
     private static final byte[] OLD_DRIVER_19200 = {0x02, 0x00, 0x02, 0x00, 0x20, 0x41};

@@ -2,9 +2,9 @@ package org.SEAR.devices.lms;
 
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.simulator.DeviceContext;
-import org.SEAR.simulator.DeviceType;
-import org.SEAR.simulator.SerialDevice;
+import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.DeviceType;
+import org.SEAR.devices.SerialDevice;
 
 /** Puts a SICK LMS200 behind the ports of a LIDAR with LMS(1). */
 public final class Lms200Type implements DeviceType {

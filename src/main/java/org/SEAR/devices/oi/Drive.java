@@ -1,6 +1,6 @@
 package org.SEAR.devices.oi;
 
-import org.SEAR.simulator.RobotHardware;
+import org.SEAR.devices.RobotHardware;
 
 /** The wheels as commands 137, 145 and 146 set them. Velocities in mm/s, radius in mm, positive to the left. */
 final class Drive {

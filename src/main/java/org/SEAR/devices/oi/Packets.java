@@ -1,7 +1,7 @@
 package org.SEAR.devices.oi;
 
 import java.io.ByteArrayOutputStream;
-import org.SEAR.simulator.RobotHardware;
+import org.SEAR.devices.RobotHardware;
 
 /**
  * The sensor packets 7 to 58 and the groups of them, as bytes: words have their high byte first. Source: the packet tables of the specifications.

@@ -3,9 +3,9 @@ package org.SEAR.devices.oi;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import org.SEAR.simulator.DeviceContext;
-import org.SEAR.simulator.RobotHardware;
-import org.SEAR.simulator.SerialDevice;
+import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.RobotHardware;
+import org.SEAR.devices.SerialDevice;
 
 /**
  * The firmware of a Roomba 400, Create or Create 2: commands in, sensor packets out, a beat of 15 ms for streams, scripts, safety and battery. A

@@ -2,9 +2,9 @@ package org.SEAR.devices.oi;
 
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.simulator.DeviceContext;
-import org.SEAR.simulator.DeviceType;
-import org.SEAR.simulator.SerialDevice;
+import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.DeviceType;
+import org.SEAR.devices.SerialDevice;
 
 /** Puts the drive of a Roomba 400, Create or Create 2 behind the ports of a robot's dynamics. */
 public final class RoombaType implements DeviceType {

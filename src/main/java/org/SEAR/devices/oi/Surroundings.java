@@ -1,6 +1,6 @@
 package org.SEAR.devices.oi;
 
-import org.SEAR.simulator.RobotHardware;
+import org.SEAR.devices.RobotHardware;
 
 /** The robot's short-range eyes: cliff sensors, wall sensor, light bumpers, in the simulated world. Distances in metres. */
 final class Surroundings {

@@ -1,6 +1,6 @@
 package org.myrobotlab.service.sear;
 
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
 
 /** Turns rotations back into the degrees of {@code rotate(rx, ry, rz)}. */
 final class Angles {

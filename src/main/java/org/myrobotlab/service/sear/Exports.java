@@ -3,7 +3,7 @@ package org.myrobotlab.service.sear;
 import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.SEAR.simulator.SerialLine;
+import org.SEAR.devices.SerialLine;
 import org.myrobotlab.serial.Port;
 import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;

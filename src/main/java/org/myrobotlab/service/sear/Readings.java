@@ -9,15 +9,15 @@ import org.SEAR.POJOs.Gyroscope;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.ScriptText;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
+import org.SEAR.robot.Robot;
 import org.SEAR.sensors.DistanceReading;
 import org.SEAR.sensors.GpsFix;
 import org.SEAR.sensors.LidarScan;
-import org.SEAR.sensors.OdometerSensor;
 import org.SEAR.sensors.OdometerReading;
+import org.SEAR.sensors.OdometerSensor;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.VectorReading;
-import org.SEAR.simulator.Robot;
 import org.SEAR.simulator.Simulation;
 
 /** Readings in the types and units of the dissertation's script calls. Any thread. */

@@ -13,8 +13,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import org.SEAR.devices.SerialLine;
 import org.SEAR.project.ProjectException;
-import org.SEAR.simulator.SerialLine;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
 

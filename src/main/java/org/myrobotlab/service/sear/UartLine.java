@@ -2,7 +2,7 @@ package org.myrobotlab.service.sear;
 
 import java.io.IOException;
 import java.util.concurrent.TimeUnit;
-import org.SEAR.simulator.SerialLine;
+import org.SEAR.devices.SerialLine;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.serial.PortClock;
 import org.myrobotlab.serial.SerialDeviceFactory;

@@ -14,11 +14,11 @@ import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
+import org.SEAR.robot.Robot;
 import org.SEAR.sensors.DistanceReading;
 import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.Sensor;
-import org.SEAR.simulator.Robot;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.Snapshot;
 

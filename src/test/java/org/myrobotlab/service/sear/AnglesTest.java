@@ -3,7 +3,7 @@ package org.myrobotlab.service.sear;
 import static org.junit.Assert.assertEquals;
 
 import java.util.Random;
-import org.SEAR.raycast.Pose;
+import org.SEAR.geometry.Pose;
 import org.junit.Test;
 
 /** What getPose answers is what rotate would have to be told. */

@@ -1,0 +1,225 @@
+package org.SEAR.collision;
+
+/**
+ * Where two convex sets are nearest to each other, or how deep they are in each other, in double precision and without margins: the distance by
+ * Gilbert, Johnson and Keerthi (1988), the depth by {@link Depth}. One pair at a time; not for several threads.
+ */
+public final class Closest {
+    /** Distances are this good, metres. */
+    private static final double PRECISION = 1e-7;
+    private static final int ROUNDS = 64;
+
+    /** From the second set to the first, length 1. */
+    public double nx;
+    public double ny;
+    public double nz;
+    /** Between the surfaces, metres; negative if the sets overlap: how far the first would have to go along the normal. */
+    public double distance;
+    /** The point of the second set's surface that is nearest. */
+    final double[] onB = new double[3];
+    private final double[][] p = new double[4][3];
+    private final double[][] q = new double[4][3];
+    private final double[] share = new double[4];
+    private final double[] v = new double[3];
+    private final double[] best = new double[4];
+    private final double[] trial = new double[4];
+    private final double[] a = new double[3];
+    private final Depth depth = new Depth();
+    private int size;
+
+    /**
+     * Measures two sets.
+     *
+     * @param reach metres
+     * @return whether they are not farther apart than that; only then the fields are set
+     */
+    public boolean measure(Convex first, Convex second, double reach) {
+        difference(first, second, 1, 0, 0, p[0], q[0]);
+        size = 1;
+        share[0] = 1;
+        double length = approach();
+        for (int round = 0; round < ROUNDS && length > PRECISION; round++) {
+            difference(first, second, -v[0], -v[1], -v[2], p[size], q[size]);
+            double lower = dot(v, p[size]) / length;
+            if (lower > reach) {
+                return false;
+            }
+            if (length - lower <= PRECISION || isKnown()) {
+                break;
+            }
+            size++;
+            share[size - 1] = 0;
+            double before = length;
+            if (size == 4 && holdsOrigin()) {
+                length = 0;
+                break;
+            }
+            keepNearest();
+            length = approach();
+            if (length >= before) {
+                break;
+            }
+        }
+        if (length > PRECISION) {
+            separated(length);
+            return distance <= reach;
+        }
+        return depth.measure(first, second, p, q, size, this);
+    }
+
+    private void separated(double length) {
+        nx = v[0] / length;
+        ny = v[1] / length;
+        nz = v[2] / length;
+        distance = length;
+        for (int axis = 0; axis < 3; axis++) {
+            onB[axis] = 0;
+            for (int i = 0; i < size; i++) {
+                onB[axis] += share[i] * q[i][axis];
+            }
+        }
+    }
+
+    /** The corner of the difference of both sets in a direction, and the point of the second set there. */
+    static void difference(Convex first, Convex second, double dx, double dy, double dz, double[] point, double[] ofSecond) {
+        first.farthest(dx, dy, dz, point);
+        second.farthest(-dx, -dy, -dz, ofSecond);
+        for (int axis = 0; axis < 3; axis++) {
+            point[axis] -= ofSecond[axis];
+        }
+    }
+
+    /** The point of the simplex that is nearest to the origin. @return how far it is */
+    private double approach() {
+        for (int axis = 0; axis < 3; axis++) {
+            v[axis] = 0;
+            for (int i = 0; i < size; i++) {
+                v[axis] += share[i] * p[i][axis];
+            }
+        }
+        return Math.sqrt(dot(v, v));
+    }
+
+    private boolean isKnown() {
+        for (int i = 0; i < size; i++) {
+            if (p[i][0] == p[size][0] && p[i][1] == p[size][1] && p[i][2] == p[size][2]) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean holdsOrigin() {
+        return beside(0, 1, 2, 3) && beside(0, 1, 3, 2) && beside(0, 2, 3, 1) && beside(1, 2, 3, 0);
+    }
+
+    /** Whether the origin lies on the same side of three corners as the fourth. */
+    private boolean beside(int i, int j, int k, int fourth) {
+        double ux = p[j][0] - p[i][0];
+        double uy = p[j][1] - p[i][1];
+        double uz = p[j][2] - p[i][2];
+        double wx = p[k][0] - p[i][0];
+        double wy = p[k][1] - p[i][1];
+        double wz = p[k][2] - p[i][2];
+        double mx = uy * wz - uz * wy;
+        double my = uz * wx - ux * wz;
+        double mz = ux * wy - uy * wx;
+        double origin = -(mx * p[i][0] + my * p[i][1] + mz * p[i][2]);
+        double other = mx * (p[fourth][0] - p[i][0]) + my * (p[fourth][1] - p[i][1]) + mz * (p[fourth][2] - p[i][2]);
+        return origin * other > 0;
+    }
+
+    /** Finds the shares of the corners in the nearest point, and drops corners without. The newest corner is the last. */
+    private void keepNearest() {
+        double least = Double.POSITIVE_INFINITY;
+        int newest = size - 1;
+        for (int i = 0; i < newest; i++) {
+            least = edge(i, newest, least);
+            for (int j = i + 1; j < newest; j++) {
+                least = face(i, j, newest, least);
+            }
+        }
+        if (dot(p[newest], p[newest]) < least) {
+            clear(best);
+            best[newest] = 1;
+        }
+        int kept = 0;
+        for (int i = 0; i < size; i++) {
+            if (best[i] > 0) {
+                swap(p, kept, i);
+                swap(q, kept, i);
+                share[kept++] = best[i];
+            }
+        }
+        size = kept;
+    }
+
+    private static void swap(double[][] of, int i, int j) {
+        double[] other = of[i];
+        of[i] = of[j];
+        of[j] = other;
+    }
+
+    private static void clear(double[] shares) {
+        for (int i = 0; i < 4; i++) {
+            shares[i] = 0;
+        }
+    }
+
+    /** Takes an edge if the foot of the perpendicular lies in it and is nearer. @return the square of the least distance so far */
+    private double edge(int i, int j, double least) {
+        double ex = p[j][0] - p[i][0];
+        double ey = p[j][1] - p[i][1];
+        double ez = p[j][2] - p[i][2];
+        double t = -(ex * p[i][0] + ey * p[i][1] + ez * p[i][2]) / (ex * ex + ey * ey + ez * ez);
+        if (!(t > 0 && t < 1)) {
+            return least;
+        }
+        clear(trial);
+        trial[i] = 1 - t;
+        trial[j] = t;
+        return take(least);
+    }
+
+    private double face(int i, int j, int k, double least) {
+        double ux = p[j][0] - p[i][0];
+        double uy = p[j][1] - p[i][1];
+        double uz = p[j][2] - p[i][2];
+        double wx = p[k][0] - p[i][0];
+        double wy = p[k][1] - p[i][1];
+        double wz = p[k][2] - p[i][2];
+        double uu = ux * ux + uy * uy + uz * uz;
+        double uw = ux * wx + uy * wy + uz * wz;
+        double ww = wx * wx + wy * wy + wz * wz;
+        double up = -(ux * p[i][0] + uy * p[i][1] + uz * p[i][2]);
+        double wp = -(wx * p[i][0] + wy * p[i][1] + wz * p[i][2]);
+        double whole = uu * ww - uw * uw;
+        double s = (ww * up - uw * wp) / whole;
+        double t = (uu * wp - uw * up) / whole;
+        if (!(s > 0 && t > 0 && s + t < 1)) {
+            return least;
+        }
+        clear(trial);
+        trial[i] = 1 - s - t;
+        trial[j] = s;
+        trial[k] = t;
+        return take(least);
+    }
+
+    private double take(double least) {
+        double square = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            a[axis] = trial[0] * p[0][axis] + trial[1] * p[1][axis] + trial[2] * p[2][axis] + trial[3] * p[3][axis];
+            square += a[axis] * a[axis];
+        }
+        if (square < least) {
+            System.arraycopy(trial, 0, best, 0, 4);
+            return square;
+        }
+        return least;
+    }
+
+    private static double dot(double[] u, double[] w) {
+        return u[0] * w[0] + u[1] * w[1] + u[2] * w[2];
+    }
+}

@@ -1,0 +1,104 @@
+package org.SEAR.collision;
+
+import java.util.Arrays;
+
+/** The points of contact of one pair in one step, and which four of them say most. Not for several threads. */
+public final class Contacts {
+    private static final int MOST = 4;
+    private static final int FIELDS = 7;
+
+    private double[] found = new double[16 * FIELDS];
+    private int count;
+    private final int[] chosen = new int[MOST];
+
+    public void clear() {
+        count = 0;
+    }
+
+    /** @param nx direction from B to A @param x on B, world frame @param height of A above it, metres */
+    void add(double nx, double ny, double nz, double x, double y, double z, double height) {
+        if (FIELDS * (count + 1) > found.length) {
+            found = Arrays.copyOf(found, 2 * found.length);
+        }
+        int i = FIELDS * count++;
+        found[i] = nx;
+        found[i + 1] = ny;
+        found[i + 2] = nz;
+        found[i + 3] = x;
+        found[i + 4] = y;
+        found[i + 5] = z;
+        found[i + 6] = height;
+    }
+
+    /** How many there are. */
+    public int size() {
+        return count;
+    }
+
+    public double nx(int i) {
+        return found[FIELDS * i];
+    }
+
+    public double ny(int i) {
+        return found[FIELDS * i + 1];
+    }
+
+    public double nz(int i) {
+        return found[FIELDS * i + 2];
+    }
+
+    public double x(int i) {
+        return found[FIELDS * i + 3];
+    }
+
+    public double y(int i) {
+        return found[FIELDS * i + 4];
+    }
+
+    public double z(int i) {
+        return found[FIELDS * i + 5];
+    }
+
+    /** Height of A above B, metres. */
+    public double height(int i) {
+        return found[FIELDS * i + 6];
+    }
+
+    /** The number of a point that {@link #choose} has chosen. */
+    public int chosen(int i) {
+        return chosen[i];
+    }
+
+    /** The lowest, and those farthest from the ones chosen so far; what touches goes before what does not. @return how many */
+    public int choose() {
+        int taken = 0;
+        while (taken < Math.min(MOST, count)) {
+            int best = -1;
+            double most = Double.NEGATIVE_INFINITY;
+            for (int i = 0; i < count; i++) {
+                double worth = taken == 0 ? -height(i) : room(i, taken) - (height(i) > Patch.SKIN ? 1e6 : 0);
+                if (worth > most) {
+                    most = worth;
+                    best = i;
+                }
+            }
+            chosen[taken++] = best;
+        }
+        return taken;
+    }
+
+    /** The square of the distance from the nearest chosen point. */
+    private double room(int i, int taken) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < taken; k++) {
+            int a = FIELDS * i;
+            int b = FIELDS * chosen[k];
+            double square = 0;
+            for (int axis = 3; axis < 6; axis++) {
+                square += (found[a + axis] - found[b + axis]) * (found[a + axis] - found[b + axis]);
+            }
+            least = Math.min(least, square);
+        }
+        return least;
+    }
+}

@@ -1,0 +1,212 @@
+package org.SEAR.collision;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * How deep two convex sets are in each other: the nearest face of their difference (expanding polytope, van den Bergen 2001). Sets that overlap do so
+ * for a step or two, so this need not be fast.
+ */
+final class Depth {
+    /** Good enough for a depth, metres. */
+    private static final double PRECISION = 1e-6;
+    private static final double NOTHING = 1e-12;
+    private static final int ROUNDS = 96;
+    private static final double[][] AXES = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+
+    private final List<Corner> corners = new ArrayList<>();
+    private final List<Face> faces = new ArrayList<>();
+    private final List<Corner[]> rim = new ArrayList<>();
+
+    /** A point of the difference, and the point of the second set that made it. */
+    private static final class Corner {
+        final double[] at = new double[3];
+        final double[] onB = new double[3];
+    }
+
+    private static final class Face {
+        final Corner a;
+        final Corner b;
+        final Corner c;
+        final double[] normal;
+        /** From the origin, + if the origin is inside. */
+        final double distance;
+
+        /** @param inside a point that the normal looks away from */
+        Face(Corner a, Corner b, Corner c, double[] inside) {
+            double[] cross = cross(a.at, b.at, c.at);
+            double length = Math.sqrt(dot(cross, cross));
+            double out = cross[0] * (a.at[0] - inside[0]) + cross[1] * (a.at[1] - inside[1]) + cross[2] * (a.at[2] - inside[2]);
+            boolean turned = out < 0;
+            this.a = a;
+            this.b = turned ? c : b;
+            this.c = turned ? b : c;
+            double scale = (turned ? -1 : 1) / Math.max(length, Double.MIN_NORMAL);
+            normal = new double[] {cross[0] * scale, cross[1] * scale, cross[2] * scale};
+            distance = length > NOTHING ? dot(normal, a.at) : Double.POSITIVE_INFINITY;
+        }
+    }
+
+    /** @param p the corners where the search for the distance ended @param q their points of the second set @param into takes the answer */
+    boolean measure(Convex first, Convex second, double[][] p, double[][] q, int size, Closest into) {
+        corners.clear();
+        faces.clear();
+        for (int i = 0; i < size; i++) {
+            Corner corner = new Corner();
+            System.arraycopy(p[i], 0, corner.at, 0, 3);
+            System.arraycopy(q[i], 0, corner.onB, 0, 3);
+            corners.add(corner);
+        }
+        if (!fill(first, second)) {
+            return false;
+        }
+        double[] inside = new double[3];
+        for (int i = 0; i < 4; i++) {
+            for (int axis = 0; axis < 3; axis++) {
+                inside[axis] += corners.get(i).at[axis] / 4;
+            }
+        }
+        addFace(0, 1, 2, inside);
+        addFace(0, 1, 3, inside);
+        addFace(0, 2, 3, inside);
+        addFace(1, 2, 3, inside);
+        Face nearest = nearest();
+        for (int round = 0; round < ROUNDS; round++) {
+            Corner far = corner(first, second, nearest.normal);
+            if (dot(nearest.normal, far.at) - nearest.distance <= PRECISION || !grow(far, inside)) {
+                break;
+            }
+            nearest = nearest();
+        }
+        answer(nearest, into);
+        return true;
+    }
+
+    private void addFace(int a, int b, int c, double[] inside) {
+        faces.add(new Face(corners.get(a), corners.get(b), corners.get(c), inside));
+    }
+
+    private static Corner corner(Convex first, Convex second, double[] direction) {
+        Corner corner = new Corner();
+        Closest.difference(first, second, direction[0], direction[1], direction[2], corner.at, corner.onB);
+        return corner;
+    }
+
+    /** Makes it four corners with room between them. @return false if both sets together are flat */
+    private boolean fill(Convex first, Convex second) {
+        while (corners.size() < 4) {
+            Corner best = null;
+            double most = NOTHING;
+            for (double[] direction : directions()) {
+                Corner corner = corner(first, second, direction);
+                double room = room(corner);
+                if (room > most) {
+                    most = room;
+                    best = corner;
+                }
+            }
+            if (best == null) {
+                return false;
+            }
+            corners.add(best);
+        }
+        return true;
+    }
+
+    private double[][] directions() {
+        if (corners.size() < 3) {
+            return AXES;
+        }
+        double[] n = cross(corners.get(0).at, corners.get(1).at, corners.get(2).at);
+        return new double[][] {n, {-n[0], -n[1], -n[2]}};
+    }
+
+    /** How much a corner would add: a length, area or volume. */
+    private double room(Corner corner) {
+        double[] a = corners.get(0).at;
+        double[] d = {corner.at[0] - a[0], corner.at[1] - a[1], corner.at[2] - a[2]};
+        if (corners.size() == 1) {
+            return dot(d, d);
+        }
+        double[] n = cross(a, corners.get(1).at, corners.size() == 2 ? corner.at : corners.get(2).at);
+        return corners.size() == 2 ? dot(n, n) : Math.abs(dot(n, d));
+    }
+
+    private Face nearest() {
+        Face nearest = faces.get(0);
+        for (Face face : faces) {
+            if (face.distance < nearest.distance) {
+                nearest = face;
+            }
+        }
+        return nearest;
+    }
+
+    /** Takes a corner in: the faces that it sees give way to those between it and their rim. @return false if it sees none */
+    private boolean grow(Corner far, double[] inside) {
+        rim.clear();
+        int kept = 0;
+        for (int i = 0; i < faces.size(); i++) {
+            Face face = faces.get(i);
+            if (dot(face.normal, far.at) - dot(face.normal, face.a.at) > NOTHING) {
+                toggle(face.a, face.b);
+                toggle(face.b, face.c);
+                toggle(face.c, face.a);
+            } else {
+                faces.set(kept++, face);
+            }
+        }
+        if (rim.size() < 3) {
+            return false;
+        }
+        faces.subList(kept, faces.size()).clear();
+        for (Corner[] edge : rim) {
+            faces.add(new Face(edge[0], edge[1], far, inside));
+        }
+        return true;
+    }
+
+    private void toggle(Corner from, Corner to) {
+        for (int i = 0; i < rim.size(); i++) {
+            if (rim.get(i)[0] == to && rim.get(i)[1] == from) {
+                rim.remove(i);
+                return;
+            }
+        }
+        rim.add(new Corner[] {from, to});
+    }
+
+    /** Where the origin's foot on the face lies, between the points that made its corners. */
+    private static void answer(Face face, Closest into) {
+        double[] foot = {face.normal[0] * face.distance, face.normal[1] * face.distance, face.normal[2] * face.distance};
+        double whole = Math.sqrt(square(cross(face.a.at, face.b.at, face.c.at)));
+        double u = Math.sqrt(square(cross(foot, face.b.at, face.c.at))) / whole;
+        double v = Math.sqrt(square(cross(foot, face.c.at, face.a.at))) / whole;
+        double w = Math.max(0, 1 - u - v);
+        for (int axis = 0; axis < 3; axis++) {
+            into.onB[axis] = (u * face.a.onB[axis] + v * face.b.onB[axis] + w * face.c.onB[axis]) / (u + v + w);
+        }
+        into.nx = -face.normal[0];
+        into.ny = -face.normal[1];
+        into.nz = -face.normal[2];
+        into.distance = -face.distance;
+    }
+
+    private static double[] cross(double[] a, double[] b, double[] c) {
+        double ux = b[0] - a[0];
+        double uy = b[1] - a[1];
+        double uz = b[2] - a[2];
+        double wx = c[0] - a[0];
+        double wy = c[1] - a[1];
+        double wz = c[2] - a[2];
+        return new double[] {uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx};
+    }
+
+    private static double square(double[] of) {
+        return dot(of, of);
+    }
+
+    private static double dot(double[] u, double[] w) {
+        return u[0] * w[0] + u[1] * w[1] + u[2] * w[2];
+    }
+}

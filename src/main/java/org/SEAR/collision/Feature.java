@@ -1,0 +1,129 @@
+package org.SEAR.collision;
+
+import org.SEAR.geometry.Placement;
+
+/**
+ * The part of a solid's surface that faces something: a face with its outward normal, or an edge (two points) or corner without one. Filled in the
+ * solid's frame, then placed in the world.
+ */
+public final class Feature {
+    /** Corners that it holds; a face that is to be cut needs room for those that cutting makes. */
+    static final int MOST = 32;
+
+    int count;
+    /** Whether it has a normal. */
+    boolean flat;
+    /** Outward normal of a face. */
+    public double nx;
+    public double ny;
+    public double nz;
+    private double[] at = new double[3 * MOST];
+    private double[] other = new double[3 * MOST];
+
+    public void clear() {
+        count = 0;
+        flat = false;
+        nx = 0;
+        ny = 0;
+        nz = 0;
+    }
+
+    void add(double x, double y, double z) {
+        int i = 3 * count++;
+        at[i] = x;
+        at[i + 1] = y;
+        at[i + 2] = z;
+    }
+
+    void setNormal(double x, double y, double z) {
+        flat = true;
+        nx = x;
+        ny = y;
+        nz = z;
+    }
+
+    double x(int i) {
+        return at[3 * i];
+    }
+
+    double y(int i) {
+        return at[3 * i + 1];
+    }
+
+    double z(int i) {
+        return at[3 * i + 2];
+    }
+
+    /** Moves it from the solid's frame to the world. */
+    public void place(Placement to) {
+        for (int i = 0; i < count; i++) {
+            to.transform(x(i), y(i), z(i), at, 3 * i);
+        }
+        double x = nx;
+        double y = ny;
+        double z = nz;
+        nx = to.m00 * x + to.m01 * y + to.m02 * z;
+        ny = to.m10 * x + to.m11 * y + to.m12 * z;
+        nz = to.m20 * x + to.m21 * y + to.m22 * z;
+    }
+
+    /** Height of a point above the face's plane, metres. */
+    double height(double x, double y, double z) {
+        return nx * (x - at[0]) + ny * (y - at[1]) + nz * (z - at[2]);
+    }
+
+    /** Cuts off what does not lie above or below a face. */
+    void clip(Feature face) {
+        double mx = 0;
+        double my = 0;
+        double mz = 0;
+        for (int i = 0; i < face.count; i++) {
+            mx += face.x(i) / face.count;
+            my += face.y(i) / face.count;
+            mz += face.z(i) / face.count;
+        }
+        for (int i = 0; i < face.count && count > 0; i++) {
+            int next = (i + 1) % face.count;
+            double ex = face.x(next) - face.x(i);
+            double ey = face.y(next) - face.y(i);
+            double ez = face.z(next) - face.z(i);
+            double px = ey * face.nz - ez * face.ny;
+            double py = ez * face.nx - ex * face.nz;
+            double pz = ex * face.ny - ey * face.nx;
+            double offset = px * face.x(i) + py * face.y(i) + pz * face.z(i);
+            boolean outward = px * mx + py * my + pz * mz <= offset;
+            cut(outward ? px : -px, outward ? py : -py, outward ? pz : -pz, outward ? offset : -offset);
+        }
+    }
+
+    /** Keeps what lies below a plane. */
+    private void cut(double px, double py, double pz, double offset) {
+        int kept = 0;
+        for (int i = 0; i < count; i++) {
+            int next = (i + 1) % count;
+            double here = px * x(i) + py * y(i) + pz * z(i) - offset;
+            double there = px * x(next) + py * y(next) + pz * z(next) - offset;
+            if (here <= 0) {
+                kept = keep(kept, x(i), y(i), z(i));
+            }
+            if (here < 0 && there > 0 || here > 0 && there < 0) {
+                double t = here / (here - there);
+                kept = keep(kept, x(i) + t * (x(next) - x(i)), y(i) + t * (y(next) - y(i)), z(i) + t * (z(next) - z(i)));
+            }
+        }
+        double[] swap = at;
+        at = other;
+        other = swap;
+        count = kept;
+    }
+
+    private int keep(int kept, double x, double y, double z) {
+        if (kept == MOST) {
+            return kept;
+        }
+        other[3 * kept] = x;
+        other[3 * kept + 1] = y;
+        other[3 * kept + 2] = z;
+        return kept + 1;
+    }
+}

@@ -1,0 +1,336 @@
+package org.SEAR.collision;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * The convex hull of points (quickhull, Barber, Dobkin and Huhdanpaa 1996): no point is farther outside of it than {@link #TOLERANCE}, unless that
+ * takes too many corners. Points in one plane get a hull as thick as a sheet of card. Immutable.
+ */
+public final class Hull {
+    /** Metres. */
+    static final double TOLERANCE = 1e-4;
+    /** More corners than this make contacts slow; the hull is then the best that this many give. */
+    private static final int MOST_CORNERS = 1000;
+    /** Half the thickness of what has none, metres. */
+    private static final double CARD = 2.5e-4;
+    private static final double NOTHING = 1e-12;
+
+    /** x, y, z of each corner, metres. */
+    private final double[] corners;
+    /** For each face its outward normal and how far its plane is from the origin. */
+    private final double[] planes;
+    /** For each face the corners of its plane, in order around it. */
+    private final int[][] polygons;
+    private final double volume;
+    private final double[] centre = new double[3];
+
+    private Hull(double[] points, List<Face> faces) {
+        Set<Integer> used = new LinkedHashSet<>();
+        faces.forEach(face -> {
+            used.add(face.a);
+            used.add(face.b);
+            used.add(face.c);
+        });
+        corners = new double[3 * used.size()];
+        int next = 0;
+        for (int point : used) {
+            System.arraycopy(points, 3 * point, corners, next, 3);
+            next += 3;
+        }
+        planes = new double[4 * faces.size()];
+        polygons = new int[faces.size()][];
+        for (int i = 0; i < polygons.length; i++) {
+            Face face = faces.get(i);
+            System.arraycopy(new double[] {face.nx, face.ny, face.nz, face.offset}, 0, planes, 4 * i, 4);
+            polygons[i] = polygon(face);
+        }
+        volume = weigh(points, faces);
+    }
+
+    /** Adds up the tetrahedra between the first point and each face. @return cubic metres */
+    private double weigh(double[] p, List<Face> faces) {
+        int first = faces.get(0).a;
+        double sum = 0;
+        for (Face face : faces) {
+            double[] n = cross(p, face.a, face.b, face.c);
+            double part = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                part += n[axis] * (p[3 * face.a + axis] - p[3 * first + axis]) / 6;
+            }
+            sum += part;
+            for (int axis = 0; axis < 3; axis++) {
+                centre[axis] += part * (p[3 * first + axis] + p[3 * face.a + axis] + p[3 * face.b + axis] + p[3 * face.c + axis]) / 4;
+            }
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            centre[axis] /= sum;
+        }
+        return sum;
+    }
+
+    /** Cubic metres. */
+    public double getVolume() {
+        return volume;
+    }
+
+    /** Where its mass is if that is spread evenly: {x, y, z}. */
+    public double[] getCentre() {
+        return centre.clone();
+    }
+
+    private static final class Face {
+        final int a;
+        final int b;
+        final int c;
+        final double nx;
+        final double ny;
+        final double nz;
+        final double offset;
+        final List<Integer> outside = new ArrayList<>();
+        int farthest = -1;
+        double most = TOLERANCE;
+
+        Face(double[] p, int a, int b, int c) {
+            this.a = a;
+            this.b = b;
+            this.c = c;
+            double[] n = cross(p, a, b, c);
+            double length = Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+            double scale = length > 0 ? 1 / length : 0;
+            nx = n[0] * scale;
+            ny = n[1] * scale;
+            nz = n[2] * scale;
+            offset = nx * p[3 * a] + ny * p[3 * a + 1] + nz * p[3 * a + 2];
+        }
+
+        double height(double[] p, int i) {
+            return nx * p[3 * i] + ny * p[3 * i + 1] + nz * p[3 * i + 2] - offset;
+        }
+
+        /** Takes a point that lies outside of it. */
+        boolean take(double[] p, int i) {
+            double height = height(p, i);
+            if (height <= TOLERANCE) {
+                return false;
+            }
+            outside.add(i);
+            if (height > most) {
+                most = height;
+                farthest = i;
+            }
+            return true;
+        }
+    }
+
+    /** @param points x, y, z of each, metres; at least one */
+    public static Hull of(double[] points) {
+        int[] start = start(points);
+        if (start == null) {
+            return of(thickened(points));
+        }
+        return new Hull(points, grow(points, start));
+    }
+
+    /** Six points around each. */
+    private static double[] thickened(double[] points) {
+        double[] thick = new double[points.length * 6];
+        for (int i = 0; i < points.length / 3; i++) {
+            for (int k = 0; k < 6; k++) {
+                System.arraycopy(points, 3 * i, thick, 3 * (6 * i + k), 3);
+                thick[3 * (6 * i + k) + k / 2] += k % 2 == 0 ? CARD : -CARD;
+            }
+        }
+        return thick;
+    }
+
+    /** Four points far from each other, the first three counter-clockwise seen from outside; null if all lie in a plane. */
+    private static int[] start(double[] p) {
+        int[] four = new int[4];
+        for (int found = 1; found < 4; found++) {
+            double most = NOTHING;
+            for (int i = 0; i < p.length / 3; i++) {
+                double room = room(p, four, found, i);
+                if (room > most) {
+                    most = room;
+                    four[found] = i;
+                }
+            }
+            if (most == NOTHING) {
+                return null;
+            }
+        }
+        Face base = new Face(p, four[0], four[1], four[2]);
+        if (Math.abs(base.height(p, four[3])) < 2 * CARD) {
+            return null;
+        }
+        if (base.height(p, four[3]) > 0) {
+            int other = four[1];
+            four[1] = four[2];
+            four[2] = other;
+        }
+        return four;
+    }
+
+    /** How much a point would add: the square of a length or area, or a volume. */
+    private static double room(double[] p, int[] four, int found, int i) {
+        int a = four[0];
+        double x = p[3 * i] - p[3 * a];
+        double y = p[3 * i + 1] - p[3 * a + 1];
+        double z = p[3 * i + 2] - p[3 * a + 2];
+        if (found == 1) {
+            return x * x + y * y + z * z;
+        }
+        double[] n = cross(p, a, four[1], found == 2 ? i : four[2]);
+        return found == 2 ? n[0] * n[0] + n[1] * n[1] + n[2] * n[2] : Math.abs(n[0] * x + n[1] * y + n[2] * z);
+    }
+
+    private static List<Face> grow(double[] p, int[] start) {
+        List<Face> faces = new ArrayList<>();
+        faces.add(new Face(p, start[0], start[1], start[2]));
+        faces.add(new Face(p, start[0], start[3], start[1]));
+        faces.add(new Face(p, start[1], start[3], start[2]));
+        faces.add(new Face(p, start[2], start[3], start[0]));
+        for (int i = 0; i < p.length / 3; i++) {
+            share(p, i, faces, 0);
+        }
+        for (int count = 4; count < MOST_CORNERS; count++) {
+            Face most = faces.get(0);
+            for (Face face : faces) {
+                if (face.most > most.most) {
+                    most = face;
+                }
+            }
+            if (most.farthest < 0) {
+                break;
+            }
+            add(p, most.farthest, faces);
+        }
+        return faces;
+    }
+
+    /** Gives a point to the first of the faces that it lies outside of. */
+    private static void share(double[] p, int point, List<Face> faces, int first) {
+        for (int k = first; k < faces.size(); k++) {
+            if (faces.get(k).take(p, point)) {
+                return;
+            }
+        }
+    }
+
+    private static void add(double[] p, int point, List<Face> faces) {
+        Map<Long, int[]> rim = new LinkedHashMap<>();
+        List<Integer> homeless = new ArrayList<>();
+        int kept = 0;
+        for (int i = 0; i < faces.size(); i++) {
+            Face face = faces.get(i);
+            if (face.height(p, point) > NOTHING) {
+                toggle(rim, face.a, face.b);
+                toggle(rim, face.b, face.c);
+                toggle(rim, face.c, face.a);
+                homeless.addAll(face.outside);
+            } else {
+                faces.set(kept++, face);
+            }
+        }
+        faces.subList(kept, faces.size()).clear();
+        for (int[] edge : rim.values()) {
+            faces.add(new Face(p, edge[0], edge[1], point));
+        }
+        for (int other : homeless) {
+            if (other != point) {
+                share(p, other, faces, kept);
+            }
+        }
+    }
+
+    private static void toggle(Map<Long, int[]> rim, int from, int to) {
+        if (rim.remove((long) to << 32 | from) == null) {
+            rim.put((long) from << 32 | to, new int[] {from, to});
+        }
+    }
+
+    private static double[] cross(double[] p, int a, int b, int c) {
+        double ux = p[3 * b] - p[3 * a];
+        double uy = p[3 * b + 1] - p[3 * a + 1];
+        double uz = p[3 * b + 2] - p[3 * a + 2];
+        double wx = p[3 * c] - p[3 * a];
+        double wy = p[3 * c + 1] - p[3 * a + 1];
+        double wz = p[3 * c + 2] - p[3 * a + 2];
+        return new double[] {uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx};
+    }
+
+    /** The corners in a face's plane, in order around its normal. */
+    private int[] polygon(Face face) {
+        List<Integer> in = new ArrayList<>();
+        double[] middle = new double[3];
+        for (int i = 0; i < corners.length / 3; i++) {
+            if (Math.abs(face.height(corners, i)) <= TOLERANCE) {
+                in.add(i);
+                for (int axis = 0; axis < 3; axis++) {
+                    middle[axis] += corners[3 * i + axis];
+                }
+            }
+        }
+        double[] u = {corners[3 * in.get(0)] - middle[0] / in.size(), corners[3 * in.get(0) + 1] - middle[1] / in.size(),
+            corners[3 * in.get(0) + 2] - middle[2] / in.size()};
+        double[] v = {face.ny * u[2] - face.nz * u[1], face.nz * u[0] - face.nx * u[2], face.nx * u[1] - face.ny * u[0]};
+        double[] angles = new double[corners.length / 3];
+        for (int i : in) {
+            double x = corners[3 * i] - middle[0] / in.size();
+            double y = corners[3 * i + 1] - middle[1] / in.size();
+            double z = corners[3 * i + 2] - middle[2] / in.size();
+            angles[i] = Math.atan2(x * v[0] + y * v[1] + z * v[2], x * u[0] + y * u[1] + z * u[2]);
+        }
+        in.sort(Comparator.comparingDouble(i -> angles[i]));
+        int count = Math.min(in.size(), Feature.MOST / 2);
+        int[] polygon = new int[count];
+        for (int i = 0; i < count; i++) {
+            polygon[i] = in.get(i * in.size() / count);
+        }
+        return polygon;
+    }
+
+    /** x, y, z of each corner, metres. Not to be changed. */
+    public double[] getCorners() {
+        return corners;
+    }
+
+    /** The corner that is farthest in a direction. @param into takes {x, y, z} */
+    public void farthest(double dx, double dy, double dz, double[] into) {
+        int best = 0;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < corners.length; i += 3) {
+            double along = corners[i] * dx + corners[i + 1] * dy + corners[i + 2] * dz;
+            if (along > most) {
+                most = along;
+                best = i;
+            }
+        }
+        into[0] = corners[best];
+        into[1] = corners[best + 1];
+        into[2] = corners[best + 2];
+    }
+
+    /** The face that looks most in a direction. */
+    public void feature(double dx, double dy, double dz, Feature into) {
+        int best = 0;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < planes.length; i += 4) {
+            double along = planes[i] * dx + planes[i + 1] * dy + planes[i + 2] * dz;
+            if (along > most) {
+                most = along;
+                best = i;
+            }
+        }
+        for (int corner : polygons[best / 4]) {
+            into.add(corners[3 * corner], corners[3 * corner + 1], corners[3 * corner + 2]);
+        }
+        into.setNormal(planes[best], planes[best + 1], planes[best + 2]);
+    }
+}

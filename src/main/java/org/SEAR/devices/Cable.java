@@ -1,0 +1,265 @@
+package org.SEAR.devices;
+
+/**
+ * The {@link SerialLine} of one device. Both directions carry 10 bits a byte in simulated time, and a device that streams into a sink that does not
+ * read loses nothing: bytes wait in the cable. What the user's end writes waits too, up to {@link #MAX_WAITING} bytes; what comes on top is dropped
+ * and counted, as by a real UART whose buffer is full, with one warning.
+ */
+public final class Cable implements SerialLine {
+    /** Most bytes from the user's end that wait for their turn. */
+    public static final int MAX_WAITING = 1 << 20;
+    /** Bits that a byte takes on the line: start, eight of data, stop. */
+    private static final double BITS = 10;
+    /** What a byte looks like at the wrong speed. */
+    private static final int GARBLE = 0xA5;
+    private static final int FIRST_SIZE = 256;
+
+    private final String objectName;
+    private final String objectType;
+    private final String uartPort;
+    private final String userPort;
+    private SerialDevice device;
+    private Sink sink = bytes -> { };
+    private final Object lock = new Object();
+    private byte[] incoming = new byte[FIRST_SIZE];
+    private int incomingCount;
+    private volatile boolean hasIncoming;
+    private volatile int hostBaud;
+    private volatile int deviceBaud;
+    private volatile long written;
+    private volatile long dropped;
+    private volatile int waiting;
+    private volatile long delivered;
+    private byte[] toDevice = new byte[FIRST_SIZE];
+    private int toDeviceFrom;
+    private int toDeviceEnd;
+    private double toDeviceTime;
+    private byte[] toHost = new byte[FIRST_SIZE];
+    private double[] toHostTimes = new double[FIRST_SIZE];
+    private int toHostFrom;
+    private int toHostEnd;
+    private double freeAt;
+
+    public Cable(String objectName, String objectType, String uartPort, String userPort) {
+        this.objectName = objectName;
+        this.objectType = objectType;
+        this.uartPort = uartPort;
+        this.userPort = userPort;
+    }
+
+    public void attach(SerialDevice newDevice) {
+        device = newDevice;
+        deviceBaud = newDevice.getBaud();
+    }
+
+    public SerialDevice getDevice() {
+        return device;
+    }
+
+    /** Fresh cable, fresh device. What was written and not yet carried is gone; the user's speed stays. */
+    public void restart() {
+        synchronized (lock) {
+            incomingCount = 0;
+            hasIncoming = false;
+        }
+        toDeviceFrom = 0;
+        toDeviceEnd = 0;
+        toDeviceTime = 0;
+        waiting = 0;
+        clearOutput();
+        device.reset();
+        deviceBaud = device.getBaud();
+    }
+
+    /** Commands phase: what was written until now is on its way from {@code time} on. */
+    public void accept(double time) {
+        if (!hasIncoming) {
+            return;
+        }
+        synchronized (lock) {
+            if (toDeviceFrom == toDeviceEnd) {
+                toDeviceFrom = 0;
+                toDeviceEnd = 0;
+                toDeviceTime = time;
+            }
+            int left = toDeviceEnd - toDeviceFrom;
+            if (toDevice.length - toDeviceEnd < incomingCount) {
+                byte[] larger = toDevice.length < left + incomingCount ? new byte[2 * (left + incomingCount)] : toDevice;
+                System.arraycopy(toDevice, toDeviceFrom, larger, 0, left);
+                toDevice = larger;
+                toDeviceFrom = 0;
+                toDeviceEnd = left;
+            }
+            System.arraycopy(incoming, 0, toDevice, toDeviceEnd, incomingCount);
+            toDeviceEnd += incomingCount;
+            incomingCount = 0;
+            hasIncoming = false;
+            waiting = toDeviceEnd - toDeviceFrom;
+        }
+    }
+
+    /** How many bytes have been dropped since the last call. */
+    public long takeDropped() {
+        if (dropped == 0) {
+            return 0;
+        }
+        synchronized (lock) {
+            long count = dropped;
+            dropped = 0;
+            return count;
+        }
+    }
+
+    /** Devices phase: bytes arrive and the device's timers run, up to {@code end}. */
+    public void run(double end) {
+        while (toDeviceFrom < toDeviceEnd) {
+            int speed = speedOfHost();
+            double arrival = toDeviceTime + BITS / speed;
+            if (arrival > end) {
+                break;
+            }
+            toDeviceTime = arrival;
+            int value = toDevice[toDeviceFrom++] & 0xFF;
+            device.advance(arrival);
+            if (speed == device.getBaud()) {
+                device.receive(value, arrival);
+            } else {
+                device.receiveGarbage(arrival);
+            }
+        }
+        if (waiting > 0) {
+            waiting = toDeviceEnd - toDeviceFrom;
+        }
+        device.advance(end);
+        deviceBaud = device.getBaud();
+    }
+
+    private int speedOfHost() {
+        int speed = hostBaud;
+        return speed > 0 ? speed : device.getBaud();
+    }
+
+    /** Puts bytes from the device on the line. */
+    public void send(byte[] bytes, double time) {
+        if (toHostEnd + bytes.length > toHost.length) {
+            makeRoom(bytes.length);
+        }
+        double byteTime = BITS / device.getBaud();
+        boolean garbled = speedOfHost() != device.getBaud();
+        freeAt = Math.max(freeAt, time);
+        for (byte each : bytes) {
+            freeAt += byteTime;
+            toHost[toHostEnd] = garbled ? (byte) (each ^ GARBLE) : each;
+            toHostTimes[toHostEnd++] = freeAt;
+        }
+    }
+
+    private void makeRoom(int more) {
+        int left = toHostEnd - toHostFrom;
+        boolean grow = left + more > toHost.length;
+        byte[] bytes = grow ? new byte[2 * (left + more)] : toHost;
+        double[] times = grow ? new double[2 * (left + more)] : toHostTimes;
+        System.arraycopy(toHost, toHostFrom, bytes, 0, left);
+        System.arraycopy(toHostTimes, toHostFrom, times, 0, left);
+        toHost = bytes;
+        toHostTimes = times;
+        toHostFrom = 0;
+        toHostEnd = left;
+    }
+
+    public double freeAt() {
+        return freeAt;
+    }
+
+    /** Throws away what has not left the line. */
+    public void clearOutput() {
+        toHostFrom = 0;
+        toHostEnd = 0;
+        freeAt = 0;
+    }
+
+    /** Outputs phase: gives the sink what has left the line by {@code end}. */
+    public void deliver(double end) {
+        int count = 0;
+        while (toHostFrom + count < toHostEnd && toHostTimes[toHostFrom + count] <= end) {
+            count++;
+        }
+        if (count == 0) {
+            return;
+        }
+        byte[] bytes = new byte[count];
+        System.arraycopy(toHost, toHostFrom, bytes, 0, count);
+        toHostFrom += count;
+        if (toHostFrom == toHostEnd) {
+            toHostFrom = 0;
+            toHostEnd = 0;
+        }
+        sink.receive(bytes);
+        delivered += count;
+    }
+
+    @Override
+    public String getObjectName() {
+        return objectName;
+    }
+
+    @Override
+    public String getObjectType() {
+        return objectType;
+    }
+
+    @Override
+    public String getUartPort() {
+        return uartPort;
+    }
+
+    @Override
+    public String getUserPort() {
+        return userPort;
+    }
+
+    @Override
+    public int getDeviceBaud() {
+        return deviceBaud;
+    }
+
+    @Override
+    public void setHostBaud(int baud) {
+        if (baud < 0) {
+            throw new IllegalArgumentException("port " + userPort + ": baud is " + baud + ", legal: above 0, or 0 for the device's own");
+        }
+        hostBaud = baud;
+    }
+
+    @Override
+    public void write(byte[] bytes) {
+        synchronized (lock) {
+            int taken = Math.min(bytes.length, Math.max(0, MAX_WAITING - waiting - incomingCount));
+            if (incomingCount + taken > incoming.length) {
+                byte[] larger = new byte[Math.min(MAX_WAITING, 2 * (incomingCount + taken))];
+                System.arraycopy(incoming, 0, larger, 0, incomingCount);
+                incoming = larger;
+            }
+            System.arraycopy(bytes, 0, incoming, incomingCount, taken);
+            incomingCount += taken;
+            dropped += bytes.length - taken;
+            written += taken;
+            hasIncoming = incomingCount > 0;
+        }
+    }
+
+    @Override
+    public void setSink(Sink newSink) {
+        sink = newSink;
+    }
+
+    @Override
+    public long getWritten() {
+        return written;
+    }
+
+    @Override
+    public long getDelivered() {
+        return delivered;
+    }
+}

@@ -1,0 +1,40 @@
+package org.SEAR.devices;
+
+import org.SEAR.sensors.Sensor;
+import org.SEAR.sensors.Truth;
+
+/** What a device's firmware can reach: its line, its robot's hardware, the sensor it belongs to. Simulation thread only. */
+public interface DeviceContext {
+    /** Puts bytes on the line to the user's port; they leave one after another at the device's baud rate, the first not before {@code time}. */
+    void send(byte[] bytes, double time);
+
+    /** When the last byte that was sent has left the line, simulated seconds. */
+    double lineFreeAt();
+
+    /** Throws away what has not yet left the line (a reset, a change of baud rate). */
+    void clearOutput();
+
+    /** The robot the device sits on. */
+    RobotHardware robot();
+
+    /** The reading of a sensor at the present step. */
+    <R> R read(Sensor<R> sensor);
+
+    /** The sensor made from the device's own object (LIDAR, GPS); null for a robot's drive. */
+    Sensor<?> sensor();
+
+    /** The exact state of the robot at the present step, for sensors that are asked for more than their own reading. */
+    Truth truth();
+
+    /** Simulated seconds of the present step. */
+    double time();
+
+    /** UTC of simulated time 0, milliseconds since 1970. */
+    long epochMillis();
+
+    /** The simulation's seed. */
+    long seed();
+
+    /** Something the user should know, shown once as warning with the device's name. */
+    void warn(String message);
+}

@@ -1,0 +1,92 @@
+package org.SEAR.geometry;
+
+/**
+ * Where a frame stands in another: a translation in metres and a rotation as unit quaternion (jME's order x, y, z, w). Immutable, any thread.
+ */
+public final class Pose {
+    /** No translation, no rotation. */
+    public static final Pose IDENTITY = new Pose(0, 0, 0, 0, 0, 0, 1);
+
+    public final double x;
+    public final double y;
+    public final double z;
+    public final double qx;
+    public final double qy;
+    public final double qz;
+    public final double qw;
+
+    /** @param x metres; the quaternion (qx, qy, qz, qw) has to have unit length */
+    public Pose(double x, double y, double z, double qx, double qy, double qz, double qw) {
+        this.x = x;
+        this.y = y;
+        this.z = z;
+        this.qx = qx;
+        this.qy = qy;
+        this.qz = qz;
+        this.qw = qw;
+    }
+
+    /**
+     * The pose of move(x, y, z) and rotate(rx, ry, rz), with the rotation of jME's {@code Quaternion.fromAngles}: first about z, then x, then y
+     * (matrix Ry Rz Rx applied to the object, in jME's convention), computed in double precision.
+     *
+     * @param rx degrees about x, likewise ry, rz
+     */
+    public static Pose ofDegrees(double x, double y, double z, double rx, double ry, double rz) {
+        double ax = Math.toRadians(rx) / 2;
+        double ay = Math.toRadians(ry) / 2;
+        double az = Math.toRadians(rz) / 2;
+        double sinX = Math.sin(ax);
+        double cosX = Math.cos(ax);
+        double sinY = Math.sin(ay);
+        double cosY = Math.cos(ay);
+        double sinZ = Math.sin(az);
+        double cosZ = Math.cos(az);
+        double yz = cosY * cosZ;
+        double syz = sinY * sinZ;
+        double cysz = cosY * sinZ;
+        double sycz = sinY * cosZ;
+        return new Pose(x, y, z, yz * sinX + syz * cosX, sycz * cosX + cysz * sinX, cysz * cosX - sycz * sinX, yz * cosX - syz * sinX);
+    }
+
+    /** This pose after {@code inner}: the pose in my parent of something that stands at {@code inner} in me. */
+    public Pose times(Pose inner) {
+        double[] p = transform(inner.x, inner.y, inner.z);
+        return new Pose(p[0], p[1], p[2],
+            qw * inner.qx + qx * inner.qw + qy * inner.qz - qz * inner.qy,
+            qw * inner.qy - qx * inner.qz + qy * inner.qw + qz * inner.qx,
+            qw * inner.qz + qx * inner.qy - qy * inner.qx + qz * inner.qw,
+            qw * inner.qw - qx * inner.qx - qy * inner.qy - qz * inner.qz);
+    }
+
+    /** The point (px, py, pz) of my frame in my parent's frame: {x, y, z} in metres. */
+    public double[] transform(double px, double py, double pz) {
+        double[] v = rotate(px, py, pz);
+        v[0] += x;
+        v[1] += y;
+        v[2] += z;
+        return v;
+    }
+
+    /** The direction (vx, vy, vz) of my frame in my parent's frame. */
+    public double[] rotate(double vx, double vy, double vz) {
+        return rotateBy(vx, vy, vz, qx, qy, qz);
+    }
+
+    /** The direction (vx, vy, vz) of my parent's frame in my frame. */
+    public double[] rotateBack(double vx, double vy, double vz) {
+        return rotateBy(vx, vy, vz, -qx, -qy, -qz);
+    }
+
+    private double[] rotateBy(double vx, double vy, double vz, double ux, double uy, double uz) {
+        double tx = 2 * (uy * vz - uz * vy);
+        double ty = 2 * (uz * vx - ux * vz);
+        double tz = 2 * (ux * vy - uy * vx);
+        return new double[] {vx + qw * tx + uy * tz - uz * ty, vy + qw * ty + uz * tx - ux * tz, vz + qw * tz + ux * ty - uy * tx};
+    }
+
+    @Override
+    public String toString() {
+        return "(" + x + ", " + y + ", " + z + "; " + qx + ", " + qy + ", " + qz + ", " + qw + ")";
+    }
+}

@@ -1,0 +1,274 @@
+package org.SEAR.physics;
+
+import com.bulletphysics.collision.dispatch.CollisionObject;
+import com.bulletphysics.collision.shapes.CollisionShape;
+import com.bulletphysics.collision.shapes.CompoundShape;
+import com.bulletphysics.dynamics.RigidBody;
+import com.bulletphysics.dynamics.RigidBodyConstructionInfo;
+import com.bulletphysics.linearmath.Transform;
+import java.util.List;
+import javax.vecmath.Quat4f;
+import javax.vecmath.Vector3f;
+import org.SEAR.geometry.Frame;
+import org.SEAR.geometry.Pose;
+
+/**
+ * One thing that can be touched: an environment object or a robot's body. Its frame is that of the object; jbullet's body sits in the centre of
+ * mass, (cx, cy, cz) of that frame. Simulation thread.
+ */
+public final class Body {
+    /** Coefficient of friction of objects; the product of two touching bodies counts (0.64: cardboard on wood). */
+    private static final float FRICTION = 0.8f;
+    /** The same of a robot's body: smooth plastic (0.24 on objects), so that it does not ride up a wall that it pushes against. */
+    private static final float ROBOT_FRICTION = 0.3f;
+    /** Share of its speed that an object loses in a second to the air and to rolling; jbullet's contacts alone would let a cone roll for ever. */
+    private static final float LINEAR_DAMPING = 0.1f;
+    private static final float ANGULAR_DAMPING = 0.9f;
+    /** Smallest moment of inertia, as a share of mass times square metre, that a thin body is given so that it can be solved. */
+    private static final float LEAST_INERTIA = 1e-4f;
+
+    /** For how many steps a body has to stay where it is before it may sleep. */
+    private static final int STILL_STEPS = 60;
+    private static final double TURN_PER_METRE = 10;
+    /** More than jbullet's two seconds, after which a slow body falls asleep. */
+    private static final float DEACTIVATED = 10;
+
+    public final String name;
+    public final double mass;
+    /** Its place in the order of the world. */
+    int number;
+    public final List<Solid> solids;
+    /** Where each solid stands in the body's frame. */
+    public final Pose[] places;
+    private int[] shapes = {};
+    private final double cx;
+    private final double cy;
+    private final double cz;
+    private final CollisionShape collision;
+    private boolean robot;
+    private Obstacles obstacles;
+    private boolean driven;
+    private Pose anchor;
+    private int still;
+    /** Where it starts. */
+    private Pose start;
+    private Pose pose;
+    private RigidBody rigid;
+    private final Frame frame = new Frame();
+    private final Transform transform = new Transform();
+    private final Quat4f rotation = new Quat4f();
+    private final Vector3f low = new Vector3f();
+    private final Vector3f high = new Vector3f();
+
+    /** @param mass kg, 0 = fixed @param centre of mass in the body's frame */
+    public Body(String name, double mass, List<Solid> solids, Pose[] places, double[] centre, Pose start) {
+        this.name = name;
+        this.mass = mass;
+        this.solids = solids;
+        this.places = places;
+        this.cx = centre[0];
+        this.cy = centre[1];
+        this.cz = centre[2];
+        this.start = start;
+        this.pose = start;
+        this.collision = makeShape();
+    }
+
+    private CollisionShape makeShape() {
+        if (solids.size() == 1 && isAtCentre(places[0])) {
+            return solids.get(0).collision(mass > 0);
+        }
+        CompoundShape compound = new CompoundShape();
+        for (int i = 0; i < places.length; i++) {
+            Transform child = new Transform();
+            toTransform(places[i], child);
+            child.origin.x -= (float) cx;
+            child.origin.y -= (float) cy;
+            child.origin.z -= (float) cz;
+            compound.addChildShape(child, solids.get(i).collision(mass > 0));
+        }
+        return compound;
+    }
+
+    private boolean isAtCentre(Pose place) {
+        return place.x == cx && place.y == cy && place.z == cz && place.qw == 1;
+    }
+
+    static void toTransform(Pose pose, Transform to) {
+        to.setRotation(new Quat4f((float) pose.qx, (float) pose.qy, (float) pose.qz, (float) pose.qw));
+        to.origin.set((float) pose.x, (float) pose.y, (float) pose.z);
+    }
+
+    /** Puts its first solids into the scenes; the others only collide. @param visible whether beams see each */
+    public void addTo(Scenes scenes, List<Boolean> visible, int owner, int count) {
+        shapes = new int[count];
+        for (int i = 0; i < count; i++) {
+            shapes[i] = scenes.add(this, solids.get(i), visible.get(i), owner);
+        }
+    }
+
+    /** Moves its solids in the scenes to where it is. */
+    public void mirror(Scenes scenes) {
+        for (int i = 0; i < shapes.length; i++) {
+            frame.set(pose);
+            if (places[i] != Pose.IDENTITY) {
+                frame.times(places[i]);
+            }
+            scenes.setPose(shapes[i], frame);
+        }
+    }
+
+    /** A fresh jbullet body at the start pose. */
+    void restart() {
+        pose = start;
+        anchor = start;
+        still = 0;
+        Vector3f inertia = new Vector3f();
+        if (mass > 0) {
+            collision.calculateLocalInertia((float) mass, inertia);
+            float least = (float) mass * LEAST_INERTIA;
+            inertia.set(Math.max(inertia.x, least), Math.max(inertia.y, least), Math.max(inertia.z, least));
+        }
+        RigidBodyConstructionInfo info = new RigidBodyConstructionInfo((float) mass, null, collision, inertia);
+        info.friction = robot ? ROBOT_FRICTION : FRICTION;
+        info.linearDamping = mass > 0 && !robot ? LINEAR_DAMPING : 0;
+        info.angularDamping = mass > 0 && !robot ? ANGULAR_DAMPING : 0;
+        toTransform(centred(start), info.startWorldTransform);
+        rigid = new RigidBody(info);
+        rigid.setUserPointer(this);
+        rigid.setActivationState(mass > 0 ? CollisionObject.ACTIVE_TAG : CollisionObject.ISLAND_SLEEPING);
+    }
+
+    private Pose centred(Pose frame) {
+        double[] centre = frame.transform(cx, cy, cz);
+        return new Pose(centre[0], centre[1], centre[2], frame.qx, frame.qy, frame.qz, frame.qw);
+    }
+
+    /** Takes over where jbullet has moved it. */
+    void follow() {
+        rigid.getCenterOfMassTransform(transform);
+        transform.getRotation(rotation);
+        double length = Math.sqrt((double) rotation.x * rotation.x + (double) rotation.y * rotation.y + (double) rotation.z * rotation.z
+            + (double) rotation.w * rotation.w);
+        double qx = rotation.x / length;
+        double qy = rotation.y / length;
+        double qz = rotation.z / length;
+        double qw = rotation.w / length;
+        double tx = 2 * (qy * cz - qz * cy);
+        double ty = 2 * (qz * cx - qx * cz);
+        double tz = 2 * (qx * cy - qy * cx);
+        pose = new Pose(transform.origin.x - (cx + qw * tx + qy * tz - qz * ty), transform.origin.y - (cy + qw * ty + qz * tx - qx * tz),
+            transform.origin.z - (cz + qw * tz + qx * ty - qy * tx), qx, qy, qz, qw);
+    }
+
+    /**
+     * Lets jbullet put the body to sleep when it has stayed within a band for a while; measured on poses, because the speeds of a body at rest
+     * tremble more than slow bodies move.
+     *
+     * @param band metres, and radians times ten
+     */
+    void rest(double band, boolean mayRest) {
+        double dx = pose.x - anchor.x;
+        double dy = pose.y - anchor.y;
+        double dz = pose.z - anchor.z;
+        double cosine = Math.abs(pose.qx * anchor.qx + pose.qy * anchor.qy + pose.qz * anchor.qz + pose.qw * anchor.qw);
+        if (!mayRest || dx * dx + dy * dy + dz * dz > band * band || cosine < Math.cos(TURN_PER_METRE * band / 2)) {
+            anchor = pose;
+            still = 0;
+            rigid.setSleepingThresholds(0, 0);
+        } else if (++still == STILL_STEPS) {
+            rigid.setSleepingThresholds(Float.MAX_VALUE, Float.MAX_VALUE);
+            rigid.setDeactivationTime(DEACTIVATED);
+        }
+    }
+
+    /** The box around it in the world, margin included. */
+    void bounds(double[] into) {
+        rigid.getAabb(low, high);
+        into[0] = low.x;
+        into[1] = low.y;
+        into[2] = low.z;
+        into[3] = high.x;
+        into[4] = high.y;
+        into[5] = high.z;
+    }
+
+    /** Velocity of a point of the body, m/s, everything in the world frame. @param into takes {x, y, z} */
+    public void velocityAt(double x, double y, double z, double[] into) {
+        rigid.getCenterOfMassPosition(low);
+        double rx = x - low.x;
+        double ry = y - low.y;
+        double rz = z - low.z;
+        rigid.getLinearVelocity(low);
+        rigid.getAngularVelocity(high);
+        into[0] = low.x + high.y * rz - high.z * ry;
+        into[1] = low.y + high.z * rx - high.x * rz;
+        into[2] = low.z + high.x * ry - high.y * rx;
+    }
+
+    /** Angular velocity in the world frame, rad/s. @param into takes {x, y, z} */
+    public void angularVelocity(double[] into) {
+        rigid.getAngularVelocity(high);
+        into[0] = high.x;
+        into[1] = high.y;
+        into[2] = high.z;
+    }
+
+    /** Says that it is a robot's body: nothing brakes it but its wheels. */
+    public void setRobot() {
+        robot = true;
+        obstacles = new Obstacles();
+    }
+
+    /** Says that something stands near a robot's body. @param nx from there to the body, world frame @param x of its surface @param gap metres */
+    void near(Body other, double nx, double ny, double nz, double x, double y, double z, double gap) {
+        if (obstacles != null) {
+            obstacles.add(other, nx, ny, nz, x, y, z, gap);
+        }
+    }
+
+    /** What stands near a robot's body; null if this is none. */
+    public Obstacles getObstacles() {
+        return obstacles;
+    }
+
+    /** Whether the robot's motors turn: then it does not sleep. */
+    public void setDriven(boolean on) {
+        driven = on;
+    }
+
+    boolean isRobot() {
+        return robot;
+    }
+
+    boolean isDriven() {
+        return driven;
+    }
+
+    /** Whether it never moves. */
+    public boolean isFixed() {
+        return mass == 0;
+    }
+
+    public Pose getPose() {
+        return pose;
+    }
+
+    Pose getStart() {
+        return start;
+    }
+
+    void setStart(Pose newStart) {
+        start = newStart;
+        pose = newStart;
+    }
+
+    public RigidBody getRigid() {
+        return rigid;
+    }
+
+    /** Centre of mass in the body's frame: {x, y, z}. */
+    public double[] getCentre() {
+        return new double[] {cx, cy, cz};
+    }
+}

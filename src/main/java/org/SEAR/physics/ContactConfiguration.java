@@ -1,0 +1,27 @@
+package org.SEAR.physics;
+
+import com.bulletphysics.collision.broadphase.BroadphaseNativeType;
+import com.bulletphysics.collision.dispatch.CollisionAlgorithmCreateFunc;
+import com.bulletphysics.collision.dispatch.DefaultCollisionConfiguration;
+import java.util.EnumSet;
+import java.util.Set;
+
+/** jbullet's collision algorithms, but {@link ContactPatch} for every pair of shapes that SEAR has. */
+final class ContactConfiguration extends DefaultCollisionConfiguration {
+    private static final Set<BroadphaseNativeType> SOLIDS = EnumSet.of(BroadphaseNativeType.BOX_SHAPE_PROXYTYPE,
+        BroadphaseNativeType.CYLINDER_SHAPE_PROXYTYPE, BroadphaseNativeType.CONE_SHAPE_PROXYTYPE, BroadphaseNativeType.CONVEX_HULL_SHAPE_PROXYTYPE);
+
+    private final CollisionAlgorithmCreateFunc patches = new ContactPatch.Maker();
+
+    @Override
+    public CollisionAlgorithmCreateFunc getCollisionAlgorithmCreateFunc(BroadphaseNativeType a, BroadphaseNativeType b) {
+        if (patches != null && (SOLIDS.contains(a) && (SOLIDS.contains(b) || isMesh(b)) || isMesh(a) && SOLIDS.contains(b))) {
+            return patches;
+        }
+        return super.getCollisionAlgorithmCreateFunc(a, b);
+    }
+
+    private static boolean isMesh(BroadphaseNativeType type) {
+        return type == BroadphaseNativeType.TRIANGLE_MESH_SHAPE_PROXYTYPE;
+    }
+}

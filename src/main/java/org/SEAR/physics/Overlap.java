@@ -1,0 +1,117 @@
+package org.SEAR.physics;
+
+import org.SEAR.collision.Gjk;
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.Triangles;
+
+/** Whether bodies overlap at poses they may be given, in exact geometry. For the time before the first step. */
+final class Overlap {
+    private final Body body;
+
+    Overlap(Body body) {
+        this.body = body;
+    }
+
+    /** The box around the body at a pose: {x, y, z} low, {x, y, z} high. */
+    double[] bounds(Pose pose) {
+        double[] box = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
+        double[] point = new double[3];
+        for (int i = 0; i < body.solids.size(); i++) {
+            Placed part = new Placed(body.solids.get(i), pose.times(body.places[i]), 0);
+            for (int axis = 0; axis < 3; axis++) {
+                double[] direction = new double[3];
+                direction[axis] = 1;
+                part.farthest(direction, point);
+                box[axis + 3] = Math.max(box[axis + 3], point[axis]);
+                direction[axis] = -1;
+                part.farthest(direction, point);
+                box[axis] = Math.min(box[axis], point[axis]);
+            }
+        }
+        return box;
+    }
+
+    boolean isApart(double[] a, double[] b) {
+        return a[0] > b[3] || b[0] > a[3] || a[1] > b[4] || b[1] > a[4] || a[2] > b[5] || b[2] > a[5];
+    }
+
+    /** Whether the body at a pose overlaps another at its start by more than {@code allowed} metres. */
+    boolean overlaps(Pose pose, Overlap other, double allowed) {
+        for (int i = 0; i < body.solids.size(); i++) {
+            Placed mine = new Placed(body.solids.get(i), pose.times(body.places[i]), allowed);
+            for (int k = 0; k < other.body.solids.size(); k++) {
+                Solid solid = other.body.solids.get(k);
+                Pose place = other.body.getStart().times(other.body.places[k]);
+                if (solid.isMesh() ? meets(mine, bounds(pose), solid, place) : Gjk.intersect(mine, new Placed(solid, place, 0))) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private boolean meets(Placed mine, double[] box, Solid solid, Pose place) {
+        Triangles mesh = solid.getMesh();
+        Corners corners = new Corners();
+        for (int t = 0; t < mesh.size(); t++) {
+            for (int corner = 0; corner < 3; corner++) {
+                solid.corner(mesh.indices[t * 3 + corner], place, corners.at[corner]);
+            }
+            if (corners.near(box) && Gjk.intersect(mine, corners)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** A solid at a pose, with a skin taken off. */
+    private static final class Placed implements Gjk.Support {
+        private final Solid solid;
+        private final Pose pose;
+        private final double skin;
+
+        Placed(Solid solid, Pose pose, double skin) {
+            this.solid = solid;
+            this.pose = pose;
+            this.skin = skin;
+        }
+
+        @Override
+        public void farthest(double[] d, double[] into) {
+            double[] inside = pose.rotateBack(d[0], d[1], d[2]);
+            double[] point = solid.farthest(inside[0], inside[1], inside[2]);
+            double[] world = pose.transform(point[0], point[1], point[2]);
+            double off = skin / Math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+            for (int axis = 0; axis < 3; axis++) {
+                into[axis] = world[axis] - off * d[axis];
+            }
+        }
+    }
+
+    /** A triangle. */
+    private static final class Corners implements Gjk.Support {
+        private final double[][] at = new double[3][3];
+
+        boolean near(double[] box) {
+            for (int axis = 0; axis < 3; axis++) {
+                if (Math.min(at[0][axis], Math.min(at[1][axis], at[2][axis])) > box[axis + 3]
+                    || Math.max(at[0][axis], Math.max(at[1][axis], at[2][axis])) < box[axis]) {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        @Override
+        public void farthest(double[] d, double[] into) {
+            double best = Double.NEGATIVE_INFINITY;
+            for (double[] corner : at) {
+                double along = corner[0] * d[0] + corner[1] * d[1] + corner[2] * d[2];
+                if (along > best) {
+                    best = along;
+                    System.arraycopy(corner, 0, into, 0, 3);
+                }
+            }
+        }
+    }
+}

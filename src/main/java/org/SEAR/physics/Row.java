@@ -1,0 +1,74 @@
+package org.SEAR.physics;
+
+import javax.vecmath.Matrix3f;
+
+/**
+ * One direction in which an impulse acts on a rigid body at a point: a row of the constraint matrix. Velocities are {vx, vy, vz, wx, wy, wz} of the
+ * centre of mass, world frame. Simulation thread.
+ */
+public final class Row {
+    private double lx;
+    private double ly;
+    private double lz;
+    private double ax;
+    private double ay;
+    private double az;
+    private double ix;
+    private double iy;
+    private double iz;
+    private double inverseMass;
+    /** Change of the speed along the row for an impulse of 1 Ns, 1/kg. */
+    public double mobility;
+    /** Impulse of this step so far, Ns. */
+    public double impulse;
+
+    /** @param d unit direction @param r point relative to the centre of mass, both in the world frame */
+    public void set(double dx, double dy, double dz, double rx, double ry, double rz, double bodyInverseMass, Matrix3f inverseInertia) {
+        lx = dx;
+        ly = dy;
+        lz = dz;
+        ax = ry * dz - rz * dy;
+        ay = rz * dx - rx * dz;
+        az = rx * dy - ry * dx;
+        ix = inverseInertia.m00 * ax + inverseInertia.m01 * ay + inverseInertia.m02 * az;
+        iy = inverseInertia.m10 * ax + inverseInertia.m11 * ay + inverseInertia.m12 * az;
+        iz = inverseInertia.m20 * ax + inverseInertia.m21 * ay + inverseInertia.m22 * az;
+        inverseMass = bodyInverseMass;
+        mobility = bodyInverseMass + ax * ix + ay * iy + az * iz;
+    }
+
+    /** Speed of the point along the direction, m/s. */
+    public double speed(double[] v) {
+        return lx * v[0] + ly * v[1] + lz * v[2] + ax * v[3] + ay * v[4] + az * v[5];
+    }
+
+    /** Changes the velocities by an impulse. */
+    public void push(double[] v, double newtonSeconds) {
+        double linear = newtonSeconds * inverseMass;
+        v[0] += lx * linear;
+        v[1] += ly * linear;
+        v[2] += lz * linear;
+        v[3] += ix * newtonSeconds;
+        v[4] += iy * newtonSeconds;
+        v[5] += iz * newtonSeconds;
+    }
+
+    /** Adds to the impulse within limits and changes the velocities accordingly. */
+    public void add(double[] v, double change, double least, double most) {
+        double sum = Math.max(least, Math.min(most, impulse + change));
+        push(v, sum - impulse);
+        impulse = sum;
+    }
+
+    public double dx() {
+        return lx;
+    }
+
+    public double dy() {
+        return ly;
+    }
+
+    public double dz() {
+        return lz;
+    }
+}

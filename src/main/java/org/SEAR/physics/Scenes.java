@@ -1,0 +1,57 @@
+package org.SEAR.physics;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.SEAR.geometry.Frame;
+import org.SEAR.raycast.BeamScene;
+
+/**
+ * What beams meet, and what wheels stand on. Both are the same scene unless an object is invisible to beams: wheels still stand on it.
+ * Simulation thread.
+ */
+public final class Scenes {
+    /** What sensors see. */
+    public final BeamScene beams = new BeamScene();
+    /** What wheels stand on. */
+    public final BeamScene ground;
+    private final List<Body> owners = new ArrayList<>();
+
+    /** @param invisible whether there is anything that beams don't see */
+    public Scenes(boolean invisible) {
+        ground = invisible ? new BeamScene() : beams;
+    }
+
+    /** Adds a solid of a body. @return its number */
+    public int add(Body body, Solid solid, boolean visible, int owner) {
+        int shape = solid.addTo(beams, owner);
+        if (ground != beams) {
+            solid.addTo(ground, owner);
+            beams.setVisible(shape, visible);
+        }
+        owners.add(body);
+        return shape;
+    }
+
+    /** The body a shape belongs to. */
+    public Body body(int shape) {
+        return owners.get(shape);
+    }
+
+    public void setPose(int shape, Frame pose) {
+        setPose(shape, pose.x, pose.y, pose.z, pose.qx, pose.qy, pose.qz, pose.qw);
+    }
+
+    public void setPose(int shape, double x, double y, double z, double qx, double qy, double qz, double qw) {
+        beams.setPose(shape, x, y, z, qx, qy, qz, qw);
+        if (ground != beams) {
+            ground.setPose(shape, x, y, z, qx, qy, qz, qw);
+        }
+    }
+
+    public void commit() {
+        beams.commit();
+        if (ground != beams) {
+            ground.commit();
+        }
+    }
+}

@@ -1,0 +1,100 @@
+package org.SEAR.physics;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import org.SEAR.geometry.Pose;
+
+/** Start poses that can't be meant are put right, each with a warning. */
+public final class StartPoses {
+    /** How much two bodies may overlap at the start, metres. */
+    private static final double ALLOWED = 1e-3;
+    /** Rounds of lifting: what is lifted out of one thing may be inside the next. */
+    private static final int ROUNDS = 16;
+    private static final int HALVINGS = 24;
+
+    private StartPoses() {
+    }
+
+    /** The pose, or if it stands upside down, the same place and heading on its wheels. */
+    public static Pose upright(String robot, Pose pose, List<String> warnings) {
+        double[] up = pose.rotate(0, 1, 0);
+        if (up[1] >= 0) {
+            return pose;
+        }
+        double[] ahead = pose.rotate(0, 0, 1);
+        double half = Math.atan2(ahead[0], ahead[2]) / 2;
+        warnings.add("robot " + robot + " would start upside down; it was set on its wheels with the same heading");
+        return new Pose(pose.x, pose.y, pose.z, 0, Math.sin(half), 0, Math.cos(half));
+    }
+
+    /** Lifts everything with mass out of everything fixed. */
+    public static void lift(List<Body> bodies, List<String> warnings) {
+        for (Body body : bodies) {
+            if (!body.isFixed()) {
+                double before = body.getStart().y;
+                int round = 0;
+                while (round < ROUNDS && liftOnce(body, bodies)) {
+                    round++;
+                }
+                double lifted = body.getStart().y - before;
+                if (lifted > 0) {
+                    warnings.add(String.format(Locale.ROOT, "%s started inside something fixed; it was lifted by %.3f m", body.name, lifted));
+                }
+            }
+        }
+    }
+
+    /** Tells about things with mass that start inside one another: the first step will throw them apart. */
+    public static void tellOverlaps(List<Body> bodies, List<String> warnings) {
+        List<Body> moving = bodies.stream().filter(body -> !body.isFixed()).collect(Collectors.toList());
+        List<Overlap> overlaps = moving.stream().map(Overlap::new).collect(Collectors.toList());
+        List<double[]> boxes = new ArrayList<>();
+        for (int i = 0; i < moving.size(); i++) {
+            Overlap mine = overlaps.get(i);
+            Pose start = moving.get(i).getStart();
+            boxes.add(mine.bounds(start));
+            for (int k = 0; k < i; k++) {
+                if (!mine.isApart(boxes.get(i), boxes.get(k)) && mine.overlaps(start, overlaps.get(k), ALLOWED)) {
+                    warnings.add(String.format(Locale.ROOT, "%s and %s start inside one another and will be pushed apart; move one of them",
+                        moving.get(k).name, moving.get(i).name));
+                }
+            }
+        }
+    }
+
+    private static boolean liftOnce(Body body, List<Body> bodies) {
+        Overlap mine = new Overlap(body);
+        double[] box = mine.bounds(body.getStart());
+        boolean lifted = false;
+        for (Body fixed : bodies) {
+            if (!fixed.isFixed()) {
+                continue;
+            }
+            Overlap other = new Overlap(fixed);
+            double[] around = other.bounds(fixed.getStart());
+            if (mine.isApart(box, around) || !mine.overlaps(body.getStart(), other, ALLOWED)) {
+                continue;
+            }
+            double in = 0;
+            double out = around[4] - box[1] + ALLOWED;
+            for (int i = 0; i < HALVINGS; i++) {
+                double middle = (in + out) / 2;
+                if (mine.overlaps(up(body.getStart(), middle), other, 0)) {
+                    in = middle;
+                } else {
+                    out = middle;
+                }
+            }
+            body.setStart(up(body.getStart(), out));
+            box = mine.bounds(body.getStart());
+            lifted = true;
+        }
+        return lifted;
+    }
+
+    private static Pose up(Pose pose, double metres) {
+        return new Pose(pose.x, pose.y + metres, pose.z, pose.qx, pose.qy, pose.qz, pose.qw);
+    }
+}

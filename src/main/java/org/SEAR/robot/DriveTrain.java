@@ -1,0 +1,265 @@
+package org.SEAR.robot;
+
+import com.bulletphysics.dynamics.RigidBody;
+import com.bulletphysics.dynamics.constraintsolver.TypedConstraint;
+import com.bulletphysics.dynamics.constraintsolver.TypedConstraintType;
+import java.util.ArrayList;
+import java.util.List;
+import javax.vecmath.Matrix3f;
+import javax.vecmath.Vector3f;
+import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Wheel;
+import org.SEAR.geometry.Pose;
+import org.SEAR.physics.Body;
+import org.SEAR.physics.Obstacles;
+import org.SEAR.physics.Physics;
+import org.SEAR.physics.Scenes;
+import org.SEAR.geometry.TimeStep;
+
+/**
+ * The wheels of one robot. jbullet solves them together with the contacts of the body: a servo of limited force on each driven wheel, grip along
+ * and across it, springs on all; idlers roll freely in every direction. Simulation thread.
+ */
+public final class DriveTrain extends TypedConstraint {
+    /** Greatest force of all motors together for each kg of the robot, N/kg (climbs 20 degrees). */
+    private static final double MOTOR_FORCE = 4;
+    /** The same for a skid-steered robot, whose wheels scrub when it turns. */
+    private static final double SKID_FORCE = 9;
+    /** Friction across the wheels of a skid-steered robot as a share of what its track and wheelbase would just allow. */
+    private static final double SKID_GRIP = 0.4;
+    /** While it turns, its wheels resist scrubbing in proportion to speed: force of all together for each kg and m/s, 1/s. */
+    private static final double SKID_DAMPING = 25;
+    private static final double NO_TRACK = 1e-6;
+    /** Greatest change of the wheels' speed that the motor controller asks for, m/s^2. */
+    private static final double RAMP = 4;
+    /** The same as a share of what would lift a wheel off the ground. */
+    private static final double TIPPING_SHARE = 0.5;
+
+    /** A robot slower than this stands, m/s. */
+    private static final double LEAST_SPEED = 0.01;
+
+    private final Body body;
+    private final List<RaycastWheel> wheels = new ArrayList<>();
+    private final int owner;
+    private final double track;
+    private final double ramp;
+    private double scrub;
+    private double left;
+    private double right;
+    private double commandedLeft;
+    private double commandedRight;
+    private boolean first;
+    private final double[] v = new double[6];
+    private final double[] ahead = new double[3];
+    private final double[] up = new double[3];
+    private final double[] centre = new double[3];
+    private final double[] groundSpeed = new double[3];
+    private final double[] impulse = new double[3];
+    private final double[] point = new double[3];
+    private final Vector3f linear = new Vector3f();
+    private final Vector3f angular = new Vector3f();
+    private final Vector3f position = new Vector3f();
+    private final Matrix3f inverseInertia = new Matrix3f();
+
+    DriveTrain(Body body, List<Wheel> objects, Dynamics dynamics, int owner) {
+        super(TypedConstraintType.D6_CONSTRAINT_TYPE, body.getRigid(), new RigidBody(0, null, null));
+        this.body = body;
+        this.owner = owner;
+        for (Wheel wheel : objects) {
+            wheels.add(new RaycastWheel(wheel, dynamics, body.mass));
+        }
+        track = equip();
+        ramp = ramp(objects, dynamics);
+    }
+
+    /** How fast the controller changes speeds, m/s^2: a tall robot must not fall over when it starts or stops. */
+    private double ramp(List<Wheel> objects, Dynamics dynamics) {
+        if (objects.size() < 3) {
+            return RAMP;
+        }
+        double[] mass = body.getCentre();
+        double lowest = Double.POSITIVE_INFINITY;
+        for (RaycastWheel wheel : wheels) {
+            lowest = Math.min(lowest, wheel.y - dynamics.getRestLength() - wheel.radius);
+        }
+        double room = Ballast.room(mass[0], mass[2], objects);
+        return Math.min(RAMP, TIPPING_SHARE * Physics.GRAVITY * room / Math.max(mass[1] - lowest, NO_TRACK));
+    }
+
+    /** Shares out the motor force and the grip. @return distance of the left from the right driven wheels, metres */
+    private double equip() {
+        double widest = 0;
+        double front = Double.NEGATIVE_INFINITY;
+        double back = Double.POSITIVE_INFINITY;
+        double leftSum = 0;
+        double rightSum = 0;
+        int lefts = 0;
+        int rights = 0;
+        int driven = 0;
+        for (RaycastWheel wheel : wheels) {
+            if (wheel.isDriven()) {
+                driven++;
+                front = Math.max(front, wheel.z);
+                back = Math.min(back, wheel.z);
+                widest = Math.max(widest, wheel.radius);
+                if (wheel.x > 0) {
+                    leftSum += wheel.x;
+                    lefts++;
+                } else if (wheel.x < 0) {
+                    rightSum -= wheel.x;
+                    rights++;
+                }
+            }
+        }
+        double distance = (lefts > 0 ? leftSum / lefts : 0) + (rights > 0 ? rightSum / rights : 0);
+        boolean skid = front - back > widest;
+        scrub = skid ? driven / (SKID_DAMPING * body.mass * TimeStep.SECONDS) : 0;
+        double grip = skid ? Math.min(1, SKID_GRIP * Math.max(distance, NO_TRACK) / (front - back)) : 1;
+        for (RaycastWheel wheel : wheels) {
+            if (wheel.isDriven()) {
+                wheel.equip((skid ? SKID_FORCE : MOTOR_FORCE) * body.mass / driven, grip);
+            }
+        }
+        return distance;
+    }
+
+    /** @param newLeft m/s over ground, likewise newRight */
+    void setSpeeds(double newLeft, double newRight) {
+        commandedLeft = newLeft;
+        commandedRight = newRight;
+    }
+
+    /** Whether the motors are to turn. */
+    boolean isCommanded() {
+        return left != 0 || right != 0 || commandedLeft != 0 || commandedRight != 0;
+    }
+
+    /** Brings both speeds nearer to what is commanded, in proportion, so that an arc stays the same arc. */
+    private void approach() {
+        double largest = Math.max(Math.abs(commandedLeft - left), Math.abs(commandedRight - right));
+        double step = ramp * TimeStep.SECONDS;
+        double share = largest <= step ? 1 : step / largest;
+        left = share == 1 ? commandedLeft : left + share * (commandedLeft - left);
+        right = share == 1 ? commandedRight : right + share * (commandedRight - right);
+        double turn = track > NO_TRACK ? (right - left) / track : 0;
+        for (int i = 0; i < wheels.size(); i++) {
+            RaycastWheel wheel = wheels.get(i);
+            wheel.setTarget((left + right) / 2 - turn * wheel.x);
+            wheel.setScrub(turn == 0 ? 0 : scrub);
+        }
+    }
+
+    /** Looks for the ground under each wheel, before jbullet's step. */
+    void look(Scenes scenes) {
+        approach();
+        Pose pose = body.getPose();
+        axis(pose, up, 0, 1, 0);
+        axis(pose, ahead, 0, 0, 1);
+        read();
+        double speed = v[0] * ahead[0] + v[1] * ahead[1] + v[2] * ahead[2];
+        for (int i = 0; i < wheels.size(); i++) {
+            RaycastWheel wheel = wheels.get(i);
+            wheel.look(scenes, pose, owner, up);
+            double sign = wheel.getTarget() != 0 ? wheel.getTarget() : Math.abs(speed) > LEAST_SPEED ? speed : 0;
+            wheel.lookAhead(scenes, pose, owner, ahead, Math.signum(sign));
+        }
+        first = true;
+        body.getObstacles().clear();
+    }
+
+    private static void axis(Pose pose, double[] into, double x, double y, double z) {
+        double[] rotated = pose.rotate(x, y, z);
+        into[0] = rotated[0];
+        into[1] = rotated[1];
+        into[2] = rotated[2];
+    }
+
+    @Override
+    public void buildJacobian() {
+        first = true;
+    }
+
+    @Override
+    public void solveConstraint(float timeStep) {
+        read();
+        if (first) {
+            first = false;
+            prepare();
+        }
+        for (int i = 0; i < wheels.size(); i++) {
+            wheels.get(i).solve(v);
+        }
+        body.getObstacles().solve(v);
+        write();
+    }
+
+    private void read() {
+        rbA.getLinearVelocity(linear);
+        rbA.getAngularVelocity(angular);
+        v[0] = linear.x;
+        v[1] = linear.y;
+        v[2] = linear.z;
+        v[3] = angular.x;
+        v[4] = angular.y;
+        v[5] = angular.z;
+    }
+
+    private void write() {
+        linear.set((float) v[0], (float) v[1], (float) v[2]);
+        angular.set((float) v[3], (float) v[4], (float) v[5]);
+        rbA.setLinearVelocity(linear);
+        rbA.setAngularVelocity(angular);
+    }
+
+    private void prepare() {
+        rbA.getInvInertiaTensorWorld(inverseInertia);
+        rbA.getCenterOfMassPosition(position);
+        centre[0] = position.x;
+        centre[1] = position.y;
+        centre[2] = position.z;
+        for (int i = 0; i < wheels.size(); i++) {
+            RaycastWheel wheel = wheels.get(i);
+            wheel.prepare(v, centre, ahead, rbA.getInvMass(), inverseInertia, groundSpeed);
+        }
+        body.getObstacles().prepare(centre, rbA.getInvMass(), inverseInertia);
+    }
+
+    /** Turns the wheels and pushes the ground, after jbullet's step. */
+    void roll() {
+        read();
+        Obstacles obstacles = body.getObstacles();
+        for (int i = 0; i < obstacles.size(); i++) {
+            if (obstacles.reaction(i, impulse, point)) {
+                give(obstacles.body(i).getRigid());
+            }
+        }
+        for (int i = 0; i < wheels.size(); i++) {
+            RaycastWheel wheel = wheels.get(i);
+            wheel.roll(v);
+            if (wheel.reaction(impulse, point)) {
+                give(wheel.getGround().getRigid());
+            }
+            if (wheel.push(impulse, point)) {
+                RigidBody pushed = wheel.getObstacle().getRigid();
+                pushed.activate();
+                give(pushed);
+            }
+        }
+    }
+
+    private void give(RigidBody rigid) {
+        rigid.getCenterOfMassPosition(position);
+        linear.set((float) impulse[0], (float) impulse[1], (float) impulse[2]);
+        angular.set((float) (point[0] - position.x), (float) (point[1] - position.y), (float) (point[2] - position.z));
+        rigid.applyImpulse(linear, angular);
+    }
+
+    public List<RaycastWheel> getWheels() {
+        return wheels;
+    }
+
+    /** Distance of the left from the right driven wheels, metres. */
+    double getTrack() {
+        return track;
+    }
+}

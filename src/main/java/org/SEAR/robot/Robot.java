@@ -1,0 +1,33 @@
+package org.SEAR.robot;
+
+import java.util.List;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.devices.RobotHardware;
+import org.SEAR.geometry.Pose;
+import org.SEAR.sensors.Sensor;
+import org.SEAR.sensors.Truth;
+
+/** One robot of the world: body, wheels, sensors, devices. Simulation thread only. */
+public interface Robot {
+    /** Its object; immutable. */
+    SEARrobot getObject();
+
+    /** Number of the robot, which owns its shapes in the beam scene. */
+    int getOwner();
+
+    Pose getPose();
+
+    Truth getTruth();
+
+    RobotHardware getHardware();
+
+    List<Sensor<?>> getSensors();
+
+    /**
+     * Drives as the Roomba command does.
+     *
+     * @param speed m/s
+     * @param radius metres, positive to the left, infinite = straight, 0 = in place to the left
+     */
+    void drive(double speed, double radius);
+}

@@ -1,0 +1,154 @@
+package org.SEAR.robot;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Shape;
+import org.SEAR.POJOs.Wheel;
+import org.SEAR.geometry.Pose;
+import org.SEAR.physics.Body;
+import org.SEAR.physics.Scenes;
+import org.SEAR.physics.Solid;
+import org.SEAR.physics.StartPoses;
+import org.SEAR.project.Problem;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectException;
+
+/**
+ * Makes a robot's rigid body out of its components: their shapes, the mass of its Dynamics, and for each wheel a smaller cylinder at the top of its
+ * travel, which meets walls but never the floor.
+ */
+public final class RobotBuilder {
+    /** Radius of the cylinder that keeps a wheel out of walls, as a share of the wheel's. */
+    static final double GUARD = 0.8;
+    /** A robot without shapes gets a box this high around its wheels, metres; the same is the least size of that box. */
+    private static final double BARE = 0.02;
+
+    final SEARrobot object;
+    final Dynamics dynamics;
+    final List<Solid> wheelSolids = new ArrayList<>();
+    public final Body body;
+    /** Greatest distance of the components from the vertical axis, metres. */
+    final double radius;
+    /** Of the components that are models, see {@link Solid#corners}. */
+    public final Map<SearObject, double[][]> corners = new IdentityHashMap<>();
+    private final List<Solid> solids = new ArrayList<>();
+    private final List<Pose> places = new ArrayList<>();
+    private final List<Boolean> visible = new ArrayList<>();
+    private final List<Double> weights = new ArrayList<>();
+
+    private RobotBuilder(SEARrobot robot, Project project, List<String> warnings) throws ProjectException {
+        object = robot;
+        dynamics = dynamics(robot);
+        components(project);
+        boolean bare = solids.isEmpty();
+        if (bare) {
+            add(bareBody(), Pose.IDENTITY, true, 1);
+        }
+        radius = reach();
+        double[] centre = Ballast.place(centroid(), isWeighed(), robot.getWheels());
+        for (Wheel wheel : robot.getWheels()) {
+            Solid solid = Solid.of(wheel, project);
+            wheelSolids.add(solid);
+            Pose at = new Pose(wheel.getX(), wheel.getY(), wheel.getZ(), 0, 0, 0, 1);
+            add(Solid.wheel(solid.halfX * GUARD, solid.halfY, Pose.IDENTITY), at, false, 0);
+        }
+        Pose[] all = new Pose[solids.size()];
+        for (int i = 0; i < all.length; i++) {
+            all[i] = places.get(i).times(solids.get(i).offset);
+        }
+        Pose start = StartPoses.upright(robot.getName(), place(robot).times(place(dynamics)), warnings);
+        body = new Body(robot.getName(), dynamics.getMass(), solids, all, centre, start);
+        body.setRobot();
+    }
+
+    /** @param warnings takes what the user should know @throws ProjectException if it can't be a robot of a world */
+    public static RobotBuilder of(SEARrobot robot, Project project, List<String> warnings) throws ProjectException {
+        return new RobotBuilder(robot, project, warnings);
+    }
+
+    private static Dynamics dynamics(SEARrobot robot) throws ProjectException {
+        for (SearObject part : robot.getComponents()) {
+            if (part instanceof Dynamics) {
+                return (Dynamics) part;
+            }
+        }
+        throw new ProjectException(Collections.singletonList(new Problem("robot/" + robot.getName() + ".xml", 0, "", "robot " + robot.getName()
+            + " has no Dynamics", "one Dynamics: robot.addComponent(Dynamics(name, mass)) gives it mass, suspension and start pose")));
+    }
+
+    private void components(Project project) throws ProjectException {
+        for (SearObject part : object.getComponents()) {
+            Solid solid = Solid.of(part, project);
+            if (solid != null) {
+                corners.put(part, solid.corners());
+                add(solid, place(part), ((Shape) part).isVisibleToSensors(), weight((Shape) part, solid));
+            }
+        }
+    }
+
+    private static Pose place(SearObject object) {
+        return Pose.ofDegrees(object.getX(), object.getY(), object.getZ(), object.getRx(), object.getRy(), object.getRz());
+    }
+
+    /** Masses place the centre of mass where there are any, else volumes do. */
+    private double weight(Shape part, Solid solid) {
+        return isWeighed() ? part.getMass() : solid.volume();
+    }
+
+    private boolean isWeighed() {
+        return object.getComponents().stream().anyMatch(part -> part instanceof Shape && ((Shape) part).getMass() > 0);
+    }
+
+    private void add(Solid solid, Pose place, boolean seen, double weight) {
+        solids.add(solid);
+        places.add(place);
+        visible.add(seen);
+        weights.add(weight);
+    }
+
+    private Solid bareBody() {
+        double halfX = BARE;
+        double halfZ = BARE;
+        for (Wheel wheel : object.getWheels()) {
+            halfX = Math.max(halfX, Math.abs(wheel.getX()));
+            halfZ = Math.max(halfZ, Math.abs(wheel.getZ()));
+        }
+        return Solid.box(halfX, BARE / 2, halfZ, Pose.IDENTITY);
+    }
+
+    private double[] centroid() {
+        double[] sum = new double[3];
+        double total = 0;
+        for (int i = 0; i < solids.size(); i++) {
+            double[] inSolid = solids.get(i).centre();
+            double[] centre = places.get(i).times(solids.get(i).offset).transform(inSolid[0], inSolid[1], inSolid[2]);
+            double weight = weights.get(i);
+            sum[0] += centre[0] * weight;
+            sum[1] += centre[1] * weight;
+            sum[2] += centre[2] * weight;
+            total += weight;
+        }
+        return new double[] {sum[0] / total, sum[1] / total, sum[2] / total};
+    }
+
+    private double reach() {
+        double most = 0;
+        for (int i = 0; i < solids.size(); i++) {
+            Solid solid = solids.get(i);
+            Pose place = places.get(i).times(solid.offset);
+            most = Math.max(most, Math.hypot(place.x, place.z) + Math.max(solid.halfX, solid.halfZ));
+        }
+        return most;
+    }
+
+    /** Puts the components into the scenes, where its own beams don't see them. The wheels' guards are no part of any picture. */
+    public void addTo(Scenes scenes, int owner) {
+        body.addTo(scenes, visible, owner, solids.size() - wheelSolids.size());
+    }
+}

@@ -1,0 +1,324 @@
+package org.SEAR.robot;
+
+import java.util.ArrayList;
+import java.util.List;
+import javax.vecmath.Vector3f;
+import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.devices.RobotHardware;
+import org.SEAR.geometry.Frame;
+import org.SEAR.geometry.Pose;
+import org.SEAR.physics.Body;
+import org.SEAR.physics.Physics;
+import org.SEAR.physics.Scenes;
+import org.SEAR.physics.Solid;
+import org.SEAR.sensors.Sensor;
+
+/** A robot of the world, and its hardware as firmware sees it. Simulation thread. */
+public final class RobotModel implements Robot, RobotHardware {
+    /** A bumper's switches overlap by this much left and right of the middle, radians: a hit from the front closes both. */
+    private static final double BUMPER_OVERLAP = Math.toRadians(15);
+    /** Surfaces that lean more than this (vertical part of the normal) are floor or ceiling, not obstacle. */
+    private static final double LEVEL = 0.7;
+    /** Wheels farther down than this share of the rest length count as dropped. */
+    private static final double DROPPED = 0.999;
+    /** Most steps that a robot is let down at its start before a hanging wheel counts. */
+    private static final int SETTLING = 60;
+
+    private final SEARrobot object;
+    private final Dynamics dynamics;
+    private final int number;
+    private final Body body;
+    private final Scenes scenes;
+    private final RobotTruth truth;
+    private final VirtualWalls virtualWalls;
+    private final List<Sensor<?>> sensors = new ArrayList<>();
+    private final List<Solid> wheelSolids;
+    private final int[] wheelShapes;
+    private final double bodyRadius;
+    private DriveTrain train;
+    private final Frame frame = new Frame();
+    private boolean bumpedLeft;
+    private boolean bumpedRight;
+    private int unsettled;
+
+    public RobotModel(RobotBuilder from, int number, Scenes scenes, RobotTruth truth, VirtualWalls virtualWalls) {
+        this.object = from.object;
+        this.dynamics = from.dynamics;
+        this.body = from.body;
+        this.wheelSolids = from.wheelSolids;
+        this.bodyRadius = from.radius;
+        this.number = number;
+        this.scenes = scenes;
+        this.truth = truth;
+        this.virtualWalls = virtualWalls;
+        this.wheelShapes = new int[wheelSolids.size()];
+        for (int i = 0; i < wheelShapes.length; i++) {
+            wheelShapes[i] = scenes.add(body, wheelSolids.get(i), object.getWheels().get(i).isVisibleToSensors(), number);
+        }
+    }
+
+    public void add(Sensor<?> sensor) {
+        sensors.add(sensor);
+    }
+
+    /** Back to the start, in a new physics world. */
+    public void restart(Physics physics) {
+        train = new DriveTrain(body, object.getWheels(), dynamics, number);
+        if (!train.getWheels().isEmpty()) {
+            physics.add(train);
+        }
+        bumpedLeft = false;
+        bumpedRight = false;
+        unsettled = SETTLING;
+        truth.restart();
+    }
+
+    /** Looks for ground, and wakes the body when its motors turn or its ground moves. Before the physics step. */
+    public void prepare() {
+        boolean busy = train.isCommanded() || groundMoves();
+        body.setDriven(busy);
+        if (busy) {
+            body.getRigid().activate();
+        }
+        if (body.getRigid().isActive()) {
+            train.look(scenes);
+        }
+    }
+
+    private boolean groundMoves() {
+        for (int i = 0; i < train.getWheels().size(); i++) {
+            Body ground = train.getWheels().get(i).getGround();
+            if (ground != null && !ground.isFixed() && ground.getRigid().isActive()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Turns the wheels, moves its shapes in the scenes. After the physics step. */
+    public void follow(boolean awake) {
+        if (unsettled > 0) {
+            unsettled = train.getWheels().stream().anyMatch(this::hangs) ? unsettled - 1 : 0;
+        }
+        if (awake) {
+            train.roll();
+            mirror();
+        }
+        bumpedLeft = false;
+        bumpedRight = false;
+    }
+
+    /** Moves its shapes in the scenes to where it is. */
+    public void mirror() {
+        body.mirror(scenes);
+        for (int i = 0; i < wheelShapes.length; i++) {
+            frame.set(body.getPose());
+            train.getWheels().get(i).place(frame);
+            frame.times(wheelSolids.get(i).offset);
+            scenes.setPose(wheelShapes[i], frame);
+        }
+    }
+
+    /** Something touches the body. @param normal of the surface that touches, vertical part decides whether it is an obstacle */
+    public void touch(Vector3f at, Vector3f normal) {
+        if (Math.abs(normal.y) > LEVEL) {
+            return;
+        }
+        Pose pose = body.getPose();
+        double[] inBody = pose.rotateBack(at.x - pose.x, at.y - pose.y, at.z - pose.z);
+        double angle = Math.atan2(inBody[0], inBody[2]);
+        bumpedLeft |= angle >= -BUMPER_OVERLAP && angle <= Math.PI / 2;
+        bumpedRight |= angle <= BUMPER_OVERLAP && angle >= -Math.PI / 2;
+    }
+
+    public Body getBody() {
+        return body;
+    }
+
+    public RobotTruth truth() {
+        return truth;
+    }
+
+    public DriveTrain getTrain() {
+        return train;
+    }
+
+    public Dynamics getDynamics() {
+        return dynamics;
+    }
+
+    @Override
+    public SEARrobot getObject() {
+        return object;
+    }
+
+    @Override
+    public int getOwner() {
+        return number;
+    }
+
+    @Override
+    public Pose getPose() {
+        return body.getPose();
+    }
+
+    @Override
+    public org.SEAR.sensors.Truth getTruth() {
+        return truth;
+    }
+
+    @Override
+    public RobotHardware getHardware() {
+        return this;
+    }
+
+    @Override
+    public List<Sensor<?>> getSensors() {
+        return sensors;
+    }
+
+    @Override
+    public void drive(double speed, double radius) {
+        double half = getWheelBase() / 2;
+        if (Double.isInfinite(radius)) {
+            setWheelSpeeds(speed, speed);
+        } else if (radius == 0) {
+            setWheelSpeeds(-speed, speed);
+        } else {
+            setWheelSpeeds(speed * (1 - half / radius), speed * (1 + half / radius));
+        }
+    }
+
+    @Override
+    public void setWheelSpeeds(double left, double right) {
+        if (!Double.isFinite(left) || !Double.isFinite(right)) {
+            throw new IllegalArgumentException("robot " + object.getName() + ": wheel speeds are " + left + " and " + right
+                + " m/s, legal: finite numbers");
+        }
+        train.setSpeeds(left, right);
+    }
+
+    @Override
+    public double getWheelBase() {
+        return train.getTrack();
+    }
+
+    @Override
+    public double getLeftWheelAngle() {
+        return mean(1, true);
+    }
+
+    @Override
+    public double getRightWheelAngle() {
+        return mean(-1, true);
+    }
+
+    @Override
+    public double getLeftLoad() {
+        return mean(1, false);
+    }
+
+    @Override
+    public double getRightLoad() {
+        return mean(-1, false);
+    }
+
+    /** Mean over the driven wheels of one side; a wheel in the middle counts for both. */
+    private double mean(int side, boolean angle) {
+        double sum = 0;
+        int count = 0;
+        for (int i = 0; i < train.getWheels().size(); i++) {
+            RaycastWheel wheel = train.getWheels().get(i);
+            if (wheel.isDriven() && wheel.x * side >= 0) {
+                sum += angle ? wheel.getAngle() : wheel.getLoad();
+                count++;
+            }
+        }
+        return count == 0 ? 0 : sum / count;
+    }
+
+    @Override
+    public double getWheelRadius() {
+        for (RaycastWheel wheel : train.getWheels()) {
+            if (wheel.isDriven()) {
+                return wheel.radius;
+            }
+        }
+        return 0;
+    }
+
+    @Override
+    public double getPath() {
+        return truth.path();
+    }
+
+    @Override
+    public double getTurned() {
+        return truth.turned();
+    }
+
+    @Override
+    public boolean isBumpedLeft() {
+        return bumpedLeft;
+    }
+
+    @Override
+    public boolean isBumpedRight() {
+        return bumpedRight;
+    }
+
+    @Override
+    public boolean isLeftWheelDropped() {
+        return dropped(1);
+    }
+
+    @Override
+    public boolean isRightWheelDropped() {
+        return dropped(-1);
+    }
+
+    private boolean dropped(int side) {
+        for (int i = 0; i < train.getWheels().size(); i++) {
+            RaycastWheel wheel = train.getWheels().get(i);
+            if (wheel.isDriven() && wheel.x * side >= 0 && hangs(wheel)) {
+                return unsettled == 0;
+            }
+        }
+        return false;
+    }
+
+    private boolean hangs(RaycastWheel wheel) {
+        return !wheel.isGrounded() || dynamics.getRestLength() > 0 && wheel.getLength() > DROPPED * dynamics.getRestLength();
+    }
+
+    @Override
+    public boolean isCasterDropped() {
+        RaycastWheel front = null;
+        for (int i = 0; i < train.getWheels().size(); i++) {
+            RaycastWheel wheel = train.getWheels().get(i);
+            if (!wheel.isDriven() && (front == null || wheel.z > front.z)) {
+                front = wheel;
+            }
+        }
+        return unsettled == 0 && front != null && hangs(front);
+    }
+
+    @Override
+    public double look(double x, double y, double z, double dx, double dy, double dz, double range) {
+        double[] from = body.getPose().transform(x, y, z);
+        double[] along = body.getPose().rotate(dx, dy, dz);
+        return scenes.ground.cast(from[0], from[1], from[2], along[0], along[1], along[2], range, number, null);
+    }
+
+    @Override
+    public double getBodyRadius() {
+        return bodyRadius;
+    }
+
+    @Override
+    public boolean isInVirtualWall() {
+        Pose pose = body.getPose();
+        return virtualWalls.reach(pose.x, pose.y, pose.z);
+    }
+}

@@ -1,0 +1,157 @@
+package org.SEAR.robot;
+
+import java.util.Arrays;
+import org.SEAR.geometry.Pose;
+import org.SEAR.physics.Body;
+import org.SEAR.physics.Physics;
+import org.SEAR.physics.Scenes;
+import org.SEAR.raycast.BeamScene;
+import org.SEAR.sensors.Earth;
+import org.SEAR.sensors.Truth;
+import org.SEAR.geometry.TimeStep;
+
+/** The exact state of one robot after each step. Simulation thread. */
+public final class RobotTruth implements Truth {
+    /** The path counts when the robot is this far from where it last counted, metres: more than any vibration. */
+    private static final double DEAD_BAND = 1e-4;
+    /** The same for the heading, radians. */
+    private static final double TURN_DEAD_BAND = 2e-4;
+
+    private final Body body;
+    private final Scenes scenes;
+    private final int owner;
+    private final Earth earth;
+    private final long epochMillis;
+    private final double[] velocity = new double[3];
+    private final double[] angular = new double[3];
+    private long step;
+    private double path;
+    private double turned;
+    private Pose anchor;
+    private double heading;
+
+    public RobotTruth(Body body, Scenes scenes, int owner, Earth earth, long epochMillis) {
+        this.body = body;
+        this.scenes = scenes;
+        this.owner = owner;
+        this.earth = earth;
+        this.epochMillis = epochMillis;
+    }
+
+    void restart() {
+        step = 0;
+        path = 0;
+        turned = 0;
+        anchor = body.getPose();
+        heading = heading(anchor);
+        Arrays.fill(velocity, 0);
+        Arrays.fill(angular, 0);
+    }
+
+    /** Takes over the state after a step. @param awake whether the robot may have moved */
+    public void update(long newStep, boolean awake) {
+        step = newStep;
+        if (!awake) {
+            Arrays.fill(velocity, 0);
+            Arrays.fill(angular, 0);
+            return;
+        }
+        Pose pose = body.getPose();
+        body.velocityAt(pose.x, pose.y, pose.z, velocity);
+        body.angularVelocity(angular);
+        double dx = pose.x - anchor.x;
+        double dy = pose.y - anchor.y;
+        double dz = pose.z - anchor.z;
+        double now = heading(pose);
+        double turn = Math.IEEEremainder(now - heading, 2 * Math.PI);
+        if (Math.abs(turn) > TURN_DEAD_BAND) {
+            turned += turn;
+            heading = now;
+        }
+        if (dx * dx + dy * dy + dz * dz > DEAD_BAND * DEAD_BAND) {
+            path += (along(anchor, dx, dy, dz) + along(pose, dx, dy, dz)) / 2;
+            anchor = pose;
+        }
+    }
+
+    /** Component of a displacement along the pose's forward axis. */
+    private static double along(Pose pose, double dx, double dy, double dz) {
+        return dx * 2 * (pose.qx * pose.qz + pose.qw * pose.qy) + dy * 2 * (pose.qy * pose.qz - pose.qw * pose.qx)
+            + dz * (1 - 2 * (pose.qx * pose.qx + pose.qy * pose.qy));
+    }
+
+    /** Angle of the forward axis about +y, radians, + counter-clockwise from above. */
+    private static double heading(Pose pose) {
+        return Math.atan2(2 * (pose.qx * pose.qz + pose.qw * pose.qy), 1 - 2 * (pose.qx * pose.qx + pose.qy * pose.qy));
+    }
+
+    /** Heading turned since the start, radians, not wrapped. */
+    double turned() {
+        return turned;
+    }
+
+    @Override
+    public long step() {
+        return step;
+    }
+
+    @Override
+    public double time() {
+        return step * TimeStep.SECONDS;
+    }
+
+    @Override
+    public double stepLength() {
+        return TimeStep.SECONDS;
+    }
+
+    @Override
+    public long epochMillis() {
+        return epochMillis;
+    }
+
+    @Override
+    public Pose body() {
+        return body.getPose();
+    }
+
+    @Override
+    public double[] velocity() {
+        return velocity;
+    }
+
+    @Override
+    public double[] angularVelocity() {
+        return angular;
+    }
+
+    @Override
+    public double path() {
+        return path;
+    }
+
+    @Override
+    public double gravity() {
+        return Physics.GRAVITY;
+    }
+
+    @Override
+    public Earth earth() {
+        return earth;
+    }
+
+    @Override
+    public BeamScene scene() {
+        return scenes.beams;
+    }
+
+    @Override
+    public int owner() {
+        return owner;
+    }
+
+    @Override
+    public String objectName(int shape) {
+        return scenes.body(shape).name;
+    }
+}

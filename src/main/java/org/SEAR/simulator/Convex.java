@@ -1,7 +1,0 @@
-package org.SEAR.simulator;
-
-/** A convex set that stands in the world. */
-interface Convex {
-    /** The point of it that is farthest in a direction, which need not be of length 1. @param into takes {x, y, z}, world frame, metres */
-    void farthest(double dx, double dy, double dz, double[] into);
-}

@@ -1,0 +1,121 @@
+package org.SEAR.devices;
+
+import static org.junit.Assert.assertArrayEquals;
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import org.SEAR.simulator.Simulation;
+import org.junit.Test;
+
+/** The line between a device and the user's port. */
+public class CableTest {
+    private static final int BAUD = 9600;
+    private final Cable cable = new Cable("lidar", "LIDAR", "uart", "user");
+    private final Echo device = new Echo();
+    private final ByteArrayOutputStream host = new ByteArrayOutputStream();
+
+    /** Answers what it hears. */
+    private final class Echo implements SerialDevice {
+        private final List<Double> times = new ArrayList<>();
+        private final ByteArrayOutputStream heard = new ByteArrayOutputStream();
+        private int garbage;
+
+        @Override
+        public int getBaud() {
+            return BAUD;
+        }
+
+        @Override
+        public void receive(int value, double time) {
+            times.add(time);
+            heard.write(value);
+            cable.send(new byte[] {(byte) value}, time);
+        }
+
+        @Override
+        public void receiveGarbage(double time) {
+            garbage++;
+        }
+
+        @Override
+        public void advance(double time) {
+        }
+
+        @Override
+        public void reset() {
+            heard.reset();
+        }
+
+        @Override
+        public String status() {
+            return "";
+        }
+    }
+
+    public CableTest() {
+        cable.attach(device);
+        cable.setSink(bytes -> host.write(bytes, 0, bytes.length));
+    }
+
+    private void step(long number) {
+        cable.accept(number * Simulation.STEP);
+        cable.run((number + 1) * Simulation.STEP);
+        cable.deliver((number + 1) * Simulation.STEP);
+    }
+
+    @Test
+    public void bytesTakeTenBitsEachInBothDirections() {
+        cable.write(new byte[40]);
+        step(6);
+        assertEquals("bytes in a step", 16, device.times.size());
+        assertEquals(6 * Simulation.STEP + 10.0 / BAUD, device.times.get(0), 1e-12);
+        assertEquals(10.0 / BAUD, device.times.get(5) - device.times.get(4), 1e-12);
+        assertEquals("the echo of the last byte is still on its way", 15, host.size());
+        step(7);
+        step(8);
+        step(9);
+        assertEquals(40, host.size());
+        assertEquals(40, cable.getWritten());
+        assertEquals(40, cable.getDelivered());
+    }
+
+    @Test
+    public void anotherSpeedIsGarbageBothWays() {
+        cable.setHostBaud(19200);
+        cable.write(new byte[] {1, 2, 3});
+        step(0);
+        assertEquals(3, device.garbage);
+        cable.send(new byte[] {0x10, 0x20}, Simulation.STEP);
+        step(1);
+        assertEquals(2, host.size());
+        assertTrue(host.toByteArray()[0] != 0x10);
+        cable.setHostBaud(BAUD);
+        cable.write(new byte[] {5});
+        step(2);
+        assertArrayEquals(new byte[] {5}, device.heard.toByteArray());
+    }
+
+    @Test
+    public void aFloodIsBoundedAndWhatIsTakenStaysInOrder() {
+        byte[] flood = new byte[Cable.MAX_WAITING + 1000];
+        for (int i = 0; i < flood.length; i++) {
+            flood[i] = (byte) (i * 31);
+        }
+        cable.write(flood);
+        cable.write(flood);
+        assertEquals(Cable.MAX_WAITING, cable.getWritten());
+        assertEquals(flood.length + 1000L, cable.takeDropped());
+        for (int i = 0; i < 100; i++) {
+            step(i);
+            cable.write(new byte[] {9});
+        }
+        byte[] heard = device.heard.toByteArray();
+        for (int i = 0; i < heard.length; i++) {
+            assertEquals(flood[i], heard[i]);
+        }
+        assertEquals(1600, heard.length, 2);
+    }
+}

@@ -57,7 +57,7 @@ def connectRoomba(roomba, port):
     if line is not None and not line.isConnected():
         line.connect(port, 57600, 8, 1, 0)
 
-def onScan(data):
+def onDemoScan(data):
     near = min(data)
     angle = data.index(near) - 90
     side = "ahead" if angle == 0 else ("%d degrees to the %s" % (abs(angle), "left" if angle > 0 else "right"))
@@ -66,7 +66,7 @@ def onScan(data):
 
 position = []
 
-def onPosition(data):
+def onDemoPosition(data):
     position[:] = data
 
 sear.startSimulation()
@@ -75,10 +75,10 @@ print "The simulation runs with the sensors " + ", ".join(sear.getSensorNames())
 
 lidar = Runtime.start("demoLidarService", "LIDAR")
 lidar.connect("/dev/SEAR_LIDAR_01", 38400)
-lidar.addListener("publishLidarData", python.getName(), "onScan")
+lidar.addListener("publishLidarData", python.getName(), "onDemoScan")
 gps = Runtime.start("demoGpsService", "GPS")
 gps.connect("/dev/SEAR_GPS_01")
-gps.addListener("publishGGAData", python.getName(), "onPosition")
+gps.addListener("publishGGAData", python.getName(), "onDemoPosition")
 roomba = Runtime.start("demoRoombaService", "Roomba")
 connectRoomba(roomba, "/dev/SEAR_Robot_01")
 roomba.startup()

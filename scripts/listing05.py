@@ -1,6 +1,7 @@
 # Listing 5 of the dissertation: starts a LIDAR service on the robot of Listing 4 and scans.
 # Changed: the callback that the listing names but does not show is there, and takes the data as its argument; three scans instead of an endless
-# loop; sear.simSleep() instead of sleep(), so that the script runs at any speed.
+# loop; sear.simSleep() instead of sleep(), so that the script runs at any speed. The callback keeps its name input, which Listing 6 shares: both
+# listen to the same service, so each may run after the other in one session. Call yours otherwise (docs/embedded-and-real.md).
 sear = Runtime.start("SEAR", "SEAR")
 sear.startSimulation()    # start SEAR simulation
 sear.simSleep(2)          # give some time for things to fall into their natural place

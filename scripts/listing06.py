@@ -1,7 +1,8 @@
 # Listing 6 of the dissertation: reads the raw LIDAR data and prints them as Cartesian coordinates, the LIDAR being at (0, 0).
 # Changed: the callback takes the data as its argument (msg_myLidar_publishLidarData is gone from MyRobotLab); the angle of each reading comes from
 # the fan's true resolution (i * 100 / length bent the fan); 8183 and above, which is "nothing hit", is left out; two scans instead of an endless
-# loop; the robot turns around first, since nobody steers it by keys; sear.simSleep() instead of sleep().
+# loop; the robot turns around first, since nobody steers it by keys; sear.simSleep() instead of sleep(). The callback keeps its name input, which
+# Listing 5 shares: both listen to the same service, so each may run after the other in one session. Call yours otherwise (docs/embedded-and-real.md).
 import math
 
 def input(data):

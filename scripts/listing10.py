@@ -12,12 +12,12 @@ if not os.path.exists("SEARproject/controller.py"):
     sear.copyTemplate("controller.py", "SEARproject")
 python.execFile("SEARproject/controller.py")
 
-def answer(data):
+def onAnswerByte(data):
     print "byte " + hex(data)
 
 byHand = Runtime.start("byHand", "Serial")
 byHand.connect("/dev/user_CONTROLLER_01", 9600, 8, 1, 0)
-byHand.addListener("publishRX", python.getName(), "answer")
+byHand.addListener("publishRX", python.getName(), "onAnswerByte")
 print "requesting sensor 43, sonar 1"
 byHand.write(0x8E)
 byHand.write(0x2B)

@@ -17,9 +17,9 @@ import org.myrobotlab.service.link.SerialLink;
  * Reads a GPS receiver that sends NMEA sentences, real or simulated, on any port of MyRobotLab's Serial service.
  *
  * <pre>
- * gps1 = Runtime.start("gpsUnit1", "GPS")
- * gps1.addListener("publishGGAData", python.getName(), "input")
- * gps1.connect("/dev/SEAR_GPS_01")
+ * gps = Runtime.start("roofGps", "GPS")
+ * gps.addListener("publishGGAData", python.getName(), "onRoofGpsData")
+ * gps.connect("/dev/SEAR_GPS_01")
  * </pre>
  *
  * <p>Sentences with a wrong check sum are left out. Loss of fix and loss of data are published as warnings, once. Any thread.

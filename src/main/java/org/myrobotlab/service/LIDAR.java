@@ -15,9 +15,9 @@ import org.myrobotlab.service.link.SerialLink;
  * Driver for a SICK LMS200 (and its sisters), real or simulated, on any port of MyRobotLab's Serial service.
  *
  * <pre>
- * lidar = Runtime.start("myLidar", "LIDAR")
+ * lidar = Runtime.start("frontLidar", "LIDAR")
  * lidar.connect("/dev/SEAR_LIDAR_01")
- * lidar.addListener("publishLidarData", python.getName(), "input")
+ * lidar.addListener("publishLidarData", python.getName(), "onFrontLidarData")
  * lidar.setScanMode(100, 1)
  * lidar.singleScan()
  * </pre>

@@ -32,6 +32,8 @@ final class WindowApplication extends SimpleApplication implements WindowBody {
     private volatile String problem;
     private volatile String glfwError;
     private volatile boolean shown;
+    private volatile boolean failed;
+    private volatile boolean misfit;
     /** Pictures drawn since the window opened. */
     volatile long frames;
     private volatile boolean closing;
@@ -95,8 +97,13 @@ final class WindowApplication extends SimpleApplication implements WindowBody {
     }
 
     @Override
-    public void simpleInitApp() {
+    public void initialize() {
         thread = Thread.currentThread();
+        guard(super::initialize);
+    }
+
+    @Override
+    public void simpleInitApp() {
         X11Guard.install(this::displayLost);
         inputManager.deleteMapping(INPUT_MAPPING_EXIT);
         ModelLoader.prepare(assetManager, link.project());
@@ -117,6 +124,24 @@ final class WindowApplication extends SimpleApplication implements WindowBody {
 
     @Override
     public void update() {
+        if (!failed) {
+            guard(this::draw);
+        }
+    }
+
+    /** What leaves this class's methods would end the window's thread, and older versions of jMonkeyEngine then leave an empty window behind. */
+    private void guard(Runnable work) {
+        try {
+            work.run();
+        } catch (LinkageError e) {
+            misfit = true;
+            fail(EngineVersion.misfit(e), e);
+        } catch (RuntimeException e) {
+            fail(e.toString(), e);
+        }
+    }
+
+    private void draw() {
         super.update();
         frames = frames + 1;
         if (!shown && scene.hasPicture()) {
@@ -154,12 +179,18 @@ final class WindowApplication extends SimpleApplication implements WindowBody {
             LOG.log(Level.FINE, words, error);
             return;
         }
+        thread = Thread.currentThread();
+        fail(glfwError == null ? words : glfwError, error);
+    }
+
+    /** Takes the window away and says why; the first picture is no longer waited for. */
+    private void fail(String words, Throwable error) {
+        failed = true;
         if (shown) {
             LOG.log(Level.WARNING, words, error);
             options.getWarnings().accept("the simulator window has to close: " + words);
         } else {
-            thread = Thread.currentThread();
-            problem = glfwError == null ? words : glfwError;
+            problem = words;
             LOG.log(Level.FINE, words, error);
         }
         context.destroy(false);
@@ -185,7 +216,9 @@ final class WindowApplication extends SimpleApplication implements WindowBody {
         super.destroy();
         Glfw.freeLeftovers();
         background.shutdown();
-        link.close();
+        if (problem == null) {
+            link.close(); // otherwise another window may be tried on it
+        }
         shown = false;
         if (closedByUser && !closing) {
             // no daemon: a process that has only this window would end before the message is out
@@ -211,6 +244,11 @@ final class WindowApplication extends SimpleApplication implements WindowBody {
     @Override
     public boolean isOpen() {
         return shown && !closing;
+    }
+
+    /** Whether classes of jMonkeyEngine are not those that the window was made for, so that another attempt is vain. */
+    boolean isMisfit() {
+        return misfit;
     }
 
     @Override

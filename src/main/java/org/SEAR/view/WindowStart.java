@@ -20,7 +20,7 @@ final class WindowStart {
     static WindowBody open(WorldLink link, WindowOptions options, Runnable onShown) throws InterruptedException {
         WindowApplication modern = new WindowApplication(link, options, onShown);
         modern.open(AppSettings.LWJGL_OPENGL32);
-        if (modern.problem() == null || modern.problem().contains(NO_SERVER)) {
+        if (modern.problem() == null || modern.problem().contains(NO_SERVER) || modern.isMisfit()) {
             return modern;
         }
         WindowApplication old = new WindowApplication(link, options, onShown);

@@ -6,13 +6,20 @@ import static org.junit.Assert.assertTrue;
 
 import java.io.BufferedReader;
 import java.io.File;
+import java.io.IOException;
+import java.io.InputStream;
 import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
+import org.junit.Rule;
 import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
 
 /** Machines that can't show a window run the simulation without one, and say why. */
 public class NoDisplayTest {
@@ -36,6 +43,9 @@ public class NoDisplayTest {
             System.exit(0);
         }
     }
+
+    @Rule
+    public final TemporaryFolder folder = new TemporaryFolder();
 
     private static String run(Process process) throws Exception {
         process.getOutputStream().close();
@@ -89,6 +99,46 @@ public class NoDisplayTest {
             assertTrue(output, output.contains("warning: jMonkeyEngine or its native libraries can't be loaded"));
             assertTrue(output, output.contains("opened: false, headless: true"));
         }
+    }
+
+    /** As in a MyRobotLab from before 2024, whose jMonkeyEngine has no KeyInput.getKeyName. */
+    @Test
+    public void anOlderEngineLeavesNoEmptyWindow() throws Exception {
+        try (Xvfb server = new Xvfb()) {
+            ProcessBuilder builder = Xvfb.java(server.display(), List.of(), Opener.class.getName());
+            List<String> command = builder.command();
+            int at = command.indexOf("-cp") + 1;
+            command.set(at, olderEngine() + File.pathSeparator + command.get(at));
+            Process process = builder.start();
+            BufferedReader lines = new BufferedReader(new InputStreamReader(process.getInputStream()));
+            String warning = lines.lines().filter(line -> line.startsWith("warning")).findFirst().orElse("it ended");
+            assertTrue(warning, warning.startsWith("warning: no window could be opened (the window needs jMonkeyEngine 3.6 and LWJGL 3.3, and what "
+                + "is there is older or mixed: jMonkeyEngine 3.6.1-stable, LWJGL 3.3.2"));
+            assertTrue(warning, warning.contains("sear install --replace-jme"));
+            assertTrue(warning, warning.contains("NoSuchMethodError") && warning.contains("getKeyName"));
+            assertEquals("opened: false, headless: true", lines.readLine());
+            assertEquals("windows", "", windows(server));
+            process.getOutputStream().close();
+            assertTrue(lines.lines().anyMatch("still alive"::equals));
+        }
+    }
+
+    /** A folder with a class that lacks a method. */
+    private Path olderEngine() throws IOException {
+        String name = "com/jme3/input/KeyInput.class";
+        Path file = folder.getRoot().toPath().resolve(name);
+        Files.createDirectories(file.getParent());
+        try (InputStream in = NoDisplayTest.class.getClassLoader().getResourceAsStream(name)) {
+            String bytes = new String(in.readAllBytes(), StandardCharsets.ISO_8859_1);
+            Files.write(file, bytes.replace("getKeyName", "notYetHere").getBytes(StandardCharsets.ISO_8859_1));
+        }
+        return folder.getRoot().toPath();
+    }
+
+    private static String windows(Xvfb server) throws IOException {
+        ProcessBuilder tool = new ProcessBuilder("xdotool", "search", "--onlyvisible", "--name", "SEAR");
+        tool.environment().put("DISPLAY", server.display());
+        return new String(tool.start().getInputStream().readAllBytes());
     }
 
     private static void withoutJars(ProcessBuilder builder, String... unwanted) {

@@ -90,11 +90,12 @@ public final class SimulationSession {
             uart.open(clock);
         }
         runner.setSpeed(lockStep ? Double.POSITIVE_INFINITY : settings.speed);
-        runner.setPaused(lockStep);
+        runner.setPaused(true);
         thread.start();
         if (!settings.headless) {
-            window.open(runner, debugShapes, this::isScriptDriving, host);
+            window.open(runner, debugShapes, this::isScriptDriving, host); // takes seconds, which nobody is to miss
         }
+        runner.setPaused(lockStep);
         tellWarnings();
     }
 

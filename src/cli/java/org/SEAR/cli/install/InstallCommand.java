@@ -19,6 +19,9 @@ public final class InstallCommand implements Callable<Integer> {
     private Path folder;
     @Option(names = "--remove", description = "Take out exactly what was put in.")
     private boolean remove;
+    @Option(names = "--replace-jme", description = "Replace a jMonkeyEngine of MyRobotLab that is too old for the window (3.6 is needed); --remove "
+        + "brings it back.")
+    private boolean replaceEngine;
     @Option(names = "--dry-run", description = "Only say what would be done.")
     private boolean dryRun;
     @Spec
@@ -30,12 +33,13 @@ public final class InstallCommand implements Callable<Integer> {
         try {
             Installer installer = new Installer(folder);
             Path plugin = pluginFolder();
-            Plan plan = remove ? installer.remove(plugin) : installer.install(plugin);
+            Plan plan = remove ? installer.remove(plugin) : installer.install(plugin, replaceEngine);
             out.println("MyRobotLab: " + installer.root()
                 + (installer.installedVersion() == null ? "" : ", with SEAR " + installer.installedVersion()));
             plan.describe().forEach(line -> out.println("  " + line));
             if (plan.isEmpty()) {
-                out.println("Nothing to do: SEAR " + installer.installedVersion() + " is installed and complete.");
+                out.println("Nothing to do" + (plan.remarks().isEmpty() ? ": SEAR " + installer.installedVersion() + " is installed and complete."
+                    : " now: SEAR " + installer.installedVersion() + " is installed."));
             } else if (dryRun) {
                 out.println("Nothing was changed (--dry-run).");
             } else {
@@ -44,8 +48,10 @@ public final class InstallCommand implements Callable<Integer> {
                 if (remove) {
                     installer.removeEmptyFolders();
                 }
-                out.println(remove ? "SEAR was removed." : "Done. Start MyRobotLab; SEAR, LIDAR and GPS are among its services.");
+                out.println(remove ? "SEAR was removed." : "Done. Start MyRobotLab; " + (plan.remarks().isEmpty()
+                    ? "SEAR, LIDAR and GPS are among its services." : "SEAR, LIDAR and GPS can be started."));
             }
+            plan.remarks().forEach(out::println);
             return 0;
         } catch (InstallException e) {
             spec.commandLine().getErr().println("sear install: " + e.getMessage());

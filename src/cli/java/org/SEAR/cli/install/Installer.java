@@ -8,11 +8,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Properties;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -28,7 +26,7 @@ public final class Installer {
     /** Services by simple name, with the line that the service picker shows. */
     private static final Map<String, String> SERVICES = services();
     private static final String PANELS = "resource/";
-    private static final String JARS = "libraries/jar/";
+    private static final String JARS = LibraryChoice.JARS;
     private static final String SERVICE_DATA = "libraries/serviceData.json";
     private static final String RECEIPT = "libraries/sear-install.json";
     /** What the services put below the resource root at run time, by name, as SHA-256. */
@@ -67,8 +65,9 @@ public final class Installer {
      * What installing the distribution would do.
      *
      * @param plugin the distribution's folder with sear.jar and its libraries
+     * @param replaceEngine whether a jMonkeyEngine that is too old for the window makes room for the distribution's
      */
-    public Plan install(Path plugin) throws InstallException, IOException {
+    public Plan install(Path plugin, boolean replaceEngine) throws InstallException, IOException {
         Payload payload = new Payload(plugin);
         mrl.refuseIfRunning();
         if (old != null && Versions.compare(old.version, payload.version()) > 0) {
@@ -78,7 +77,7 @@ public final class Installer {
         Receipt receipt = new Receipt();
         receipt.version = payload.version();
         Plan plan = new Plan(mrl.root());
-        for (Map.Entry<String, byte[]> file : filesToAdd(payload, plan).entrySet()) {
+        for (Map.Entry<String, byte[]> file : filesToAdd(payload, new LibraryChoice(mrl, old, replaceEngine), plan, receipt).entrySet()) {
             plan.write(file.getKey(), file.getValue());
             receipt.added.put(file.getKey(), Receipt.hash(file.getValue()));
         }
@@ -100,18 +99,14 @@ public final class Installer {
         return plan;
     }
 
-    private Map<String, byte[]> filesToAdd(Payload payload, Plan plan) throws IOException, InstallException {
+    private Map<String, byte[]> filesToAdd(Payload payload, LibraryChoice libraries, Plan plan, Receipt receipt)
+            throws IOException, InstallException {
         Map<String, byte[]> files = new TreeMap<>();
         files.put(JARS + Payload.PLUGIN, Files.readAllBytes(payload.plugin()));
-        Set<String> there = jarsOfMrl();
-        Set<String> own = mrl.ownEntries();
-        for (Path library : payload.libraries()) {
-            String name = library.getFileName().toString();
-            if (Payload.isThere(library, there, own)) {
-                plan.note("keep    " + name + ": MyRobotLab has this library");
-            } else {
-                files.put(JARS + name, Files.readAllBytes(library));
-            }
+        libraries.choose(payload, plan, files, receipt);
+        if (libraries.olderEngine() != null) {
+            plan.remark("The window needs jMonkeyEngine 3.6; " + libraries.olderEngine() + " is there, so SEAR runs without a window. To have one, "
+                + "call \"sear install --replace-jme " + mrl.root() + "\"; --remove brings the old one back.");
         }
         if (Files.isDirectory(mrl.resources())) {
             Map<String, String> copied = copiedByServices();
@@ -129,21 +124,6 @@ public final class Installer {
             plan.note("later   panels: MyRobotLab unpacks its resource folder at its first start; the services add their panels then");
         }
         return files;
-    }
-
-    private Set<String> jarsOfMrl() throws IOException {
-        Set<String> names = new HashSet<>();
-        if (Files.isDirectory(mrl.jars())) {
-            try (DirectoryStream<Path> jars = Files.newDirectoryStream(mrl.jars(), "*.jar")) {
-                for (Path jar : jars) {
-                    String name = jar.getFileName().toString();
-                    if (old == null || !old.added.containsKey(JARS + name)) {
-                        names.add(name);
-                    }
-                }
-            }
-        }
-        return names;
     }
 
     /** The files that the services serve from MRL's resource root, by path. */
@@ -177,6 +157,8 @@ public final class Installer {
     private void addPickerEntries(Plan plan, Receipt receipt) throws IOException, InstallException {
         if (!Files.exists(mrl.serviceData())) {
             plan.note("later   service picker: libraries/serviceData.json is not there yet; start MyRobotLab once, then install again");
+            plan.remark("Until MyRobotLab has been started once and this was called again, its service picker does not offer SEAR, LIDAR and GPS: "
+                + "type the type by hand.");
             return;
         }
         byte[] now = Files.readAllBytes(mrl.serviceData());
@@ -256,6 +238,7 @@ public final class Installer {
         if (!old.changed.containsKey(SERVICE_DATA)) {
             restore(plan, SERVICE_DATA, "");
         }
+        LibraryChoice.putBack(mrl, old, plan);
         plan.delete(RECEIPT);
         mrl.refuseIfNotWritable(plan);
         return plan;

@@ -53,16 +53,17 @@ final class Payload {
         return jars;
     }
 
-    /** Whether MyRobotLab has the library already, in any version: by artifact name in {@code libraries/jar}, or inside its own jar. */
-    static boolean isThere(Path library, Set<String> jarNames, Set<String> ownEntries) throws IOException {
-        String artifact = artifact(library.getFileName().toString());
-        if (jarNames.stream().anyMatch(name -> artifact(name).equals(artifact))) {
-            return true;
-        }
+    /** Whether MyRobotLab's own jar has the library in it. @param ownEntries names of that jar's entries */
+    static boolean isInside(Path library, Set<String> ownEntries) throws IOException {
         try (ZipFile jar = new ZipFile(library.toFile())) {
             return jar.stream().map(ZipEntry::getName).filter(name -> name.endsWith(".class") && !name.contains("-info"))
                 .findFirst().map(ownEntries::contains).orElse(false);
         }
+    }
+
+    /** {@code jme3-core-3.6.1-stable.jar} is version {@code 3.6.1-stable}; empty where the name has none. */
+    static String version(String fileName) {
+        return fileName.replaceAll("\\.jar$", "").replaceAll("-natives-.*$", "").replaceAll("^.*?-(?=\\d)|^\\D*$", "");
     }
 
     /** {@code jme3-core-3.6.1-stable.jar} is artifact {@code jme3-core}; a natives classifier belongs to the artifact. */

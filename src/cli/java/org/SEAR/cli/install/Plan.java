@@ -27,6 +27,7 @@ final class Plan {
     private final Map<String, byte[]> writes = new TreeMap<>();
     private final Set<String> deletes = new TreeSet<>();
     private final List<String> notes = new ArrayList<>();
+    private final List<String> remarks = new ArrayList<>();
     private final List<Path> leftovers = new ArrayList<>();
 
     Plan(Path root) {
@@ -56,6 +57,16 @@ final class Plan {
     /** Says something about what is left alone. */
     void note(String text) {
         notes.add(text);
+    }
+
+    /** Says something that the user is left with when all is done. */
+    void remark(String text) {
+        remarks.add(text);
+    }
+
+    /** What the user is left with, a line each. */
+    List<String> remarks() {
+        return remarks;
     }
 
     boolean isEmpty() {

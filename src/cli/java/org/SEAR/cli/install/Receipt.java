@@ -26,6 +26,8 @@ final class Receipt {
     public Map<String, String> changed = new TreeMap<>();
     /** The bytes, base64, that the changed files had before. */
     public Map<String, String> originals = new TreeMap<>();
+    /** SHA-256 of each jar of MyRobotLab's that made room for one of ours, by its name; it lies in {@code libraries/sear-replaced}. */
+    public Map<String, String> replaced = new TreeMap<>();
     /** Folders that were not there before. */
     public Set<String> folders = new TreeSet<>();
 

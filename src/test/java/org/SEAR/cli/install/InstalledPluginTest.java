@@ -55,7 +55,7 @@ public class InstalledPluginTest {
         mrl = folder.newFolder("my robot lab").toPath();
         Files.createDirectories(mrl.resolve("libraries/jar"));
         hostJar(distribution.jars("lib"));
-        new Installer(mrl).install(distribution.home().resolve("plugin")).apply();
+        new Installer(mrl).install(distribution.home().resolve("plugin"), false).apply();
         assertFalse("the installer leaves MyRobotLab's first start alone", Files.exists(mrl.resolve("resource")));
         Files.createDirectories(mrl.resolve("resource/WebGui/app/service/js"));
         try (ServerSocket free = new ServerSocket(0)) {
@@ -163,7 +163,7 @@ public class InstalledPluginTest {
 
     private void isLeftAloneByTheInstaller() throws IOException {
         try {
-            new Installer(mrl).install(mrl.resolve("libraries/jar"));
+            new Installer(mrl).install(mrl.resolve("libraries/jar"), false);
             throw new AssertionError("was not refused");
         } catch (InstallException e) {
             assertEquals("MyRobotLab is running from " + mrl + " (process " + process.pid() + "). Shut it down and call again.", e.getMessage());

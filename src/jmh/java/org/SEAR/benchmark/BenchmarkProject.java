@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.stream.Stream;
 import org.SEAR.project.Project;
-import org.SEAR.project.ProjectException;
+import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
 
 /** A project in a folder of its own, and the simulation made from it. */

@@ -20,10 +20,10 @@ import org.SEAR.collision.Features;
 import org.SEAR.collision.Hull;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
-import org.SEAR.project.ModelLoader;
-import org.SEAR.project.Problem;
 import org.SEAR.project.Project;
-import org.SEAR.project.ProjectException;
+import org.SEAR.project.models.ModelLoader;
+import org.SEAR.project.problems.Problem;
+import org.SEAR.project.problems.ProjectException;
 import org.SEAR.raycast.BeamScene;
 
 /** The exact geometry of one object of the grammar, scale included, as beams and as collisions need it. */
@@ -148,7 +148,7 @@ public final class Solid {
     private static Solid model(Model model, Project project) throws ProjectException {
         Triangles triangles;
         try {
-            triangles = new ModelLoader(project).triangles(model);
+            triangles = new ModelLoader(project.getAssets()).triangles(model);
         } catch (IOException e) {
             throw problem(model, project, "a model that can be loaded (" + e.getMessage() + ")");
         }

@@ -5,6 +5,10 @@ import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.project.models.Assets;
+import org.SEAR.project.models.ModelLoader;
+import org.SEAR.project.problems.ProblemList;
+import org.SEAR.project.xml.ParsedObject;
 
 /** Checks that the pictures and models that objects name are there: a missing picture is a warning, a missing model a problem. */
 final class AssetCheck {

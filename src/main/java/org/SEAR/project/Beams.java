@@ -15,6 +15,9 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.Parameter;
+import org.SEAR.project.problems.ProblemList;
+import org.SEAR.project.xml.ParsedObject;
+import org.SEAR.project.xml.Xml;
 
 /** The named beams of a project: the files of its {@code beams/} folder, which go before those that come with SEAR. */
 public final class Beams {

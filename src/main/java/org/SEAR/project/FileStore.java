@@ -10,6 +10,7 @@ import java.util.List;
 import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.ObjectStore;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.project.xml.Xml;
 
 /** Keeps objects as XML files of the present SEARproject folder. Each file is written beside its place and then moved there: whole or not at all. */
 public final class FileStore implements ObjectStore {

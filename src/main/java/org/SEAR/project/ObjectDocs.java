@@ -21,6 +21,7 @@ import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.ParameterTable;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.VoltagePoint;
+import org.SEAR.project.xml.ObjectClasses;
 
 /** Describes the classes of the object grammar from the same tables that validate: the page {@code docs/objects.md}, and lists for the terminal. */
 public final class ObjectDocs {

@@ -4,6 +4,8 @@ import java.nio.file.Path;
 import java.util.List;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.project.models.Assets;
+import org.SEAR.project.problems.ProjectException;
 
 /** A SEARproject folder that was read whole and found valid. Immutable: nobody changes its objects afterwards. */
 public final class Project {
@@ -18,7 +20,7 @@ public final class Project {
         this.environment = List.copyOf(environment);
         this.robots = List.copyOf(robots);
         this.warnings = List.copyOf(warnings);
-        this.assets = new Assets(folder);
+        this.assets = new Assets(folder.resolve(ProjectFolder.ASSETS));
     }
 
     /** Reads and validates a folder. @throws ProjectException with every problem found */

@@ -5,25 +5,25 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 
 /** The layout of a SEARproject folder. */
-final class ProjectFolder {
-    static final String ENVIRONMENT = "environment";
-    static final String ROBOT = "robot";
-    static final String ASSETS = "assets";
-    static final String BEAMS = "beams";
-    static final String XML = ".xml";
+public final class ProjectFolder {
+    public static final String ENVIRONMENT = "environment";
+    public static final String ROBOT = "robot";
+    public static final String ASSETS = "assets";
+    public static final String BEAMS = "beams";
+    public static final String XML = ".xml";
     /** Names of files that are being written: {@code .NAME.xml.PROCESS.tmp}. */
-    static final String TEMPORARY = ".tmp";
+    public static final String TEMPORARY = ".tmp";
 
     private ProjectFolder() {
     }
 
     /** The folder of this program: SEARproject in the working folder, or what the system property {@code sear.project} says. */
-    static Path present() {
+    public static Path present() {
         return Paths.get(System.getProperty("sear.project", "SEARproject")).toAbsolutePath().normalize();
     }
 
     /** The file of an object. */
-    static Path file(Path folder, boolean part, String name) {
+    public static Path file(Path folder, boolean part, String name) {
         try {
             return folder.resolve(part ? ROBOT : ENVIRONMENT).resolve(name + XML);
         } catch (InvalidPathException e) {

@@ -13,6 +13,8 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SerialObject;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.project.problems.ProblemList;
+import org.SEAR.project.xml.ParsedObject;
 
 /** Puts components to their robots and checks what the objects of a project are to each other. One use. */
 final class ProjectLinker {

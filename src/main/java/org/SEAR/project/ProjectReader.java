@@ -19,6 +19,12 @@ import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.project.models.Assets;
+import org.SEAR.project.problems.ProblemList;
+import org.SEAR.project.problems.ProjectException;
+import org.SEAR.project.xml.ObjectClasses;
+import org.SEAR.project.xml.ParsedObject;
+import org.SEAR.project.xml.Xml;
 
 /** Reads a SEARproject folder: first each file for itself, then what the objects are to each other. One use. */
 final class ProjectReader {
@@ -50,7 +56,7 @@ final class ProjectReader {
         linkBeams(parts);
         ProjectLinker linker = new ProjectLinker(environment, parts, problems, warnings);
         linker.link();
-        new AssetCheck(new Assets(folder), problems, warnings).check(linker.all());
+        new AssetCheck(new Assets(folder.resolve(ProjectFolder.ASSETS)), problems, warnings).check(linker.all());
         problems.throwIfAny();
         return new Project(folder, linker.environment(), linker.robots(), warnings);
     }

@@ -25,7 +25,7 @@ import java.util.stream.Stream;
  * counts as soon as {@code SEARproject} is missing. The old one is renamed to {@code SEARproject.backup-N}, then the new one to {@code SEARproject}.
  * A crash between these two is mended by {@link #recover}, which everything that opens a project calls first. The lock keeps two programs apart.
  */
-final class ProjectSwap implements AutoCloseable {
+public final class ProjectSwap implements AutoCloseable {
     private static final String LOADING = ".loading";
     private static final String NEXT = ".next";
     private static final String BACKUP = ".backup-";
@@ -43,7 +43,7 @@ final class ProjectSwap implements AutoCloseable {
     }
 
     /** Locks a project folder against other loads and cleans up after a crash. @throws IOException if another program has the lock */
-    static ProjectSwap lock(Path folder) throws IOException {
+    public static ProjectSwap lock(Path folder) throws IOException {
         Files.createDirectories(folder.getParent());
         Path file = folder.resolveSibling("." + folder.getFileName() + ".lock");
         FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
@@ -95,12 +95,12 @@ final class ProjectSwap implements AutoCloseable {
     }
 
     /** An empty folder to make the new project ready in. */
-    Path staging() throws IOException {
+    public Path staging() throws IOException {
         return Files.createDirectory(beside(folder, LOADING));
     }
 
     /** Puts the staged project in the place of the present one. @return where the old one went; null if there was none */
-    Path putInPlace() throws IOException {
+    public Path putInPlace() throws IOException {
         Path next = beside(folder, NEXT);
         Files.move(beside(folder, LOADING), next, StandardCopyOption.ATOMIC_MOVE);
         Path backup = retire();
@@ -109,7 +109,7 @@ final class ProjectSwap implements AutoCloseable {
     }
 
     /** Renames the present project to a backup. @return the backup; null if there was no project */
-    Path retire() throws IOException {
+    public Path retire() throws IOException {
         if (!Files.isDirectory(folder)) {
             return null;
         }
@@ -139,7 +139,7 @@ final class ProjectSwap implements AutoCloseable {
     }
 
     /** Removes a folder with everything in it; what links point to stays. */
-    static void delete(Path root) throws IOException {
+    public static void delete(Path root) throws IOException {
         if (!Files.exists(root, LinkOption.NOFOLLOW_LINKS)) {
             return;
         }

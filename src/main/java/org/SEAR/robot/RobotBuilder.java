@@ -15,9 +15,9 @@ import org.SEAR.physics.Body;
 import org.SEAR.physics.Scenes;
 import org.SEAR.physics.Solid;
 import org.SEAR.physics.StartPoses;
-import org.SEAR.project.Problem;
 import org.SEAR.project.Project;
-import org.SEAR.project.ProjectException;
+import org.SEAR.project.problems.Problem;
+import org.SEAR.project.problems.ProjectException;
 
 /**
  * Makes a robot's rigid body out of its components: their shapes, the mass of its Dynamics, and for each wheel a smaller cylinder at the top of its

@@ -8,9 +8,9 @@ import java.util.List;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.project.Problem;
 import org.SEAR.project.Project;
-import org.SEAR.project.ProjectException;
+import org.SEAR.project.problems.Problem;
+import org.SEAR.project.problems.ProjectException;
 
 /** What a robot's sensors know of the Earth: where the world lies on it, and its magnetic field. Immutable, any thread. */
 public final class Earth {

@@ -15,7 +15,7 @@ import org.SEAR.devices.SerialLine;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.project.Project;
-import org.SEAR.project.ProjectException;
+import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.Robot;
 import org.SEAR.sensors.Sensor;
 

@@ -16,7 +16,7 @@ import org.SEAR.physics.Scenes;
 import org.SEAR.physics.Solid;
 import org.SEAR.physics.StartPoses;
 import org.SEAR.project.Project;
-import org.SEAR.project.ProjectException;
+import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.RobotBuilder;
 import org.SEAR.robot.RobotModel;
 import org.SEAR.robot.RobotTruth;

@@ -24,7 +24,7 @@ import org.SEAR.POJOs.SensorObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
-import org.SEAR.project.ModelLoader;
+import org.SEAR.project.models.ModelLoader;
 
 /** Makes what is seen of the objects of the grammar. Each node's own pose is left to whoever places it. Window thread only. */
 final class SceneBuilder {

@@ -9,7 +9,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.logging.Level;
 import java.util.logging.Logger;
-import org.SEAR.project.ModelLoader;
+import org.SEAR.project.models.ModelLoader;
 
 /** The window itself. Its own thread runs everything but {@link #open}, {@link #close} and {@link #isOpen}. */
 final class WindowApplication extends SimpleApplication implements WindowBody {
@@ -106,7 +106,7 @@ final class WindowApplication extends SimpleApplication implements WindowBody {
     public void simpleInitApp() {
         X11Guard.install(this::displayLost);
         inputManager.deleteMapping(INPUT_MAPPING_EXIT);
-        ModelLoader.prepare(assetManager, link.project());
+        ModelLoader.prepare(assetManager, link.project().getAssets());
         boolean software = isSoftware();
         context.getSettings().setFrameRate(software ? SOFTWARE_FRAMES : HARDWARE_FRAMES);
         scene = new WindowScene(this, link, options, background);

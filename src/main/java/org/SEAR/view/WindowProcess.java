@@ -9,7 +9,7 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.nio.file.Paths;
 import org.SEAR.project.Project;
-import org.SEAR.project.ProjectException;
+import org.SEAR.project.problems.ProjectException;
 
 /**
  * A window in a process of its own. On macOS the first thread of a process must be the window's, and MyRobotLab's is not free; elsewhere this

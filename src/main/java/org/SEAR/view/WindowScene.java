@@ -6,7 +6,7 @@ import com.jme3.math.Vector3f;
 import java.nio.file.Path;
 import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
-import org.SEAR.project.ModelLoader;
+import org.SEAR.project.models.ModelLoader;
 
 /** Everything on the window, and what the keys do with it. Window thread only. */
 final class WindowScene {
@@ -37,7 +37,7 @@ final class WindowScene {
         this.link = link;
         BitmapFont font = window.getAssetManager().loadFont("Interface/Fonts/Default.fnt");
         Materials materials = new Materials(window.getAssetManager(), options.getWarnings());
-        SceneBuilder builder = new SceneBuilder(new ModelLoader(link.project()), materials, options.getWarnings());
+        SceneBuilder builder = new SceneBuilder(new ModelLoader(link.project().getAssets()), materials, options.getWarnings());
         surroundings = new Surroundings(window.getAssetManager(), window.getRootNode(), window.getViewPort());
         world = new WorldView(link.project(), builder, link.beams(), materials);
         window.getRootNode().attachChild(world.root());

@@ -15,6 +15,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.SEAR.POJOs.Box;
+import org.SEAR.project.problems.ProblemList;
+import org.SEAR.project.problems.ProjectException;
+import org.SEAR.project.xml.Xml;
 import org.junit.Rule;
 import org.junit.Test;
 

@@ -20,6 +20,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.SEAR.POJOs.Box;
+import org.SEAR.project.bundle.Bundle;
 import org.junit.Rule;
 import org.junit.Test;
 

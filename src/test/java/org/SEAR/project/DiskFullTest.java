@@ -14,6 +14,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
 import org.SEAR.POJOs.Box;
+import org.SEAR.project.bundle.Bundle;
 import org.junit.Rule;
 import org.junit.Test;
 

@@ -8,6 +8,8 @@ import java.util.List;
 import java.util.Properties;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.SEAR.project.bundle.Bundle;
+import org.SEAR.project.problems.ProjectException;
 import org.python.util.PythonInterpreter;
 
 /** Makes the example projects: runs each script of examples/ in an empty project and saves that. {@code gradle examples} calls it. */

@@ -12,6 +12,8 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SensorObject;
+import org.SEAR.project.bundle.Bundle;
+import org.SEAR.project.xml.ObjectClasses;
 import org.junit.Rule;
 import org.junit.Test;
 

@@ -14,6 +14,7 @@ import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;

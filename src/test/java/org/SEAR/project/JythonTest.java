@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.project.xml.ObjectClasses;
 import org.junit.Rule;
 import org.junit.Test;
 

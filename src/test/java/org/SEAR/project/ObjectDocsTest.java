@@ -12,6 +12,7 @@ import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.ParameterTable;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.project.xml.ObjectClasses;
 import org.junit.Rule;
 import org.junit.Test;
 

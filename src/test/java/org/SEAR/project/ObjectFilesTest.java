@@ -21,6 +21,7 @@ import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.project.xml.Xml;
 import org.junit.Rule;
 import org.junit.Test;
 

@@ -10,6 +10,8 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.project.bundle.Bundle;
+import org.SEAR.project.xml.Xml;
 import org.junit.Rule;
 import org.junit.Test;
 

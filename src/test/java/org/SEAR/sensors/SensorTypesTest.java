@@ -23,8 +23,8 @@ import org.SEAR.POJOs.ParameterTable;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.project.Project;
-import org.SEAR.project.ProjectException;
 import org.SEAR.project.ProjectRule;
+import org.SEAR.project.problems.ProjectException;
 import org.junit.Rule;
 import org.junit.Test;
 

@@ -6,8 +6,8 @@ import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.Project;
-import org.SEAR.project.ProjectException;
 import org.SEAR.project.ProjectRule;
+import org.SEAR.project.problems.ProjectException;
 
 /** Robots and worlds that tests share. */
 final class Worlds {

@@ -3,7 +3,7 @@ package org.SEAR.view;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import org.SEAR.project.Bundle;
+import org.SEAR.project.bundle.Bundle;
 
 /** The example projects. */
 final class Examples {

@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
-import org.SEAR.project.ProjectException;
+import org.SEAR.project.problems.ProjectException;
 
 /** Starts and ends the simulation of one SEAR service; there is one simulation in the whole program at a time. Any thread. */
 public final class Control {

@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.SEAR.project.ProjectException;
+import org.SEAR.project.problems.ProjectException;
 
 /** The example bundles inside the jar, by paths such as {@code examples/office.sear}, which hold in every working folder. Any thread. */
 final class Examples {

@@ -12,7 +12,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.UUID;
-import org.SEAR.project.ProjectException;
+import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
 
 /**

@@ -12,9 +12,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Supplier;
-import org.SEAR.project.Bundle;
-import org.SEAR.project.PercentProgress;
-import org.SEAR.project.ProjectException;
+import org.SEAR.project.bundle.Bundle;
+import org.SEAR.project.bundle.PercentProgress;
+import org.SEAR.project.problems.ProjectException;
 
 /** The project folder and the templates in the jar. Any thread. */
 public final class Projects {

@@ -14,7 +14,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import org.SEAR.devices.SerialLine;
-import org.SEAR.project.ProjectException;
+import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
 

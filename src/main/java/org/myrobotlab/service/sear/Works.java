@@ -3,9 +3,9 @@ package org.myrobotlab.service.sear;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
-import org.SEAR.project.Problem;
 import org.SEAR.project.Project;
-import org.SEAR.project.ProjectException;
+import org.SEAR.project.problems.Problem;
+import org.SEAR.project.problems.ProjectException;
 
 /** All that a SEAR service is made of, in one place, so that the service class itself loads where a library is missing. */
 public final class Works {

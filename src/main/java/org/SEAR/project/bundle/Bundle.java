@@ -1,0 +1,108 @@
+package org.SEAR.project.bundle;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.List;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectFolder;
+import org.SEAR.project.ProjectSwap;
+import org.SEAR.project.problems.ProjectException;
+
+/**
+ * A whole project in one file, {@code NAME.sear}: a zip file with {@code sear-version.txt} first, then the files of SEARproject in the order of their
+ * names. Whatever goes wrong, what was there before stays as it was. Nothing of a bundle is ever run. Any thread; one at a time for a folder.
+ */
+public final class Bundle {
+    private Bundle() {
+    }
+
+    /** As {@link #save(Path, Path, Progress)}, telling nobody. */
+    public static void save(Path folder, Path file) throws IOException, ProjectException {
+        save(folder, file, Progress.NONE);
+    }
+
+    /**
+     * Saves a project; the same files give the same bytes. A bundle of that name is replaced when the new one is whole.
+     *
+     * @throws ProjectException if the project is not valid, or has what no bundle may hold (links, archives, more than 1 GiB)
+     * @throws IOException if the file can't be written
+     */
+    public static void save(Path folder, Path file, Progress progress) throws IOException, ProjectException {
+        Path project = Project.read(folder).getFolder();
+        Path target = file.toAbsolutePath().normalize();
+        if (target.startsWith(project)) {
+            throw new IOException(target + " lies in the project that it is to hold; choose a place outside of " + project);
+        }
+        if (Files.isDirectory(target)) {
+            throw new IOException(target + " is a folder; choose the name of a file, such as " + target.resolve("project.sear"));
+        }
+        Files.createDirectories(target.getParent());
+        Path temporary = target.resolveSibling("." + target.getFileName() + ProjectFolder.TEMPORARY);
+        try {
+            new BundleWriter(project, target.getFileName().toString(), progress).write(temporary);
+            Files.move(temporary, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        } finally {
+            Files.deleteIfExists(temporary);
+        }
+    }
+
+    /** As {@link #load(Path, Path, Progress)}, telling nobody. */
+    public static Project load(Path file, Path folder) throws IOException, ProjectException {
+        return load(file, folder, Progress.NONE);
+    }
+
+    /**
+     * Loads a bundle in the place of the project in a folder, once it has been read whole and found valid. The old project becomes a backup beside it
+     * ({@code SEARproject.backup-N}; the last ten are kept).
+     *
+     * @return the new project
+     * @throws ProjectException with everything that is wrong with the bundle or its objects; the old project stays
+     * @throws IOException if it can't be read or written; the old project stays
+     */
+    public static Project load(Path file, Path folder, Progress progress) throws IOException, ProjectException {
+        Path project = folder.toAbsolutePath().normalize();
+        try (ProjectSwap swap = ProjectSwap.lock(project)) {
+            Path staging = swap.staging();
+            new BundleReader(file.toAbsolutePath().normalize(), progress).unpack(staging);
+            Project.read(staging);
+            swap.putInPlace();
+        }
+        return Project.read(project);
+    }
+
+    /** What somebody wants to see of a project that was found valid. */
+    public interface Look {
+        /** @return warnings, empty if there are none @throws ProjectException with everything that is wrong */
+        List<String> at(Project project) throws ProjectException;
+    }
+
+    /** As {@link #check(Path, Progress, Look)}, of what stands in the files only, telling nobody. */
+    public static List<String> check(Path file) throws IOException, ProjectException {
+        return check(file, Progress.NONE, Project::getWarnings);
+    }
+
+    /**
+     * Checks a bundle without keeping anything of it.
+     *
+     * @return warnings, empty if there are none
+     * @throws ProjectException with everything that is wrong
+     */
+    public static List<String> check(Path file, Progress progress, Look look) throws IOException, ProjectException {
+        Path temporary = Files.createTempDirectory("sear-check");
+        try {
+            new BundleReader(file.toAbsolutePath().normalize(), progress).unpack(temporary);
+            return look.at(Project.read(temporary));
+        } finally {
+            ProjectSwap.delete(temporary);
+        }
+    }
+
+    /** Starts with no project at all; the present one becomes a backup beside it. @return the backup; null if there was no project */
+    public static Path newProject(Path folder) throws IOException {
+        try (ProjectSwap swap = ProjectSwap.lock(folder.toAbsolutePath().normalize())) {
+            return swap.retire();
+        }
+    }
+}

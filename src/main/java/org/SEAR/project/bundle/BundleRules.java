@@ -1,0 +1,137 @@
+package org.SEAR.project.bundle;
+
+import java.nio.charset.StandardCharsets;
+import java.text.Normalizer;
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
+import org.SEAR.POJOs.TextRule;
+import org.SEAR.project.problems.ProblemList;
+
+/** What a bundle may hold: the same rules when it is saved and when it is loaded, so that what was saved can be loaded everywhere. */
+final class BundleRules {
+    /** The entry that makes a zip file a bundle. */
+    static final String VERSION_ENTRY = "sear-version.txt";
+    /** The format that this program writes; it reads all up to this. */
+    static final int VERSION = 1;
+    static final int MAX_ENTRIES = 20000;
+    static final long MAX_FILE = 512L << 20;
+    static final long MAX_TOTAL = 1L << 30;
+    /** Compression beyond this is no model or picture but a bomb; checked for files above {@link #RATIO_FREE}. */
+    static final int MAX_RATIO = 200;
+    static final long RATIO_FREE = 1 << 20;
+    /** So many first bytes tell an archive. */
+    static final int HEAD = 262;
+    private static final int MAX_PATH = 200;
+    private static final int MAX_DEPTH = 16;
+    private static final int TAR_MARK = 257;
+
+    private static final String[][] ARCHIVES = {
+        {"PK\u0003\u0004", "zip"}, {"PK\u0005\u0006", "zip"}, {"PK\u0007\u0008", "zip"}, {"\u001f\u008b", "gzip"},
+        {"7z\u00bc\u00af\u0027\u001c", "7z"},
+        {"Rar!\u001a\u0007", "rar"}, {"\u00fd7zXZ\u0000", "xz"}, {"BZh", "bzip2"}, {"\u0028\u00b5\u002f\u00fd", "zstd"}};
+
+    private final String bundle;
+    private final ProblemList problems;
+    private final Map<String, String> files = new HashMap<>();
+    private final Map<String, String> folders = new HashMap<>();
+    private long total;
+    private int entries;
+
+    BundleRules(String bundle, ProblemList problems) {
+        this.bundle = bundle;
+        this.problems = problems;
+    }
+
+    private void refuse(String name, String legal) {
+        problems.add(bundle, 0, "entry", name, legal);
+    }
+
+    /** Checks the name of a folder. */
+    void folder(String name) {
+        count();
+        name(name);
+    }
+
+    private void count() {
+        entries++;
+        if (entries == MAX_ENTRIES + 1) {
+            problems.add(bundle, 0, "", "too many files", "at most " + MAX_ENTRIES);
+        }
+    }
+
+    /** Checks name and size of a file of the project. */
+    void file(String name, long size) {
+        count();
+        if (name(name)) {
+            place(name);
+        }
+        if (size > MAX_FILE) {
+            refuse(name, "a file of at most " + (MAX_FILE >> 20) + " MiB; this has " + size + " bytes");
+        }
+        long before = total;
+        total += size;
+        if (total > MAX_TOTAL && before <= MAX_TOTAL) {
+            problems.add(bundle, 0, "", "too large when unpacked", "at most " + (MAX_TOTAL >> 20) + " MiB in all");
+        }
+    }
+
+    /** All bytes so far. */
+    long total() {
+        return total;
+    }
+
+    private boolean name(String name) {
+        String[] parts = name.split("/", -1);
+        boolean legal = name.length() <= MAX_PATH && parts.length <= MAX_DEPTH;
+        for (String part : parts) {
+            legal &= TextRule.NAME.isLegal(part);
+        }
+        if (!legal) {
+            refuse(name, "a path inside the project, with forward slashes, at most " + MAX_PATH + " characters and " + MAX_DEPTH
+                + " folders deep, each part " + TextRule.NAME.legal());
+        }
+        return legal;
+    }
+
+    /** Two names that any file system takes for one, or a file where others need a folder. */
+    private void place(String name) {
+        String key = key(name);
+        String twin = files.putIfAbsent(key, name);
+        if (twin != null) {
+            refuse(name, twin.equals(name) ? "each name once" : "a name that differs from " + twin + " by more than capitals or accents' spelling");
+        }
+        for (int slash = name.indexOf('/'); slash >= 0; slash = name.indexOf('/', slash + 1)) {
+            String folder = name.substring(0, slash);
+            String other = folders.putIfAbsent(key(folder), folder);
+            if (other != null && !other.equals(folder)) {
+                refuse(name, "a folder that differs from " + other + " by more than capitals");
+            }
+            if (files.containsKey(key(folder))) {
+                refuse(name, "a folder that isn't a file too");
+            }
+        }
+        if (folders.containsKey(key)) {
+            refuse(name, "a file that isn't a folder too");
+        }
+    }
+
+    private static String key(String name) {
+        return Normalizer.normalize(name, Normalizer.Form.NFC).toUpperCase(Locale.ROOT).toLowerCase(Locale.ROOT);
+    }
+
+    /** Checks the first bytes of a file: an archive inside could hide anything. Blender packs its own files with gzip or zstd. */
+    void head(String name, byte[] head, int length) {
+        String start = new String(head, 0, length, StandardCharsets.ISO_8859_1);
+        boolean blend = name.toLowerCase(Locale.ROOT).endsWith(".blend");
+        for (String[] archive : ARCHIVES) {
+            boolean packedBlend = blend && (archive[1].equals("gzip") || archive[1].equals("zstd"));
+            if (start.startsWith(archive[0]) && !packedBlend) {
+                refuse(name, "no archive inside a bundle; this is " + archive[1]);
+            }
+        }
+        if (start.length() >= HEAD && start.startsWith("ustar", TAR_MARK)) {
+            refuse(name, "no archive inside a bundle; this is tar");
+        }
+    }
+}

@@ -1,0 +1,11 @@
+package org.SEAR.project.bundle;
+
+/** Hears how far saving or loading a bundle is. Called on the caller's thread, at least once a file and every few megabytes of a large one. */
+@FunctionalInterface
+public interface Progress {
+    /** Tells nobody. */
+    Progress NONE = (file, done, total) -> { };
+
+    /** @param file path inside the project @param done bytes so far @param total bytes of the whole project */
+    void at(String file, long done, long total);
+}

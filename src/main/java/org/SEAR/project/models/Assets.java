@@ -1,0 +1,51 @@
+package org.SEAR.project.models;
+
+import java.io.FileNotFoundException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/**
+ * The pictures and models of a project: files below its {@code assets/} folder, and for paths that it doesn't have, those that come with SEAR
+ * ({@code models/Tree/Tree.mesh.xml}, {@code textures/roomba.jpg} and others). Immutable, any thread.
+ */
+public final class Assets {
+    /** Where the assets that come with SEAR lie on the class path. */
+    static final String SHIPPED = "org/SEAR/assets/";
+
+    private final Path folder;
+
+    /** @param folder the project's own assets; it may not exist */
+    public Assets(Path folder) {
+        this.folder = folder;
+    }
+
+    /** The path as it is looked up: {@code ./textures/roomba.jpg} becomes {@code textures/roomba.jpg}. */
+    static String normal(String path) {
+        return path.startsWith("./") ? normal(path.substring(2)) : path;
+    }
+
+    /** The folder of the project's own assets; it may not exist. */
+    public Path getFolder() {
+        return folder;
+    }
+
+    /** Whether there is such an asset. @param path as written in an object */
+    public boolean has(String path) {
+        return Files.isRegularFile(folder.resolve(normal(path))) || Assets.class.getClassLoader().getResource(SHIPPED + normal(path)) != null;
+    }
+
+    /** The bytes of an asset. @param path as written in an object @throws FileNotFoundException that says where it should be */
+    public InputStream open(String path) throws IOException {
+        Path file = folder.resolve(normal(path));
+        if (Files.isRegularFile(file)) {
+            return Files.newInputStream(file);
+        }
+        InputStream shipped = Assets.class.getClassLoader().getResourceAsStream(SHIPPED + normal(path));
+        if (shipped == null) {
+            throw new FileNotFoundException("no asset \"" + path + "\": put the file to " + file);
+        }
+        return shipped;
+    }
+}

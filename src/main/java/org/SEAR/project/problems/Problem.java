@@ -1,0 +1,25 @@
+package org.SEAR.project.problems;
+
+/** One thing that is wrong with a project: where, what, and what is legal. Immutable. */
+public final class Problem {
+    public final String file;
+    public final int line;
+    public final String field;
+    public final String value;
+    public final String legal;
+
+    /** @param file relative to the project @param line from 1, 0 if unknown @param field may be empty @param legal what would have been right */
+    public Problem(String file, int line, String field, String value, String legal) {
+        this.file = file;
+        this.line = line;
+        this.field = field;
+        this.value = value;
+        this.legal = legal;
+    }
+
+    /** {@code environment/Box1.xml:4: mass is "-1", legal: 0 to 1e6 kg}. */
+    @Override
+    public String toString() {
+        return file + (line > 0 ? ":" + line : "") + ": " + (field.isEmpty() ? value : field + " is \"" + value + "\"") + ", legal: " + legal;
+    }
+}

@@ -1,0 +1,59 @@
+package org.SEAR.project.problems;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** Collects the problems of a project, file by file. */
+public final class ProblemList {
+    private static final int LONGEST_VALUE = 80;
+    /** So many problems that more would help nobody. */
+    private static final int MOST = 1000;
+
+    private final List<Problem> problems = new ArrayList<>();
+
+    /** Adds one, with its value shortened. The parameters are those of {@link Problem}. */
+    public void add(String file, int line, String field, Object value, String legal) {
+        if (!isFull()) {
+            problems.add(new Problem(file, line, field, shortened(String.valueOf(value)), legal));
+        }
+    }
+
+    /** Takes over what another list has, as far as there is room. */
+    public void addAll(ProblemList others) {
+        problems.addAll(others.problems.subList(0, Math.min(others.size(), MOST - size())));
+    }
+
+    private static String shortened(String value) {
+        StringBuilder text = new StringBuilder();
+        value.codePoints().limit(LONGEST_VALUE).forEach(c -> text.appendCodePoint(Character.isISOControl(c) ? ' ' : c));
+        return value.length() > LONGEST_VALUE ? text + "..." : text.toString();
+    }
+
+    /** How many there are. */
+    public int size() {
+        return problems.size();
+    }
+
+    /** Whether no more problems are taken, so that nobody needs to look for them. */
+    public boolean isFull() {
+        return problems.size() >= MOST;
+    }
+
+    /** Whether nothing is wrong so far. */
+    public boolean isEmpty() {
+        return problems.isEmpty();
+    }
+
+    @Override
+    public String toString() {
+        return problems.stream().map(Problem::toString).collect(Collectors.joining("; "));
+    }
+
+    /** Does nothing if nothing is wrong. @throws ProjectException with all of them */
+    public void throwIfAny() throws ProjectException {
+        if (!problems.isEmpty()) {
+            throw new ProjectException(problems);
+        }
+    }
+}

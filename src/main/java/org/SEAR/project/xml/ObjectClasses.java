@@ -1,0 +1,80 @@
+package org.SEAR.project.xml;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.ServiceLoader;
+import java.util.TreeMap;
+import org.SEAR.POJOs.Accelerometer;
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Compass;
+import org.SEAR.POJOs.Cone;
+import org.SEAR.POJOs.Cylinder;
+import org.SEAR.POJOs.Distance;
+import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.GPS;
+import org.SEAR.POJOs.Gyroscope;
+import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.Model;
+import org.SEAR.POJOs.ObjectTypes;
+import org.SEAR.POJOs.Odometer;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Wheel;
+
+/** All classes that may stand as root element in an object's file: the grammar's own and those that other jars register. Immutable, any thread. */
+public final class ObjectClasses {
+    private static final List<Class<? extends SearObject>> OWN = List.of(Box.class, Cylinder.class, Cone.class, Floor.class, Model.class, Wheel.class,
+        SEARrobot.class, Dynamics.class, Distance.class, LIDAR.class, GPS.class, Compass.class, Accelerometer.class, Gyroscope.class, Odometer.class);
+
+    private final Map<String, Class<? extends SearObject>> byElement = new TreeMap<>();
+    private final List<Class<? extends SearObject>> inOrder = new ArrayList<>();
+
+    private ObjectClasses() {
+        OWN.forEach(this::add);
+        ClassLoader own = ObjectTypes.class.getClassLoader();
+        ClassLoader context = Thread.currentThread().getContextClassLoader();
+        addRegistered(own);
+        if (context != null && context != own) {
+            addRegistered(context);
+        }
+    }
+
+    /** The classes that there are now; looks at the class path again each time. */
+    public static ObjectClasses find() {
+        return new ObjectClasses();
+    }
+
+    private void addRegistered(ClassLoader loader) {
+        for (ObjectTypes more : ServiceLoader.load(ObjectTypes.class, loader)) {
+            more.types().forEach(this::add);
+        }
+    }
+
+    private void add(Class<? extends SearObject> type) {
+        Class<? extends SearObject> known = byElement.putIfAbsent(type.getSimpleName(), type);
+        if (known == null) {
+            inOrder.add(type);
+        } else if (known != type) {
+            throw new IllegalStateException("two classes want the element <" + type.getSimpleName() + ">: " + known.getName() + " and "
+                + type.getName() + "; rename one of them");
+        }
+    }
+
+    /** The class of a root element, null if there is none. */
+    public Class<? extends SearObject> of(String element) {
+        return byElement.get(element);
+    }
+
+    /** All classes, the grammar's own first. */
+    public List<Class<? extends SearObject>> all() {
+        return Collections.unmodifiableList(inOrder);
+    }
+
+    /** The root elements, ordered by name. */
+    public List<String> elements() {
+        return List.copyOf(byElement.keySet());
+    }
+}

@@ -1,0 +1,122 @@
+package org.SEAR.project.bundle;
+
+import static org.junit.Assert.assertArrayEquals;
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertTrue;
+import static org.junit.Assert.fail;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.Wheel;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectRule;
+import org.SEAR.project.problems.ProjectException;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** Saving, loading and starting anew. */
+public class BundleTest {
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    private Path place(String name) {
+        return project.getRoot().toPath().resolve(name);
+    }
+
+    private void createProject() throws IOException {
+        new Box("trash Can \u00e4\u6728", 1, 2, 3, 0);
+        SEARrobot robot = new SEARrobot("r");
+        robot.addWheel(new Wheel("w", 0.1, 0.02));
+        project.put("assets/textures/mine.bin", "\u0000\u0001picture");
+        project.put("userCode.py", "print 'never run on opening'\n");
+        project.put("data/log.txt", "1 2 3\n");
+    }
+
+    @Test
+    public void saveLoadSaveGivesTheSameBytesAndAllFiles() throws Exception {
+        createProject();
+        Bundle.save(project.folder(), place("a.sear"));
+        Path elsewhere = place("other/place");
+        Bundle.load(place("a.sear"), elsewhere);
+        assertEquals(project.files(), ProjectRule.files(elsewhere));
+        Bundle.save(elsewhere, place("b.sear"));
+        assertArrayEquals(Files.readAllBytes(place("a.sear")), Files.readAllBytes(place("b.sear")));
+    }
+
+    @Test
+    public void loadingKeepsTheOldProjectAsBackup() throws Exception {
+        createProject();
+        Bundle.save(project.folder(), place("a.sear"));
+        Map<String, String> saved = project.files();
+        new Box("later", 1, 1, 1, 0);
+        Map<String, String> later = project.files();
+        assertEquals(1, Bundle.load(place("a.sear"), project.folder()).getRobots().size());
+        assertEquals(saved, project.files());
+        assertEquals(later, ProjectRule.files(place("SEARproject.backup-1")));
+    }
+
+    @Test
+    public void aNewProjectKeepsTenBackups() throws Exception {
+        assertNull(Bundle.newProject(project.folder()));
+        for (int i = 1; i <= 12; i++) {
+            new Box("box" + i, 1, 1, 1, 0);
+            assertEquals(place("SEARproject.backup-" + i), Bundle.newProject(project.folder()));
+            assertFalse(Files.exists(project.folder()));
+        }
+        assertFalse(Files.exists(place("SEARproject.backup-2")));
+        assertTrue(Files.exists(place("SEARproject.backup-3/environment/box3.xml")));
+    }
+
+    @Test
+    public void hiddenFilesStayOutAndArchivesAndLinksAreRefusedWhenSaving() throws Exception {
+        createProject();
+        project.put(".git/config", "x");
+        project.put("environment/.Box.xml.tmp", "x");
+        Bundle.save(project.folder(), place("a.sear"));
+        Bundle.load(place("a.sear"), place("copy"));
+        assertFalse(Files.exists(place("copy/.git")));
+        byte[] before = Files.readAllBytes(place("a.sear"));
+        project.put("assets/more.zip", "PK\u0003\u0004...");
+        Files.createSymbolicLink(project.folder().resolve("assets/link"), place("a.sear"));
+        try {
+            Bundle.save(project.folder(), place("a.sear"));
+            fail("was saved");
+        } catch (ProjectException e) {
+            assertEquals(e.getMessage(), 2, e.getProblems().size());
+        }
+        assertArrayEquals(before, Files.readAllBytes(place("a.sear")));
+    }
+
+    @Test
+    public void whatPacksVeryWellCanBeLoadedAgainAndProgressIsTold() throws Exception {
+        createProject();
+        Files.write(project.folder().resolve("assets/zeros.dat"), new byte[20 << 20]);
+        List<Long> told = new ArrayList<>();
+        Bundle.save(project.folder(), place("a.sear"), (file, done, total) -> told.add(done));
+        int saving = told.size();
+        Bundle.load(place("a.sear"), place("copy"), (file, done, total) -> told.add(done));
+        assertTrue(told.toString(), saving >= 9 && told.size() - saving >= 9);
+        assertEquals(20 << 20, Files.size(place("copy/assets/zeros.dat")));
+    }
+
+    @Test
+    public void anUnfinishedSwapIsFinishedWhenTheProjectIsOpened() throws Exception {
+        createProject();
+        Bundle.save(project.folder(), place("a.sear"));
+        Files.move(project.folder(), place("SEARproject.next"));
+        assertEquals(1, Project.read(project.folder()).getRobots().size());
+        Bundle.load(place("a.sear"), place("SEARproject.next"));
+        new Box("still here", 1, 1, 1, 0);
+        Bundle.load(place("a.sear"), project.folder());
+        assertFalse(Files.exists(place("SEARproject.next")));
+        assertTrue(Files.exists(place("SEARproject.backup-1/environment/still here.xml")));
+    }
+}

@@ -1,0 +1,244 @@
+package org.SEAR.project.models;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+
+/**
+ * Writes small files as Blender 2.79 does: a header, blocks of structures that point to each other by the addresses that they had in memory, and a
+ * description of the structures (DNA1). Little-endian, 64-bit pointers.
+ */
+final class BlendFile {
+    private static final String HEADER = "BLENDER-v279";
+    private static final int POINTER = 8;
+    private static final long FIRST_ADDRESS = 0x10000;
+    private static final Map<String, Integer> SIMPLE = new LinkedHashMap<>();
+    /** A structure a line: its name, then type and name of each field. */
+    private static final String[] STRUCTURES = {
+        "ListBase void *first void *last",
+        "ID void *next void *prev void *newid void *lib char name[66] short us int flag void *properties",
+        "CustomDataLayer int type int active int uid int flag char name[64] void *data",
+        "CustomData CustomDataLayer *layers int totlayer int maxlayer",
+        "MVert float co[3] short no[3] char flag char bweight",
+        "MEdge int v1 int v2 char crease char bweight short flag",
+        "MLoop int v int e",
+        "MPoly int loopstart int totloop short mat_nr char flag char pad",
+        "Mesh ID id void **mat MPoly *mpoly MLoop *mloop void *mface MVert *mvert MEdge *medge void *dvert void *mcol void *mloopcol"
+            + " CustomData fdata CustomData ldata int totvert int totedge int totloop int totpoly",
+        "Object ID id short type char restrictflag char pad int lay void *parent void *data void *action void *pose float size[3] float obmat[4][4]"
+            + " int pad2 ListBase modifiers ListBase defbase ListBase constraints",
+        "Base Base *next Base *prev Object *object",
+        "Scene ID id ListBase base",
+        "Library ID id void *idblock char name[240] char filepath[240]"};
+
+    static {
+        SIMPLE.put("char", 1);
+        SIMPLE.put("short", 2);
+        SIMPLE.put("int", 4);
+        SIMPLE.put("float", 4);
+        SIMPLE.put("void", 0);
+    }
+
+    private final Map<String, Map<String, Integer>> offsets = new LinkedHashMap<>();
+    private final Map<String, Integer> sizes = new LinkedHashMap<>(SIMPLE);
+    private final List<Block> blocks = new ArrayList<>();
+    private long nextAddress = FIRST_ADDRESS;
+
+    private BlendFile() {
+        for (String line : STRUCTURES) {
+            String[] words = line.split(" ");
+            Map<String, Integer> fields = new LinkedHashMap<>();
+            int offset = 0;
+            for (int i = 1; i < words.length; i += 2) {
+                fields.put(words[i + 1].replaceAll("\\*|\\[.*", ""), offset);
+                offset += (words[i + 1].startsWith("*") ? POINTER : sizes.get(words[i])) * entries(words[i + 1]);
+            }
+            offsets.put(words[0], fields);
+            sizes.put(words[0], offset);
+        }
+    }
+
+    private static int entries(String field) {
+        int entries = 1;
+        String[] parts = field.split("[\\[\\]]+");
+        for (int i = 1; i < parts.length; i++) {
+            entries *= Integer.parseInt(parts[i]);
+        }
+        return entries;
+    }
+
+    /**
+     * A scene with one object, a mesh of polygons.
+     *
+     * @param corners x, y, z of each vertex in Blender's frame: z up, y forward
+     * @param polygons the vertex numbers of each polygon
+     * @param place where the object stands, in Blender's frame
+     */
+    static byte[] mesh(float[] corners, int[][] polygons, float[] place) {
+        BlendFile file = new BlendFile();
+        return file.scene(file.meshBlock(corners, polygons), place);
+    }
+
+    /** The same object, but its mesh is in another file. @param path of that file, as Blender writes it */
+    static byte[] linked(String path) {
+        BlendFile file = new BlendFile();
+        Block library = file.block("LI", "Library", 1).name("LIother");
+        library.at(0, "name").put(path.getBytes(StandardCharsets.UTF_8));
+        library.at(0, "filepath").put(path.getBytes(StandardCharsets.UTF_8));
+        Block mesh = file.block("ID", "ID", 1);
+        mesh.at(0, "lib").putLong(library.address);
+        mesh.at(0, "name").put("MEsolid".getBytes(StandardCharsets.US_ASCII));
+        return file.scene(mesh, new float[3]);
+    }
+
+    private byte[] scene(Block mesh, float[] place) {
+        Block object = block("OB", "Object", 1).name("OBsolid");
+        object.at(0, "type").putShort((short) 1);
+        object.at(0, "lay").putInt(1);
+        object.at(0, "data").putLong(mesh.address);
+        object.at(0, "size").putFloat(1).putFloat(1).putFloat(1);
+        ByteBuffer matrix = object.at(0, "obmat");
+        for (int i = 0; i < 16; i++) {
+            matrix.putFloat(i == 15 || i % 5 == 0 ? 1 : i >= 12 ? place[i - 12] : 0);
+        }
+        Block base = block("DATA", "Base", 1);
+        base.at(0, "object").putLong(object.address);
+        Block scene = block("SC", "Scene", 1).name("SCscene");
+        scene.at(0, "base").putLong(base.address).putLong(base.address);
+        return bytes();
+    }
+
+    private Block meshBlock(float[] corners, int[][] polygons) {
+        Block vertices = block("DATA", "MVert", corners.length / 3);
+        for (int i = 0; i < corners.length; i++) {
+            vertices.at(i / 3, "co").putFloat(vertices.bytes.position() + i % 3 * 4, corners[i]);
+        }
+        int corner = 0;
+        Block polys = block("DATA", "MPoly", polygons.length);
+        for (int i = 0; i < polygons.length; i++) {
+            polys.at(i, "loopstart").putInt(corner).putInt(polygons[i].length);
+            corner += polygons[i].length;
+        }
+        Block loops = block("DATA", "MLoop", corner);
+        corner = 0;
+        for (int[] polygon : polygons) {
+            for (int vertex : polygon) {
+                loops.at(corner++, "v").putInt(vertex);
+            }
+        }
+        Block layers = block("DATA", "CustomDataLayer", 1);
+        Block mesh = block("ME", "Mesh", 1).name("MEsolid");
+        mesh.at(0, "mvert").putLong(vertices.address);
+        mesh.at(0, "mpoly").putLong(polys.address);
+        mesh.at(0, "mloop").putLong(loops.address);
+        mesh.at(0, "ldata").putLong(layers.address).putInt(1).putInt(1);
+        mesh.at(0, "totvert").putInt(corners.length / 3).putInt(0).putInt(corner).putInt(polygons.length);
+        return mesh;
+    }
+
+    private Block block(String code, String type, int count) {
+        Block block = new Block(code, type, count, nextAddress);
+        nextAddress += block.bytes.capacity() + 16 - block.bytes.capacity() % 16;
+        blocks.add(block);
+        return block;
+    }
+
+    private byte[] bytes() {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        out.writeBytes(HEADER.getBytes(StandardCharsets.US_ASCII));
+        List<String> structures = new ArrayList<>(offsets.keySet());
+        blocks.forEach(block -> write(out, block.code, block.address, structures.indexOf(block.type), block.count, block.bytes.array()));
+        write(out, "DNA1", 0, 0, 1, description());
+        write(out, "ENDB", 0, 0, 0, new byte[0]);
+        return out.toByteArray();
+    }
+
+    private static void write(ByteArrayOutputStream out, String code, long address, int structure, int count, byte[] data) {
+        int size = (data.length + 3) / 4 * 4;
+        ByteBuffer block = little(24 + size);
+        block.put(code.getBytes(StandardCharsets.US_ASCII)).position(4);
+        block.putInt(size).putLong(address).putInt(structure).putInt(count).put(data);
+        out.writeBytes(block.array());
+    }
+
+    private static ByteBuffer little(int size) {
+        return ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    private byte[] description() {
+        List<String> names = new ArrayList<>();
+        List<String> types = new ArrayList<>(sizes.keySet());
+        for (String line : STRUCTURES) {
+            String[] words = line.split(" ");
+            for (int i = 2; i < words.length; i += 2) {
+                names.add(words[i]);
+            }
+        }
+        names = new ArrayList<>(new TreeSet<>(names));
+        ByteBuffer out = little(1 << 14);
+        out.put("SDNA".getBytes(StandardCharsets.US_ASCII));
+        words(out, "NAME", names);
+        words(out, "TYPE", types);
+        out.put("TLEN".getBytes(StandardCharsets.US_ASCII));
+        types.forEach(type -> out.putShort(sizes.get(type).shortValue()));
+        align(out);
+        out.put("STRC".getBytes(StandardCharsets.US_ASCII)).putInt(STRUCTURES.length);
+        for (String line : STRUCTURES) {
+            String[] words = line.split(" ");
+            out.putShort((short) types.indexOf(words[0])).putShort((short) (words.length / 2));
+            for (int i = 1; i < words.length; i += 2) {
+                out.putShort((short) types.indexOf(words[i])).putShort((short) names.indexOf(words[i + 1]));
+            }
+        }
+        byte[] used = new byte[out.position()];
+        out.rewind();
+        out.get(used);
+        return used;
+    }
+
+    private static void words(ByteBuffer out, String mark, List<String> words) {
+        out.put(mark.getBytes(StandardCharsets.US_ASCII)).putInt(words.size());
+        words.forEach(word -> out.put(word.getBytes(StandardCharsets.US_ASCII)).put((byte) 0));
+        align(out);
+    }
+
+    private static void align(ByteBuffer out) {
+        out.put(new byte[(4 - out.position() % 4) % 4]);
+    }
+
+    /** Structures of one type, one behind the other. */
+    private final class Block {
+        private final String code;
+        private final String type;
+        private final int count;
+        private final long address;
+        private final ByteBuffer bytes;
+
+        Block(String code, String type, int count, long address) {
+            this.code = code;
+            this.type = type;
+            this.count = count;
+            this.address = address;
+            this.bytes = little(sizes.get(type) * count);
+        }
+
+        /** The bytes from a field on. */
+        ByteBuffer at(int index, String field) {
+            bytes.position(index * sizes.get(type) + offsets.get(type).get(field));
+            return bytes;
+        }
+
+        /** Names what starts with an ID. */
+        Block name(String name) {
+            bytes.position(offsets.get("ID").get("name"));
+            bytes.put(name.getBytes(StandardCharsets.US_ASCII));
+            return this;
+        }
+    }
+}

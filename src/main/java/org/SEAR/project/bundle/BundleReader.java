@@ -47,19 +47,14 @@ final class BundleReader {
         try (FileChannel channel = FileChannel.open(bundle)) {
             List<ZipIndex.Entry> entries = new ZipIndex(channel, name, problems).read();
             problems.throwIfAny();
-            ZipIndex.Entry version = null;
-            for (ZipIndex.Entry entry : entries) {
-                if (entry.name.equals(BundleRules.VERSION_ENTRY)) {
-                    version = entry;
-                }
-                if (entry.isFolder()) {
-                    rules.folder(entry.name.substring(0, entry.name.length() - 1));
-                } else {
-                    rules.file(entry.name, entry.size);
-                }
+            BundleLayout layout = new BundleLayout(entries);
+            entries = layout.entries();
+            ZipIndex.Entry version = layout.version();
+            checkNames(layout);
+            if (version != null) {
+                checkVersion(channel, version);
             }
-            checkVersion(channel, version);
-            checkPlace(entries);
+            checkPlace(entries, version != null);
             problems.throwIfAny();
             for (ZipIndex.Entry entry : entries) {
                 if (entry != version && !entry.isFolder()) {
@@ -70,8 +65,21 @@ final class BundleReader {
         }
     }
 
-    /** Who zips a project by hand easily has all of it in one folder more, and would open an empty world. */
-    private void checkPlace(List<ZipIndex.Entry> entries) {
+    private void checkNames(BundleLayout layout) {
+        for (ZipIndex.Entry entry : layout.entries()) {
+            if (layout.isOwn() && entry.isNameUnmarked()) {
+                refuse(entry, "a name in ASCII, or in UTF-8 and marked so");
+            }
+            if (entry.isFolder()) {
+                rules.folder(entry.name.substring(0, entry.name.length() - 1));
+            } else {
+                rules.file(entry.name, entry.size);
+            }
+        }
+    }
+
+    /** Who zips a project by hand easily has all of it in one folder more, and would open an empty world; so would any other zip file. */
+    private void checkPlace(List<ZipIndex.Entry> entries, boolean hasVersion) {
         ZipIndex.Entry inner = null;
         for (ZipIndex.Entry entry : entries) {
             if (OBJECT.matcher(entry.name).matches()) {
@@ -83,15 +91,13 @@ final class BundleReader {
         }
         if (inner != null) {
             refuse(inner, "environment, robot and assets at the top of the bundle, not in a folder of it");
+        } else if (!hasVersion) {
+            problems.add(name, 0, "", "it has no " + BundleRules.VERSION_ENTRY + " and no object", "a bundle that saveProject made, or a SEARproject"
+                + " folder that was zipped: environment, robot and assets at the top or below one folder SEARproject");
         }
     }
 
     private void checkVersion(FileChannel channel, ZipIndex.Entry version) throws IOException {
-        if (version == null) {
-            problems.add(name, 0, "", "it has no " + BundleRules.VERSION_ENTRY, "a bundle that saveProject made; copy a folder with the parts of a"
-                + " project to SEARproject and save it");
-            return;
-        }
         String text = "";
         if (version.size <= LONGEST_VERSION) {
             ByteArrayOutputStream out = new ByteArrayOutputStream();

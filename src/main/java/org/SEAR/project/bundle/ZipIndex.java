@@ -5,8 +5,10 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.channels.FileChannel;
 import java.nio.charset.CharacterCodingException;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import org.SEAR.project.problems.ProblemList;
@@ -27,15 +29,23 @@ final class ZipIndex {
     /** Flag bits: encrypted, strongly encrypted, masked header. */
     private static final int ENCRYPTED = 0x0001 | 0x0040 | 0x2000;
     private static final int UTF8 = 0x0800;
+    /** Systems that made an entry, the upper byte of "version made by": MS-DOS, which Windows' own programs write, and Windows NTFS. */
+    private static final int DOS = 0;
+    private static final int NTFS = 10;
+    /** The code page of names that are not marked as UTF-8: APPNOTE, appendix D. */
+    private static final String DOS_LETTERS = "IBM437";
     private static final int UNIX_TYPE = 0xf000;
     private static final int UNIX_FILE = 0x8000;
     private static final int UNIX_FOLDER = 0x4000;
     private static final int ZIP64 = 0x0001;
     private static final int UNICODE_PATH = 0x7075;
+    private static final int UNICODE_PATH_HEAD = 5;
 
     /** One file of the zip. */
     static final class Entry {
         String name;
+        byte[] nameBytes;
+        int madeBy;
         int flags;
         int method;
         long crc;
@@ -47,6 +57,15 @@ final class ZipIndex {
 
         boolean isFolder() {
             return name.endsWith("/");
+        }
+
+        boolean isFromWindows() {
+            return madeBy == DOS || madeBy == NTFS;
+        }
+
+        /** Whether the name has other letters than ASCII's and doesn't say that they are UTF-8. */
+        boolean isNameUnmarked() {
+            return (flags & UTF8) == 0 && name.chars().anyMatch(c -> c > 0x7f);
         }
     }
 
@@ -104,6 +123,7 @@ final class ZipIndex {
         }
         int at = in.position();
         Entry entry = new Entry();
+        entry.madeBy = unsigned(in.getShort(at + 4)) >> 8;
         entry.flags = unsigned(in.getShort(at + 8));
         entry.method = unsigned(in.getShort(at + 10));
         entry.crc = unsigned(in.getInt(at + 16));
@@ -120,25 +140,26 @@ final class ZipIndex {
         in.position(at + ENTRY_SIZE);
         byte[] name = new byte[nameLength];
         in.get(name);
-        entry.name = decode(name, entry.flags);
+        entry.nameBytes = name;
+        entry.name = decode(entry);
         checkExtra(entry, in, extraLength);
         in.position(in.position() + extraLength + commentLength);
         check(entry);
         return entry;
     }
 
-    private String decode(byte[] name, int flags) {
+    /** A name as its bytes say: macOS writes UTF-8 without saying so, and Windows the letters of MS-DOS. */
+    private String decode(Entry entry) {
+        byte[] name = entry.nameBytes;
         try {
-            String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(name)).toString();
-            if (text.length() == name.length || (flags & UTF8) != 0) {
-                return text;
-            }
+            return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(name)).toString();
         } catch (CharacterCodingException e) {
+            if ((entry.flags & UTF8) == 0 && entry.isFromWindows() && Charset.isSupported(DOS_LETTERS)) {
+                return new String(name, Charset.forName(DOS_LETTERS));
+            }
             refuse("a name is not UTF-8 (" + e + ")", "names in UTF-8");
             return new String(name, StandardCharsets.ISO_8859_1);
         }
-        refuse("a name is not marked as UTF-8", "names in ASCII, or in UTF-8 and marked so");
-        return new String(name, StandardCharsets.UTF_8);
     }
 
     private void checkExtra(Entry entry, ByteBuffer in, int length) {
@@ -146,11 +167,23 @@ final class ZipIndex {
         int end = at + length;
         while (at + 4 <= end) {
             int kind = unsigned(in.getShort(at));
-            if (kind == ZIP64 || kind == UNICODE_PATH) {
-                refuse(entry, kind == ZIP64 ? "below 4 GiB, without zip64 records" : "one name, without a second one in an extra record");
+            if (kind == ZIP64) {
+                refuse(entry, "below 4 GiB, without zip64 records");
+            } else if (kind == UNICODE_PATH && !isSameName(entry, in, at + 4, unsigned(in.getShort(at + 2)))) {
+                refuse(entry, "one name, without a second one in an extra record");
             }
             at += 4 + unsigned(in.getShort(at + 2));
         }
+    }
+
+    /** Whether a record with a name in UTF-8, which some programs add, repeats the name: version, CRC and the name's bytes. */
+    private static boolean isSameName(Entry entry, ByteBuffer in, int at, int length) {
+        if (length != UNICODE_PATH_HEAD + entry.nameBytes.length || at + length > in.limit()) {
+            return false;
+        }
+        byte[] name = new byte[entry.nameBytes.length];
+        in.duplicate().position(at + UNICODE_PATH_HEAD).get(name);
+        return Arrays.equals(name, entry.nameBytes);
     }
 
     private void check(Entry entry) {
@@ -189,16 +222,16 @@ final class ZipIndex {
             entry.dataStart = entry.offset + LOCAL_SIZE + nameLength + unsigned(local.getShort(28));
             free = entry.dataStart + entry.packed;
             if (local.getInt(0) != LOCAL_MARK || unsigned(local.getShort(8)) != entry.method || free > directoryStart
-                || !localName(entry, nameLength, directoryStart).equals(entry.name)) {
+                || !Arrays.equals(localName(entry, nameLength, directoryStart), entry.nameBytes)) {
                 refuse(entry, "the same in the directory and at its place");
                 return;
             }
         }
     }
 
-    private String localName(Entry entry, int length, long directoryStart) throws IOException {
+    private byte[] localName(Entry entry, int length, long directoryStart) throws IOException {
         long start = entry.offset + LOCAL_SIZE;
-        return start + length > directoryStart ? "" : new String(bytes(start, length).array(), StandardCharsets.UTF_8);
+        return start + length > directoryStart ? new byte[0] : bytes(start, length).array();
     }
 
     private ByteBuffer bytes(long position, int length) throws IOException {

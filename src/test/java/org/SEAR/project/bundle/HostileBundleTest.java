@@ -87,6 +87,27 @@ public class HostileBundleTest {
         bundle("not UTF-8", latin, "names in UTF-8");
     }
 
+    private void foreignNames() {
+        String path = "legal: a path inside the project";
+        for (String name : new String[] {"../evil.xml", "SEARproject/../../evil.xml", "SEARproject/./evil.xml", "SEARproject//evil.xml", "/evil.xml",
+            "SEARproject/environment/...", "C:/evil.xml"}) {
+            RawZip zip = new RawZip();
+            zip.stored("SEARproject/environment/b.xml", BOX);
+            zip.stored(name, BOX);
+            bundle("zipped by hand: " + name, zip, path);
+        }
+        RawZip windows = new RawZip();
+        windows.stored("..\\evil.xml", BOX).madeBy(0);
+        bundle("zipped by hand on Windows", windows, path);
+        RawZip same = new RawZip();
+        same.stored("environment/M\u00fcll.xml", BOX);
+        same.stored("environment/Mu\u0308ll.xml", BOX);
+        bundle("one name in two spellings", same, "legal: each name once");
+        RawZip unmarked = RawZip.bundle();
+        unmarked.stored("assets/M\u00fcll.txt", "x").flags(0);
+        bundle("letters without a mark", unmarked, "a name in ASCII, or in UTF-8 and marked so");
+    }
+
     private void structure() {
         RawZip link = RawZip.bundle();
         link.stored("assets/link", "/etc/passwd").unix(0xa1ff);
@@ -150,8 +171,8 @@ public class HostileBundleTest {
 
     private void content() {
         RawZip none = new RawZip();
-        none.stored("environment/b.xml", BOX);
-        bundle("no version", none, "it has no sear-version.txt");
+        none.stored("holidays/beach.txt", "sunny");
+        bundle("any zip file", none, "it has no sear-version.txt and no object");
         RawZip newer = new RawZip();
         newer.stored("sear-version.txt", "2\n");
         bundle("from the future", newer, "a newer SEAR made this bundle");
@@ -174,6 +195,7 @@ public class HostileBundleTest {
     @Test
     public void allAreRefusedWithNothingWrittenOutsideAndTheOldProjectIntact() throws Exception {
         names();
+        foreignNames();
         structure();
         bombs();
         content();

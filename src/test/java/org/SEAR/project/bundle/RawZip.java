@@ -23,10 +23,17 @@ final class RawZip {
         long size;
         long packed;
         int unixMode;
+        int madeBy = 3;
         long offset = -1;
 
         Entry unix(int mode) {
             unixMode = mode;
+            return this;
+        }
+
+        /** @param value 3 for Unix, 0 for MS-DOS and Windows */
+        Entry madeBy(int value) {
+            madeBy = value;
             return this;
         }
 
@@ -120,7 +127,7 @@ final class RawZip {
             out.writeBytes(local.array());
             out.writeBytes(entry.localName);
             out.writeBytes(entry.data);
-            ByteBuffer central = buffer(46).putInt(0x02014b50).putShort((short) (3 << 8 | 20)).putShort((short) 20);
+            ByteBuffer central = buffer(46).putInt(0x02014b50).putShort((short) (entry.madeBy << 8 | 20)).putShort((short) 20);
             common(central, entry).putShort((short) entry.name.length).putShort((short) entry.extra.length);
             central.putShort((short) 0).putShort((short) 0).putShort((short) 0).putShort((short) 0).putShort((short) entry.unixMode);
             central.putInt((int) offset);

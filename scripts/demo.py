@@ -110,7 +110,10 @@ if keep or os.environ.get("SEAR_TERMINAL"):
     where = "; see its tabs at http://localhost:%d" % page.getPort() if page is not None else ""
     print "The simulation goes on%s. %s ends it." % (where, "Ctrl+C" if keep else "Enter")
 if os.environ.get("SEAR_TERMINAL") and not keep:
-    raw_input()
+    try:
+        raw_input()
+    except EOFError:
+        pass  # nobody sits at that terminal
 if not keep:
     sear.stopSimulation()
 print "Done."

@@ -2,8 +2,6 @@ package org.myrobotlab.embedded;
 
 import java.util.concurrent.CountDownLatch;
 import org.myrobotlab.service.Runtime;
-import org.myrobotlab.service.config.RuntimeConfig;
-import org.myrobotlab.service.config.ServiceConfig;
 
 /** The embedded MyRobotLab as a program of its own: starts services and stays until Runtime.shutdown() or Ctrl+C. */
 public final class Main {
@@ -20,11 +18,8 @@ public final class Main {
         String config = options.getConfig() == null ? DEFAULT_CONFIG : options.getConfig();
         Runtime.setConfig(config);
         Runtime.getInstance();
-        ServiceConfig runtime = Configs.read(config, "runtime");
-        if (runtime instanceof RuntimeConfig) {
-            for (String name : ((RuntimeConfig) runtime).getRegistry()) {
-                Runtime.start(name);
-            }
+        if (Configs.read(config, "runtime") != null) {
+            Runtime.startConfig(config);
         }
         for (String[] service : options.getServices()) {
             Runtime.start(service[0], service[1]);

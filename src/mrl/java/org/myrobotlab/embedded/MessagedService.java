@@ -131,17 +131,18 @@ public abstract class MessagedService extends PublishingService implements Broad
             publish(blockLocally, obj instanceof PublishingService ? (PublishingService) obj : this, methodName, answer);
             return answer;
         } catch (InvocationTargetException e) {
-            failed(methodName, e.getCause());
+            failed(methodName, params, e.getCause());
             return null;
         }
     }
 
-    private void failed(String methodName, Throwable cause) {
+    /** The words are those of the real one: arguments as Java shows an array, the reason as Java shows an exception. */
+    private void failed(String methodName, Object[] params, Throwable cause) {
         if (cause instanceof InterruptedException) {
             Thread.currentThread().interrupt();
         } else {
             LOG.debug("{}.{}", getName(), methodName, cause);
-            error(getName() + "." + methodName + ": " + Reasons.of(cause));
+            error("could not invoke " + getName() + "." + methodName + " (" + params + ") " + cause + " - check logs for details");
         }
     }
 

@@ -12,8 +12,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Properties;
 import java.util.concurrent.ConcurrentHashMap;
+import org.python.core.CompileMode;
+import org.python.core.CompilerFlags;
 import org.python.core.Options;
 import org.python.core.Py;
+import org.python.core.PyCode;
 import org.python.core.PyException;
 import org.python.core.PyFrame;
 import org.python.core.PyList;
@@ -34,6 +37,8 @@ public final class PythonEngine {
     private final PythonInterpreter interpreter;
     private volatile ScriptResult last = ScriptResult.GOOD;
     private final Map<Thread, Run> running = new HashMap<>();
+    /** Calls of the script's functions, compiled when they came first, by bare name. */
+    private final Map<String, PyCode> calls = new ConcurrentHashMap<>();
 
     /** @param out where scripts print to; @param err where errors go */
     public PythonEngine(String name, OutputStream out, OutputStream err) {
@@ -96,6 +101,29 @@ public final class PythonEngine {
             }
             callable.__call__(converted);
         });
+    }
+
+    /**
+     * Calls a function as the real MyRobotLab does: the arguments become variables named after their publisher, and the call is compiled once for
+     * each function name. So a function always gets the values of the publisher that called it first, whichever script it belongs to now.
+     *
+     * @param publisher the beginning of the variables' names
+     */
+    public ScriptResult callBack(String publisher, String function, Object... arguments) {
+        return guarded(() -> {
+            StringBuilder call = new StringBuilder(function).append('(');
+            for (int i = 0; i < arguments.length; i++) {
+                String variable = publisher + "_p" + i;
+                interpreter.set(variable, arguments[i]);
+                call.append(i == 0 ? "" : ",").append(variable);
+            }
+            interpreter.exec(calls.computeIfAbsent(function, unused -> compiled(call.append(')').toString())));
+        });
+    }
+
+    /** Not by the interpreter's own compile: that makes it refuse scripts that name their encoding from then on. */
+    private static PyCode compiled(String code) {
+        return Py.compile_flags(code, "<callback>", CompileMode.exec, new CompilerFlags());
     }
 
     /** Whether the script has a function or another variable of that name. */

@@ -65,13 +65,15 @@ public abstract class ReportingService extends MessagedService implements QueueR
         return broadcasted(Status.error(format, args));
     }
 
+    /** Publishes an error, as in the real one: {@code broadcastStatus(Status.warn(format, args))} is what publishes a warning. */
     public Status warn(String text) {
         return broadcasted(Status.warn(text));
     }
 
+    /** The same with a format. */
     @Override
     public Status warn(String format, Object... args) {
-        return broadcasted(Status.warn(format, args));
+        return warn(String.format(format, args));
     }
 
     public Status info(String text) {

@@ -21,6 +21,7 @@ public class Outbox implements Runnable, Serializable {
     public static final Logger log = LoggerFactory.getLogger(Outbox.class);
 
     private static final long serialVersionUID = 1L;
+    private static final int MOST = 1024;
 
     protected final String name;
     /** Who listens, by published method. */
@@ -33,11 +34,16 @@ public class Outbox implements Runnable, Serializable {
         name = serviceName;
     }
 
-    /** Sends a message; one without receiver goes to all that listen to its sending method. */
+    /**
+     * Sends a message; one without receiver goes to all that listen to its sending method. Every one waits here, as in the real one, even if nobody
+     * listens. When more than 1024 wait, the log says so, once for each time that it comes to that; none is lost.
+     */
     public void add(Message msg) {
-        if (msg.name != null || notifyList.containsKey(msg.sendingMethod)) {
-            messages.add(msg);
+        int waiting = messages.size();
+        if (waiting == MOST + 1) {
+            log.warn("{} outbox BUFFER OVERRUN size {} {}", name, waiting, msg.sendingMethod);
         }
+        messages.add(msg);
         for (MessageListener watcher : watchers) {
             watcher.onMessage(msg);
         }

@@ -42,15 +42,22 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
         config = (T) getDefault().get(getName());
     }
 
+    /**
+     * Starts its threads. Asks {@link #isRunning} whether it has them already, as the real one does: a service that answers otherwise fails here.
+     *
+     * @throws IllegalThreadStateException if it runs, and {@link #isRunning} denies it
+     */
     @Override
     public synchronized void startService() {
-        if (running) {
+        if (isRunning()) {
             return;
         }
-        running = true;
         outbox.start();
-        thisThread = new Thread(this, getName());
-        thisThread.setDaemon(true);
+        if (thisThread == null) {
+            thisThread = new Thread(this, getName());
+            thisThread.setDaemon(true);
+        }
+        running = true;
         thisThread.start();
         Runtime.getInstance().invoke("started", getFullName());
     }
@@ -188,9 +195,11 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
         return config;
     }
 
+    /** Takes a configuration over, and the listeners that stand in it. */
     @Override
     public T apply(T newConfig) {
         config = newConfig;
+        addConfigListeners(newConfig);
         return newConfig;
     }
 
@@ -199,18 +208,26 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
         apply(config);
     }
 
+    /** A copy of the configuration with those who listen now, as it is written to a file. */
     @Override
     public ServiceConfig getFilteredConfig() {
-        return addConfigListeners(getConfig());
-    }
-
-    @Override
-    public ServiceConfig addConfigListeners(ServiceConfig into) {
+        ServiceConfig copy = CodecUtils.fromYaml(CodecUtils.toYaml(getConfig()), config.getClass());
         List<ServiceConfig.Listener> listeners = new ArrayList<>();
         getNotifyList().forEach((topic, all) -> all.forEach(one -> listeners.add(
             new ServiceConfig.Listener(topic, CodecUtils.getShortName(one.callbackName), one.callbackMethod))));
-        into.listeners = listeners;
-        return into;
+        if (!listeners.isEmpty()) {
+            copy.listeners = listeners;
+        }
+        return copy;
+    }
+
+    /** Has those listen who stand in a configuration. */
+    @Override
+    public ServiceConfig addConfigListeners(ServiceConfig from) {
+        if (from != null && from.listeners != null) {
+            from.listeners.forEach(one -> addListener(one.method, one.listener, one.callback));
+        }
+        return from;
     }
 
     @Override
@@ -220,13 +237,7 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
 
     @Override
     public boolean save() {
-        try {
-            Runtime.saveConfig(getName(), getFilteredConfig());
-            return true;
-        } catch (IOException e) {
-            error("configuration of %s can't be written: %s", getName(), e.getMessage());
-            return false;
-        }
+        return Runtime.getInstance().saveService(Runtime.getInstance().getConfigName(), getName(), null);
     }
 
     @Override

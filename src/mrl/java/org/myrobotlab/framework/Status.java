@@ -57,8 +57,9 @@ public class Status implements Serializable {
         return of(StatusLevel.INFO, String.format(format, args));
     }
 
+    /** An error, as in the real one; a warning is made by the form with a format. */
     public static Status warn(String text) {
-        return of(StatusLevel.WARN, text);
+        return of(StatusLevel.ERROR, text);
     }
 
     public static Status warn(String format, Object... args) {

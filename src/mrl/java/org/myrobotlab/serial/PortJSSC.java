@@ -41,6 +41,8 @@ public class PortJSSC extends Port implements SerialControl, SerialPortEventList
             }
         } catch (SerialPortException e) {
             throw new IOException("port " + portName + " can't be opened: " + e.getExceptionType(), e);
+        } catch (LinkageError e) {
+            throw new IOException("port " + portName + " can't be opened, the library jssc does not work here: " + e, e);
         }
     }
 

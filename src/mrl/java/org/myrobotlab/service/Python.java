@@ -68,7 +68,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         super.startService();
         createPythonInterpreter();
         Runtime.getInstance().attachServiceLifeCycleListener(getName());
-        Thread thread = new Thread(this::callBack, getName() + "_callbacks");
+        Thread thread = new Thread(this::callBack, "python." + getName() + ".input");
         thread.setDaemon(true);
         callbackThread = thread;
         thread.start();
@@ -252,7 +252,8 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
                 msg.method);
             return;
         }
-        report(current.call(msg.method, msg.data == null ? new Object[0] : msg.data));
+        String publisher = "msg_" + CodecUtils.getSafeReferenceName(msg.sender) + "_" + msg.sendingMethod;
+        report(current.callBack(publisher, msg.method, msg.data == null ? new Object[0] : msg.data));
     }
 
     @Override

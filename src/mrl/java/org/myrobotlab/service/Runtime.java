@@ -41,6 +41,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
     private static volatile Runtime instance;
 
     protected Integer creationCount = 0;
+    volatile boolean processingConfig;
     protected Platform platform = Platform.getLocalInstance();
 
     public Runtime(String name, String id) {
@@ -117,15 +118,19 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
     }
 
     /**
-     * Makes a service and starts it; one of that name, of whatever type, is answered instead.
+     * Makes a service and starts it; one of that name, of whatever type, is answered instead, and started if it says that it does not run.
      *
      * @return null if it can't start; an error status says why
      */
     public static ServiceInterface start(String name, String type) {
         synchronized (LOCK) {
+            ServiceInterface existing = getService(name);
+            if (existing != null) {
+                return startAgain(existing) ? existing : null;
+            }
             ServiceInterface service = create(name, type);
-            if (service == null || service.isRunning()) {
-                return service;
+            if (service == null) {
+                return null;
             }
             for (Peer peer : new ArrayList<>(service.getPeers().values())) {
                 if (peer.autoStart) {
@@ -133,6 +138,19 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
                 }
             }
             return started(service) ? service : null;
+        }
+    }
+
+    /** A service that says that it does not run is started again, whether it is so or not. */
+    private static boolean startAgain(ServiceInterface existing) {
+        try {
+            if (!existing.isRunning()) {
+                existing.startService();
+            }
+            return true;
+        } catch (RuntimeException e) {
+            getInstance().error(e);
+            return false;
         }
     }
 
@@ -221,6 +239,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
     /** Adds a service that was made elsewhere. */
     public static Registration register(Registration registration) {
         REGISTRY.put(registration.service);
+        getInstance().config.add(registration.service.getName());
         getInstance().invoke("registered", registration);
         return registration;
     }
@@ -229,6 +248,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
     public static void unregister(String name) {
         Runtime runtime = instance;
         if (runtime != null && REGISTRY.remove(CodecUtils.getFullName(name))) {
+            runtime.config.remove(CodecUtils.getShortName(name));
             for (ServiceInterface other : REGISTRY.newestFirst()) {
                 other.getOutbox().detach(name);
             }
@@ -362,6 +382,93 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
 
     public static void saveConfig(String name, ServiceConfig config) throws IOException {
         Configs.write(configName, CodecUtils.getShortName(name), config);
+    }
+
+    /** Writes the configurations of all services, the Runtime's with their names too. @return whether all could be written */
+    public static boolean saveConfig(String set) {
+        return getInstance().saveService(set, null, null);
+    }
+
+    /**
+     * Writes the configuration of a service, or of all if no name is given.
+     *
+     * @param set name of the set of configurations, which becomes the present one
+     * @param serviceName null for all services
+     * @param fileName not used: the file is called after the service
+     * @return whether they could be written
+     */
+    public boolean saveService(String set, String serviceName, String fileName) {
+        setConfig(set);
+        ServiceInterface single = getService(serviceName);
+        if (serviceName != null && single == null) {
+            error("the configuration of %s can't be written: there is no such service", serviceName);
+            return false;
+        }
+        List<ServiceInterface> all = serviceName == null ? getServices() : List.of(single);
+        try {
+            for (ServiceInterface one : all) {
+                saveConfig(one.getName(), one.getFilteredConfig());
+            }
+            return true;
+        } catch (IOException e) {
+            error("configuration %s can't be written: %s", set, e.getMessage());
+            return false;
+        }
+    }
+
+    /**
+     * Makes the services that a saved set of configurations names, and then starts them. One that throws ends it: those behind it don't start, as in
+     * the real one.
+     */
+    public static void startConfig(String set) {
+        setConfig(set);
+        Runtime runtime = getInstance();
+        ServiceConfig saved = runtime.readServiceConfig("runtime");
+        if (!(saved instanceof RuntimeConfig)) {
+            runtime.error("there is no saved configuration %s: its runtime.yml is missing", set);
+            return;
+        }
+        runtime.processingConfig = true;
+        runtime.invoke("publishConfigStarted", set);
+        try {
+            runtime.startAll(((RuntimeConfig) saved).getRegistry());
+            runtime.invoke("publishConfigFinished", set);
+        } finally {
+            runtime.processingConfig = false;
+        }
+    }
+
+    private void startAll(List<String> names) {
+        List<ServiceInterface> made = new ArrayList<>();
+        for (String name : names) {
+            if (!NAME.equals(name) && !isStarted(name)) {
+                ServiceInterface service = create(name);
+                if (service != null) {
+                    made.add(service);
+                }
+            }
+        }
+        for (ServiceInterface service : made) {
+            try {
+                service.startService();
+            } catch (RuntimeException e) {
+                error(e);
+                throw e;
+            }
+        }
+    }
+
+    /** Whether the services of a saved configuration are being started. */
+    public boolean isProcessingConfig() {
+        return processingConfig;
+    }
+
+    public String publishConfigStarted(String set) {
+        return set;
+    }
+
+    public String publishConfigFinished(String set) {
+        return set;
     }
 
     public static String setConfig(String name) {

@@ -94,6 +94,15 @@ public class Serial extends Service<SerialConfig> implements SerialControl, Queu
         }
     }
 
+    /** With the port that is open now. */
+    @Override
+    public SerialConfig getConfig() {
+        if (isConnected()) {
+            config.port = portName;
+        }
+        return config;
+    }
+
     // ---- opening and closing ------------------------------------------------------------------------------------------
 
     /** Opens a port with the present parameters. Does nothing but say so while another port is open: disconnect first. */
@@ -167,12 +176,13 @@ public class Serial extends Service<SerialConfig> implements SerialControl, Queu
         connectedPorts.put(portName, newPort);
         invoke("publishConnect", portName);
         for (SerialDataListener one : listeners.values()) {
-            send(one.getName(), "onConnect", portName);
+            one.onConnect(portName);
         }
         broadcastState();
         return newPort;
     }
 
+    /** Closes the port. Listeners are told first, on the caller's thread, while it is still open, as in the real one. */
     @Override
     public void disconnect() {
         String name = portName;
@@ -180,14 +190,14 @@ public class Serial extends Service<SerialConfig> implements SerialControl, Queu
             info("already disconnected");
             return;
         }
-        portName = null;
-        port = null;
-        close();
-        connectedPorts.clear();
         invoke("publishDisconnect", name);
         for (SerialDataListener one : listeners.values()) {
-            send(one.getName(), "onDisconnect", name);
+            one.onDisconnect(name);
         }
+        close();
+        connectedPorts.clear();
+        portName = null;
+        port = null;
         broadcastState();
     }
 
@@ -245,16 +255,13 @@ public class Serial extends Service<SerialConfig> implements SerialControl, Queu
         return new TreeSet<>(listPorts());
     }
 
-    /** A port of this machine; null if it can't be opened, an error status says why. */
+    /** A port of this machine, not yet open; null if there is no library for it, an error status says so. */
     public Port createHardwarePort(String name, int baud, int newDataBits, int newStopBits, int newParity) {
-        Port made = null;
         try {
-            made = new PortJSSC(name, baud, newDataBits, newStopBits, newParity);
-            made.open();
-            return made;
+            return new PortJSSC(name, baud, newDataBits, newStopBits, newParity);
         } catch (IOException | LinkageError e) {
             log.debug("{}", name, e);
-            error(e.getMessage() + "; there are the ports " + known());
+            error(e.getMessage());
             return null;
         }
     }

@@ -31,7 +31,9 @@ public class SerialTest {
         final transient ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         final transient CountDownLatch enough = new CountDownLatch(1);
         transient int wanted;
+        transient Serial line;
         volatile String port;
+        volatile Boolean wasConnected;
 
         public Keeper(String name, String id) {
             super(name, id);
@@ -53,6 +55,7 @@ public class SerialTest {
         @Override
         public void onDisconnect(String portName) {
             port = null;
+            wasConnected = line == null ? null : line.isConnected();
         }
     }
 
@@ -133,11 +136,27 @@ public class SerialTest {
     }
 
     @Test
-    public void anUnknownPortIsAnErrorThatNamesThePortsThereAre() throws IOException {
-        user.connect("/dev/nix");
+    public void aPortThatCantBeOpenedThrows() {
+        try {
+            user.connect("/dev/nix");
+            fail("there is no such port");
+        } catch (IOException e) {
+            assertTrue(e.getMessage(), e.getMessage().startsWith("port /dev/nix can't be opened: "));
+        }
         assertFalse(user.isConnected());
-        String error = user.getLastError().key;
-        assertTrue(error, error.startsWith("port /dev/nix can't be opened: ") && error.contains("/dev/v0"));
+    }
+
+    @Test
+    public void listenersAreToldBeforeThePortIsClosed() throws IOException {
+        Keeper keeper = (Keeper) Runtime.start("keeper", Keeper.class.getName());
+        keeper.line = user;
+        user.addByteListener(keeper);
+        user.connect("/dev/v0");
+        assertEquals("/dev/v0", keeper.port);
+        user.disconnect();
+        assertNull(keeper.port);
+        assertEquals("connected still", Boolean.TRUE, keeper.wasConnected);
+        assertFalse(user.isConnected());
     }
 
     @Test

@@ -20,13 +20,13 @@ public class RuntimeConfig extends ServiceConfig {
         return registry;
     }
 
-    public void add(String name) {
+    public synchronized void add(String name) {
         if (!registry.contains(name)) {
             registry.add(name);
         }
     }
 
-    public boolean remove(String name) {
+    public synchronized boolean remove(String name) {
         return registry.remove(name);
     }
 

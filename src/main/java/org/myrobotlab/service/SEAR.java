@@ -354,10 +354,10 @@ public class SEAR extends Service<SEARConfig> {
 
     // ---- MyRobotLab ------------------------------------------------------------------------------------------------
 
-    /** Bytes of a device's Serial service go straight to the device; everything else takes its usual way. */
+    /** Bytes of a device's Serial service go straight to the device, and lock-step hears at once what it waits for; all else takes its usual way. */
     @Override
     public void in(Message message) {
-        if (!toDevice(message)) {
+        if (!toDevice(message) && !Works.isFence(message)) {
             super.in(message);
         }
     }
@@ -365,7 +365,7 @@ public class SEAR extends Service<SEARConfig> {
     /** Where a MyRobotLab brings messages another way than {@link #in}. */
     @Override
     public boolean preProcessHook(Message message) {
-        return !toDevice(message) && super.preProcessHook(message);
+        return !toDevice(message) && !Works.isFence(message) && super.preProcessHook(message);
     }
 
     private boolean toDevice(Message message) {

@@ -1,37 +1,41 @@
 package org.myrobotlab.service.sear;
 
-import java.util.Set;
+import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.atomic.AtomicInteger;
 
-/** Who waits in a call to the simulation now: a callback that asks is about to go on, one that sleeps until time has passed is not. Any thread. */
+/** Which threads wait for simulated time, or for the right to make it pass: a callback that does can't end before. Any thread. */
 final class Callers {
-    private final AtomicInteger asking = new AtomicInteger();
-    private final Set<Thread> sleeping = ConcurrentHashMap.newKeySet();
+    /** By thread, the simulated time that it waits for. */
+    private final Map<Thread, Double> sleeping = new ConcurrentHashMap<>();
 
-    void beginAsking() {
-        asking.incrementAndGet();
+    /** Something that waits, or makes time pass. */
+    interface Work {
+        void run() throws InterruptedException;
     }
 
-    void endAsking() {
-        asking.decrementAndGet();
-    }
-
-    /** Whether somebody waits for the answer to a question. */
-    boolean areAsking() {
-        return asking.get() > 0;
-    }
-
-    void beginSleeping() {
-        sleeping.add(Thread.currentThread());
-    }
-
-    void endSleeping() {
-        sleeping.remove(Thread.currentThread());
+    /**
+     * Does work during which the thread counts as waiting; work within work counts once.
+     *
+     * @param target simulated seconds that it waits for; infinity for something else
+     */
+    void whileSleeping(double target, Work work) throws InterruptedException {
+        boolean outermost = sleeping.putIfAbsent(Thread.currentThread(), target) == null;
+        try {
+            work.run();
+        } finally {
+            if (outermost) {
+                sleeping.remove(Thread.currentThread());
+            }
+        }
     }
 
     /** Whether a thread waits for time to pass. */
     boolean sleeps(Thread thread) {
-        return sleeping.contains(thread);
+        return sleeping.containsKey(thread);
+    }
+
+    /** Whether another thread than the present one has waited long enough and is about to go on. @param now simulated seconds */
+    boolean othersAreDue(double now) {
+        return sleeping.entrySet().stream().anyMatch(one -> one.getKey() != Thread.currentThread() && one.getValue() <= now);
     }
 }

@@ -108,7 +108,7 @@ public final class Control {
     }
 
     /** Lock-step of this and the next simulations. */
-    public void setLockStep(boolean on) {
+    public void setLockStep(boolean on) throws InterruptedException {
         lockStep = on;
         if (isRunning()) {
             session().setLockStep(on);

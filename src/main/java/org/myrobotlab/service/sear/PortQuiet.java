@@ -9,13 +9,13 @@ final class PortQuiet {
     private static final long PATIENCE = TimeUnit.SECONDS.toMillis(5);
 
     private final Host host;
-    private final MessageQuiet messages;
+    private final Fence messages;
     private VirtualSerialPort complainedOf;
-    private long settled;
+    private volatile long settled;
 
     PortQuiet(Host host, Callers callers) {
         this.host = host;
-        messages = new MessageQuiet(host, callers);
+        messages = new Fence(host, callers);
     }
 
     /** Waits until ports and callbacks rest; looks at the callbacks only when bytes have come since the last time. */
@@ -26,6 +26,11 @@ final class PortQuiet {
             messages.await();
             await();
         }
+    }
+
+    /** Learns who deals with callbacks, before there are any. */
+    void greet() {
+        messages.greet();
     }
 
     /** Something else has made callbacks run: the next {@link #settle} looks at them. */

@@ -25,6 +25,9 @@ import org.SEAR.simulator.SimulationRunner;
  */
 public final class SimulationSession {
     private static final long LOOK_AFTER_THREAD = 200;
+    private static final long LOOK_AFTER_SLEEPERS = 1;
+    /** Within this of its target a sleep has ended: the sum of steps is not exact. Seconds. */
+    private static final double NEARLY = Simulation.STEP / 1000;
     private static final long SCRIPT_DRIVES = TimeUnit.SECONDS.toNanos(1);
     private static final long THREAD_END = TimeUnit.SECONDS.toMillis(10);
 
@@ -92,6 +95,7 @@ public final class SimulationSession {
         runner.setSpeed(lockStep ? Double.POSITIVE_INFINITY : settings.speed);
         runner.setPaused(true);
         thread.start();
+        quiet.greet();
         if (!settings.headless) {
             window.open(runner, debugShapes, this::isScriptDriving, host); // takes seconds, which nobody is to miss
         }
@@ -195,19 +199,14 @@ public final class SimulationSession {
     /** Answers a question on the simulation thread, between two steps. */
     public <T> T ask(Function<Simulation, T> question) throws InterruptedException {
         Future<T> answer = simulation.ask(question);
-        callers.beginAsking();
-        try {
-            while (true) {
-                try {
-                    return answer.get(LOOK_AFTER_THREAD, TimeUnit.MILLISECONDS);
-                } catch (TimeoutException e) {
-                    checkRunning();
-                } catch (ExecutionException e) {
-                    throw unwrapped(e);
-                }
+        while (true) {
+            try {
+                return answer.get(LOOK_AFTER_THREAD, TimeUnit.MILLISECONDS);
+            } catch (TimeoutException e) {
+                checkRunning();
+            } catch (ExecutionException e) {
+                throw unwrapped(e);
             }
-        } finally {
-            callers.endAsking();
         }
     }
 
@@ -231,12 +230,7 @@ public final class SimulationSession {
             throw new IllegalArgumentException("simSleep of " + seconds + " s, legal: 0 or more");
         }
         if (lockStep) {
-            callers.beginSleeping();
-            try {
-                sleepInLockStep(seconds);
-            } finally {
-                callers.endSleeping();
-            }
+            sleepInLockStep(seconds);
         } else {
             runner.await(time() + seconds);
         }
@@ -250,22 +244,40 @@ public final class SimulationSession {
         double target = base + seconds;
         scriptTime = target;
         pace.begin(start);
-        synchronized (stepping) {
-            quiet.settle();
-        }
-        while (time() < target - Simulation.STEP / 1000) {
-            awaitResume();
-            checkRunning();
+        whileSleeping(target - NEARLY, () -> {
             synchronized (stepping) {
-                if (time() < target - Simulation.STEP / 1000) {
-                    oneStep();
-                }
+                quiet.settle();
             }
-            pace.await(time());
+            while (time() < target - NEARLY) {
+                awaitResume(target - NEARLY);
+                stepIfBefore(target - NEARLY);
+                pace.await(time());
+            }
+        });
+    }
+
+    /** Does what waits for time, or makes it pass; afterwards the caller, which may be a callback, goes on: the next step waits for it. */
+    private void whileSleeping(double target, Callers.Work work) throws InterruptedException {
+        try {
+            callers.whileSleeping(target, work);
+        } finally {
+            quiet.disturb();
         }
     }
 
-    /** One step of lock-step: what was sent before it has arrived, and what it sends is handed over. */
+    private void stepIfBefore(double target) throws InterruptedException {
+        checkRunning();
+        synchronized (stepping) {
+            if (time() < target) {
+                oneStep();
+            }
+        }
+    }
+
+    /**
+     * One step of lock-step: what was sent before it has arrived, and what it sends is handed over. Whoever else has waited for this moment, as a
+     * callback that sleeps, goes on first, until it waits again or ends.
+     */
     private void oneStep() throws InterruptedException {
         quiet.settle();
         runner.advance(1);
@@ -275,11 +287,16 @@ public final class SimulationSession {
             quiet.disturb();
         }
         quiet.settle();
+        while (callers.othersAreDue(time()) && !ended) {
+            quiet.disturb();
+            stepping.wait(LOOK_AFTER_SLEEPERS);
+        }
+        quiet.settle();
     }
 
-    private void awaitResume() throws InterruptedException {
+    private void awaitResume(double target) throws InterruptedException {
         synchronized (clock) {
-            while (paused && !ended) {
+            while (paused && !ended && time() < target) {
                 clock.wait(LOOK_AFTER_THREAD);
             }
         }
@@ -293,12 +310,13 @@ public final class SimulationSession {
         if (!lockStep && !paused) {
             pause();
         }
-        for (long i = 0; i < steps; i++) {
-            checkRunning();
-            synchronized (stepping) {
-                oneStep();
+        double target = time() + steps * Simulation.STEP - NEARLY;
+        whileSleeping(target, () -> {
+            while (time() < target) {
+                stepIfBefore(target);
             }
-        }
+        });
+        checkRunning();
         tellWarnings();
     }
 
@@ -323,6 +341,10 @@ public final class SimulationSession {
 
     /** Everything back to the start. */
     public void reset() throws InterruptedException {
+        whileSleeping(Double.POSITIVE_INFINITY, this::toTheStart);
+    }
+
+    private void toTheStart() throws InterruptedException {
         synchronized (stepping) {
             quiet.settle();
             ask(world -> {
@@ -349,7 +371,11 @@ public final class SimulationSession {
     }
 
     /** Whether time advances only inside {@link #simSleep} and {@link #step}. */
-    public void setLockStep(boolean on) {
+    public void setLockStep(boolean on) throws InterruptedException {
+        whileSleeping(Double.POSITIVE_INFINITY, () -> changeLockStep(on));
+    }
+
+    private void changeLockStep(boolean on) {
         synchronized (stepping) {
             lockStep = on;
             if (on) {

@@ -6,6 +6,7 @@ import java.util.Map;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
+import org.myrobotlab.framework.Message;
 
 /** All that a SEAR service is made of, in one place, so that the service class itself loads where a library is missing. */
 public final class Works {
@@ -26,6 +27,15 @@ public final class Works {
         exports = new Exports(host, control);
         transfers = new Transfers(projects::save, projects::load);
         control.setStepListener(publisher::publishDue);
+    }
+
+    /** Takes a message that lock-step has sent behind others and waits for. @return whether it is one */
+    public static boolean isFence(Message message) {
+        boolean is = Fence.CALLBACK.equals(message.method) && message.data != null && message.data[0] instanceof FencePass;
+        if (is) {
+            FencePass.passed((FencePass) message.data[0]);
+        }
+        return is;
     }
 
     public Control control() {

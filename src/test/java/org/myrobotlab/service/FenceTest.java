@@ -1,0 +1,163 @@
+package org.myrobotlab.service;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.framework.Service;
+import org.myrobotlab.service.config.ServiceConfig;
+import org.myrobotlab.service.lidar.LmsScan;
+
+/** In lock-step, simSleep returns when all callbacks have run, whatever their threads are called and however many services they go through. */
+public class FenceTest {
+    private static final String LIDAR_SCRIPT = String.join("\n",
+        "sear = Runtime.start('sear', 'SEAR')",
+        "sear.startSimulation()",
+        "lidar = Runtime.start('fenceLidar', 'LIDAR')",
+        "lidar.connect('" + TestWorld.LIDAR_PORT + "', 38400)",
+        "seen = []", "");
+
+    @Rule
+    public final TemporaryFolder temporary = new TemporaryFolder();
+
+    private Python python;
+    private Heard heard;
+
+    /** Hands on what it hears, from its own message thread to its listeners. */
+    public static class Relay extends Service<ServiceConfig> {
+        private static final long serialVersionUID = 1L;
+
+        public Relay(String name, String id) {
+            super(name, id);
+        }
+
+        public void onScan(LmsScan scan) {
+            Thread.yield();
+            invoke("publishLength", scan.raw.length);
+        }
+
+        public Integer publishLength(Integer length) {
+            return length;
+        }
+    }
+
+    @Before
+    public void start() {
+        System.setProperty("sear.headless", "true");
+        System.setProperty("sear.speed", "max");
+        TestWorld.build(temporary.getRoot().toPath());
+        python = (Python) Runtime.start("python", "Python");
+        SEAR sear = (SEAR) Runtime.start("sear", "SEAR");
+        heard = (Heard) Runtime.start("fenceStatus", "Heard");
+        sear.addListener("publishStatus", "fenceStatus", "onStatus");
+    }
+
+    @After
+    public void release() {
+        for (String name : new String[] {"fenceLidar", "relay", "relay2", "sear", "python", "fenceStatus"}) {
+            Runtime.releaseService(name);
+        }
+        System.clearProperty("sear.project");
+        System.clearProperty("sear.speed");
+    }
+
+    private void run(String... lines) {
+        assertTrue(String.valueOf(python.getLastError()), python.exec(LIDAR_SCRIPT + String.join("\n", lines)));
+    }
+
+    private static void renameThreads(String part) {
+        int count = 0;
+        for (Thread thread : Thread.getAllStackTraces().keySet()) {
+            if (thread.getName().startsWith(part)) {
+                thread.setName("anonymous " + count++);
+            }
+        }
+        assertTrue(part, count > 0);
+    }
+
+    @Test
+    public void aSlowCallbackHasRunWhateverItsThreadIsCalled() {
+        renameThreads("python");
+        run("import time",
+            "def fenceSlow(data):",
+            "    time.sleep(0.05)",
+            "    seen.append(len(data))",
+            "lidar.addListener('publishLidarData', python.getName(), 'fenceSlow')",
+            "for i in range(5):",
+            "    lidar.singleScan()",
+            "    sear.simSleep(1)",
+            "    assert seen == [181] * (i + 1), seen");
+    }
+
+    @Test
+    public void aCallbackAtTheEndOfAChainOfServicesHasRun() {
+        Runtime.start("relay", Relay.class.getName());
+        run("relay = Runtime.getService('relay')",
+            "lidar.addListener('publishScan', 'relay')",
+            "def fenceLength(n):",
+            "    seen.append(n)",
+            "relay.addListener('publishLength', python.getName(), 'fenceLength')",
+            "for i in range(20):",
+            "    lidar.singleScan()",
+            "    sear.simSleep(0.5)",
+            "    assert seen == [181] * (i + 1), (i, seen)");
+    }
+
+    @Test
+    public void callbacksMaySleepInSimulatedTimeAndAskTheSimulation() throws Exception {
+        run("def fenceSleeper(data):",
+            "    before = sear.getTime()",
+            "    sear.getPose('roomba')",
+            "    sear.simSleep(0.5)",
+            "    sear.step(3)",
+            "    seen.append(round(60 * (sear.getTime() - before)))",
+            "lidar.addListener('publishLidarData', python.getName(), 'fenceSleeper')",
+            "lidar.singleScan()",
+            "sear.simSleep(3)",
+            "assert seen == [33], seen");
+        assertFalse(heard.getStatuses().toString(), heard.getStatuses().toString().contains("no longer waits"));
+    }
+
+    @Test
+    public void aCallbackThatHangsIsGivenUpAndWaitedForAgainWhenItHasEnded() throws Exception {
+        CountDownLatch hang = new CountDownLatch(1);
+        python.set("hang", hang);
+        run("def fenceHanging(data):",
+            "    hang.await()",
+            "    seen.append(len(data))",
+            "lidar.addListener('publishLidarData', python.getName(), 'fenceHanging')",
+            "lidar.singleScan()",
+            "sear.simSleep(1)",
+            "assert seen == [], seen");
+        assertTrue(heard.awaitStatus("warn: a callback has been busy for more than 5 s: lock-step goes on"));
+        hang.countDown();
+        assertTrue(String.valueOf(python.getLastError()), python.exec(String.join("\n",
+            "import time",
+            "end = time.time() + 20",
+            "while not seen and time.time() < end: time.sleep(0.01)",
+            "for i in range(3):",
+            "    lidar.singleScan()",
+            "    sear.simSleep(1)",
+            "    assert seen == [181] * (i + 2), seen")));
+    }
+
+    @Test
+    public void itLeavesNothingInMyRobotLabsLists() throws Exception {
+        run("lidar.addListener('publishLidarData', python.getName(), 'fenceQuiet')",
+            "def fenceQuiet(data): seen.append(1)",
+            "lidar.singleScan()",
+            "sear.simSleep(1)",
+            "assert seen == [1]");
+        SEAR sear = (SEAR) Runtime.getService("sear");
+        assertEquals("[fenceStatus]", sear.getAttached().toString());
+        assertEquals("[python]", Runtime.getService("fenceLidar").getAttached().toString().replaceAll("@\\w+", ""));
+        assertTrue(TimeUnit.SECONDS.toMillis(1) > python.getInbox().size());
+    }
+}

@@ -12,6 +12,7 @@ import org.myrobotlab.service.gps.NmeaReader;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 import org.myrobotlab.service.link.PanelFiles;
 import org.myrobotlab.service.link.SerialLink;
+import org.myrobotlab.service.link.Warnings;
 
 /**
  * Reads a GPS receiver that sends NMEA sentences, real or simulated, on any port of MyRobotLab's Serial service.
@@ -65,7 +66,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     public synchronized void startService() {
         super.startService();
         if (link == null) {
-            link = new SerialLink((Serial) startPeer(PEER), this, this::tick);
+            link = new SerialLink((Serial) startPeer(PEER), this, this::tick, this::lost);
         }
     }
 
@@ -86,6 +87,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
             startService();
         }
         checkedBaud(baud);
+        disconnect();
         reader.reset();
         silent = false;
         fix = false;
@@ -111,8 +113,24 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     public void disconnect() {
         if (link != null) {
             link.disconnect();
-            connected = false;
-            broadcastState();
+            if (connected) {
+                gone();
+            }
+        }
+    }
+
+    private void gone() {
+        connected = false;
+        broadcastState();
+    }
+
+    /** Looks whether the port was closed by somebody else, and says so. */
+    private synchronized void lost() {
+        if (connected && link.isLost()) {
+            String port = link.getPortName();
+            gone();
+            info("port %s was closed: reconnectSerial() when it is back", port);
+            link.close();
         }
     }
 
@@ -158,7 +176,8 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     }
 
     private void send(String sentence) {
-        if (!connected) {
+        if (!isConnected()) {
+            lost();
             throw new IllegalStateException(getName() + " is not connected: call connect(port) first");
         }
         link.write(sentence.getBytes(StandardCharsets.US_ASCII));
@@ -166,7 +185,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
 
     /** Whether a port is open. */
     public boolean isConnected() {
-        return connected;
+        return connected && !link.isLost();
     }
 
     /** Names of the ports that there are, in order; published to the panel. */
@@ -235,7 +254,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
             try {
                 onGga(new GgaFix(sentence));
             } catch (IllegalArgumentException e) {
-                warn("%s sent a GGA sentence that makes no sense: %s", getName(), sentence);
+                Warnings.publish(this, "%s sent a GGA sentence that makes no sense: %s", getName(), sentence);
             }
         }
     }
@@ -278,7 +297,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
             if (fix) {
                 info("%s has a fix", getName());
             } else {
-                warn("%s has lost its fix", getName());
+                Warnings.publish(this, "%s has lost its fix", getName());
             }
         }
         invoke("publishGGAData", (Object) received.tokens);
@@ -294,8 +313,8 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         }
         if (connected && !silent && link.now() - lastHeard > SILENCE) {
             silent = true;
-            warn("no data from %s on port %s at %d baud for %s s: is it switched on, and is this its baud rate?", getName(), link.getPortName(),
-                link.getBaud(), SILENCE);
+            Warnings.publish(this, "no data from %s on port %s at %d baud for %s s: is it switched on, and is this its baud rate?", getName(),
+                link.getPortName(), link.getBaud(), SILENCE);
             broadcastState();
         }
     }
@@ -305,15 +324,11 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         log.info("{} connected to {}", getName(), portName);
     }
 
-    /** The port was closed, by this service or by whoever owns it. */
+    /** The port is being closed, by this service or by whoever owns it. Some MyRobotLabs say so before it is closed: {@link SerialLink} looks again. */
     @Override
     public void onDisconnect(String portName) {
-        if (link != null && link.isLost()) {
-            link.close();
-            connected = false;
-            info("port %s was closed: reconnectSerial() when it is back", portName);
-            broadcastState();
-        }
+        log.info("{} disconnected from {}", getName(), portName);
+        lost();
     }
 
     @Override

@@ -8,6 +8,7 @@ import org.myrobotlab.service.config.LIDARConfig;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 import org.myrobotlab.service.lidar.LmsScan;
 import org.myrobotlab.service.lidar.LmsDevice;
+import org.myrobotlab.service.link.FindsBaudRate;
 import org.myrobotlab.service.link.PanelFiles;
 import org.myrobotlab.service.link.SerialLink;
 
@@ -25,7 +26,7 @@ import org.myrobotlab.service.link.SerialLink;
  * <p>Every call returns at once; what was asked is sent one after the other, each when the former was answered, and repeated when the device
  * refuses it or stays silent. Errors are published as error statuses. Any thread.
  */
-public class LIDAR extends Service<LIDARConfig> implements SerialDataListener {
+public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, FindsBaudRate {
     private static final long serialVersionUID = 1L;
     private static final String PEER = "serial";
 
@@ -53,7 +54,7 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener {
         if (device == null) {
             Serial serial = (Serial) startPeer(PEER);
             device = new LmsDevice(new LidarEvents(this));
-            link = new SerialLink(serial, this, device::tick);
+            link = new SerialLink(serial, this, device::tick, this::lost);
             device.attach(link);
         }
     }
@@ -74,7 +75,7 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener {
             startService();
         }
         LmsDevice.checkedBaud(baud);
-        device.clear();
+        disconnect();
         link.connect(port, baud);
         config.baud = baud;
         config.port = port;
@@ -101,9 +102,21 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener {
 
     private void gone() {
         device.clear();
-        connected = false;
-        streaming = false;
-        broadcastState();
+        if (connected) {
+            connected = false;
+            streaming = false;
+            broadcastState();
+        }
+    }
+
+    /** Looks whether the port was closed by somebody else, and says so. */
+    private synchronized void lost() {
+        if (connected && link.isLost()) {
+            String port = link.getPortName();
+            gone();
+            info("port %s was closed: reconnectSerial() when it is back", port);
+            link.close();
+        }
     }
 
     /** @param model LMS200, LMS211, LMS220, LMS221 or LMS291: they talk alike */
@@ -119,7 +132,7 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener {
      */
     public void setBaud(int baud) {
         LmsDevice.checkedBaud(baud);
-        if (connected) {
+        if (isConnected()) {
             device.setBaud(baud);
         } else {
             config.baud = baud;
@@ -161,7 +174,8 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener {
     }
 
     private LmsDevice ready() {
-        if (!connected) {
+        if (!isConnected()) {
+            lost();
             throw new IllegalStateException(getName() + " is not connected: call connect(port) first");
         }
         return device;
@@ -169,7 +183,7 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener {
 
     /** Whether a port is open. */
     public boolean isConnected() {
-        return connected;
+        return connected && !link.isLost();
     }
 
     /** Names of the ports that there are, in order; published to the panel. */
@@ -262,14 +276,11 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener {
         log.info("{} connected to {}", getName(), portName);
     }
 
-    /** The port was closed, by this service or by whoever owns it. */
+    /** The port is being closed, by this service or by whoever owns it. Some MyRobotLabs say so before it is closed: {@link SerialLink} looks again. */
     @Override
     public void onDisconnect(String portName) {
-        if (link != null && link.isLost()) {
-            link.close();
-            gone();
-            info("port %s was closed: reconnectSerial() when it is back", portName);
-        }
+        log.info("{} disconnected from {}", getName(), portName);
+        lost();
     }
 
     @Override

@@ -3,6 +3,7 @@ package org.myrobotlab.service;
 import java.util.List;
 import org.myrobotlab.framework.MRLListener;
 import org.myrobotlab.framework.Service;
+import org.myrobotlab.service.link.Warnings;
 import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.SensorReading;
 import org.slf4j.Logger;
@@ -38,7 +39,7 @@ final class SearHost implements Host {
 
     @Override
     public void warn(String message) {
-        service.warn("%s", message);
+        Warnings.publish(service, "%s", message);
     }
 
     @Override

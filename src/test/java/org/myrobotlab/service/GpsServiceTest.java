@@ -68,10 +68,28 @@ public class GpsServiceTest {
     public void lossOfTheFixIsReportedOnce() throws Exception {
         gps.connect(PORT);
         say(SOUTH_CAROLINA + NO_FIX + NO_FIX);
-        assertTrue(heard.awaitStatus("has lost its fix"));
+        assertTrue(heard.awaitStatus("warn: testGps has lost its fix"));
         say(SOUTH_CAROLINA);
         assertTrue(heard.awaitStatus("has a fix"));
         assertEquals(1, heard.getStatuses().stream().filter(status -> status.contains("has lost its fix")).count());
+    }
+
+    @Test
+    public void aPortThatSomebodyElseClosesIsNoticed() throws Exception {
+        gps.connect(PORT);
+        ((Serial) Runtime.getService("testGps.serial")).disconnect();
+        assertTrue(heard.awaitStatus("port " + PORT + " was closed: reconnectSerial() when it is back"));
+        assertFalse(gps.isConnected());
+        try {
+            gps.sendCommand("PMTK605");
+            fail("sent");
+        } catch (IllegalStateException e) {
+            assertEquals("testGps is not connected: call connect(port) first", e.getMessage());
+        }
+        gps.addListener("publishGPS", "positions", "onValue");
+        gps.reconnectSerial();
+        say(SOUTH_CAROLINA);
+        assertEquals(1, heard.await(1).size());
     }
 
     @Test

@@ -3,6 +3,7 @@ package org.myrobotlab.service;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.myrobotlab.codec.CodecUtils;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.framework.Status;
 import org.myrobotlab.service.config.ServiceConfig;
@@ -14,6 +15,7 @@ public class Heard extends Service<ServiceConfig> {
 
     private final transient List<Object> values = new ArrayList<>();
     private final transient List<String> statuses = new ArrayList<>();
+    private final transient List<String> states = new ArrayList<>();
 
     /** As MyRobotLab makes services. */
     public Heard(String name, String id) {
@@ -28,6 +30,16 @@ public class Heard extends Service<ServiceConfig> {
     /** A status of another service. */
     public void onStatus(Status status) {
         keep(statuses, status.level + ": " + status.detail);
+    }
+
+    /** The state of another service, as a panel sees it at that moment. */
+    public void onState(Service<?> state) {
+        keep(states, CodecUtils.toJson(state));
+    }
+
+    /** Waits for a state with this text. @return whether it came */
+    public boolean awaitState(String part) throws InterruptedException {
+        return await(states, part);
     }
 
     private <T> void keep(List<T> list, T value) {
@@ -50,12 +62,16 @@ public class Heard extends Service<ServiceConfig> {
 
     /** Waits for a status with this text. @return whether it came */
     public boolean awaitStatus(String part) throws InterruptedException {
+        return await(statuses, part);
+    }
+
+    private boolean await(List<String> texts, String part) throws InterruptedException {
         long end = System.nanoTime() + PATIENCE;
         synchronized (values) {
-            while (statuses.stream().noneMatch(status -> status.contains(part)) && System.nanoTime() < end) {
+            while (texts.stream().noneMatch(text -> text.contains(part)) && System.nanoTime() < end) {
                 values.wait(50);
             }
-            return statuses.stream().anyMatch(status -> status.contains(part));
+            return texts.stream().anyMatch(text -> text.contains(part));
         }
     }
 

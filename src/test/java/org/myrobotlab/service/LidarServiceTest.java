@@ -212,6 +212,41 @@ public class LidarServiceTest {
     }
 
     @Test
+    public void aPortThatSomebodyElseClosesIsNoticed() throws Exception {
+        lidar.connect(PORT);
+        lidar.addListener("publishState", "rawScans", "onState");
+        ((Serial) Runtime.getService("testLidar.serial")).disconnect();
+        assertTrue(raw.awaitStatus("port " + PORT + " was closed: reconnectSerial() when it is back"));
+        assertFalse(lidar.isConnected());
+        assertTrue(raw.awaitState("\"connected\":false"));
+        withoutConnectionScanningSaysSo();
+        lidar.reconnectSerial();
+        lidar.singleScan();
+        assertEquals(1, raw.await(1).size());
+    }
+
+    @Test
+    public void aVirtualPortThatIsGoneIsNoticed() throws Exception {
+        lidar.connect(PORT);
+        device.close();
+        withoutConnectionScanningSaysSo();
+        assertTrue(raw.awaitStatus("port " + PORT + " was closed"));
+    }
+
+    @Test
+    public void aRealPortThatCantBeOpenedIsAnsweredWithThoseThereAre() throws Exception {
+        lidar.connect(PORT);
+        try {
+            lidar.connect("/dev/nothing_here");
+            fail("connected to nothing");
+        } catch (IOException e) {
+            assertTrue(e.getMessage(), e.getMessage().matches("testLidar can't connect to port \"/dev/nothing_here\": .*; there are the ports .*"
+                + PORT + ".*"));
+        }
+        assertFalse("the old port was closed first", lidar.isConnected());
+    }
+
+    @Test
     public void reconnectingTakesTheSamePort() throws Exception {
         lidar.connect(PORT);
         lidar.disconnect();

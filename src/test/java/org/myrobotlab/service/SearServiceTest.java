@@ -177,6 +177,15 @@ public class SearServiceTest {
         lidar.singleScan();
         sear.simSleep(30);
         assertNotNull(heard.getStatuses().toString(), lidar.getLastScan());
+        assertFalse("probing is not the user's: " + heard.getStatuses(), heard.getStatuses().toString().contains("was set to"));
+    }
+
+    @Test
+    public void whoSetsAnotherRateThanTheDevicesIsWarned() throws Exception {
+        sear.startSimulation();
+        Serial serial = (Serial) Runtime.start("testSerial", "Serial");
+        serial.connect(TestWorld.LIDAR_PORT, 9600, 8, 1, 0);
+        assertTrue(heard.awaitStatus("warn: LIDAR scanner talks at 38400 baud, but port " + TestWorld.LIDAR_PORT + " was set to 9600"));
     }
 
     @Test

@@ -26,8 +26,10 @@ public final class SerialLink {
     private final Serial serial;
     private final SerialDataListener driver;
     private final Runnable tick;
+    private final Runnable lost;
     private ScheduledExecutorService timer;
     private volatile PortClock clock = PortClock.WALL;
+    private volatile Port opened;
     private volatile int baud;
     private volatile String portName;
 
@@ -35,11 +37,13 @@ public final class SerialLink {
      * @param serial the service to connect with
      * @param driver gets the bytes, on the port's reader thread
      * @param tick called again and again while connected, in lock-step after each step, for time-outs
+     * @param lost called within a second, again and again, while {@link #isLost}: whoever it is calls {@link #close}
      */
-    public SerialLink(Serial serial, SerialDataListener driver, Runnable tick) {
+    public SerialLink(Serial serial, SerialDataListener driver, Runnable tick, Runnable lost) {
         this.serial = serial;
         this.driver = driver;
         this.tick = tick;
+        this.lost = lost;
     }
 
     /** Opens a port; a connection to another is closed first. @throws IOException that says what is wrong and which ports there are */
@@ -53,12 +57,14 @@ public final class SerialLink {
             serial.connect(port, newBaud, DATA_BITS, STOP_BITS, NO_PARITY);
         } catch (IllegalStateException | IllegalArgumentException e) {
             throw new IOException(driver.getName() + " can't connect: " + e.getMessage(), e);
+        } catch (IOException e) {
+            throw new IOException(driver.getName() + " can't connect to port \"" + port + "\": " + e.getMessage() + "; there are " + known(), e);
         }
         if (!port.equals(serial.getPortName())) {
             throw new IOException(driver.getName() + " can't connect to port \"" + port + "\": there is no such port, or it is in use; there are "
                 + known());
         }
-        Port opened = serial.getPort();
+        opened = serial.getPort();
         clock = opened instanceof VirtualSerialPort ? ((VirtualSerialPort) opened).getClock() : PortClock.WALL;
         baud = newBaud;
         portName = port;
@@ -74,7 +80,9 @@ public final class SerialLink {
     }
 
     private void tickByWall() {
-        if (!clock.isLockStep()) {
+        if (isLost()) {
+            lost.run();
+        } else if (!clock.isLockStep()) {
             tick.run();
         }
     }
@@ -111,9 +119,9 @@ public final class SerialLink {
         return portName != null;
     }
 
-    /** Whether the port was closed by somebody else. */
+    /** Whether the port was closed by somebody else, at the Serial service or, if it is a virtual one, by itself. */
     public boolean isLost() {
-        return portName != null && !serial.isConnected();
+        return portName != null && (!serial.isConnected() || opened instanceof VirtualSerialPort && !opened.isOpen());
     }
 
     /** Name of the port that is open; null if none is. */

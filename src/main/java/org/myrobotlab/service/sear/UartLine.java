@@ -10,6 +10,7 @@ import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.Serial;
 import org.myrobotlab.service.interfaces.SerialDataListener;
+import org.myrobotlab.service.link.FindsBaudRate;
 
 /**
  * The way between the user's port and a simulated device: two virtual ports with a null-modem cable, at whose device end one of MyRobotLab's
@@ -63,13 +64,22 @@ final class UartLine {
             throw new IOException("a service named " + serviceName + " exists already and is no Serial service: release it first");
         }
         serial = (Serial) started;
+        leaveOutOfSavedConfigurations();
         serial.connect(uart.getName());
         serial.addListener(PUBLISHER, host.getName(), CALLBACK);
         line.setSink(this::toUser);
     }
 
+    /** A saved configuration starts the services that the Runtime's names: this one belongs to the simulation, not to the user. */
+    private void leaveOutOfSavedConfigurations() {
+        Runtime.getInstance().getConfig().remove(serviceName);
+    }
+
     private void hostBaud(int baud) {
         line.setHostBaud(baud);
+        if (user.getListeners().stream().anyMatch(FindsBaudRate.class::isInstance)) {
+            return;
+        }
         if (baud != 0 && baud != line.getDeviceBaud()) {
             host.warn(line.getObjectType() + " " + line.getObjectName() + " talks at " + line.getDeviceBaud() + " baud, but port " + user.getName()
                 + " was set to " + baud + ": they won't understand each other");

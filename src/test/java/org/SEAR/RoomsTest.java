@@ -23,7 +23,7 @@ public class RoomsTest {
     /** Top to bottom. */
     private static final List<String> ROOMS = Arrays.asList("org.myrobotlab.service", "org.myrobotlab.serial", "org.SEAR.view", "org.SEAR.simulator",
         "org.SEAR.robot", "org.SEAR.physics", "org.SEAR.devices", "org.SEAR.sensors", "org.SEAR.raycast", "org.SEAR.collision", "org.SEAR.project",
-        "org.SEAR.geometry", "org.SEAR.POJOs");
+        "org.SEAR.geometry", "org.SEAR.POJOs", "org.SEAR.protocol");
     private static final List<String> CORE = ROOMS.subList(3, ROOMS.size());
     private static final Pattern NAME = Pattern.compile("\\b(?:org|com)\\.[A-Za-z0-9_.]+");
     private static final Path SOURCES = Paths.get(System.getProperty("sear.root", "."), "src/main/java");
@@ -57,6 +57,15 @@ public class RoomsTest {
             }
         }
         assertEquals(Collections.emptyList(), wrong);
+    }
+
+    @Test
+    public void protocolsKnowNothingButTheJdk() throws IOException {
+        for (Path file : sources()) {
+            if (room(packageOf(file)).equals("org.SEAR.protocol")) {
+                assertTrue(file.toString(), namesIn(file).stream().allMatch(name -> name.startsWith("org.SEAR.protocol")));
+            }
+        }
     }
 
     @Test

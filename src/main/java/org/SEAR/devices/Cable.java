@@ -1,5 +1,7 @@
 package org.SEAR.devices;
 
+import org.SEAR.protocol.Uart;
+
 /**
  * The {@link SerialLine} of one device. Both directions carry 10 bits a byte in simulated time, and a device that streams into a sink that does not
  * read loses nothing: bytes wait in the cable. What the user's end writes waits too, up to {@link #MAX_WAITING} bytes; what comes on top is dropped
@@ -8,8 +10,6 @@ package org.SEAR.devices;
 public final class Cable implements SerialLine {
     /** Most bytes from the user's end that wait for their turn. */
     public static final int MAX_WAITING = 1 << 20;
-    /** Bits that a byte takes on the line: start, eight of data, stop. */
-    private static final double BITS = 10;
     /** What a byte looks like at the wrong speed. */
     private static final int GARBLE = 0xA5;
     private static final int FIRST_SIZE = 256;
@@ -114,7 +114,7 @@ public final class Cable implements SerialLine {
     public void run(double end) {
         while (toDeviceFrom < toDeviceEnd) {
             int speed = speedOfHost();
-            double arrival = toDeviceTime + BITS / speed;
+            double arrival = toDeviceTime + Uart.seconds(1, speed);
             if (arrival > end) {
                 break;
             }
@@ -144,7 +144,7 @@ public final class Cable implements SerialLine {
         if (toHostEnd + bytes.length > toHost.length) {
             makeRoom(bytes.length);
         }
-        double byteTime = BITS / device.getBaud();
+        double byteTime = Uart.seconds(1, device.getBaud());
         boolean garbled = speedOfHost() != device.getBaud();
         freeAt = Math.max(freeAt, time);
         for (byte each : bytes) {

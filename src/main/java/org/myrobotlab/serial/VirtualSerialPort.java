@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
+import org.SEAR.protocol.Uart;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 
 /**
@@ -29,7 +30,6 @@ public class VirtualSerialPort extends Port {
     /** Most bytes handed over at a time: MyRobotLab's own reader fails on more than 999. */
     static final int CHUNK = 512;
 
-    private static final double BITS_PER_BYTE = 10;
     private static final int LOWEST_BAUD = 50;
     private static final int HIGHEST_BAUD = 4_000_000;
     private static final int DEFAULT_BAUD = 115200;
@@ -222,7 +222,7 @@ public class VirtualSerialPort extends Port {
             throw new IOException("nothing is plugged into port " + portName
                 + ": start the simulation that has it, or join it to another with VirtualSerialPort.makeNullModem");
         }
-        other.arrive(data.clone(), paced && other.paced ? BITS_PER_BYTE / Math.min(rate, other.rate) : 0);
+        other.arrive(data.clone(), paced && other.paced ? Uart.seconds(1, Math.min(rate, other.rate)) : 0);
     }
 
     private void arrive(byte[] data, double byteTime) {

@@ -5,10 +5,13 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import org.SEAR.protocol.Uart;
+import org.SEAR.protocol.nmea.Nmea;
+import org.SEAR.protocol.nmea.Pmtk;
+import org.SEAR.protocol.nmea.SentenceReader;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.GPSConfig;
 import org.myrobotlab.service.gps.GgaFix;
-import org.myrobotlab.service.gps.NmeaReader;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 import org.myrobotlab.service.link.PanelFiles;
 import org.myrobotlab.service.link.SerialLink;
@@ -30,13 +33,10 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     private static final String PEER = "serial";
     private static final List<String> MODELS = Arrays.asList("FV-M8", "MT3301", "MT3329", "NMEA");
     private static final String PLAIN = "NMEA";
-    /** The question for the firmware, and what its answer starts with. */
-    private static final String ASK_FIRMWARE = "PMTK605";
-    private static final String FIRMWARE = "$PMTK705,";
-    private static final List<Integer> BAUDS = Arrays.asList(4800, 9600, 14400, 19200, 38400, 57600, 115200);
+    /** What the answer to the question for the firmware starts with. */
+    private static final String FIRMWARE = "$" + Pmtk.RELEASE.body() + ",";
     /** Receivers send once a second; this long without a good sentence is a loss. Seconds. */
     private static final double SILENCE = 5;
-    private static final double BITS_PER_BYTE = 10;
     /** Pause between the command to change the rate and the change, beyond the command's own length. Seconds. */
     private static final double BEFORE_BAUD_CHANGE = 0.1;
 
@@ -44,7 +44,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         PanelFiles.install(GPS.class);
     }
 
-    private final transient NmeaReader reader = new NmeaReader(this::onSentence);
+    private final transient SentenceReader reader = new SentenceReader(this::onSentence);
     private transient SerialLink link;
     private transient double lastHeard;
     private transient double changeBaudAt = Double.POSITIVE_INFINITY;
@@ -145,17 +145,17 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         if (connected && PLAIN.equals(config.model)) {
             link.setBaud(baud);
         } else if (connected) {
-            String command = NmeaReader.framed("PMTK251," + baud);
+            String command = Nmea.sentence(Pmtk.SET_BAUD.body(baud));
             send(command);
             nextBaud = baud;
-            changeBaudAt = link.now() + command.length() * BITS_PER_BYTE / old + BEFORE_BAUD_CHANGE;
+            changeBaudAt = link.now() + Uart.seconds(command.length(), old) + BEFORE_BAUD_CHANGE;
         }
         broadcastState();
     }
 
     private static int checkedBaud(int baud) {
-        if (!BAUDS.contains(baud)) {
-            throw new IllegalArgumentException("GPS baud rate is " + baud + ", legal: " + BAUDS);
+        if (!Pmtk.BAUDS.contains(baud)) {
+            throw new IllegalArgumentException("GPS baud rate is " + baud + ", legal: " + Pmtk.BAUDS);
         }
         return baud;
     }
@@ -172,7 +172,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
 
     /** Sends a command of the receiver, given without {@code $} and check sum: {@code "PMTK220,200"}. */
     public void sendCommand(String body) {
-        send(NmeaReader.framed(body));
+        send(Nmea.sentence(body));
     }
 
     private void send(String sentence) {
@@ -263,7 +263,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         asked = true;
         if (!PLAIN.equals(config.model)) {
             try {
-                sendCommand(ASK_FIRMWARE);
+                sendCommand(Pmtk.QUERY_RELEASE.body());
             } catch (IllegalStateException e) {
                 log.info("{} can't be asked for its firmware: {}", getName(), e.getMessage());
             }

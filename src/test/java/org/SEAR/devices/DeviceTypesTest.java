@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.ServiceLoader;
 import org.SEAR.POJOs.TextRule;
 import org.SEAR.devices.gps.GpsModel;
-import org.SEAR.devices.lms.Variant;
+import org.SEAR.protocol.lms.Variant;
 import org.SEAR.devices.oi.OiModel;
 import org.junit.Test;
 

@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import org.SEAR.Bytes;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.Truth;
 

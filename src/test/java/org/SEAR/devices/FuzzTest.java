@@ -5,6 +5,7 @@ import static org.junit.Assert.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.util.Random;
 import java.util.function.Function;
+import org.SEAR.Bytes;
 import org.SEAR.devices.gps.GpsModel;
 import org.SEAR.devices.gps.Mt3301;
 import org.SEAR.devices.lms.Devices;

@@ -11,12 +11,12 @@ import java.util.Arrays;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
-import org.myrobotlab.service.gps.NmeaReader;
+import org.SEAR.protocol.nmea.Nmea;
 
 /** The GPS service with a receiver that says what real ones said. */
 public class GpsServiceTest {
     private static final String PORT = "/dev/test_gps";
-    private static final String SOUTH_CAROLINA = NmeaReader.framed("GPGGA,120000.000,3336.6000,N,08051.8999,W,1,8,1.0,182.5,M,-33.0,M,,");
+    private static final String SOUTH_CAROLINA = Nmea.sentence("GPGGA,120000.000,3336.6000,N,08051.8999,W,1,8,1.0,182.5,M,-33.0,M,,");
     private static final String NO_FIX = "$GPGGA,235946.005,8960.000000,N,00000.000000,E,0,0,,137.000,M,13.000,M,,*49\r\n";
 
     private FarEnd receiver;
@@ -114,11 +114,11 @@ public class GpsServiceTest {
         gps.connect(PORT);
         say(SOUTH_CAROLINA);
         assertEquals(FarEnd.hex("$PMTK605*31\r\n".getBytes(StandardCharsets.US_ASCII)), String.join(" ", receiver.await(1)));
-        say(NmeaReader.framed("PMTK705,AXN_1.30,0000,20090609,"));
+        say(Nmea.sentence("PMTK705,AXN_1.30,0000,20090609,"));
         heard.await(2);
         assertEquals("AXN_1.30", gps.getFirmware());
         assertEquals("MT3329", gps.getConfig().model);
-        say(SOUTH_CAROLINA + NmeaReader.framed("PMTK705,MTK3301_1.0,0000,20090609,"));
+        say(SOUTH_CAROLINA + Nmea.sentence("PMTK705,MTK3301_1.0,0000,20090609,"));
         assertEquals(4, heard.await(4).size());
         assertEquals("MT3301", gps.getConfig().model);
         assertEquals("asked once", 1, receiver.await(1).size());

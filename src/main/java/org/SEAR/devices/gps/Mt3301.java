@@ -3,6 +3,8 @@ package org.SEAR.devices.gps;
 import java.nio.charset.StandardCharsets;
 import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.SerialDevice;
+import org.SEAR.protocol.nmea.Nmea;
+import org.SEAR.protocol.nmea.SentenceReader;
 import org.SEAR.sensors.GpsFix;
 
 /**
@@ -12,7 +14,6 @@ import org.SEAR.sensors.GpsFix;
 public final class Mt3301 implements SerialDevice {
     /** Bits a second of a receiver as delivered. */
     public static final int DEFAULT_BAUD = 38400;
-    private static final int MAX_LINE = 255;
     private static final double MILLIS = 1000;
     private static final String RESTARTED = "$POLYN,TIME,RESTART_OCCURRED\r\n$POLYN,EPH,0,00000000\r\n$POLYN,ALM,0,00000000\r\n";
 
@@ -21,7 +22,7 @@ public final class Mt3301 implements SerialDevice {
     private final int powerOnPeriod;
     private final long timeToFix;
     private final DeviceContext context;
-    private final StringBuilder line = new StringBuilder();
+    private final SentenceReader reader = new SentenceReader(this::onSentence);
     private PmtkCommands commands;
     private OutputRates rates;
     private int period;
@@ -32,6 +33,7 @@ public final class Mt3301 implements SerialDevice {
     private int baud;
     private int nextBaud;
     private double switchAt;
+    private double heardAt;
 
     /** @param baud bits a second at power-on @param rate fixes a second at power-on @param timeToFix seconds without a fix after power-on */
     public Mt3301(GpsModel model, int baud, double rate, double timeToFix, DeviceContext context) {
@@ -58,7 +60,7 @@ public final class Mt3301 implements SerialDevice {
         fixNumber = 0;
         firstFix = timeToFix;
         greeted = false;
-        line.setLength(0);
+        reader.reset();
     }
 
     @Override
@@ -69,24 +71,22 @@ public final class Mt3301 implements SerialDevice {
     @Override
     public void receive(int value, double time) {
         advance(time);
-        if (value == '$') {
-            line.setLength(0);
-        }
-        if (value == '\n' || value == '\r') {
-            String body = Nmea.body(line.toString());
-            line.setLength(0);
-            if (body != null) {
-                commands.execute(body, time);
-            }
-        } else if (line.length() < MAX_LINE && (value == '$' || line.length() > 0)) {
-            line.append((char) value);
+        heardAt = time;
+        reader.accept(value);
+    }
+
+    /** Commands without checksum are not obeyed. */
+    private void onSentence(String sentence) {
+        String body = Nmea.body(sentence);
+        if (body != null) {
+            commands.execute(body, heardAt);
         }
     }
 
     @Override
     public void receiveGarbage(double time) {
         advance(time);
-        line.setLength(0);
+        reader.reset();
     }
 
     @Override
@@ -107,7 +107,7 @@ public final class Mt3301 implements SerialDevice {
         if (nextBaud != 0 && time >= switchAt) {
             baud = nextBaud;
             nextBaud = 0;
-            line.setLength(0);
+            reader.reset();
         }
     }
 

@@ -1,8 +1,7 @@
 package org.SEAR.devices.gps;
 
 import java.util.Arrays;
-import java.util.List;
-import java.util.Locale;
+import org.SEAR.protocol.nmea.Pmtk;
 
 /** The commands of MediaTek receivers, for example {@code $PMTK220,200*2C}, each answered by {@code $PMTK001,220,3*30}. */
 final class PmtkCommands {
@@ -12,7 +11,8 @@ final class PmtkCommands {
     private static final int UNSUPPORTED = 1;
     private static final int FAILED = 2;
     private static final int DONE = 3;
-    private static final List<Integer> BAUDS = Arrays.asList(4800, 9600, 14400, 19200, 38400, 57600, 115200);
+    /** From this number on commands are questions, which are answered instead of acknowledged. */
+    private static final int FIRST_QUERY = 400;
 
     private final Mt3301 device;
     private int dgps;
@@ -27,11 +27,11 @@ final class PmtkCommands {
         String[] parts = body.split(",", -1);
         if (parts[0].equals("PQBAUD") && parts.length == 3) {
             int baud = number(parts[2]);
-            if (BAUDS.contains(baud)) {
+            if (Pmtk.BAUDS.contains(baud)) {
                 device.changeBaud(baud, time);
             }
-        } else if (parts[0].matches("PMTK\\d{3}")) {
-            run(Integer.parseInt(parts[0].substring(4)), Arrays.stream(parts).skip(1).mapToInt(PmtkCommands::number).toArray(), time);
+        } else if (Pmtk.numberOf(parts[0]) >= 0) {
+            run(Pmtk.numberOf(parts[0]), Arrays.stream(parts).skip(1).mapToInt(PmtkCommands::number).toArray(), time);
         }
     }
 
@@ -39,71 +39,68 @@ final class PmtkCommands {
         return text.matches("-?\\d{1,8}") ? Integer.parseInt(text) : Integer.MIN_VALUE;
     }
 
-    private void run(int command, int[] a, double time) {
-        int answer = query(command, time) ? DONE : set(command, a, time);
-        if (command < 400 || command == 604 || answer != DONE) {
-            acknowledge(command, answer, time);
+    private void run(int number, int[] a, double time) {
+        Pmtk command = Pmtk.of(number);
+        int flag = command == null ? UNSUPPORTED : answer(command, time) ? DONE : set(command, a, time);
+        if (number < FIRST_QUERY || command == Pmtk.QUERY_FIRMWARE || flag != DONE) {
+            device.answer(Pmtk.ACKNOWLEDGE.body(number, flag), time);
         }
-        if (command == 251 && answer == DONE) {
+        if (command == Pmtk.SET_BAUD && flag == DONE) {
             device.changeBaud(a[0] == 0 ? Mt3301.DEFAULT_BAUD : a[0], time);
         }
     }
 
-    private void acknowledge(int command, int flag, double time) {
-        device.answer(String.format(Locale.ROOT, "PMTK001,%d,%d", command, flag), time);
-    }
-
     /** Questions. @return whether it was one */
-    private boolean query(int command, double time) {
+    private boolean answer(Pmtk command, double time) {
         switch (command) {
-            case 400:
-                device.answer("PMTK500," + device.getPeriod() + ",0,0,0,0", time);
+            case QUERY_FIX_INTERVAL:
+                device.answer(Pmtk.FIX_INTERVAL.body(device.getPeriod(), 0, 0, 0, 0), time);
                 return true;
-            case 401:
-                device.answer("PMTK501," + dgps, time);
+            case QUERY_DGPS:
+                device.answer(Pmtk.DGPS.body(dgps), time);
                 return true;
-            case 413:
-                device.answer("PMTK513," + sbas, time);
+            case QUERY_SBAS:
+                device.answer(Pmtk.SBAS.body(sbas), time);
                 return true;
-            case 414:
-                device.answer("PMTK514" + device.getRates().describe(), time);
+            case QUERY_OUTPUT:
+                device.answer(Pmtk.OUTPUT.body() + device.getRates().describe(), time);
                 return true;
-            case 604:
+            case QUERY_FIRMWARE:
                 return true;
-            case 605:
-                device.answer("PMTK705," + device.getModel().getRelease() + ",0000,20090609,", time);
+            case QUERY_RELEASE:
+                device.answer(Pmtk.RELEASE.body(device.getModel().getRelease(), "0000", "20090609", ""), time);
                 return true;
             default:
                 return false;
         }
     }
 
-    private int set(int command, int[] a, double time) {
+    private int set(Pmtk command, int[] a, double time) {
         switch (command) {
-            case 0:
-            case 320:
+            case TEST:
+            case SET_POWER_SAVING:
                 return DONE;
-            case 101:
-            case 102:
+            case HOT_START:
+            case WARM_START:
                 device.restart(false, time);
                 return DONE;
-            case 103:
-            case 104:
+            case COLD_START:
+            case FULL_COLD_START:
                 device.restart(true, time);
                 return DONE;
-            case 220:
+            case SET_PERIOD:
                 return a.length != 1 || a[0] < 0 ? INVALID : device.setPeriod(a[0], time) ? DONE : FAILED;
-            case 300:
+            case SET_FIX_INTERVAL:
                 return a.length < 1 || a[0] < 0 ? INVALID : device.setPeriod(a[0], time) ? DONE : FAILED;
-            case 251:
-                return a.length == 1 && (a[0] == 0 || BAUDS.contains(a[0])) ? DONE : INVALID;
-            case 301:
+            case SET_BAUD:
+                return a.length == 1 && (a[0] == 0 || Pmtk.BAUDS.contains(a[0])) ? DONE : INVALID;
+            case SET_DGPS:
                 dgps = first(a, dgps, 2);
                 return first(a, -1, 2) < 0 ? INVALID : DONE;
-            case 313:
+            case SET_SBAS:
                 sbas = first(a, sbas, 1);
                 return first(a, -1, 1) < 0 ? INVALID : DONE;
-            case 314:
+            case SET_OUTPUT:
                 return setOutput(a);
             default:
                 return UNSUPPORTED;

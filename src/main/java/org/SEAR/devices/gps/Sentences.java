@@ -5,6 +5,7 @@ import java.time.ZoneOffset;
 import java.time.ZonedDateTime;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
+import org.SEAR.protocol.nmea.Nmea;
 import org.SEAR.sensors.GpsFix;
 
 /**
@@ -67,8 +68,8 @@ final class Sentences {
 
     private String position() {
         int decimals = model.getMinuteDecimals();
-        return Nmea.degrees(fix.getLatitude(), 2, decimals) + (fix.getLatitude() < 0 ? ",S," : ",N,")
-            + Nmea.degrees(fix.getLongitude(), 3, decimals) + (fix.getLongitude() < 0 ? ",W" : ",E");
+        return Nmea.degrees(fix.getLatitude(), Nmea.LATITUDE_DIGITS, decimals) + (fix.getLatitude() < 0 ? ",S," : ",N,")
+            + Nmea.degrees(fix.getLongitude(), Nmea.LONGITUDE_DIGITS, decimals) + (fix.getLongitude() < 0 ? ",W" : ",E");
     }
 
     private String knots() {

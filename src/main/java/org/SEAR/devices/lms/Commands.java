@@ -1,40 +1,22 @@
 package org.SEAR.devices.lms;
 
 import java.nio.charset.StandardCharsets;
+import org.SEAR.protocol.lms.Baud;
+import org.SEAR.protocol.lms.Command;
+import org.SEAR.protocol.lms.Configuration;
+import org.SEAR.protocol.lms.OperatingMode;
+import org.SEAR.protocol.lms.Payload;
+import org.SEAR.protocol.lms.Status;
+import org.SEAR.protocol.lms.StatusByte;
+import org.SEAR.protocol.lms.Telegram;
+import org.SEAR.protocol.lms.Variant;
 
 /**
  * What each request does, and its reply. A request that the present mode does not permit, or that is unknown, is answered by 92h. Source: SICK
  * telegram listing, chapter 7.
  */
 final class Commands {
-    /** Status byte without warnings: LMS type 6. */
-    static final int STATUS_OK = 0x10;
-
-    private static final int RESET = 0x10;
-    private static final int MODE = 0x20;
-    private static final int SCAN = 0x30;
-    private static final int STATUS = 0x31;
-    private static final int ERRORS = 0x32;
-    private static final int MEAN = 0x36;
-    private static final int RANGE = 0x37;
-    private static final int TYPE = 0x3A;
-    private static final int VARIANT = 0x3B;
-    private static final int MEAN_RANGE = 0x3F;
-    private static final int PERMANENT_BAUD = 0x66;
-    private static final int GET_CONFIGURATION = 0x74;
-    private static final int SET_CONFIGURATION = 0x77;
-    private static final int PIXELS = 0x7C;
-
-    private static final int REPLY = 0x80;
-    private static final int RESET_REPLY = 0x91;
-    private static final int POWER_ON_REPLY = 0x90;
-    private static final int NOT_PERMITTED = 0x92;
-
-    private static final int INSTALLATION = 0x00;
-    private static final int DIAGNOSTIC = 0x10;
-    private static final int ON_REQUEST = 0x25;
-    private static final byte[] PASSWORD = "SICK_LMS".getBytes(StandardCharsets.US_ASCII);
-
+    private static final byte[] PASSWORD = OperatingMode.PASSWORD.getBytes(StandardCharsets.US_ASCII);
     private static final int MODE_DONE = 0;
     private static final int MODE_REFUSED = 1;
     private static final int MAX_MEAN = 250;
@@ -63,7 +45,7 @@ final class Commands {
 
     private void restart() {
         variant = powerOn.variant;
-        mode = ON_REQUEST;
+        mode = OperatingMode.ON_REQUEST;
     }
 
     Variant variant() {
@@ -81,7 +63,12 @@ final class Commands {
 
     /** Carries out a request whose ACK has just been sent. */
     void execute(Telegram request, double time) {
-        switch (request.getCommand()) {
+        Command command = Command.of(request.getCommand());
+        if (command == null) {
+            device.replyAfter(Timing.ANSWER, notPermitted(), time);
+            return;
+        }
+        switch (command) {
             case RESET:
                 reset(request, time);
                 break;
@@ -92,7 +79,7 @@ final class Commands {
             case MEAN:
             case RANGE:
             case MEAN_RANGE:
-                scan(request, time);
+                scan(command, request, time);
                 break;
             case VARIANT:
                 changeVariant(request, time);
@@ -100,46 +87,52 @@ final class Commands {
             case SET_CONFIGURATION:
                 configure(request, time);
                 break;
+            case PERMANENT_BAUD:
+                device.replyAfter(Timing.ANSWER, keepBaud(request), time);
+                break;
+            case PIXELS:
+                device.replyAfter(Timing.ANSWER, setPixels(request), time);
+                break;
             default:
-                device.replyAfter(Timing.ANSWER, answer(request), time);
+                device.replyAfter(Timing.ANSWER, request.size() == 1 ? answer(command) : notPermitted(), time);
                 break;
         }
     }
 
-    /** Replies that only tell something, and those that are settled at once. */
-    private byte[] answer(Telegram request) {
-        int command = request.getCommand();
-        Payload reply = new Payload(command + REPLY & 0xFF);
-        switch (request.size() == 1 ? command : -command) {
+    /** Replies that only tell something. */
+    private byte[] answer(Command command) {
+        Payload reply = command.reply();
+        switch (command) {
             case STATUS:
-                return StatusReply.of(powerOn.identity, mode, variant, configuration, device.baud(), permanent, STATUS_OK);
-            case ERRORS:
-                return reply.add(STATUS_OK).toBytes();
+                return Status.encode(powerOn.identity, mode, variant, configuration, device.baud(), permanent, StatusByte.OK);
             case TYPE:
-                return reply.text(powerOn.identity.getType()).add(STATUS_OK).toBytes();
+                reply.text(powerOn.identity.getType());
+                break;
             case GET_CONFIGURATION:
-                configuration.writeTo(reply);
-                return reply.add(STATUS_OK).toBytes();
-            case -PERMANENT_BAUD:
-                return keepBaud(request, reply);
-            case -PIXELS:
-                return mode == INSTALLATION ? reply.add(1).add(STATUS_OK).toBytes() : notPermitted();
+                reply.bytes(configuration.toBytes());
+                break;
             default:
-                return notPermitted();
+                break;
         }
+        return reply.add(StatusByte.OK).toBytes();
+    }
+
+    private byte[] setPixels(Telegram request) {
+        boolean legal = request.size() > 1 && mode == OperatingMode.INSTALLATION;
+        return legal ? Command.PIXELS.reply().add(1).add(StatusByte.OK).toBytes() : notPermitted();
     }
 
     private static byte[] notPermitted() {
-        return new Payload(NOT_PERMITTED).add(STATUS_OK).toBytes();
+        return new Payload(Command.NOT_PERMITTED).add(StatusByte.OK).toBytes();
     }
 
-    private byte[] keepBaud(Telegram request, Payload reply) {
+    private byte[] keepBaud(Telegram request) {
         if (request.size() != 2 || request.at(1) > 1) {
             return notPermitted();
         }
         permanent = request.at(1) == 1;
         restartBaud = permanent ? device.baud() : Baud.ofRate(powerOn.baud);
-        return reply.add(request.at(1)).add(0).add(STATUS_OK).toBytes();
+        return Command.PERMANENT_BAUD.reply().add(request.at(1)).add(0).add(StatusByte.OK).toBytes();
     }
 
     private void reset(Telegram request, double time) {
@@ -149,8 +142,8 @@ final class Commands {
         }
         device.later(time + Timing.RESET, t -> {
             restart();
-            byte[] greeting = new Payload(POWER_ON_REPLY).text(powerOn.identity.getType()).add(STATUS_OK).toBytes();
-            device.restart(new Payload(RESET_REPLY).add(STATUS_OK).toBytes(), greeting, restartBaud, t);
+            byte[] greeting = new Payload(Command.POWER_ON).text(powerOn.identity.getType()).add(StatusByte.OK).toBytes();
+            device.restart(Command.RESET.reply().add(StatusByte.OK).toBytes(), greeting, restartBaud, t);
         });
     }
 
@@ -162,7 +155,7 @@ final class Commands {
             return;
         }
         ScanKind stream = streamKind(request);
-        boolean plain = request.size() == 2 && (wanted == ON_REQUEST || wanted == DIAGNOSTIC);
+        boolean plain = request.size() == 2 && (wanted == OperatingMode.ON_REQUEST || wanted == OperatingMode.DIAGNOSTIC);
         if (stream == null && !plain && !isPassword(request)) {
             device.replyAfter(Timing.CHANGE, modeReply(MODE_REFUSED), time);
             return;
@@ -178,11 +171,11 @@ final class Commands {
     }
 
     private static byte[] modeReply(int result) {
-        return new Payload(MODE + REPLY).add(result).add(STATUS_OK).toBytes();
+        return Command.MODE.reply().add(result).add(StatusByte.OK).toBytes();
     }
 
     private static boolean isPassword(Telegram request) {
-        if (request.size() != PASSWORD.length + 2 || request.at(1) != INSTALLATION) {
+        if (request.size() != PASSWORD.length + 2 || request.at(1) != OperatingMode.INSTALLATION) {
             return false;
         }
         for (int i = 0; i < PASSWORD.length; i++) {
@@ -199,23 +192,23 @@ final class Commands {
             return null;
         }
         switch (request.at(1)) {
-            case 0x24:
+            case OperatingMode.STREAM_ALL:
                 return request.size() == 2 ? ScanKind.ALL : null;
-            case 0x2A:
+            case OperatingMode.STREAM_PARTIAL:
                 return request.size() == 2 ? ScanKind.PARTIAL : null;
-            case 0x26:
+            case OperatingMode.STREAM_MEAN:
                 return mean(request, 2);
-            case 0x27:
+            case OperatingMode.STREAM_RANGE:
                 return range(request, 2);
-            case 0x28:
+            case OperatingMode.STREAM_MEAN_RANGE:
                 return meanRange(request, 2);
             default:
                 return null;
         }
     }
 
-    private void scan(Telegram request, double time) {
-        ScanKind kind = mode == ON_REQUEST ? scanKind(request) : null;
+    private void scan(Command command, Telegram request, double time) {
+        ScanKind kind = mode == OperatingMode.ON_REQUEST ? scanKind(command, request) : null;
         if (kind == null) {
             device.replyAfter(Timing.ANSWER, notPermitted(), time);
         } else {
@@ -223,8 +216,8 @@ final class Commands {
         }
     }
 
-    private ScanKind scanKind(Telegram request) {
-        switch (request.getCommand()) {
+    private ScanKind scanKind(Command command, Telegram request) {
+        switch (command) {
             case MEAN:
                 return mean(request, 1);
             case RANGE:
@@ -281,22 +274,21 @@ final class Commands {
             if (wanted != null) {
                 variant = wanted;
             }
-            device.reply(new Payload(VARIANT + REPLY).add(wanted == null ? 0 : 1).word(variant.getSpread()).word(variant.getResolution())
-                .add(STATUS_OK).toBytes(), t);
+            device.reply(Command.VARIANT.reply().add(wanted == null ? 0 : 1).word(variant.getSpread()).word(variant.getResolution())
+                .add(StatusByte.OK).toBytes(), t);
         });
     }
 
     private void configure(Telegram request, double time) {
-        if (mode != INSTALLATION) {
+        if (mode != OperatingMode.INSTALLATION) {
             device.replyAfter(Timing.ANSWER, notPermitted(), time);
             return;
         }
-        Configuration wanted = Configuration.of(request);
+        Configuration wanted = request.size() == Configuration.SIZE + 1 ? Configuration.of(request, 1) : null;
+        boolean taken = wanted != null && wanted.isLegal();
         device.later(time + Timing.WRITE, t -> {
-            configuration = wanted == null ? configuration : wanted;
-            Payload reply = new Payload(SET_CONFIGURATION + REPLY).add(wanted == null ? 0 : 1);
-            configuration.writeTo(reply);
-            device.reply(reply.add(STATUS_OK).toBytes(), t);
+            configuration = taken ? wanted : configuration;
+            device.reply(Command.SET_CONFIGURATION.reply().add(taken ? 1 : 0).bytes(configuration.toBytes()).add(StatusByte.OK).toBytes(), t);
         });
     }
 }

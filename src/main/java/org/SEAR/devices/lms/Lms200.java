@@ -7,6 +7,12 @@ import java.util.function.DoubleConsumer;
 import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.SerialDevice;
 import org.SEAR.devices.Timeline;
+import org.SEAR.protocol.Uart;
+import org.SEAR.protocol.lms.Baud;
+import org.SEAR.protocol.lms.StatusByte;
+import org.SEAR.protocol.lms.Telegram;
+import org.SEAR.protocol.lms.TelegramReader;
+import org.SEAR.protocol.lms.Variant;
 import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.LidarSource;
 import org.SEAR.geometry.TimeStep;
@@ -16,16 +22,13 @@ import org.SEAR.geometry.TimeStep;
  * What the commands do stands in {@link Commands}. Source: SICK telegram listing 8007954/Q501/2006-08-01.
  */
 public final class Lms200 implements SerialDevice, TelegramReader.Listener {
-    /** Bit 7 of a reply's address. */
-    private static final int REPLY = 0x80;
     /** Requests that wait while another is being answered; more are dropped. */
     private static final int MAX_WAITING = 16;
     /** A byte may look late by the step of the simulation in which the host wrote it. */
     private static final double GAP = Timing.HOST_GAP + TimeStep.SECONDS;
-    /** Checksum that MyRobotLab's old driver sends with each baud telegram: that of 9600 baud. */
-    private static final int OLD_DRIVER_CRC = 0x0852;
-    private static final byte[] OLD_DRIVER_19200 = {0x02, 0x00, 0x02, 0x00, 0x20, 0x41};
-    private static final byte[] OLD_DRIVER_38400 = {0x02, 0x00, 0x02, 0x00, 0x20, 0x40};
+    /** MyRobotLab's old driver sends each baud telegram with the checksum of 9600 baud. */
+    private static final byte[] OLD_DRIVER_19200 = {0x02, 0x00, 0x02, 0x00, 0x20, 0x41, 0x52, 0x08};
+    private static final byte[] OLD_DRIVER_38400 = {0x02, 0x00, 0x02, 0x00, 0x20, 0x40, 0x52, 0x08};
 
     private final PowerOn powerOn;
     private final DeviceContext context;
@@ -38,6 +41,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     private boolean busy;
     private boolean booting;
     private double lastByte;
+    private double readUntil;
     private int stream;
     private int telegramIndex;
     private int partial;
@@ -53,7 +57,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
         this.powerOn = powerOn;
         this.context = context;
         this.source = (LidarSource) context.sensor();
-        this.reader = new TelegramReader(address -> address == 0 || address == powerOn.identity.getAddress(), this);
+        this.reader = new TelegramReader(address -> true, this);
         this.commands = new Commands(this, powerOn);
         reset();
     }
@@ -68,7 +72,8 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
         advance(time);
         lastByte = time;
         if (!booting) {
-            reader.accept(value, time);
+            readUntil = time;
+            reader.accept(value);
         }
     }
 
@@ -80,10 +85,11 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
 
     @Override
     public void advance(double time) {
-        double end = lastByte + GAP + Timing.onLine(1, baud.getRate());
+        double end = lastByte + GAP + Uart.seconds(1, baud.getRate());
         if (reader.isPending() && time > end) {
             timeline.runUntil(end);
-            reader.interrupt(end);
+            readUntil = end;
+            reader.interrupt();
         }
         timeline.runUntil(time);
     }
@@ -100,26 +106,27 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     }
 
     @Override
-    public void onTelegram(Telegram telegram, double time) {
-        if (waiting.size() < MAX_WAITING) {
+    public void onTelegram(Telegram telegram) {
+        if (isMine(telegram.getAddress()) && waiting.size() < MAX_WAITING) {
             waiting.add(telegram);
-            serve(time);
+            serve(readUntil);
         }
     }
 
     @Override
-    public void onWrongChecksum(byte[] bytes, int size, int crc, double time) {
-        if (powerOn.lenient && isOldDriver(bytes, size, crc)) {
-            onTelegram(new Telegram(0, new byte[] {bytes[4], bytes[5]}), time);
+    public void onWrongChecksum(byte[] bytes) {
+        if (!isMine(bytes[1] & 0xFF)) {
+            return;
+        }
+        if (powerOn.lenient && (Arrays.equals(bytes, OLD_DRIVER_19200) || Arrays.equals(bytes, OLD_DRIVER_38400))) {
+            onTelegram(new Telegram(0, new byte[] {bytes[4], bytes[5]}));
         } else {
-            timeline.at(time + Timing.ACKNOWLEDGE, t -> context.send(new byte[] {Telegram.NAK}, t));
+            timeline.at(readUntil + Timing.ACKNOWLEDGE, t -> context.send(new byte[] {Telegram.NAK}, t));
         }
     }
 
-    private static boolean isOldDriver(byte[] bytes, int size, int crc) {
-        byte[] start = Arrays.copyOf(bytes, OLD_DRIVER_19200.length);
-        return size == start.length + 2 && crc == OLD_DRIVER_CRC
-            && (Arrays.equals(start, OLD_DRIVER_19200) || Arrays.equals(start, OLD_DRIVER_38400));
+    private boolean isMine(int address) {
+        return address == 0 || address == powerOn.identity.getAddress();
     }
 
     private void serve(double time) {
@@ -147,7 +154,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
 
     /** Sends a telegram, whoever asked for it. */
     void send(byte[] payload, double time) {
-        context.send(new Telegram(powerOn.identity.getAddress() | REPLY, payload).toBytes(), time);
+        context.send(new Telegram(powerOn.identity.getAddress() | Telegram.FROM_DEVICE, payload).toBytes(), time);
     }
 
     void later(double time, DoubleConsumer action) {
@@ -215,7 +222,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
         timeline.at(time, t -> {
             if (reply.add(scan(variant))) {
                 int turn = (int) ((long) (t / Variant.TURN) & 0xFF);
-                listener.measured(reply.toBytes(partial++ & 0xFF, turn, telegramIndex++ & 0xFF, Commands.STATUS_OK), t);
+                listener.measured(reply.toBytes(partial++ & 0xFF, turn, telegramIndex++ & 0xFF, StatusByte.OK), t);
             } else {
                 collect(kind, reply, variant, t + kind.scanTime(variant), listener);
             }

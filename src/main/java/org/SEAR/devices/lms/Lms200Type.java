@@ -5,6 +5,9 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.DeviceType;
 import org.SEAR.devices.SerialDevice;
+import org.SEAR.protocol.lms.Baud;
+import org.SEAR.protocol.lms.Identity;
+import org.SEAR.protocol.lms.Variant;
 
 /** Puts a SICK LMS200 behind the ports of a LIDAR with LMS(1). */
 public final class Lms200Type implements DeviceType {

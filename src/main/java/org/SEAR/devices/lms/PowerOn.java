@@ -1,5 +1,8 @@
 package org.SEAR.devices.lms;
 
+import org.SEAR.protocol.lms.Identity;
+import org.SEAR.protocol.lms.Variant;
+
 /** What one LMS200 is set to when its power comes on. Immutable. */
 public final class PowerOn {
     /** Variant until another is chosen. */

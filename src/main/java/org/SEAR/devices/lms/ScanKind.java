@@ -1,5 +1,7 @@
 package org.SEAR.devices.lms;
 
+import org.SEAR.protocol.lms.Variant;
+
 /** Which values of a scan a telegram carries, and in what form. Immutable. */
 final class ScanKind {
     /** Every value, B0h. */

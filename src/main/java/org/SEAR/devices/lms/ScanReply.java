@@ -1,5 +1,10 @@
 package org.SEAR.devices.lms;
 
+import org.SEAR.protocol.lms.Command;
+import org.SEAR.protocol.lms.Configuration;
+import org.SEAR.protocol.lms.CountWord;
+import org.SEAR.protocol.lms.Payload;
+import org.SEAR.protocol.lms.Variant;
 import org.SEAR.sensors.LidarScan;
 
 /**
@@ -7,9 +12,6 @@ import org.SEAR.sensors.LidarScan;
  * and then writes their mean. Source: SICK telegram listing, chapters 7 and 10.
  */
 final class ScanReply {
-    private static final int PARTIAL_FLAG = 1 << 13;
-    private static final int PARTIAL_SHIFT = 11;
-    private static final int UNIT_SHIFT = 14;
     private static final int QUARTERS = 4;
 
     private final ScanKind kind;
@@ -54,16 +56,16 @@ final class ScanReply {
         Payload payload;
         switch (kind.form) {
             case MEAN:
-                payload = new Payload(0xB6).add(kind.scans);
+                payload = Command.MEAN.reply().add(kind.scans);
                 break;
             case RANGE:
-                payload = new Payload(0xB7).word(kind.first).word(last());
+                payload = Command.RANGE.reply().word(kind.first).word(last());
                 break;
             case MEAN_RANGE:
-                payload = new Payload(0xBF).add(kind.scans).word(kind.first).word(last());
+                payload = Command.MEAN_RANGE.reply().add(kind.scans).word(kind.first).word(last());
                 break;
             default:
-                payload = new Payload(0xB0);
+                payload = Command.SCAN.reply();
                 break;
         }
         writeValues(payload, partial);
@@ -74,31 +76,35 @@ final class ScanReply {
     }
 
     private void writeValues(Payload payload, int partial) {
-        int unit = configuration.getUnit() << UNIT_SHIFT;
+        int unit = configuration.getUnit();
         switch (kind.form) {
             case MINIMUM:
-                payload.word(1 | unit).word(minimum());
+                payload.word(CountWord.whole(1, unit).toWord()).word(minimum());
                 break;
             case PARTIAL:
                 int turns = variant.getTurns();
                 int which = partial % turns;
-                write(payload, unit | PARTIAL_FLAG | which * QUARTERS / turns << PARTIAL_SHIFT, which, turns, sums.length - 1);
+                int count = count(which, turns, sums.length - 1);
+                write(payload, CountWord.partial(count, unit, which * QUARTERS / turns), which, turns);
                 break;
             case RANGE:
             case MEAN_RANGE:
-                write(payload, unit, kind.first - 1, 1, last() - 1);
+                write(payload, CountWord.whole(count(kind.first - 1, 1, last() - 1), unit), kind.first - 1, 1);
                 break;
             default:
-                write(payload, unit, 0, kind.stride, sums.length - 1);
+                write(payload, CountWord.whole(count(0, kind.stride, sums.length - 1), unit), 0, kind.stride);
                 break;
         }
     }
 
-    private void write(Payload payload, int flags, int from, int stride, int to) {
-        int count = from > to ? 0 : (to - from) / stride + 1;
-        payload.word(count | flags);
-        for (int i = from; i <= to; i += stride) {
-            payload.word(kind.form == ScanKind.Form.CONTOUR ? configuration.getMode().getNothingHit() : value(i));
+    private static int count(int from, int stride, int to) {
+        return from > to ? 0 : (to - from) / stride + 1;
+    }
+
+    private void write(Payload payload, CountWord count, int from, int stride) {
+        payload.word(count.toWord());
+        for (int i = 0; i < count.getCount(); i++) {
+            payload.word(kind.form == ScanKind.Form.CONTOUR ? configuration.getMode().getNothingHit() : value(from + i * stride));
         }
     }
 

@@ -1,5 +1,7 @@
 package org.SEAR.devices.lms;
 
+import org.SEAR.protocol.Uart;
+
 /** How long an LMS200 takes. Seconds; sources: SICK telegram listing, chapter 4 and table 10-17, and drivers' experience within its limits. */
 final class Timing {
     /** End of a request to ACK or NAK; the listing allows 60 ms. */
@@ -16,16 +18,10 @@ final class Timing {
     static final double BOOT = 5;
     /** Longest pause between two bytes of a request. */
     static final double HOST_GAP = 0.006;
-    private static final int BITS_PER_BYTE = 10;
     /** Guards a ceiling against the last bit of a quotient. */
     private static final double SLACK = 1e-9;
 
     private Timing() {
-    }
-
-    /** Seconds that so many bytes take on the line. */
-    static double onLine(int bytes, int baud) {
-        return (double) bytes * BITS_PER_BYTE / baud;
     }
 
     /** The end of the first scan that ends at or after {@code time}. @param scanTime seconds */
@@ -35,6 +31,6 @@ final class Timing {
 
     /** Time from one telegram of a stream to the next: the least multiple of {@code scanTime} in which it fits through the line. */
     static double streamPeriod(int bytes, int baud, double scanTime) {
-        return Math.max(1, Math.ceil(onLine(bytes, baud) / scanTime - SLACK)) * scanTime;
+        return Math.max(1, Math.ceil(Uart.seconds(bytes, baud) / scanTime - SLACK)) * scanTime;
     }
 }

@@ -3,20 +3,9 @@ package org.SEAR.devices.oi;
 import java.io.ByteArrayOutputStream;
 import org.SEAR.devices.RobotHardware;
 
-/**
- * The sensor packets 7 to 58 and the groups of them, as bytes: words have their high byte first. Source: the packet tables of the specifications.
- */
+/** What the sensor packets of one robot tell, see {@link Packet}. */
 final class Packets {
-    static final int DISTANCE = 19;
-    static final int ANGLE = 20;
-    static final int FIRST = 7;
-    private static final int LAST_SINGLE = 58;
-    /** Group id, first and last packet. */
-    private static final int[][] GROUPS = {{0, 7, 26}, {1, 7, 16}, {2, 17, 20}, {3, 21, 26}, {4, 27, 34}, {5, 35, 42}, {6, 7, 42},
-        {100, 7, 58}, {101, 43, 58}, {106, 46, 51}, {107, 54, 58}};
-    /** Packets of two bytes, by range. */
-    private static final int[][] WORDS = {{19, 20}, {22, 23}, {25, 31}, {33, 33}, {39, 44}, {46, 51}, {54, 57}};
-    private static final int TEMPERATURE = 25;
+    private static final int ROOM_TEMPERATURE = 25;
     private static final double ENCODER_COUNTS_PER_TURN = 508.8;
     private static final double STALLED = 0.99;
     private static final double ROOMBA400_HALF_BASE = 129;
@@ -38,45 +27,14 @@ final class Packets {
 
     /** Whether the model has a packet or group of that id. */
     boolean has(int id) {
-        return size(id) > 0 && id <= model.getLastPacket();
+        return Packet.of(id).length > 0 && id <= model.getLastPacket();
     }
 
-    /** Number of bytes of a packet or group; 0 for none such. */
-    static int size(int id) {
-        for (int[] group : GROUPS) {
-            if (group[0] == id) {
-                int sum = 0;
-                for (int i = group[1]; i <= group[2]; i++) {
-                    sum += size(i);
-                }
-                return sum;
-            }
-        }
-        if (id < FIRST || id > LAST_SINGLE) {
-            return 0;
-        }
-        for (int[] range : WORDS) {
-            if (id >= range[0] && id <= range[1]) {
-                return 2;
-            }
-        }
-        return 1;
-    }
-
+    /** Appends the data of a packet or group. */
     void write(int id, ByteArrayOutputStream out, double time) {
-        for (int[] group : GROUPS) {
-            if (group[0] == id) {
-                for (int i = group[1]; i <= group[2]; i++) {
-                    write(i, out, time);
-                }
-                return;
-            }
+        for (Packet packet : Packet.of(id)) {
+            packet.write(value(packet, time), out);
         }
-        int value = value(id, time);
-        if (size(id) == 2) {
-            out.write(value >> 8);
-        }
-        out.write(value);
     }
 
     /** Forgets distance and angle so far. */
@@ -118,108 +76,111 @@ final class Packets {
             | bit(hardware.isLeftWheelDropped(), 3) | bit(model.hasCasterSwitch() && hardware.isCasterDropped(), 4);
     }
 
-    private int value(int id, double time) {
-        if (id <= 18) {
-            return contact(id);
+    private int value(Packet packet, double time) {
+        if (packet.compareTo(Packet.DISTANCE) < 0) {
+            return contact(packet);
         }
-        return id <= 34 ? body(id) : id <= 42 ? state(id, time) : create2(id);
+        if (packet.compareTo(Packet.CHARGING_SOURCES) <= 0) {
+            return body(packet);
+        }
+        return packet.compareTo(Packet.REQUESTED_LEFT) <= 0 ? state(packet, time) : create2(packet);
     }
 
-    private int contact(int id) {
-        switch (id) {
-            case 7:
+    private int contact(Packet packet) {
+        switch (packet) {
+            case BUMPS_AND_WHEEL_DROPS:
                 return bumpsAndDrops();
-            case 8:
+            case WALL:
                 return bit(surroundings.isWall(), 0);
-            case 9:
-            case 10:
-            case 11:
-            case 12:
-                return bit(surroundings.isCliff(id - 9), 0);
-            case 13:
+            case CLIFF_LEFT:
+            case CLIFF_FRONT_LEFT:
+            case CLIFF_FRONT_RIGHT:
+            case CLIFF_RIGHT:
+                return bit(surroundings.isCliff(packet.ordinal() - Packet.CLIFF_LEFT.ordinal()), 0);
+            case VIRTUAL_WALL:
                 return bit(hardware.isInVirtualWall(), 0);
-            case 14:
+            case OVERCURRENTS:
                 return bit(hardware.getLeftLoad() >= STALLED, 4) | bit(hardware.getRightLoad() >= STALLED, 3);
-            case 17:
+            case INFRARED:
                 return model.getNoInfrared();
-            case 18:
+            case BUTTONS:
                 return roomba.getButtons();
             default:
                 return 0;
         }
     }
 
-    private int body(int id) {
+    private int body(Packet packet) {
         Battery battery = roomba.getBattery();
-        switch (id) {
+        switch (packet) {
             case DISTANCE:
                 return distance.read(distanceTotal());
             case ANGLE:
                 return angle.read(angleTotal());
-            case 22:
+            case VOLTAGE:
                 return battery.getVoltage();
-            case 23:
+            case CURRENT:
                 return battery.getCurrent();
-            case 24:
-                return TEMPERATURE;
-            case 25:
+            case TEMPERATURE:
+                return ROOM_TEMPERATURE;
+            case CHARGE:
                 return battery.getCharge();
-            case 26:
+            case CAPACITY:
                 return Battery.CAPACITY;
-            case 27:
+            case WALL_SIGNAL:
                 return surroundings.wallSignal();
-            case 28:
-            case 29:
-            case 30:
-            case 31:
-                return surroundings.cliffSignal(id - 28);
+            case CLIFF_LEFT_SIGNAL:
+            case CLIFF_FRONT_LEFT_SIGNAL:
+            case CLIFF_FRONT_RIGHT_SIGNAL:
+            case CLIFF_RIGHT_SIGNAL:
+                return surroundings.cliffSignal(packet.ordinal() - Packet.CLIFF_LEFT_SIGNAL.ordinal());
             default:
                 return 0;
         }
     }
 
-    private int state(int id, double time) {
+    private int state(Packet packet, double time) {
         Drive drive = roomba.getDrive();
-        switch (id) {
-            case 35:
+        switch (packet) {
+            case MODE:
                 return roomba.getMode().ordinal();
-            case 36:
+            case SONG_NUMBER:
                 return roomba.getSongs().getNumber();
-            case 37:
+            case SONG_PLAYING:
                 return bit(roomba.getSongs().isPlaying(time), 0);
-            case 38:
+            case STREAM_PACKETS:
                 return roomba.getStreamLength();
-            case 39:
+            case REQUESTED_VELOCITY:
                 return drive.getVelocity();
-            case 40:
+            case REQUESTED_RADIUS:
                 return drive.getRadius();
-            case 41:
+            case REQUESTED_RIGHT:
                 return drive.getRequestedRight();
             default:
                 return drive.getRequestedLeft();
         }
     }
 
-    private int create2(int id) {
-        switch (id) {
-            case 43:
+    private int create2(Packet packet) {
+        switch (packet) {
+            case LEFT_ENCODER:
                 return encoder(hardware.getLeftWheelAngle());
-            case 44:
+            case RIGHT_ENCODER:
                 return encoder(hardware.getRightWheelAngle());
-            case 45:
+            case LIGHT_BUMPER:
                 return surroundings.lightBumpers();
-            case 46:
-            case 47:
-            case 48:
-            case 49:
-            case 50:
-            case 51:
-                return surroundings.lightSignal(id - 46);
-            case 54:
+            case LIGHT_LEFT:
+            case LIGHT_FRONT_LEFT:
+            case LIGHT_CENTRE_LEFT:
+            case LIGHT_CENTRE_RIGHT:
+            case LIGHT_FRONT_RIGHT:
+            case LIGHT_RIGHT:
+                return surroundings.lightSignal(packet.ordinal() - Packet.LIGHT_LEFT.ordinal());
+            case LEFT_MOTOR_CURRENT:
                 return (int) Math.round(hardware.getLeftLoad() * Battery.STALLED_WHEEL);
-            case 55:
+            case RIGHT_MOTOR_CURRENT:
                 return (int) Math.round(hardware.getRightLoad() * Battery.STALLED_WHEEL);
-            case 58:
+            case STASIS:
                 return bit(roomba.getDrive().isForward(), 0);
             default:
                 return 0;

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.RobotHardware;
 import org.SEAR.devices.SerialDevice;
+import org.SEAR.protocol.Uart;
 
 /**
  * The firmware of a Roomba 400, Create or Create 2: commands in, sensor packets out, a beat of 15 ms for streams, scripts, safety and battery. A
@@ -16,7 +17,6 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
     public static final double BEAT = 0.015;
     /** Speeds of command 129, by its argument. */
     private static final int[] BAUDS = {300, 600, 1200, 2400, 4800, 9600, 14400, 19200, 28800, 38400, 57600, 115200};
-    private static final double BITS_PER_BYTE = 10;
     /** A Create 2 goes to sleep after so long in passive mode without a command, seconds. */
     private static final double SLEEP_AFTER = 300;
     private static final int WALL_SIGNAL_MAX = 1023;
@@ -314,8 +314,8 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
             return false;
         }
         stream.start(ids);
-        if (stream.frameSize() > baud / BITS_PER_BYTE * BEAT) {
-            context.warn("a stream of more than " + (int) (baud / BITS_PER_BYTE * BEAT) + " bytes every 15 ms is more than " + baud
+        if (stream.frameSize() > Uart.bytes(BEAT, baud)) {
+            context.warn("a stream of more than " + (int) Uart.bytes(BEAT, baud) + " bytes every 15 ms is more than " + baud
                 + " baud can carry: frames are left out");
         }
         return true;

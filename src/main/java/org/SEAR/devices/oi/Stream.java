@@ -41,7 +41,7 @@ final class Stream {
     static int frameSize(int[] packets) {
         int size = 3;
         for (int id : packets) {
-            size += 1 + Packets.size(id);
+            size += 1 + Packet.size(id);
         }
         return size;
     }

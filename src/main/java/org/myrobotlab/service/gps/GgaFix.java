@@ -1,5 +1,7 @@
 package org.myrobotlab.service.gps;
 
+import org.SEAR.protocol.nmea.Nmea;
+
 /**
  * One GGA sentence: {@code $GPGGA,hhmmss.sss,ddmm.mmmm,N,dddmm.mmmm,E,quality,satellites,hdop,altitude,M,separation,M,age,station*cs}.
  * JSON-friendly and immutable but for its arrays.
@@ -14,9 +16,6 @@ public final class GgaFix {
     private static final int SATELLITES = 7;
     private static final int ALTITUDE = 9;
     private static final int FEWEST_TOKENS = 15;
-    private static final int LATITUDE_DEGREE_DIGITS = 2;
-    private static final int LONGITUDE_DEGREE_DIGITS = 3;
-    private static final double MINUTES = 60;
 
     /** The sentence's fields, latitude (2) and longitude (4) with a minus in the south and west. */
     public final String[] tokens;
@@ -42,8 +41,8 @@ public final class GgaFix {
         utc = tokens[UTC];
         quality = tokens[QUALITY].isEmpty() ? 0 : Integer.parseInt(tokens[QUALITY]);
         satellites = tokens[SATELLITES].isEmpty() ? 0 : Integer.parseInt(tokens[SATELLITES]);
-        latitude = hasFix() ? degrees(tokens[LATITUDE], LATITUDE_DEGREE_DIGITS, "S".equals(tokens[NORTH_SOUTH])) : 0;
-        longitude = hasFix() ? degrees(tokens[LONGITUDE], LONGITUDE_DEGREE_DIGITS, "W".equals(tokens[EAST_WEST])) : 0;
+        latitude = hasFix() ? degrees(tokens[LATITUDE], Nmea.LATITUDE_DIGITS, "S".equals(tokens[NORTH_SOUTH])) : 0;
+        longitude = hasFix() ? degrees(tokens[LONGITUDE], Nmea.LONGITUDE_DIGITS, "W".equals(tokens[EAST_WEST])) : 0;
         altitude = hasFix() && !tokens[ALTITUDE].isEmpty() ? Double.parseDouble(tokens[ALTITUDE]) : 0;
         sign(LATITUDE, "S".equals(tokens[NORTH_SOUTH]));
         sign(LONGITUDE, "W".equals(tokens[EAST_WEST]));
@@ -56,10 +55,7 @@ public final class GgaFix {
     }
 
     private static double degrees(String token, int degreeDigits, boolean negative) {
-        if (token.length() <= degreeDigits) {
-            throw new IllegalArgumentException("\"" + token + "\" is no coordinate");
-        }
-        double degrees = Integer.parseInt(token.substring(0, degreeDigits)) + Double.parseDouble(token.substring(degreeDigits)) / MINUTES;
+        double degrees = Nmea.degrees(token, degreeDigits);
         return negative ? -degrees : degrees;
     }
 

@@ -5,15 +5,25 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.SEAR.protocol.lms.Baud;
+import org.SEAR.protocol.lms.Command;
+import org.SEAR.protocol.lms.Configuration;
+import org.SEAR.protocol.lms.MeasuringMode;
+import org.SEAR.protocol.lms.OperatingMode;
+import org.SEAR.protocol.lms.Payload;
+import org.SEAR.protocol.lms.Status;
+import org.SEAR.protocol.lms.Telegram;
+import org.SEAR.protocol.lms.Variant;
 import org.myrobotlab.service.link.SerialLink;
 
 /** An LMS2xx as its user sees it: scan modes, units, scans. Any thread; never blocks. */
 public final class LmsDevice {
     private static final List<String> MODELS = Arrays.asList("LMS200", "LMS211", "LMS220", "LMS221", "LMS291");
-    private static final double[][] VARIANTS = {{100, 1}, {100, 0.5}, {100, 0.25}, {180, 1}, {180, 0.5}};
     private static final double HUNDREDTHS = 100;
     private static final int OVERHEAD = 10;
     private static final int LONGEST_SCAN = 813;
+    /** Of command 30h: every value. */
+    private static final int ALL_VALUES = 1;
     private static final int CONFIGURATION_AT = 1;
     private static final int SET_CONFIGURATION_AT = 2;
     /** A change of operating mode takes up to 3 s (telegram listing, chapter 4). */
@@ -43,10 +53,10 @@ public final class LmsDevice {
     private final Listener listener;
     private SerialLink link;
     private LmsDriver driver;
-    private volatile int measuringMode;
+    private volatile MeasuringMode measuringMode = MeasuringMode.FIELDS_A_B_DAZZLE;
     private volatile double resolution = 1;
     private volatile boolean streaming;
-    private volatile byte[] configuration;
+    private volatile Configuration configuration;
     private volatile LmsScan lastScan;
     private String lastComplaint = "";
 
@@ -62,9 +72,9 @@ public final class LmsDevice {
 
     /** @throws IllegalArgumentException that names the legal rates */
     public static int checkedBaud(int baud) {
-        if (Stream.of(LmsDriver.BAUDS).noneMatch(known -> known[0] == baud)) {
+        if (Baud.ofRate(baud) == null) {
             throw new IllegalArgumentException("LIDAR baud rate is " + baud + ", legal: "
-                + Stream.of(LmsDriver.BAUDS).map(known -> String.valueOf(known[0])).collect(Collectors.joining(", ")));
+                + Stream.of(Baud.values()).map(known -> String.valueOf(known.getRate())).collect(Collectors.joining(", ")));
         }
         return baud;
     }
@@ -102,13 +112,13 @@ public final class LmsDevice {
     /** Asks the device for its configuration and its status: unit, measuring mode, fan, and whether it streams already. */
     public void learn() {
         learnConfiguration();
-        ask("the request for the status", LmsTelegram.of(LmsTelegram.STATUS), LmsTelegram.STATUS_REPLY, LmsTelegram.STATUS_LENGTH + OVERHEAD,
-            SHORT_PATIENCE, this::status);
+        ask("the request for the status", Command.STATUS, Command.STATUS.request(), Status.SIZE + OVERHEAD, SHORT_PATIENCE,
+            reply -> onStatus(Status.of(reply)));
     }
 
-    private void status(byte[] reply) {
-        fan(LmsTelegram.word(reply, LmsTelegram.STATUS_SPREAD), LmsTelegram.word(reply, LmsTelegram.STATUS_RESOLUTION));
-        boolean streams = LmsTelegram.isStream(reply[LmsTelegram.STATUS_MODE]);
+    private void onStatus(Status status) {
+        fan(status.getSpread(), status.getResolution());
+        boolean streams = OperatingMode.isStream(status.getMode());
         if (streams != streaming) {
             streaming = streams;
             listener.streaming(streams);
@@ -121,24 +131,20 @@ public final class LmsDevice {
     }
 
     private void learnConfiguration() {
-        ask("the request for the configuration", LmsTelegram.of(LmsTelegram.GET_CONFIGURATION), LmsTelegram.CONFIGURATION_REPLY,
-            LmsTelegram.CONFIGURATION_LENGTH, SHORT_PATIENCE, reply -> configured(reply, CONFIGURATION_AT));
+        ask("the request for the configuration", Command.GET_CONFIGURATION, Command.GET_CONFIGURATION.request(), Configuration.SIZE + OVERHEAD,
+            SHORT_PATIENCE, reply -> configured(Configuration.of(reply, CONFIGURATION_AT)));
     }
 
-    private void configured(byte[] reply, int at) {
-        byte[] block = Arrays.copyOfRange(reply, at, at + LmsTelegram.CONFIGURATION_LENGTH);
-        if (at + LmsTelegram.CONFIGURATION_LENGTH > reply.length) {
-            throw new IllegalArgumentException("configuration of " + reply.length + " bytes");
-        }
-        configuration = block;
-        measuringMode = block[LmsTelegram.CONFIGURATION_MODE] & 0xFF;
-        listener.unit(block[LmsTelegram.CONFIGURATION_UNIT] == 1);
+    private void configured(Configuration told) {
+        configuration = told;
+        measuringMode = told.getMode() == null ? MeasuringMode.FIELDS_A_B_DAZZLE : told.getMode();
+        listener.unit(told.isMillimetres());
     }
 
     /** Tells the device to talk at another rate and follows it. */
     public void setBaud(int baud) {
-        int code = Stream.of(LmsDriver.BAUDS).filter(known -> known[0] == baud).findFirst().get()[1];
-        ask("the change to " + baud + " baud", LmsTelegram.of(LmsTelegram.MODE, code), LmsTelegram.MODE_REPLY, OVERHEAD, MODE_PATIENCE, reply -> {
+        Payload request = Command.MODE.request().add(Baud.ofRate(baud).getMode());
+        ask("the change to " + baud + " baud", Command.MODE, request, OVERHEAD, MODE_PATIENCE, reply -> {
             if (succeeded(reply, "the change to " + baud + " baud")) {
                 driver.changeBaud(baud);
                 listener.baud(baud);
@@ -148,17 +154,18 @@ public final class LmsDevice {
 
     /** Sets the fan. @throws IllegalArgumentException that names the legal pairs */
     public void setVariant(int spread, double newResolution) {
-        if (Stream.of(VARIANTS).noneMatch(known -> known[0] == spread && known[1] == newResolution)) {
+        Variant variant = Variant.ofDegrees(spread, newResolution);
+        if (variant == null) {
             throw new IllegalArgumentException("scan mode is spread " + spread + ", resolution " + newResolution
                 + ", legal: 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5");
         }
-        int hundredths = (int) Math.round(newResolution * HUNDREDTHS);
-        pauseStreaming(() -> ask("scan mode " + spread + " degrees by " + newResolution, LmsTelegram.variant(spread, hundredths),
-            LmsTelegram.VARIANT_REPLY, OVERHEAD + 3, MODE_PATIENCE, reply -> {
-                int nowSpread = LmsTelegram.word(reply, 2);
-                int nowResolution = LmsTelegram.word(reply, 4);
+        Payload request = Command.VARIANT.request().word(variant.getSpread()).word(variant.getResolution());
+        pauseStreaming(() -> ask("scan mode " + spread + " degrees by " + newResolution, Command.VARIANT, request, OVERHEAD + 3, MODE_PATIENCE,
+            reply -> {
+                int nowSpread = reply.wordAt(2);
+                int nowResolution = reply.wordAt(4);
                 fan(nowSpread, nowResolution);
-                if (reply[1] != 1) {
+                if (reply.at(1) != 1) {
                     listener.error("the LIDAR refused scan mode " + spread + ", " + newResolution + " and stays at " + nowSpread + ", "
                         + nowResolution / HUNDREDTHS);
                 }
@@ -168,41 +175,39 @@ public final class LmsDevice {
     /** Sets the unit: installation mode, read the configuration, write it with the unit changed, back to measuring. */
     public void setUnit(boolean millimetres) {
         pauseStreaming(() -> {
-            mode("installation mode", LmsTelegram.installationMode());
+            mode("installation mode", Command.MODE.request().add(OperatingMode.INSTALLATION).text(OperatingMode.PASSWORD));
             learnConfiguration();
-            driver.ask(new LmsRequest("the change of unit", () -> withUnit(millimetres), LmsTelegram.SET_CONFIGURATION_REPLY,
-                LmsTelegram.CONFIGURATION_LENGTH, WRITE_PATIENCE, reply -> {
-                    if (reply[1] == 1) {
-                        configured(reply, SET_CONFIGURATION_AT);
+            driver.ask(new LmsRequest("the change of unit", Command.SET_CONFIGURATION, () -> withUnit(millimetres), Configuration.SIZE + OVERHEAD,
+                WRITE_PATIENCE, reply -> {
+                    if (reply.at(1) == 1) {
+                        configured(Configuration.of(reply, SET_CONFIGURATION_AT));
                     } else {
                         listener.error("the LIDAR refused the change of unit");
                     }
                 }));
-            mode("measuring on request", LmsTelegram.of(LmsTelegram.MODE, LmsTelegram.ON_REQUEST));
+            mode("measuring on request", Command.MODE.request().add(OperatingMode.ON_REQUEST));
         });
     }
 
-    private byte[] withUnit(boolean millimetres) {
+    private Payload withUnit(boolean millimetres) {
         if (configuration == null) {
             throw new IllegalStateException("the LIDAR did not tell its configuration");
         }
-        byte[] block = configuration.clone();
-        block[LmsTelegram.CONFIGURATION_UNIT] = (byte) (millimetres ? 1 : 0);
-        return LmsTelegram.setConfiguration(block);
+        return Command.SET_CONFIGURATION.request().bytes(configuration.withMillimetres(millimetres).toBytes());
     }
 
     /** Asks for one scan. While streaming the next one comes anyway. */
     public void singleScan() {
         if (!streaming) {
-            ask("a single scan", LmsTelegram.of(LmsTelegram.SCAN, 1), LmsTelegram.SCAN_REPLY, LONGEST_SCAN, SHORT_PATIENCE, this::scanned);
+            ask("a single scan", Command.SCAN, Command.SCAN.request().add(ALL_VALUES), LONGEST_SCAN, SHORT_PATIENCE, this::scanned);
         }
     }
 
-    private void scanned(byte[] body) {
-        LmsScan scan = LmsReplies.scan(body, measuringMode, resolution, link.now());
+    private void scanned(Telegram telegram) {
+        LmsScan scan = LmsReplies.scan(telegram, measuringMode, resolution, link.now());
         lastScan = scan;
         listener.scan(scan);
-        String complaint = LmsReplies.complaint(body);
+        String complaint = LmsReplies.complaint(telegram);
         if (!complaint.equals(lastComplaint)) {
             lastComplaint = complaint;
             listener.error(complaint.isEmpty() ? "the LIDAR has recovered" : complaint);
@@ -211,14 +216,14 @@ public final class LmsDevice {
 
     /** Starts or stops scan after scan. */
     public void setStreaming(boolean on) {
-        driver.ask(new LmsRequest(on ? "streaming" : "the end of streaming",
-            () -> LmsTelegram.of(LmsTelegram.MODE, on ? LmsTelegram.STREAM_ALL : LmsTelegram.ON_REQUEST), LmsTelegram.MODE_REPLY,
-            LONGEST_SCAN, MODE_PATIENCE, reply -> {
-                if (succeeded(reply, on ? "streaming" : "the end of streaming")) {
-                    streaming = on;
-                    listener.streaming(on);
-                }
-            }));
+        String name = on ? "streaming" : "the end of streaming";
+        Payload request = Command.MODE.request().add(on ? OperatingMode.STREAM_ALL : OperatingMode.ON_REQUEST);
+        ask(name, Command.MODE, request, LONGEST_SCAN, MODE_PATIENCE, reply -> {
+            if (succeeded(reply, name)) {
+                streaming = on;
+                listener.streaming(on);
+            }
+        });
     }
 
     private void pauseStreaming(Runnable change) {
@@ -232,19 +237,19 @@ public final class LmsDevice {
         }
     }
 
-    private void mode(String name, byte[] body) {
-        ask(name, body, LmsTelegram.MODE_REPLY, OVERHEAD, MODE_PATIENCE, reply -> succeeded(reply, name));
+    private void mode(String name, Payload request) {
+        ask(name, Command.MODE, request, OVERHEAD, MODE_PATIENCE, reply -> succeeded(reply, name));
     }
 
-    private void ask(String name, byte[] body, int reply, int replyLength, double patience, Consumer<byte[]> then) {
-        driver.ask(new LmsRequest(name, () -> body, reply, replyLength, patience, then));
+    private void ask(String name, Command command, Payload request, int replyLength, double patience, Consumer<Telegram> then) {
+        driver.ask(new LmsRequest(name, command, () -> request, replyLength, patience, then));
     }
 
-    private boolean succeeded(byte[] reply, String what) {
-        if (reply[1] != 0) {
-            listener.error("the LIDAR did not take " + what + " (result " + reply[1] + ")");
+    private boolean succeeded(Telegram reply, String what) {
+        if (reply.at(1) != 0) {
+            listener.error("the LIDAR did not take " + what + " (result " + reply.at(1) + ")");
         }
-        return reply[1] == 0;
+        return reply.at(1) == 0;
     }
 
     private final class Events implements LmsDriver.Events {
@@ -254,8 +259,8 @@ public final class LmsDevice {
         }
 
         @Override
-        public void scan(byte[] body) {
-            scanned(body);
+        public void scan(Telegram telegram) {
+            scanned(telegram);
         }
 
         @Override

@@ -1,21 +1,21 @@
 package org.myrobotlab.service.lidar;
 
 import java.util.ArrayDeque;
-import java.util.Arrays;
 import java.util.Deque;
 import java.util.function.Consumer;
+import org.SEAR.protocol.Uart;
+import org.SEAR.protocol.lms.Baud;
+import org.SEAR.protocol.lms.Command;
+import org.SEAR.protocol.lms.Telegram;
+import org.SEAR.protocol.lms.TelegramReader;
 
 /**
  * Talks to a SICK LMS2xx: one request at a time, each acknowledged and answered, repeated when refused or lost; looks for the device at other
  * baud rates when it hears nothing. Any thread; never blocks. Time-outs pass when {@link #tick} is called.
  */
-final class LmsDriver implements LmsFramer.Sink {
-    /** Baud rates of the device and the second byte of their telegram {@code 20 xx}. */
-    static final int[][] BAUDS = {{9600, 0x42}, {19200, 0x41}, {38400, 0x40}, {500000, 0x48}};
-
+final class LmsDriver implements TelegramReader.Listener {
     private static final int TRIES = 3;
     private static final int MOST_WAITING = 100;
-    private static final double BITS_PER_BYTE = 10;
     /** The device acknowledges within 60 ms; computers and converters take longer than that. Seconds. */
     private static final double ACKNOWLEDGE = 0.5;
     /** Least pause before a repeat after a NAK (telegram listing, chapter 4). Seconds. */
@@ -37,8 +37,8 @@ final class LmsDriver implements LmsFramer.Sink {
 
     /** Whoever wants to know. */
     interface Events {
-        /** @param body command, data, status of a B0h telegram */
-        void scan(byte[] body);
+        /** @param telegram a B0h telegram */
+        void scan(Telegram telegram);
 
         /** The device was found at another rate than the port was opened with; the port is at that rate now. */
         void baud(int baud);
@@ -50,7 +50,7 @@ final class LmsDriver implements LmsFramer.Sink {
 
     private final Line line;
     private final Events events;
-    private final LmsFramer framer = new LmsFramer();
+    private final TelegramReader reader = new TelegramReader(address -> (address & Telegram.FROM_DEVICE) != 0, this);
     private final Deque<LmsRequest> waiting = new ArrayDeque<>();
     private LmsRequest current;
     private int tries;
@@ -77,7 +77,7 @@ final class LmsDriver implements LmsFramer.Sink {
 
     /** Bytes from the device. */
     synchronized void receive(byte[] bytes) {
-        framer.feed(bytes, this);
+        reader.accept(bytes);
     }
 
     /** Lets time-outs pass. */
@@ -99,7 +99,7 @@ final class LmsDriver implements LmsFramer.Sink {
         current = null;
         heard = false;
         notBefore = 0;
-        framer.reset();
+        reader.clear();
     }
 
     /** Whether nothing is asked or waits. */
@@ -110,7 +110,7 @@ final class LmsDriver implements LmsFramer.Sink {
     /** Follows the device to another rate; it needs a moment before it listens there. */
     void changeBaud(int baud) {
         line.setBaud(baud);
-        framer.reset();
+        reader.clear();
         notBefore = line.now() + AFTER_BAUD_CHANGE;
     }
 
@@ -127,8 +127,8 @@ final class LmsDriver implements LmsFramer.Sink {
         tries++;
         resend = false;
         try {
-            byte[] telegram = LmsTelegram.frame(current.body.get());
-            deadline = line.now() + ACKNOWLEDGE + current.patience + (telegram.length + current.replyLength) * BITS_PER_BYTE / line.getBaud();
+            byte[] telegram = Telegram.request(current.payload.get()).toBytes();
+            deadline = line.now() + ACKNOWLEDGE + current.patience + Uart.seconds(telegram.length + current.replyLength, line.getBaud());
             line.write(telegram);
         } catch (RuntimeException e) {
             giveUp(current.name + " could not be sent: " + e.getMessage());
@@ -136,10 +136,10 @@ final class LmsDriver implements LmsFramer.Sink {
     }
 
     private void missed() {
-        framer.reset();
+        reader.clear();
         if (tries < TRIES && (heard || baudsTried == 0)) {
             transmit();
-        } else if (!heard && baudsTried < BAUDS.length) {
+        } else if (!heard && baudsTried < Baud.values().length) {
             tryAnotherBaud();
         } else {
             giveUp("no answer to " + current.name + " after " + tries + " tries at " + line.getBaud()
@@ -149,12 +149,8 @@ final class LmsDriver implements LmsFramer.Sink {
 
     /** Nothing was ever heard on this connection: the device may have been left at another rate. */
     private void tryAnotherBaud() {
-        int index = 0;
-        while (BAUDS[index][0] != line.getBaud() && index < BAUDS.length - 1) {
-            index++;
-        }
         baudsTried++;
-        line.setBaud(BAUDS[(index + 1) % BAUDS.length][0]);
+        line.setBaud(Baud.after(line.getBaud()).getRate());
         transmit();
     }
 
@@ -165,18 +161,16 @@ final class LmsDriver implements LmsFramer.Sink {
     }
 
     @Override
-    public void acknowledged() {
-        if (current != null) {
+    public void onStray(int value) {
+        if (current != null && value == Telegram.ACK) {
             hear();
+        } else if (current != null && value == Telegram.NAK) {
+            hear();
+            refused();
         }
     }
 
-    @Override
-    public void refused() {
-        if (current == null) {
-            return;
-        }
-        hear();
+    private void refused() {
         if (tries < TRIES) {
             resend = true;
             deadline = line.now() + AFTER_NAK;
@@ -194,32 +188,32 @@ final class LmsDriver implements LmsFramer.Sink {
     }
 
     @Override
-    public void telegram(byte[] body) {
-        int command = body[0] & 0xFF;
+    public void onTelegram(Telegram telegram) {
+        int command = telegram.getCommand();
         hear();
-        if (current != null && command == current.reply) {
+        if (current != null && command == current.command.getReply()) {
             LmsRequest answered = current;
             current = null;
-            accept(answered.then, body);
+            accept(answered.then, telegram);
             sendNext();
-        } else if (current != null && command == LmsTelegram.NOT_PERMITTED) {
+        } else if (current != null && command == Command.NOT_PERMITTED) {
             String name = current.name;
             current = null;
             events.error("the LIDAR does not permit " + name + " in its present operating mode");
             sendNext();
-        } else if (command == LmsTelegram.SCAN_REPLY) {
-            accept(events::scan, body);
-        } else if (command == LmsTelegram.POWER_ON) {
-            events.info("the LIDAR has started: " + LmsReplies.text(body));
+        } else if (command == Command.SCAN.getReply()) {
+            accept(events::scan, telegram);
+        } else if (command == Command.POWER_ON) {
+            events.info("the LIDAR has started: " + LmsReplies.text(telegram));
         }
     }
 
-    private void accept(Consumer<byte[]> taker, byte[] body) {
+    private void accept(Consumer<Telegram> taker, Telegram telegram) {
         try {
-            taker.accept(body);
+            taker.accept(telegram);
         } catch (IndexOutOfBoundsException | IllegalArgumentException e) {
-            events.error("the LIDAR sent a telegram " + Integer.toHexString(body[0] & 0xFF) + "h that makes no sense, " + body.length + " bytes: "
-                + Arrays.toString(Arrays.copyOf(body, Math.min(body.length, 8))));
+            events.error("the LIDAR sent a telegram " + Integer.toHexString(telegram.getCommand()) + "h that makes no sense, " + telegram.size()
+                + " bytes: " + e.getMessage());
         }
     }
 }

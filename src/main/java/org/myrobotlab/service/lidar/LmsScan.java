@@ -1,5 +1,7 @@
 package org.myrobotlab.service.lidar;
 
+import org.SEAR.protocol.lms.MeasuringMode;
+
 /**
  * One scan of a LIDAR, right to left, with all that is needed to draw it. JSON-friendly; nobody changes the arrays afterwards.
  */
@@ -21,37 +23,28 @@ public final class LmsScan {
     /** Seconds of the port's clock (simulated time at a simulated port) when the scan was complete. */
     public final double time;
 
-    private static final int LIMIT_BELOW_TOP = 8;
-    private static final double STRAIGHT_AHEAD = 90;
     private static final double MM = 1000;
     private static final double CM = 100;
 
     /**
      * @param raw values as they came, with their flag bits
-     * @param distanceBits how many bits of a value are distance: 13, 14, 15 or 16
+     * @param mode which bits of a value are distance
      * @param firstAngle degrees of the first value
      * @param resolution degrees between values
      */
-    LmsScan(int[] raw, boolean millimetres, int distanceBits, double firstAngle, double resolution, double time) {
-        int mask = (1 << distanceBits) - 1;
+    LmsScan(int[] raw, boolean millimetres, MeasuringMode mode, double firstAngle, double resolution, double time) {
         this.raw = new int[raw.length];
         this.unit = millimetres ? "mm" : "cm";
-        this.noReturn = mask - LIMIT_BELOW_TOP;
+        this.noReturn = mode.getBeyondRange();
         this.angles = new double[raw.length];
         this.metres = new Double[raw.length];
         this.resolution = resolution;
         this.spread = resolution * (raw.length - 1);
         this.time = time;
         for (int i = 0; i < raw.length; i++) {
-            this.raw[i] = raw[i] & mask;
+            this.raw[i] = mode.getDistance(raw[i]);
             angles[i] = firstAngle + i * resolution;
             metres[i] = this.raw[i] >= noReturn ? null : Double.valueOf(this.raw[i] / (millimetres ? MM : CM));
         }
-    }
-
-    /** A fan of that many values whose middle looks straight ahead. */
-    static LmsScan centred(int[] raw, boolean millimetres, int distanceBits, double resolution, double time) {
-        double half = resolution * (raw.length - 1) / 2;
-        return new LmsScan(raw, millimetres, distanceBits, STRAIGHT_AHEAD - half, resolution, time);
     }
 }

@@ -7,6 +7,7 @@ import static org.junit.Assert.assertTrue;
 
 import java.time.Instant;
 import org.SEAR.devices.FakeContext;
+import org.SEAR.protocol.nmea.Nmea;
 import org.SEAR.sensors.GpsFix;
 import org.junit.Before;
 import org.junit.Test;

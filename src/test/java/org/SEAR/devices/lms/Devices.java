@@ -1,6 +1,8 @@
 package org.SEAR.devices.lms;
 
 import org.SEAR.devices.FakeContext;
+import org.SEAR.protocol.lms.Identity;
+import org.SEAR.protocol.lms.Variant;
 
 /** An LMS200 as delivered, for tests of other packages. */
 public final class Devices {

@@ -5,8 +5,12 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import java.util.Arrays;
-import org.SEAR.devices.Bytes;
+import org.SEAR.Bytes;
 import org.SEAR.devices.FakeContext;
+import org.SEAR.protocol.lms.Baud;
+import org.SEAR.protocol.lms.Identity;
+import org.SEAR.protocol.lms.Telegram;
+import org.SEAR.protocol.lms.Variant;
 import org.junit.Before;
 import org.junit.Test;
 
@@ -45,10 +49,6 @@ public class Lms200Test {
         line.host(hex);
         line.pass(2);
         return line.takeHex();
-    }
-
-    private void wire(String payload, String frame) {
-        assertEquals(frame, Bytes.hex(new Telegram(Integer.parseInt(frame.substring(3, 5), 16), Bytes.bytes(payload)).toBytes()));
     }
 
     @Test
@@ -192,28 +192,6 @@ public class Lms200Test {
         ask(ON_REQUEST);
         String answer = ask("02 00 02 00 30 01 31 18");
         assertTrue(answer, answer.endsWith("10 " + crc));
-    }
-
-    @Test
-    public void measuringModesHaveTheirOverflows() {
-        int[][] modes = {{0, 8191, 8183}, {1, 8191, 8183}, {2, 8191, 8183},
-            {3, 16383, 16375}, {4, 16383, 16375}, {5, 32767, 32759}, {6, 32767, 32759}};
-        for (int[] mode : modes) {
-            assertEquals(mode[1], MeasuringMode.of(mode[0]).encode(Double.POSITIVE_INFINITY, 1000));
-            assertEquals(mode[2], MeasuringMode.of(mode[0]).encode(79, 1000));
-            assertEquals(mode[2] - 1, MeasuringMode.of(mode[0]).encode((mode[2] - 1) / 1000.0, 1000));
-            assertEquals(1235, MeasuringMode.of(mode[0]).encode(1.2346, 1000));
-            assertEquals(123, MeasuringMode.of(mode[0]).encode(1.2346, 100));
-        }
-    }
-
-    @Test
-    public void framesOfTheFactsPage() {
-        wire("B0 05 40 00 00 01 00 E8 83 F7 1F FF 1F 10", "02 80 0E 00 B0 05 40 00 00 01 00 E8 83 F7 1F FF 1F 10 D4 58");
-        wire("B0 03 00 64 00 C8 00 2C 01 10", "02 80 0A 00 B0 03 00 64 00 C8 00 2C 01 10 BE 64");
-        wire("B0 01 40 D2 24 10", "02 80 06 00 B0 01 40 D2 24 10 B0 99");
-        wire("A0 00 10", "02 81 03 00 A0 00 10 36 1A");
-        wire("A0 02 10", "02 80 03 00 A0 02 10 12 08");
     }
 
     @Test

@@ -3,6 +3,9 @@ package org.SEAR.devices.lms;
 import static org.junit.Assert.assertEquals;
 
 import org.SEAR.devices.FakeContext;
+import org.SEAR.protocol.lms.Baud;
+import org.SEAR.protocol.lms.Identity;
+import org.SEAR.protocol.lms.Variant;
 import org.junit.Test;
 
 /** Streams are as fast as SICK's table says, at each speed and variant. */

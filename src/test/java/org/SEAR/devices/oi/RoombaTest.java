@@ -5,7 +5,7 @@ import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.util.Arrays;
-import org.SEAR.devices.Bytes;
+import org.SEAR.Bytes;
 import org.SEAR.devices.FakeContext;
 import org.junit.Test;
 

@@ -6,14 +6,18 @@ import static org.junit.Assert.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.SEAR.Bytes;
+import org.SEAR.protocol.lms.Command;
+import org.SEAR.protocol.lms.OperatingMode;
+import org.SEAR.protocol.lms.Telegram;
 import org.junit.Before;
 import org.junit.Test;
 
 /** The driver asks one thing at a time, repeats, gives up, and looks for the device at other rates. */
 public class LmsDriverTest {
     private static final String SCAN_REQUEST = "02 00 02 00 30 01 31 18";
-    private static final byte[] MODE_REPLY = Hex.bytes("06 02 80 03 00 A0 00 10 16 0A");
-    private static final byte[] SCAN_REPLY = Hex.bytes("06 02 80 06 00 B0 01 40 D2 24 10 B0 99");
+    private static final byte[] MODE_REPLY = Bytes.bytes("06 02 80 03 00 A0 00 10 16 0A");
+    private static final byte[] SCAN_REPLY = Bytes.bytes("06 02 80 06 00 B0 01 40 D2 24 10 B0 99");
 
     private final List<String> sent = new ArrayList<>();
     private final List<String> errors = new ArrayList<>();
@@ -28,7 +32,7 @@ public class LmsDriverTest {
         driver = new LmsDriver(new LmsDriver.Line() {
             @Override
             public void write(byte[] bytes) {
-                sent.add(Hex.text(bytes));
+                sent.add(Bytes.hex(bytes));
             }
 
             @Override
@@ -47,7 +51,7 @@ public class LmsDriverTest {
             }
         }, new LmsDriver.Events() {
             @Override
-            public void scan(byte[] body) {
+            public void scan(Telegram telegram) {
                 answers.add("streamed");
             }
 
@@ -69,12 +73,12 @@ public class LmsDriverTest {
     }
 
     private void askScan() {
-        driver.ask(new LmsRequest("a scan", () -> LmsTelegram.of(LmsTelegram.SCAN, 1), LmsTelegram.SCAN_REPLY, 813, 1, body -> answers.add("scan")));
+        driver.ask(new LmsRequest("a scan", Command.SCAN, () -> Command.SCAN.request().add(1), 813, 1, reply -> answers.add("scan")));
     }
 
     private void askMode() {
-        driver.ask(new LmsRequest("streaming", () -> LmsTelegram.of(LmsTelegram.MODE, LmsTelegram.STREAM_ALL), LmsTelegram.MODE_REPLY, 9, 3,
-            body -> answers.add("mode")));
+        driver.ask(new LmsRequest("streaming", Command.MODE, () -> Command.MODE.request().add(OperatingMode.STREAM_ALL), 9, 3,
+            reply -> answers.add("mode")));
     }
 
     private void pass(double seconds) {
@@ -135,7 +139,7 @@ public class LmsDriverTest {
     @Test
     public void aRefusedRequestIsRepeatedAfterThePause() {
         askScan();
-        driver.receive(Hex.bytes("15"));
+        driver.receive(Bytes.bytes("15"));
         driver.tick();
         assertEquals(1, sent.size());
         pass(0.05);
@@ -150,7 +154,7 @@ public class LmsDriverTest {
     public void threeRefusalsAreAnError() {
         askScan();
         for (int i = 0; i < 3; i++) {
-            driver.receive(Hex.bytes("15"));
+            driver.receive(Bytes.bytes("15"));
             pass(0.05);
         }
         assertEquals(3, sent.size());
@@ -204,7 +208,7 @@ public class LmsDriverTest {
     public void whatIsNotPermittedIsAnErrorAndTheNextRequestFollows() {
         askScan();
         askMode();
-        driver.receive(Hex.bytes("06 02 80 02 00 92 10 7F 33"));
+        driver.receive(Bytes.bytes("06 02 80 02 00 92 10 7F 33"));
         assertTrue(errors.get(0).contains("does not permit a scan"));
         assertEquals(2, sent.size());
     }

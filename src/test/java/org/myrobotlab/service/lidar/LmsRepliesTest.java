@@ -5,47 +5,34 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Collectors;
+import org.SEAR.Bytes;
+import org.SEAR.protocol.lms.Command;
+import org.SEAR.protocol.lms.CountWord;
+import org.SEAR.protocol.lms.MeasuringMode;
+import org.SEAR.protocol.lms.RealFrames;
+import org.SEAR.protocol.lms.StatusByte;
+import org.SEAR.protocol.lms.Telegram;
+import org.SEAR.protocol.lms.TelegramReader;
 import org.junit.Test;
 
 /** Scans mean what the telegram listing says. */
 public class LmsRepliesTest {
-    private static final int SIXTEEN_METRES = 4;
-
-    private static List<byte[]> telegrams(String hex) {
-        List<byte[]> found = new ArrayList<>();
-        new LmsFramer().feed(Hex.bytes(hex), new LmsFramer.Sink() {
-            @Override
-            public void acknowledged() {
-                found.add(new byte[0]);
-            }
-
-            @Override
-            public void refused() {
-                found.add(new byte[0]);
-            }
-
-            @Override
-            public void telegram(byte[] body) {
-                found.add(body);
-            }
-        });
-        return found;
+    private static Telegram telegram(String hex) {
+        List<Telegram> found = new ArrayList<>();
+        new TelegramReader(address -> address >= Telegram.FROM_DEVICE, found::add).accept(Bytes.bytes(hex));
+        return found.get(0);
     }
 
-    private static LmsScan scan(String hex, int mode) {
-        return LmsReplies.scan(telegrams(hex).get(0), mode, 1, 0);
+    private static LmsScan scan(String hex) {
+        return LmsReplies.scan(telegram(hex), MeasuringMode.FIELDS_A_B_DAZZLE, 1, 0);
     }
 
     @Test
     public void flagBitsAreNoDistanceAndOverflowsAreNoReturn() {
-        LmsScan scan = scan("02 80 0E 00 B0 05 40 00 00 01 00 E8 83 F7 1F FF 1F 10 D4 58", 0);
+        LmsScan scan = scan("02 80 0E 00 B0 05 40 00 00 01 00 E8 83 F7 1F FF 1F 10 D4 58");
         assertArrayEquals(new int[] {0, 1, 1000, 8183, 8191}, scan.raw);
         assertEquals("mm", scan.unit);
         assertEquals(1.0, scan.metres[2], 0);
@@ -55,7 +42,7 @@ public class LmsRepliesTest {
 
     @Test
     public void centimetresAreHundredthsOfMetres() {
-        LmsScan scan = scan("02 80 0A 00 B0 03 00 64 00 C8 00 2C 01 10 BE 64", 0);
+        LmsScan scan = scan("02 80 0A 00 B0 03 00 64 00 C8 00 2C 01 10 BE 64");
         assertArrayEquals(new int[] {100, 200, 300}, scan.raw);
         assertEquals("cm", scan.unit);
         assertEquals(3.0, scan.metres[2], 1e-12);
@@ -63,7 +50,7 @@ public class LmsRepliesTest {
 
     @Test
     public void aFieldFlagDoesNotChangeTheDistance() {
-        assertArrayEquals(new int[] {1234}, scan("02 80 06 00 B0 01 40 D2 24 10 B0 99", 0).raw);
+        assertArrayEquals(new int[] {1234}, scan("02 80 06 00 B0 01 40 D2 24 10 B0 99").raw);
     }
 
     @Test
@@ -72,43 +59,38 @@ public class LmsRepliesTest {
         for (int i = 0; i <= 180; i++) {
             hex.append(String.format(" %02X 00", i));
         }
-        LmsScan wide = scan(hex + " 10 D5 D8", 0);
+        LmsScan wide = scan(hex + " 10 D5 D8");
         assertEquals(0, wide.angles[0], 0);
         assertEquals(180, wide.angles[180], 0);
         assertEquals(180, wide.raw[180]);
         String narrow = "02 80 CE 00 B0 65 00" + " FF 1F".repeat(101) + " 10 60 E9";
-        assertEquals(40, scan(narrow, 0).angles[0], 0);
-        assertEquals(140, scan(narrow, 0).angles[100], 0);
+        assertEquals(40, scan(narrow).angles[0], 0);
+        assertEquals(140, scan(narrow).angles[100], 0);
         String fine = "02 80 26 03 B0 91 01" + " FF 1F".repeat(401) + " 10 04 B1";
-        assertEquals(0.25, scan(fine, 0).resolution, 0);
+        assertEquals(0.25, scan(fine).resolution, 0);
     }
 
     @Test
-    public void telegramsOfARealDeviceAreAllFound() throws IOException {
-        List<byte[]> found = telegrams(realFrames());
-        List<byte[]> scans = found.stream().filter(body -> (body[0] & 0xFF) == LmsTelegram.SCAN_REPLY).collect(Collectors.toList());
-        assertEquals(realTelegrams(), found.size());
+    public void nothingHitIsNoReturnInEveryMode() {
+        for (MeasuringMode mode : MeasuringMode.values()) {
+            int nothing = mode.getNothingHit();
+            Telegram telegram = new Telegram(Telegram.FROM_DEVICE, Command.SCAN.reply().word(CountWord.whole(2, 1).toWord()).word(nothing).word(1234)
+                .add(StatusByte.OK).toBytes());
+            LmsScan scan = LmsReplies.scan(telegram, mode, 1, 0);
+            assertNull(mode.name(), scan.metres[0]);
+            assertEquals(1.234, scan.metres[1], 1e-12);
+        }
+    }
+
+    @Test
+    public void aScanOfARealDeviceIsInMetres() throws IOException {
+        List<Telegram> scans = RealFrames.telegrams(Command.SCAN.getReply());
         assertTrue(scans.size() >= 2);
-        LmsScan scan = LmsReplies.scan(scans.get(0), SIXTEEN_METRES, 0.5, 0);
+        LmsScan scan = LmsReplies.scan(scans.get(0), MeasuringMode.FIELDS_16_A_B, 0.5, 0);
         assertEquals(361, scan.raw.length);
         assertEquals(0.205, scan.metres[0], 1e-12);
         assertEquals(0.208, scan.metres[1], 1e-12);
         assertEquals("mm", scan.unit);
         assertEquals(1, java.util.Arrays.stream(scan.raw).filter(value -> value == 0x3FFB).count());
-    }
-
-    private static List<String> lines() throws IOException {
-        try (BufferedReader in = new BufferedReader(new InputStreamReader(LmsRepliesTest.class.getResourceAsStream("real-frames.txt"),
-                StandardCharsets.US_ASCII))) {
-            return in.lines().filter(line -> line.startsWith("02 ") || line.matches("[0-9A-F]{2}( [0-9A-F]{2})*")).collect(Collectors.toList());
-        }
-    }
-
-    private static String realFrames() throws IOException {
-        return String.join(" ", lines());
-    }
-
-    private static long realTelegrams() throws IOException {
-        return lines().stream().filter(line -> line.startsWith("02 80")).count();
     }
 }

@@ -8,52 +8,20 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.SEAR.protocol.nmea.Nmea;
+import org.SEAR.protocol.nmea.SentenceReader;
 import org.junit.Test;
 
-/** Sentences of real receivers are read, damaged ones left out. */
-public class NmeaReaderTest {
+/** Positions of real receivers are read, whatever stands in their fields. */
+public class GgaFixTest {
     private static final String GGA = "$GPGGA,081436.000,5212.982135,N,00653.101394,E,1,3,2.88,102.907,M,47.093,M,,*5F";
-    private static final String MT3329 = "$GPGGA,102128.000,5129.0623,N,00632.2910,E,1,4,1.31,29.7,M,47.4,M,,*6D";
     private static final String NO_FIX = "$GPGGA,235946.005,8960.000000,N,00000.000000,E,0,0,,137.000,M,13.000,M,,*49";
 
     private final List<String> found = new ArrayList<>();
-    private final NmeaReader reader = new NmeaReader(found::add);
+    private final SentenceReader reader = new SentenceReader(found::add);
 
     private void feed(String text) {
         reader.feed(text.getBytes(StandardCharsets.ISO_8859_1));
-    }
-
-    @Test
-    public void aLogOfARealReceiverIsReadWhole() {
-        feed("$PMTK010,001*2E\r\n$POLYN,TIME,RESTART_OCCURRED\r\n" + NO_FIX + "\r\n" + GGA + "\r\n"
-            + "$GPGSA,A,2,21,28,08,,,,,,,,,,3.05,2.88,1.00*07\r\n$GPVTG,0.00,T,,M,0.039,N,0.072,K,A*32\r\n");
-        assertEquals(6, found.size());
-        assertEquals(0, reader.getDamaged());
-    }
-
-    @Test
-    public void aWrongCheckSumIsLeftOut() {
-        feed(GGA.replace("5212", "5213") + "\r\n" + MT3329 + "\r\n");
-        assertEquals("[" + MT3329 + "]", found.toString());
-        assertEquals(1, reader.getDamaged());
-    }
-
-    @Test
-    public void aSentenceThatBreaksOffDoesNotHurtTheNext() {
-        feed(GGA.substring(0, 30) + MT3329 + "\r\n");
-        assertEquals("[" + MT3329 + "]", found.toString());
-    }
-
-    @Test
-    public void afterGarbageTheNextSentenceIsRead() {
-        long seed = new Random().nextLong();
-        Random random = new Random(seed);
-        byte[] garbage = new byte[1_000_000];
-        random.nextBytes(garbage);
-        reader.feed(garbage);
-        found.clear();
-        feed("\r\n" + GGA + "\r\n");
-        assertEquals("seed " + seed, "[" + GGA + "]", found.toString());
     }
 
     /** Whole sentences with the right check sum and any fields, among any bytes; -Dsear.fuzzBytes sets how many. */
@@ -70,7 +38,7 @@ public class NmeaReaderTest {
             }
             random.nextBytes(garbage);
             reader.feed(garbage);
-            feed("\r\n" + NmeaReader.framed(body.toString().replaceAll("[$*\u00e4]", "")));
+            feed("\r\n" + Nmea.sentence(body.toString().replaceAll("[$*\u00e4]", "")));
             done += garbage.length + body.length();
             for (String sentence : found) {
                 try {
@@ -83,13 +51,6 @@ public class NmeaReaderTest {
         }
         feed("\r\n" + GGA + "\r\n");
         assertEquals("seed " + seed, "[" + GGA + "]", found.toString());
-    }
-
-    @Test
-    public void commandsGetTheCheckSumOfTheManual() {
-        assertEquals("$PMTK220,200*2C\r\n", NmeaReader.framed("PMTK220,200"));
-        assertEquals("$PMTK251,38400*27\r\n", NmeaReader.framed("PMTK251,38400"));
-        assertEquals("$PMTK000*32\r\n", NmeaReader.framed("PMTK000"));
     }
 
     @Test

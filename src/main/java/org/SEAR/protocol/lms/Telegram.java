@@ -1,4 +1,7 @@
-package org.SEAR.devices.lms;
+package org.SEAR.protocol.lms;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 
 /**
  * A telegram of the LMS2xx: {@code 02 | address | length W | command | data | crc W}; words have their low byte first, the length counts command and
@@ -14,24 +17,44 @@ public final class Telegram {
     public static final int NAK = 0x15;
     /** Bytes before the command. */
     public static final int HEADER_SIZE = 4;
+    /** Bytes of the checksum. */
+    public static final int CRC_SIZE = 2;
     /** Bytes beside command and data. */
-    public static final int FRAME_SIZE = HEADER_SIZE + 2;
+    public static final int FRAME_SIZE = HEADER_SIZE + CRC_SIZE;
     /** Longest command and data that a telegram of the listing has: 401 values with indices are 808; rounded up. */
     public static final int MAX_PAYLOAD = 1024;
+    /** Bit of the address byte that tells a device's telegrams from a host's. */
+    public static final int FROM_DEVICE = 0x80;
+    private static final int BROADCAST = 0;
     private static final int GENERATOR = 0x8005;
 
     private final int address;
     private final byte[] payload;
 
-    /** @param address 0 to 255 @param payload command, data and, in replies, the status byte */
+    /**
+     * A telegram; its checksum is made by {@link #toBytes}.
+     *
+     * @param address 0 to 255
+     * @param payload command, data and, in replies, the status byte; at least the command
+     */
     public Telegram(int address, byte[] payload) {
         this.address = address;
         this.payload = payload;
     }
 
-    /** Address byte; replies have bit 7 set. */
+    /** A request to whatever device is on the line. */
+    public static Telegram request(Payload payload) {
+        return new Telegram(BROADCAST, payload.toBytes());
+    }
+
+    /** Address byte; replies have {@link #FROM_DEVICE} set. */
     public int getAddress() {
         return address;
+    }
+
+    /** Whether a device sent it. */
+    public boolean isFromDevice() {
+        return (address & FROM_DEVICE) != 0;
     }
 
     /** The command byte, 0 to 255. */
@@ -44,14 +67,44 @@ public final class Telegram {
         return payload.length;
     }
 
-    /** Byte of the payload, 0 to 255. @param index 0 is the command */
+    /**
+     * Byte of the payload, 0 to 255.
+     *
+     * @param index 0 is the command
+     * @throws IndexOutOfBoundsException if the payload is shorter
+     */
     public int at(int index) {
         return payload[index] & 0xFF;
     }
 
-    /** Word of the payload, 0 to 65535. @param index of its low byte */
+    /**
+     * Word of the payload, 0 to 65535.
+     *
+     * @param index of its low byte
+     * @throws IndexOutOfBoundsException if the payload is shorter
+     */
     public int wordAt(int index) {
         return at(index) | at(index + 1) << 8;
+    }
+
+    /** The last byte of the payload: the status byte of a reply. */
+    public int last() {
+        return at(payload.length - 1);
+    }
+
+    /**
+     * Text within the payload.
+     *
+     * @param from index of its first byte
+     * @param to index after its last byte
+     */
+    public String text(int from, int to) {
+        return to <= from ? "" : new String(payload, from, to - from, StandardCharsets.US_ASCII);
+    }
+
+    /** Part of the payload, a copy; zeros where the payload is shorter. */
+    public byte[] copy(int from, int to) {
+        return Arrays.copyOfRange(payload, from, to);
     }
 
     /** The telegram as it goes over the line. */

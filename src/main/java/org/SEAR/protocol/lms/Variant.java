@@ -1,4 +1,4 @@
-package org.SEAR.devices.lms;
+package org.SEAR.protocol.lms;
 
 /** A scanning angle with its resolution. The first value is the rightmost; the 100 degree fans cover 40 to 140 degrees of the 180. */
 public enum Variant {
@@ -11,6 +11,8 @@ public enum Variant {
     /** One turn of the mirror at 75 turns a second, seconds (SICK telegram listing, table 10-17). */
     public static final double TURN = 0.01332;
 
+    private static final double HUNDREDTHS = 100;
+
     private final int spread;
     private final int resolution;
 
@@ -19,10 +21,25 @@ public enum Variant {
         this.resolution = resolution;
     }
 
-    /** The variant of a telegram; null if an LMS200 has none such. @param spread degrees @param resolution 1/100 degree */
+    /**
+     * The variant of a telegram; null if an LMS200 has none such.
+     *
+     * @param spread degrees
+     * @param resolution 1/100 degree
+     */
     public static Variant of(int spread, int resolution) {
         for (Variant variant : values()) {
             if (variant.spread == spread && variant.resolution == resolution) {
+                return variant;
+            }
+        }
+        return null;
+    }
+
+    /** The variant of so many degrees; null if an LMS200 has none such. */
+    public static Variant ofDegrees(double spread, double resolution) {
+        for (Variant variant : values()) {
+            if (variant.spread == spread && variant.resolution == resolution * HUNDREDTHS) {
                 return variant;
             }
         }

@@ -1,6 +1,9 @@
-package org.SEAR.devices.lms;
+package org.SEAR.protocol.lms;
 
-/** How many bits of a value are the distance; the others are flags of fields and reflectors, which the simulated device never raises. */
+/**
+ * How many bits of a value are the distance; the others are flags of fields and reflectors, which the simulated device never raises. The greatest
+ * numbers are codes: nothing hit, dazzled, beyond the range. Source: SICK telegram listing, tables 7-31 and 10-13 to 10-15.
+ */
 public enum MeasuringMode {
     FIELDS_A_B_DAZZLE(0x00, 13),
     REFLECTOR_8(0x01, 13),
@@ -37,12 +40,17 @@ public enum MeasuringMode {
         return code;
     }
 
+    /** The distance bits of a value, without its flags. */
+    public int getDistance(int value) {
+        return value & getNothingHit();
+    }
+
     /** The value where nothing was hit: 8191, 16383 or 32767. */
     public int getNothingHit() {
         return (1 << bits) - 1;
     }
 
-    /** The value where something is beyond the measuring range: 8183, 16375 or 32759. */
+    /** The value where something is beyond the measuring range: 8183, 16375 or 32759. From here on a value is no distance. */
     public int getBeyondRange() {
         return getNothingHit() - OVERFLOWS;
     }

@@ -1,4 +1,4 @@
-package org.SEAR.devices;
+package org.SEAR;
 
 import java.util.Locale;
 

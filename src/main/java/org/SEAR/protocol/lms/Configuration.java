@@ -1,4 +1,6 @@
-package org.SEAR.devices.lms;
+package org.SEAR.protocol.lms;
+
+import java.util.Arrays;
 
 /**
  * The 34 bytes of telegrams 77h, F4h and F7h (SICK telegram listing, table 7-122). Immutable.
@@ -17,6 +19,8 @@ public final class Configuration {
     private static final int SEND_INDICES = 2;
     private static final int UNIT_CM = 0;
     private static final int UNIT_MM = 1;
+    private static final int MM_PER_METRE = 1000;
+    private static final int CM_PER_METRE = 100;
 
     private final byte[] bytes;
 
@@ -35,20 +39,25 @@ public final class Configuration {
         return new Configuration(bytes);
     }
 
-    /** What a 77h request asks for; null if an LMS200 can't do it (unknown mode or unit, wrong length). */
-    public static Configuration of(Telegram request) {
-        if (request.size() != SIZE + 1) {
-            return null;
+    /**
+     * What a telegram carries, legal or not.
+     *
+     * @param from where in the payload it begins
+     * @throws IllegalArgumentException if the telegram is too short
+     */
+    public static Configuration of(Telegram telegram, int from) {
+        if (telegram.size() < from + SIZE) {
+            throw new IllegalArgumentException("configuration of " + (telegram.size() - from) + " bytes");
         }
-        byte[] bytes = new byte[SIZE];
-        for (int i = 0; i < SIZE; i++) {
-            bytes[i] = (byte) request.at(i + 1);
-        }
-        boolean legal = MeasuringMode.of(bytes[MEASURING_MODE]) != null && (bytes[UNIT] == UNIT_CM || bytes[UNIT] == UNIT_MM);
-        return legal ? new Configuration(bytes) : null;
+        return new Configuration(telegram.copy(from, from + SIZE));
     }
 
-    /** How distances are coded. */
+    /** Whether an LMS200 can do it: it knows the measuring mode and the unit. */
+    public boolean isLegal() {
+        return getMode() != null && (bytes[UNIT] == UNIT_CM || bytes[UNIT] == UNIT_MM);
+    }
+
+    /** How distances are coded; null for a mode that the listing doesn't have. */
     public MeasuringMode getMode() {
         return MeasuringMode.of(bytes[MEASURING_MODE]);
     }
@@ -58,9 +67,14 @@ public final class Configuration {
         return bytes[UNIT];
     }
 
+    /** Whether distances are told in millimetres. */
+    public boolean isMillimetres() {
+        return bytes[UNIT] == UNIT_MM;
+    }
+
     /** Units in a metre. */
     public int getUnitsPerMetre() {
-        return bytes[UNIT] == UNIT_MM ? 1000 : 100;
+        return isMillimetres() ? MM_PER_METRE : CM_PER_METRE;
     }
 
     /** Whether each scan ends with scan index and telegram index. */
@@ -68,8 +82,15 @@ public final class Configuration {
         return (bytes[AVAILABILITY] & SEND_INDICES) != 0;
     }
 
-    /** Appends the 34 bytes. */
-    void writeTo(Payload payload) {
-        payload.bytes(bytes);
+    /** The same but for its unit. */
+    public Configuration withMillimetres(boolean millimetres) {
+        byte[] changed = bytes.clone();
+        changed[UNIT] = (byte) (millimetres ? UNIT_MM : UNIT_CM);
+        return new Configuration(changed);
+    }
+
+    /** The 34 bytes, a copy. */
+    public byte[] toBytes() {
+        return Arrays.copyOf(bytes, SIZE);
     }
 }

@@ -1,6 +1,6 @@
-package org.SEAR.devices.lms;
+package org.SEAR.protocol.lms;
 
-/** The speeds of the LMS200's line. */
+/** The speeds of the LMS200's line. Source: SICK telegram listing, tables 6-2 and 7-33. */
 public enum Baud {
     B9600(0x42, 9600, 0x8067),
     B19200(0x41, 19200, 0x8033),
@@ -35,6 +35,17 @@ public enum Baud {
             }
         }
         return null;
+    }
+
+    /** The speed to try after another one, in turn; after a rate that an LMS200 doesn't have the slowest. */
+    public static Baud after(int rate) {
+        Baud baud = ofRate(rate);
+        return baud == null ? values()[0] : values()[(baud.ordinal() + 1) % values().length];
+    }
+
+    /** The second byte of telegram {@code 20 mode} that chooses it. */
+    public int getMode() {
+        return mode;
     }
 
     /** Bits a second. */

@@ -1,4 +1,4 @@
-package org.SEAR.devices.lms;
+package org.SEAR.protocol.lms;
 
 /** What is printed on one LMS200: data that its telegrams repeat. Immutable. */
 public final class Identity {

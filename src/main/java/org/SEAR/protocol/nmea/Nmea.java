@@ -1,0 +1,74 @@
+package org.SEAR.protocol.nmea;
+
+import java.util.Locale;
+
+/** The frame and the numbers of NMEA 0183 sentences: {@code $ ... *cs CR LF}, where cs is the exclusive or of what stands between $ and *. */
+public final class Nmea {
+    /** Digits of the degrees of a latitude. */
+    public static final int LATITUDE_DIGITS = 2;
+    /** Digits of the degrees of a longitude. */
+    public static final int LONGITUDE_DIGITS = 3;
+    private static final int MINUTES = 60;
+    private static final int HEX = 16;
+    private static final int CHECKSUM_SIZE = 3;
+
+    private Nmea() {
+    }
+
+    /** The sentence of a body, for example {@code "PMTK010,001"} gives {@code "$PMTK010,001*2E\r\n"}. */
+    public static String sentence(String body) {
+        return "$" + body + "*" + String.format(Locale.ROOT, "%02X", checksum(body)) + "\r\n";
+    }
+
+    /** The body of a line with the right checksum; null otherwise. @param line without CR LF */
+    public static String body(String line) {
+        int star = line.length() - CHECKSUM_SIZE;
+        if (star < 1 || line.charAt(0) != '$' || line.charAt(star) != '*') {
+            return null;
+        }
+        int high = Character.digit(line.charAt(star + 1), HEX);
+        int low = Character.digit(line.charAt(star + 2), HEX);
+        String body = line.substring(1, star);
+        return high >= 0 && low >= 0 && high * HEX + low == checksum(body) ? body : null;
+    }
+
+    private static int checksum(String body) {
+        int sum = 0;
+        for (int i = 0; i < body.length(); i++) {
+            sum ^= body.charAt(i);
+        }
+        return sum & 0xFF;
+    }
+
+    /**
+     * Degrees as {@code ddmm.mmmm}, without sign; rounded as a whole, so that minutes never show as 60.
+     *
+     * @param width digits of the degrees
+     * @param decimals of the minutes
+     */
+    public static String degrees(double degrees, int width, int decimals) {
+        long scale = Math.round(Math.pow(10, decimals));
+        long minutes = Math.round(Math.abs(degrees) * MINUTES * scale);
+        return String.format(Locale.ROOT, "%0" + width + "d%02d.%0" + decimals + "d", minutes / (MINUTES * scale), minutes / scale % MINUTES,
+            minutes % scale);
+    }
+
+    /**
+     * Decimal degrees of {@code ddmm.mmmm}.
+     *
+     * @param width digits of the degrees
+     * @throws IllegalArgumentException if it is no coordinate
+     */
+    public static double degrees(String field, int width) {
+        if (field.length() <= width) {
+            throw new IllegalArgumentException("\"" + field + "\" is no coordinate");
+        }
+        return Integer.parseInt(field.substring(0, width)) + Double.parseDouble(field.substring(width)) / MINUTES;
+    }
+
+    /** A decimal number with a point, whatever the computer's language. */
+    public static String number(double value, int decimals) {
+        String text = String.format(Locale.ROOT, "%." + decimals + "f", value);
+        return text.startsWith("-") && text.matches("-0*\\.?0*") ? text.substring(1) : text;
+    }
+}

@@ -1,0 +1,78 @@
+package org.SEAR.protocol.nmea;
+
+import java.nio.charset.StandardCharsets;
+import java.util.function.Consumer;
+
+/**
+ * Finds NMEA 0183 sentences in a stream of bytes: {@code $GPGGA,...*5F CR LF}. Damaged sentences are counted and left out; reading goes on at the next
+ * {@code $}. Any one thread at a time.
+ */
+public final class SentenceReader {
+    /** Longest sentence taken: NMEA allows 82, receivers' own sentences are longer. */
+    private static final int LONGEST = 256;
+
+    private final Consumer<String> sentences;
+    private final byte[] buffer = new byte[LONGEST];
+    private int filled;
+    private long damaged;
+
+    /** @param sentences gets each good sentence, from {@code $} to check sum, without line end; makers' own ({@code $P...}) without check sum, too */
+    public SentenceReader(Consumer<String> sentences) {
+        this.sentences = sentences;
+    }
+
+    /** Takes bytes as they come, in pieces of any size. */
+    public void feed(byte[] bytes) {
+        for (byte b : bytes) {
+            accept(b);
+        }
+    }
+
+    /** Takes the next byte. @param value its lowest eight bits count */
+    public void accept(int value) {
+        if (value == '$') {
+            damaged += filled > 0 ? 1 : 0;
+            filled = 0;
+            buffer[filled++] = '$';
+        } else if (value == '\r' || value == '\n') {
+            end();
+        } else if (filled > 0) {
+            append((byte) value);
+        }
+    }
+
+    private void append(byte b) {
+        if (filled == LONGEST || b < ' ' || b > '~') {
+            damaged++;
+            filled = 0;
+        } else {
+            buffer[filled++] = b;
+        }
+    }
+
+    private void end() {
+        if (filled > 0) {
+            String sentence = new String(buffer, 0, filled, StandardCharsets.US_ASCII);
+            filled = 0;
+            if (isGood(sentence)) {
+                sentences.accept(sentence);
+            } else {
+                damaged++;
+            }
+        }
+    }
+
+    /** Sentences ever left out because their check sum was wrong or bytes were missing. */
+    public long getDamaged() {
+        return damaged;
+    }
+
+    /** Forgets a sentence that was begun. */
+    public void reset() {
+        filled = 0;
+    }
+
+    private static boolean isGood(String sentence) {
+        return sentence.indexOf('*') < 0 ? sentence.startsWith("$P") : Nmea.body(sentence) != null;
+    }
+}

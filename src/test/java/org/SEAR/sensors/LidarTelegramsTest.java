@@ -95,6 +95,40 @@ public class LidarTelegramsTest {
         assertTrue(hits + " beams hit, " + misses + " did not", hits > 500 && misses > 500);
     }
 
+    /** As CARMEN and others ask for it: 32 bytes of configuration with measuring mode 4 (16 m) and 6 (32 m). */
+    @Test
+    public void aPostBeyondEightMetresIsMeasuredInTheModesOfSixteenAndThirtyTwo() throws Exception {
+        String zeros = " 00".repeat(21);
+        String[] modes = {"02 00 21 00 77 00 00 70 00 00 04 01 00 00 02 02" + zeros + " 84 72",
+            "02 00 21 00 77 00 00 70 00 00 06 01 00 00 02 02" + zeros + " D4 42"};
+        new Floor("floor", 60, 60, false).move(0, 0, 0);
+        new Cylinder("post", 0.25, 3, 0).move(12, 1.5, 0);
+        LIDAR lidar = new LIDAR("scanner", 80, 180, 1, 0, 0.5, 0, 0, 90, 0);
+        lidar.setPorts("/dev/uart", "/dev/user");
+        carrier(0).addComponent(lidar);
+        try (Simulation simulation = Simulation.load(Path.of(System.getProperty("sear.project")), SEED)) {
+            SerialLine line = simulation.getLines().get(0);
+            line.setSink(bytes -> received.write(bytes, 0, bytes.length));
+            run(simulation, 2);
+            ask(simulation, line, "02 00 02 00 20 40 50 08", 9);
+            for (int i = 0; i < modes.length; i++) {
+                ask(simulation, line, "02 00 0A 00 20 00 53 49 43 4B 5F 4C 4D 53 BE C5", 9);
+                assertEquals(1, ask(simulation, line, modes[i], 43)[5]);
+                ask(simulation, line, "02 00 02 00 20 25 35 08", 9);
+                byte[] scan = ask(simulation, line, SINGLE_SCAN, 372);
+                int nothing = i == 0 ? 16383 : 32767;
+                int hit = 0;
+                for (int beam = 0; beam <= 180; beam++) {
+                    int value = scan[7 + 2 * beam] & 0xFF | (scan[8 + 2 * beam] & 0xFF) << 8;
+                    assertTrue("beam " + beam + " reads " + value, value == nothing || beam >= 87 && beam <= 93 && value >= 11749 && value < 12000);
+                    hit += value == nothing ? 0 : 1;
+                }
+                assertEquals("beams on a post of half a metre", 3, hit);
+                assertEquals(11750, scan[7 + 180] & 0xFF | (scan[8 + 180] & 0xFF) << 8, 2);
+            }
+        }
+    }
+
     /** Objects anywhere but where the robot stands, the same in both worlds. */
     private MarchedWorld build(Random random) {
         MarchedWorld marched = new MarchedWorld();
@@ -120,15 +154,20 @@ public class LidarTelegramsTest {
         return marched;
     }
 
-    private static void robot(Random random) {
+    private static SEARrobot carrier(double turned) {
         SEARrobot robot = new SEARrobot("carrier");
-        robot.addComponent(new Dynamics("drive", 4, 60, 0.3, 0.4, 1000, 0.1, 0, 0.1, 0, 0, 360 * random.nextDouble(), 0));
+        robot.addComponent(new Dynamics("drive", 4, 60, 0.3, 0.4, 1000, 0.1, 0, 0.1, 0, 0, turned, 0));
         robot.addComponent(new Cylinder("body", 0.17, 0.08, 4));
         for (double[] at : new double[][] {{-0.16, 0, 1}, {0.16, 0, 1}, {0, 0.16, 0}, {0, -0.16, 0}}) {
             Wheel wheel = new Wheel("wheel" + robot.getWheels().size(), 0.038, 0.03, (int) at[2]);
             wheel.move(at[0], 0, at[1]);
             robot.addWheel(wheel);
         }
+        return robot;
+    }
+
+    private static void robot(Random random) {
+        SEARrobot robot = carrier(360 * random.nextDouble());
         LIDAR lidar = new LIDAR("scanner");
         lidar.setPorts("/dev/uart", "/dev/user");
         lidar.setRange(RANGE);

@@ -284,7 +284,7 @@ final class Commands {
             device.replyAfter(Timing.ANSWER, notPermitted(), time);
             return;
         }
-        Configuration wanted = request.size() == Configuration.SIZE + 1 ? Configuration.of(request, 1) : null;
+        Configuration wanted = configuration.with(request);
         boolean taken = wanted != null && wanted.isLegal();
         device.later(time + Timing.WRITE, t -> {
             configuration = taken ? wanted : configuration;

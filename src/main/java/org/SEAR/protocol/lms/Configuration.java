@@ -8,6 +8,8 @@ import java.util.Arrays;
 public final class Configuration {
     /** Number of bytes. */
     public static final int SIZE = 34;
+    /** Number of bytes that drivers for the older LMS2xx write: all but the last word. */
+    public static final int OLD_SIZE = 32;
     private static final int STOP_THRESHOLD = 2;
     private static final int AVAILABILITY = 4;
     private static final int MEASURING_MODE = 5;
@@ -50,6 +52,22 @@ public final class Configuration {
             throw new IllegalArgumentException("configuration of " + (telegram.size() - from) + " bytes");
         }
         return new Configuration(telegram.copy(from, from + SIZE));
+    }
+
+    /**
+     * What a 77h request makes of this one: it carries all 34 bytes, or, as drivers for the older LMS2xx send it, the first 32; what it does not carry
+     * stays as it is. Example of 32, millimetres: {@code 02 00 21 00 77 00 00 00 00 00 00 01 00 00 02 02 + 21 x 00 + FC 7E}.
+     *
+     * @return null if the request has another length
+     */
+    public Configuration with(Telegram request) {
+        int carried = request.size() - 1;
+        if (carried != SIZE && carried != OLD_SIZE) {
+            return null;
+        }
+        byte[] changed = bytes.clone();
+        System.arraycopy(request.copy(1, request.size()), 0, changed, 0, carried);
+        return new Configuration(changed);
     }
 
     /** Whether an LMS200 can do it: it knows the measuring mode and the unit. */

@@ -141,6 +141,36 @@ public class Lms200Test {
         assertEquals(MODE_OK, ask(ON_REQUEST));
     }
 
+    /** CARMEN, ARIA, OpenDLV and scripts for the LMS291 write 32 bytes; the telegrams are those of SICK's quick manual and its mode 4. */
+    @Test
+    public void thirtyTwoBytesOfConfigurationAreTakenAndTheRestStays() {
+        ask(INSTALLATION);
+        assertTrue(ask("02 00 23 00 77 00 00 46 00 00 00 01 00 00 02 02 02 00 00 0A 0A 50 64 00 0A 0A 50 80 00 0A 0A 50 64 00 00 00 00 02 00 7B 4B")
+            .startsWith("06 02 80 25 00 F7 01"));
+        String answer = ask("02 00 21 00 77 00 00 00 00 00 00 01 00 00 02 02" + ZEROS + " FC 7E");
+        assertTrue(answer, answer.startsWith("06 02 80 25 00 F7 01 00 00 00 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 10"));
+        assertTrue(ask("02 00 21 00 77 00 00 70 00 00 04 01 00 00 02 02" + ZEROS + " 84 72").startsWith("06 02 80 25 00 F7 01 00 00 70 00 00 04"));
+        assertTrue(ask("02 00 01 00 74 50 12").endsWith("36 FE"));
+        assertEquals(MODE_OK, ask(ON_REQUEST));
+        scanner.world = beam -> beam == 90 ? 11.75 : Double.POSITIVE_INFINITY;
+        byte[] scan = Bytes.bytes(ask("02 00 02 00 30 01 31 18"));
+        assertEquals(11750, scan[8 + 180] & 0xFF | (scan[8 + 181] & 0xFF) << 8);
+        assertEquals("nothing hit in 16 m", 16383, scan[8] & 0xFF | (scan[9] & 0xFF) << 8);
+    }
+
+    @Test
+    public void otherLengthsOfConfigurationAreRefused() {
+        ask(INSTALLATION);
+        String before = ask("02 00 01 00 74 50 12");
+        for (int size : new int[] {0, 31, 33, 35}) {
+            byte[] payload = new byte[size + 1];
+            payload[0] = 0x77;
+            String answer = ask(Bytes.hex(new Telegram(0, payload).toBytes()));
+            assertTrue(size + ": " + answer, answer.startsWith("06 02 80 25 00 F7 00"));
+        }
+        assertEquals(before, ask("02 00 01 00 74 50 12"));
+    }
+
     @Test
     public void aWrongPasswordIsRefused() {
         assertEquals("06 02 80 03 00 A0 01 10 14 0B", ask("02 00 0A 00 20 00 53 49 43 4B 5F 50 4C 53 CC FC"));

@@ -27,12 +27,11 @@ import org.myrobotlab.service.interfaces.SerialDataListener;
  * a real cable. Any thread may call; listeners are called by the port's own reader thread, which lives while the port is open.
  */
 public class VirtualSerialPort extends Port {
-    /** Most bytes handed over at a time: MyRobotLab's own reader fails on more than 999. */
-    static final int CHUNK = 512;
-
     private static final int LOWEST_BAUD = 50;
     private static final int HIGHEST_BAUD = 4_000_000;
     private static final int DEFAULT_BAUD = 115200;
+    /** How long the reader waits for a service whose messages don't go out. */
+    private static final long PATIENCE = TimeUnit.SECONDS.toNanos(1);
 
     private final Object lock = new Object();
     private final ByteQueue incoming = new ByteQueue();
@@ -252,7 +251,7 @@ public class VirtualSerialPort extends Port {
                 if (!opened) {
                     return null;
                 }
-                byte[] bytes = incoming.take(CHUNK);
+                byte[] bytes = incoming.take(Backlog.PIECE);
                 if (bytes.length > 0) {
                     return bytes;
                 }
@@ -290,6 +289,7 @@ public class VirtualSerialPort extends Port {
             } catch (RuntimeException e) {
                 log.error("{} failed on bytes from port {}", listener.getName(), portName, e);
             }
+            Backlog.await(listener, PATIENCE);
         }
         handedHook.accept(getHanded() + bytes.length);
         synchronized (lock) {

@@ -11,6 +11,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import org.SEAR.devices.SerialLine;
@@ -25,6 +26,8 @@ import org.SEAR.simulator.SimulationRunner;
  */
 public final class SimulationSession {
     private static final long LOOK_AFTER_THREAD = 200;
+    private static final long READER_PATIENCE = TimeUnit.MILLISECONDS.toNanos(50);
+    private static final long READER_LOOK = TimeUnit.MICROSECONDS.toNanos(100);
     private static final long LOOK_AFTER_SLEEPERS = 1;
     /** Within this of its target a sleep has ended: the sum of steps is not exact. Seconds. */
     private static final double NEARLY = Simulation.STEP / 1000;
@@ -94,6 +97,7 @@ public final class SimulationSession {
         }
         runner.setSpeed(lockStep ? Double.POSITIVE_INFINITY : settings.speed);
         runner.setPaused(true);
+        runner.addStepListener(this::waitForReaders);
         thread.start();
         quiet.greet();
         if (!settings.headless) {
@@ -101,6 +105,17 @@ public final class SimulationSession {
         }
         runner.setPaused(lockStep);
         tellWarnings();
+    }
+
+    /** On the simulation thread after each step: "as fast as possible" is as fast as bytes are taken. Questions are answered at least each 50 ms. */
+    private void waitForReaders() {
+        if (lockStep || !Double.isInfinite(pace.getSpeed())) {
+            return;
+        }
+        long end = System.nanoTime() + READER_PATIENCE;
+        while (lines.stream().anyMatch(UartLine::isBehind) && System.nanoTime() < end) {
+            LockSupport.parkNanos(READER_LOOK);
+        }
     }
 
     private void run() {

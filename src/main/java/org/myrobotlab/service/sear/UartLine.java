@@ -1,9 +1,11 @@
 package org.myrobotlab.service.sear;
 
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
 import org.SEAR.devices.SerialLine;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
+import org.myrobotlab.serial.Backlog;
 import org.myrobotlab.serial.PortClock;
 import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
@@ -19,6 +21,10 @@ import org.myrobotlab.service.link.FindsBaudRate;
  */
 final class UartLine {
     private static final long PATIENCE = TimeUnit.SECONDS.toMillis(5);
+    /** As long the simulation thread waits for MyRobotLab's messages to go out. */
+    private static final long OUTBOX_PATIENCE = TimeUnit.MILLISECONDS.toNanos(50);
+    /** As many bytes may wait for the reader of the user's port before a simulation that runs as fast as possible waits: as in a computer's driver. */
+    private static final int MOST_PENDING = 4096;
     private static final String DRIVE = "Dynamics";
     private static final String CALLBACK = "onUartBytes";
     private static final String PUBLISHER = "publishBytes";
@@ -89,8 +95,9 @@ final class UartLine {
     /** The simulation thread brings bytes from the device. Whoever has closed the UART, as MyRobotLab does when it ends, wants none of them. */
     private void toUser(byte[] bytes) {
         try {
-            if (uart.isOpen()) {
-                serial.write(bytes);
+            for (int at = 0; at < bytes.length && uart.isOpen(); at += Backlog.PIECE) {
+                Backlog.await(serial, OUTBOX_PATIENCE);
+                serial.write(Arrays.copyOfRange(bytes, at, Math.min(bytes.length, at + Backlog.PIECE)));
             }
         } catch (Exception e) {
             if (uart.isOpen()) {
@@ -129,6 +136,11 @@ final class UartLine {
             complained = true;
             host.warn(message);
         }
+    }
+
+    /** Whether bytes come faster than MyRobotLab and whoever has the user's port take them. */
+    boolean isBehind() {
+        return Backlog.isLong(serial) || user.getPending() > MOST_PENDING;
     }
 
     /** Whether a robot's drive sits here. */

@@ -18,6 +18,9 @@ public final class Transfers {
     static final int PART = 192 * 1024;
     /** Bytes of the greatest bundle that panels may send. */
     static final int GREATEST = 256 * 1024 * 1024;
+    private static final String DOWNLOAD = "project.sear";
+    /** Characters; file systems take 255 bytes. */
+    private static final int LONGEST_NAME = 60;
 
     private final Work save;
     private final Work load;
@@ -67,11 +70,17 @@ public final class Transfers {
         }
         byte[] whole = upload.toByteArray();
         upload = new ByteArrayOutputStream();
-        withFile(file -> {
+        withFile(fileName(name), file -> {
             Files.write(file, whole);
             load.on(file);
         });
         return true;
+    }
+
+    /** What the user's computer calls a file, without what a name can't have here: errors and progress are told under it. */
+    private static String fileName(String name) {
+        String last = name == null ? "" : name.replaceAll(".*[/\\\\]", "").replaceAll("[\\p{Cntrl}:*?\"<>|]", "_").trim();
+        return last.replace(".", "").isEmpty() ? DOWNLOAD : last.substring(Math.max(0, last.length() - LONGEST_NAME));
     }
 
     private static byte[] decoded(String name, String base64) {
@@ -89,7 +98,7 @@ public final class Transfers {
      */
     public synchronized Map<String, Object> part(int index) throws Exception {
         if (index == 0) {
-            withFile(file -> {
+            withFile(DOWNLOAD, file -> {
                 Files.deleteIfExists(file);
                 save.on(file);
                 download = Files.readAllBytes(file);
@@ -107,9 +116,9 @@ public final class Transfers {
         return part;
     }
 
-    private static void withFile(Work work) throws Exception {
+    private static void withFile(String name, Work work) throws Exception {
         Path folder = Files.createTempDirectory("sear");
-        Path file = folder.resolve("project.sear");
+        Path file = folder.resolve(name);
         try {
             work.on(file);
         } finally {

@@ -111,9 +111,7 @@
 
     /** Everything of a world that has a surface, with its outline on the ground; floors and terrains first, since all else lies on them. */
     function shapesOf(world) {
-        var all = world.objects.map(function(object) {
-            return {type: object.type, ground: object.type === 'Floor' || object.terrain, robot: false, outline: outline(object, frame(object.pose))}
-        })
+        var all = world.objects.map(shapeOf)
         world.robots.forEach(function(robot) {
             var body = frame(robot.pose)
             robot.parts.forEach(function(part) {
@@ -124,6 +122,14 @@
             return shape.outline.length > 2
         })
         return all.filter(isGround).concat(all.filter(isNoGround))
+    }
+    /** Of an object of the environment, made anew only when that has moved. */
+    function shapeOf(object) {
+        if (!object.$shape || object.$shape.pose !== object.pose) {
+            object.$shape = {type: object.type, ground: object.type === 'Floor' || object.terrain, robot: false, pose: object.pose,
+                outline: outline(object, frame(object.pose))}
+        }
+        return object.$shape
     }
     function isGround(shape) {
         return shape.ground
@@ -324,7 +330,10 @@
     }
 
     // ---- words -----------------------------------------------------------------------------------------------------------------------------
-    /** A sensor's reading for people. */
+    var UNITS = {Distance: ['m', 3], Compass: ['°', 1], Accelerometer: ['m/s²', 3], Gyroscope: ['rad/s', 3], Odometer: ['m', 3]}
+    var PLAIN = ['', 6]         // of a sensor that somebody has added
+
+    /** A sensor's reading for people, with its unit and as many digits as it has sense in. */
     function readingText(sensor) {
         if (sensor.ranges) {
             var near = sensor.ranges.filter(function(metres) {
@@ -333,16 +342,27 @@
             return sensor.ranges.length + ' beams, ' + (near.length ? 'nearest ' + Math.min.apply(null, near).toFixed(3) + ' m' : 'nothing in range')
         }
         if (sensor.hit === null) {
-            return 'nothing within ' + rounded(sensor.value, 1e3) + ' m'
+            return 'nothing within ' + Math.round(sensor.value * 1e3) / 1e3 + ' m'
         }
         var values = angular.isArray(sensor.value) ? sensor.value : String(sensor.value).split(',')
+        if (sensor.type === 'GPS') {
+            return fixed(values[0], 7) + '°, ' + fixed(values[1], 7) + '°, ' + fixed(values[2], 2) + ' m'
+        }
+        var unit = UNITS.hasOwnProperty(sensor.type) ? UNITS[sensor.type] : PLAIN
         return values.map(function(value) {
-            return isNaN(value) ? value : rounded(value, 1e6)
-        }).join(', ')
+            return isNaN(value) ? value : unit === PLAIN ? String(Number(Number(value).toPrecision(PLAIN[1]))) : fixed(value, unit[1])
+        }).join(', ') + (unit[0] && unit[0] !== '°' ? ' ' : '') + unit[0]
     }
 
-    function rounded(value, per) {
-        return String(Math.round(value * per) / per)
+    /** So many digits behind the point, without the sign of a zero. */
+    function fixed(value, digits) {
+        var text = Number(value).toFixed(digits)
+        return Number(text) === 0 ? text.replace('-', '') : text
+    }
+
+    /** Whether a message repeats that a call has failed of which the service has told why: so MyRobotLab does. */
+    function repeats(text, told) {
+        return told && (text.indexOf('could not invoke ') === 0 || text !== told && text.slice(-told.length) === told)
     }
 
     function count(number, thing) {
@@ -354,6 +374,11 @@
         return Uint8Array.from(window.atob(base64), function(one) {
             return one.charCodeAt(0)
         })
+    }
+
+    /** The last part of a path. */
+    function fileName(path) {
+        return path.split(/[\\/]/).pop()
     }
 
     /** Has the browser save a file. @param parts of it, in base64 */
@@ -376,12 +401,16 @@
     var KEYS = {h: 'left', k: 'right', u: 'forward', j: 'backward', ';': 'stop', enter: 'reset'}
     var CHUNK = 256 * 1024      // characters; MyRobotLab takes messages up to 1 MiB
     var RECENT = 'sear.recentProjects'
+    var NEW = 'project.sear'
     var MOST_RECENT = 8
-    var MOST_MESSAGES = 6
+    var MOST_MESSAGES = 100
+    var MOST_LISTED = 100       // objects of the world; the others on request
+    var PATH_STEP = 0.02        // metres; as the service has it
+    var LONGEST_PATH = 500      // points
     var LOOK_MILLIS = 1000      // how often a page that shows the project asks whether that has changed
     var PATIENCE_MILLIS = 10000 // an answer that takes longer is asked for again
-    var TOPICS = ['publishSimulation', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'getProblems', 'getExamples', 'getBundle',
-        'saveProject', 'loadProject', 'newProject', 'copyTemplate']
+    var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'getProblems', 'getExamples', 'getBundle',
+        'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate']
 
     angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope', '$timeout', '$interval', 'mrl', SEARGuiCtrl])
 
@@ -389,12 +418,16 @@
         var self = this
         var msg = this.msg
 
-        $scope.form = {path: 'project.sear', speed: '1', example: '', template: 'userCode.py', folder: 'SEARproject', beams: true, follow: false}
+        $scope.form = {path: NEW, speed: '1', example: '', template: 'userCode.py', folder: 'SEARproject', beams: true, follow: false,
+            robot: null}        // the one that is driven and followed
         $scope.state = null         // of the running world
         $scope.preview = null       // the project as it would start: stamp, world, problems, reason
         $scope.examples = []
         $scope.problems = []        // what a call found wrong
-        $scope.messages = []
+        $scope.messages = []        // newest first
+        $scope.last = null          // the newest one as a line
+        $scope.question = null      // a file that is to be overwritten: path, and free, a name that is not taken
+        $scope.listed = MOST_LISTED
         $scope.transfer = null
         $scope.pending = null       // what the service has been told to do and has not done yet: starting or stopping
         $scope.recent = readRecent()
@@ -406,6 +439,7 @@
                 self.updateState(service)
             },
             onSimulation: onSimulation,
+            onWorld: onSimulation,
             onPreview: onPreview,
             onProblems: onProblems,
             onStatus: onStatus,
@@ -415,17 +449,22 @@
             },
             onUploaded: function(text) {
                 $scope.transfer = null
+                if (asked.upload) {
+                    $scope.form.path = asked.upload
+                }
+                asked.upload = null
                 say('info', text)
             },
             onSaveProject: function() {
-                say('info', 'saved ' + (asked.save || 'by another page'))
-                asked.save = null
+                say('info', 'saved by another page')
             },
-            onLoadProject: function() {
-                say('info', 'opened ' + (asked.load || 'by another page'))
-                asked.load = null
-            },
+            onSaveProjectAs: onSaved,
+            onLoadProject: onLoaded,
             onNewProject: function(backup) {
+                if (asked.anew) {
+                    $scope.form.path = NEW
+                }
+                asked.anew = false
                 say('info', 'an empty project' + (backup ? '; the former one is kept in ' + backup : ''))
             },
             onCopyTemplate: function(path) {
@@ -453,33 +492,42 @@
             repaint()
         }
 
-        var lastError = ''
+        var told = ''               // why a call failed, until MyRobotLab has repeated that
         function onStatus(status) {
-            if (!status || !status.detail) {
+            var text = status && (status.key || status.detail)
+            if (!text) {
                 return
             }
             if (status.level === 'error') {
                 $scope.transfer = null
                 $scope.pending = null
                 asked = {}
-                // MyRobotLab tells of a call that failed what the service has told already
-                var again = lastError && status.detail !== lastError && status.detail.slice(-lastError.length) === lastError
-                lastError = status.detail
-                if (again) {
+                var repeated = repeats(text, told)
+                told = repeated ? '' : text
+                if (repeated) {
                     return
                 }
             }
             var problems = $scope.allProblems()
-            var listed = problems.length && status.detail.indexOf(problems[0].file) === 0
-            say(status.level, listed ? 'the project has ' + count(problems.length, 'problem') + ', listed below' : status.detail)
+            var listed = problems.length && text.indexOf(problems[0].file) === 0
+            say(status.level, listed ? 'the project has ' + count(problems.length, 'problem') + ', listed below' : text)
         }
 
+        var said = 0
         function say(level, text) {
-            $scope.messages.unshift({level: level, text: text})
-            $scope.messages.splice(MOST_MESSAGES)
+            var newest = $scope.messages[0]
+            if (newest && newest.text === text && newest.level === level) {
+                newest.times++
+                newest.time = new Date()
+            } else {
+                $scope.messages.unshift({id: said++, level: level, text: text, time: new Date(), times: 1})
+                $scope.messages.splice(MOST_MESSAGES)
+            }
+            $scope.last = {level: level, text: text, line: text.split('\n')[0]}
         }
         $scope.clear = function() {
             $scope.messages = []
+            $scope.last = null
         }
 
         // ---- problems ----------------------------------------------------------------------------------------------------------------------
@@ -502,19 +550,61 @@
 
         // ---- the running world -------------------------------------------------------------------------------------------------------------
         var speed = 1               // as the simulation has it
+        var missing = 0             // when the whole was asked for, 0 if nothing is awaited
+        /** Takes the whole of a world, or what has changed in the one that is shown. */
         function onSimulation(state) {
-            var begins = !$scope.state
-            $scope.state = state && state.running && isSimulating() ? state : null
-            if ($scope.state) {
-                if (begins) {
+            if (!state || !state.running || !isSimulating()) {
+                $scope.state = null
+            } else if (!state.changes) {
+                missing = 0
+                if (!$scope.state) {
                     show(state)
                 }
-                if (state.wantedSpeed !== speed) {
-                    speed = state.wantedSpeed
-                    $scope.form.speed = String(speed)
-                }
+                $scope.state = state
+            } else if ($scope.state && state.number <= $scope.state.number) {
+                return              // it came after the whole that has it already
+            } else if ($scope.state && state.number === $scope.state.number + 1) {
+                change($scope.state, state)
+            } else {
+                askForWorld()
+            }
+            if ($scope.state && $scope.state.wantedSpeed !== speed) {
+                speed = $scope.state.wantedSpeed
+                $scope.form.speed = String(speed)
             }
             repaint()
+        }
+
+        function askForWorld() {
+            if (Date.now() - missing > PATIENCE_MILLIS) {
+                missing = Date.now()
+                msg.send('getWorld')
+            }
+        }
+
+        function change(state, message) {
+            angular.forEach(message.changes, function(changed, list) {
+                angular.forEach(changed, function(values, index) {
+                    angular.extend(state[list][index], values)
+                })
+            })
+            state.robots.forEach(extendPath)
+            angular.extend(state, message)
+            delete state.changes
+        }
+
+        /** As the service does it for pages that open later. */
+        function extendPath(robot) {
+            var path = robot.path
+            var last = path[path.length - 1]
+            if (Math.sqrt(Math.pow(last[0] - robot.pose[0], 2) + Math.pow(last[1] - robot.pose[2], 2)) > PATH_STEP) {
+                path.push([robot.pose[0], robot.pose[2]])
+            }
+            if (path.length > LONGEST_PATH) {
+                robot.path = path.filter(function(point, i) {
+                    return i === 0 || i === path.length - 1 || (path.length - 2 - i) % 2
+                })
+            }
         }
 
         function isSimulating() {
@@ -546,7 +636,7 @@
             if (way === 'reset') {
                 msg.send('reset')
             } else {
-                msg.send('drive', DRIVES[way][0], DRIVES[way][1])
+                msg.send.apply(msg, ['drive'].concat($scope.form.robot || [], DRIVES[way]))
             }
         }
         $scope.key = function(event) {
@@ -592,10 +682,10 @@
                 return 'Not running, and nothing to show: ' + preview.reason
             }
             if (!preview.world) {
-                return 'Not running, and nothing to show: the project has ' + count(preview.problems.length, 'problem') + ', listed above'
+                return 'Not running, and nothing to show: the project has ' + count(preview.problems.length, 'problem') + ', listed below'
             }
             if (!preview.world.objects.length && !preview.world.robots.length) {
-                return 'Not running, and the project is empty: open one or an example above, or create objects in a script'
+                return 'Not running, and the project is empty: open one or an example above, drop a .sear file there, or create objects in a script'
             }
             return 'Not running: this is how the project starts, with the button Start or ' + $scope.service.name + '.startSimulation()'
         }
@@ -626,10 +716,44 @@
             asked.load = path
             msg.send('loadProject', path)
         }
-        $scope.save = function() {
-            remember($scope.form.path)
-            asked.save = $scope.form.path
-            msg.send('saveProject', $scope.form.path)
+        /** What comes from an example is saved beside it, not over it. */
+        function onLoaded() {
+            say('info', 'opened ' + (asked.load || 'by another page'))
+            if (asked.load && $scope.examples.indexOf(asked.load) >= 0) {
+                $scope.form.path = fileName(asked.load)
+            }
+            asked.load = null
+        }
+        $scope.startAnew = function() {
+            asked.anew = true
+            msg.send('newProject')
+        }
+
+        var written = {}            // paths that this page has saved to: those it overwrites without asking
+        $scope.saveProject = function() {
+            $scope.saveTo($scope.form.path, Boolean(written[$scope.form.path]))
+        }
+        $scope.saveTo = function(path, overwrite) {
+            $scope.question = null
+            asked.save = path
+            msg.send('saveProjectAs', path, overwrite)
+        }
+        $scope.cancel = function() {
+            $scope.question = null
+        }
+        function onSaved(answer) {
+            var mine = asked.save === answer.asked
+            if (answer.saved) {
+                say('info', mine ? 'saved ' + answer.path : 'saved by another page')
+            }
+            if (mine && answer.saved) {
+                written[answer.path] = true
+                $scope.form.path = answer.path
+                remember(answer.path)
+            } else if (mine) {
+                $scope.question = answer
+            }
+            asked.save = mine ? null : asked.save
         }
         $scope.copyTemplate = function() {
             msg.send('copyTemplate', $scope.form.template, $scope.form.folder)
@@ -648,6 +772,7 @@
                     msg.send('uploadProject', file.name, i, parts, text.substring(i * CHUNK, (i + 1) * CHUNK))
                 }
                 $scope.transfer = 'loading ' + file.name
+                asked.upload = file.name
                 $scope.$applyAsync()
             }
             reader.onerror = function() {
@@ -673,7 +798,7 @@
                 msg.send('getBundle', parts.length)
                 return
             }
-            saveFile($scope.form.path.split(/[\\/]/).pop().replace(/(\.sear)?$/, '.sear'), parts)
+            saveFile(fileName($scope.form.path).replace(/(\.sear)?$/, '.sear'), parts)
             parts = null
             $scope.transfer = null
         }
@@ -710,9 +835,20 @@
             var robots = world.robots.map(function(robot) {
                 return robot.name
             }).join('\n')
+            if (!world.robots.some(isChosen)) {
+                $scope.form.robot = world.robots.length ? world.robots[0].name : null
+            }
+            $scope.listed = MOST_LISTED
             view.chosen = Boolean(view.chosen && view.robots === robots)
             view.fitted = view.chosen
             view.robots = robots
+        }
+
+        function isChosen(robot) {
+            return robot.name === $scope.form.robot
+        }
+        $scope.listAll = function() {
+            $scope.listed = Infinity
         }
 
         var waiting = false
@@ -740,8 +876,9 @@
                 fit(view, shapes, element)
             }
             if (world && $scope.form.follow && world.robots.length) {
-                view.x = world.robots[0].pose[0]
-                view.z = world.robots[0].pose[2]
+                var followed = world.robots.filter(isChosen)[0] || world.robots[0]
+                view.x = followed.pose[0]
+                view.z = followed.pose[2]
             }
             drawWorld(element, view, world, shapes, $scope.form.beams)
         }

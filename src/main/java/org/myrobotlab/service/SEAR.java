@@ -248,9 +248,17 @@ public class SEAR extends Service<SEARConfig> {
         return reading;
     }
 
-    /** The state of the world for panels, ten times a second while somebody subscribes; its form stands at {@code WorldState}. */
+    /**
+     * The world for panels, ten times a second while somebody subscribes: the whole when it begins, then what has changed; the form stands at
+     * {@code WorldFeed}.
+     */
     public Map<String, Object> publishSimulation() {
-        return attempt(works::state);
+        return attempt(works::nextState);
+    }
+
+    /** The whole world as it is now, for a panel that opens while it runs. */
+    public Map<String, Object> getWorld() {
+        return attempt(works::wholeState);
     }
 
     /**
@@ -283,12 +291,17 @@ public class SEAR extends Service<SEARConfig> {
         return attempt(() -> text(works.projects().startAnew()));
     }
 
-    /** Saves the project as a bundle, for example {@code "robot.sear"}. */
+    /** Saves the project as a bundle, for example {@code "robot.sear"}; the ending .sear may be left out. A file of that name is replaced. */
     public void saveProject(String path) {
         attempt(() -> {
             works.projects().save(bundle(path));
             return null;
         });
+    }
+
+    /** The same for a panel: a file of that name is only replaced if that is asked for; the answer's form stands at {@code Projects}. */
+    public Map<String, Object> saveProjectAs(String path, boolean overwrite) {
+        return attempt(() -> works.projects().saveAs(bundle(path).toString(), overwrite));
     }
 
     /** Replaces the project by a bundle's, once that is read whole and found valid; the present one is kept as backup. */

@@ -111,7 +111,7 @@ public class PreviewTest {
         Path bad = robotLab.file("SEARproject/environment/bad.xml");
         Files.writeString(bad, "<Box>\n<name>bad</name>\n<length>-1</length>\n</Box>\n");
         browser.seeText(".sear-problems tbody tr", "environment/bad.xml 3 length -1");
-        browser.seeText(".sear-note", "Not running, and nothing to show: the project has 3 problems, listed above");
+        browser.seeText(".sear-note", "Not running, and nothing to show: the project has 3 problems, listed below");
         assertTrue("nothing is drawn that is not so", tab.isTrue("world() === null"));
         TABS.open("sear");
         browser.seeText(".sear-problems tbody tr", "environment/bad.xml 3 length -1");

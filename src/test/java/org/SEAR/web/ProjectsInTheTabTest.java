@@ -2,12 +2,14 @@ package org.SEAR.web;
 
 import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
+import java.util.List;
 import java.util.Random;
 import org.junit.Before;
 import org.junit.ClassRule;
@@ -60,6 +62,101 @@ public class ProjectsInTheTabTest {
         assertTrue("no project is opened while one runs", !browser.see(".sear-load").isEnabled() && !browser.see(".sear-example").isEnabled());
     }
 
+    /** Waits for the path in the field. */
+    private void seePath(String path) {
+        browser.until("the path " + path, () -> path.equals(browser.see(".sear-path").getAttribute("value")));
+    }
+
+    private byte[] bytes(String file) {
+        try {
+            return Files.readAllBytes(robotLab.file(file));
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    @Test
+    public void nothingIsOverwrittenThatThisPageDidNotWriteUnlessTheUserSaysSo() throws IOException {
+        byte[] foreign = {1, 2, 3};
+        Files.write(robotLab.file("maze.sear"), foreign);
+        tab.openExample("maze");
+        seePath("maze.sear");
+        browser.click(".sear-save");
+        browser.seeText(".sear-question", "maze.sear is there already, and this page did not write it.");
+        browser.click(".sear-cancel");
+        browser.until("no question", () -> browser.all(".sear-question").isEmpty());
+        assertArrayEquals(foreign, bytes("maze.sear"));
+        browser.click(".sear-save");
+        browser.click(".sear-beside");
+        browser.seeText(".sear-main .alert-info", "saved maze-2.sear");
+        seePath("maze-2.sear");
+        assertArrayEquals(foreign, bytes("maze.sear"));
+        byte[] first = bytes("maze-2.sear");
+        robotLab.run("from org.SEAR.POJOs import Box\nBox('one more', 1, 1, 1, 0)");
+        browser.click(".sear-save");
+        browser.until("its own file is saved again without a question", () -> bytes("maze-2.sear").length != first.length);
+        browser.type(".sear-path", "maze");
+        browser.click(".sear-save");
+        browser.click(".sear-overwrite");
+        browser.seeText(".sear-main .alert-info", "saved maze.sear");
+        assertArrayEquals(bytes("maze-2.sear"), bytes("maze.sear"));
+        Files.delete(robotLab.file("maze.sear"));
+    }
+
+    @Test
+    public void theNameProposedAfterNewAndUploadIsAnother() throws IOException {
+        tab.openExample("maze");
+        seePath("maze.sear");
+        browser.click(".sear-new");
+        seePath("project.sear");
+        drop("dropped.sear", Files.readAllBytes(MyRobotLab.example("ramps")));
+        seePath("dropped.sear");
+        browser.type(".sear-path", "shortened");
+        browser.click(".sear-save");
+        browser.seeText(".sear-main .alert-info", "saved shortened.sear");
+        assertFalse(Files.exists(robotLab.file("shortened")));
+        browser.type(".sear-path", "shortened");
+        browser.click(".sear-load");
+        browser.seeText(".sear-main .alert-info", "opened shortened");
+    }
+
+    @Test
+    public void noFolderIsMadeUnasked() {
+        tab.openExample("maze");
+        browser.type(".sear-path", "mispelt/x.sear");
+        browser.click(".sear-save");
+        browser.seeText(".sear-main .alert-danger", "there is no folder " + robotLab.file("mispelt"));
+        assertFalse(Files.exists(robotLab.file("mispelt")));
+    }
+
+    @Test
+    public void myRobotLabsRepetitionOfAnErrorIsDroppedAndOtherwiseShown() {
+        robotLab.call("sear", "error", "the door is shut");
+        robotLab.call("sear", "error", "could not invoke sear.open ([Ljava.lang.Object;@1b2c) - check logs");
+        robotLab.call("sear", "warn", "a warning");
+        robotLab.call("sear", "error", "could not invoke sear.shut ([Ljava.lang.Object;@1b2d) - check logs");
+        browser.seeText(".sear-main .alert-danger", "could not invoke sear.shut");
+        assertEquals(2, browser.all(".sear-main .alert-danger").size());
+        assertTrue(browser.text(".sear-log").contains("the door is shut"));
+    }
+
+    @Test
+    public void messagesDoNotPushTheViewDown() {
+        tab.openExample("maze");
+        int before = browser.see(".sear-view").getLocation().getY();
+        for (int i = 0; i < 12; i++) {
+            robotLab.call("sear", "error", "failure " + i + "\nwith a second line");
+        }
+        browser.seeText(".sear-log", "failure 11");
+        assertEquals(before, browser.see(".sear-view").getLocation().getY());
+        assertEquals("failure 11", browser.text(".sear-last"));
+        List<String> texts = browser.texts(".sear-log .alert-danger");
+        assertTrue(texts.toString(), texts.get(0).contains("failure 11") && texts.get(11).contains("failure 0"));
+        robotLab.call("sear", "error", "failure 11\nwith a second line");
+        browser.seeText(".sear-log", "(2 times)");
+        assertEquals(12, browser.all(".sear-log .alert-danger").size());
+    }
+
     @Test
     public void aMissingFileIsToldInTheTab() {
         browser.type(".sear-path", "nix.sear");
@@ -69,7 +166,7 @@ public class ProjectsInTheTabTest {
         browser.click(".sear-load");
         browser.seeText(".sear-main .alert-danger", "nor this.sear");
         assertEquals("each is told once", 2, browser.all(".sear-main .alert-danger").size());
-        browser.click(".sear-main .alert .close");
+        browser.click(".sear-clear");
         browser.until("no messages", () -> browser.all(".sear-main .alert").isEmpty());
         robotLab.call("sear", "loadProject", MyRobotLab.example("maze").toString());
         browser.seeText(".sear-main .alert-info", "opened by another page");
@@ -145,7 +242,9 @@ public class ProjectsInTheTabTest {
         tab.waitForRobot("maze Roomba");
         drop("nonsense.sear", noise(100));
         browser.see(".sear-main .alert-danger");
-        browser.seeText(".sear-main", "or drop a .sear file here");
+        browser.seeText(".sear-main .alert-danger", "nonsense.sear");
+        assertFalse(browser.text(".sear-main .alert-danger"), browser.text(".sear-main .alert-danger").contains("/tmp"));
+        browser.until("no upload", () -> tab.isTrue("transfer === null"));
         tab.waitForRobot("maze Roomba");
     }
 

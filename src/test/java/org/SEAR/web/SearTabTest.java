@@ -8,6 +8,7 @@ import static org.junit.Assert.assertTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 import org.junit.Before;
 import org.junit.ClassRule;
 import org.junit.Rule;
@@ -170,7 +171,7 @@ public class SearTabTest {
         browser.click(".sear-forward");
         browser.until("the compass as the service answers it", () -> {
             String shown = browser.text(".sear-sensors tr[data-sensor='compass'] .sear-reading");
-            return Math.abs(Double.parseDouble(shown) - robotLab.call("sear", "getCompassResult", "compass").asDouble()) < 1;
+            return shown.endsWith("°") && Math.abs(Double.parseDouble(shown.replace("°", "")) - robotLab.call("sear", "getCompassResult", "compass").asDouble()) < 1;
         });
         browser.seeText(".sear-sensors tr[data-sensor='myLidar'] .sear-reading", "361 beams, ");
         browser.seeText(".sear-tree", "container Box");
@@ -202,6 +203,69 @@ public class SearTabTest {
         double z = tab.number("(" + ahead + ").hit[2]");
         double x = tab.number("(" + ahead + ").hit[0]");
         browser.until("a square at the wall", () -> tab.colour(x, z) == 0xd9534fffL);
+    }
+
+    @Test
+    public void readingsHaveTheirUnitAndAsManyDigitsAsMakeSense() {
+        tab.openExample("sensors");
+        tab.start();
+        String readings = String.join("\n", browser.texts(".sear-reading"));
+        for (String pattern : new String[] {"-?\\d+\\.\\d°", "-?\\d+\\.\\d{3}, -?\\d+\\.\\d{3}, -?\\d+\\.\\d{3} m/s²",
+            "-?\\d+\\.\\d{3}, -?\\d+\\.\\d{3}, -?\\d+\\.\\d{3} rad/s", "-?\\d+\\.\\d{7}°, -?\\d+\\.\\d{7}°, -?\\d+\\.\\d\\d m"}) {
+            assertTrue(pattern + " in\n" + readings, Pattern.compile("^" + pattern + "$", Pattern.MULTILINE).matcher(readings).find());
+        }
+    }
+
+    private static String robot(String name, double x) {
+        return "robot = SEARrobot('" + name + "')\nrobot.addComponent(Dynamics('" + name + " d', 4, 60, 0.3, 0.4, 10000, 0.1, " + x
+            + ", 0.1, 0, 0, 0, 0))\nrobot.addComponent(Cylinder('" + name + " body', 0.17, 0.08, 4))\n"
+            + "for i, x, z in ((0, 0, 0.16), (1, -0.16, 0), (1, 0.16, 0), (0, 0, -0.16)):\n"
+            + "    robot.addWheel(Wheel('" + name + " w%d' % (x * 100 + z * 10), 0.0381, 0.03, i, x, 0, z))\n";
+    }
+
+    @Test
+    public void oneOfSeveralRobotsIsChosenToDriveAndFollow() {
+        robotLab.run("from org.SEAR.POJOs import Cylinder, Dynamics, Floor, SEARrobot, Wheel\nsear.newProject()\nFloor('floor', 20, 20, False)\n"
+            + robot("anna", 0) + robot("bert", 2));
+        tab.start();
+        int bert = tab.isTrue("state.robots[0].name === 'bert'") ? 0 : 1;
+        String driven = "state.robots[" + bert + "]";
+        String other = "state.robots[" + (1 - bert) + "]";
+        browser.choose(".sear-robot", "bert");
+        browser.click(".sear-follow");
+        browser.click(".sear-forward");
+        browser.until("bert drives", () -> tab.number(driven + ".speed") > 0.1);
+        assertEquals("anna stands", 0, tab.number(other + ".speed"), 0.01);
+        browser.until("the view follows bert", () -> tab.isTrue("view.x === " + driven + ".pose[0] && view.z === " + driven + ".pose[2]"));
+        browser.choose(".sear-robot", "anna");
+        browser.see(".sear-view").sendKeys("j");
+        browser.until("anna drives backward", () -> tab.number(other + ".speed") < -0.1);
+        browser.until("the view follows anna", () -> tab.isTrue("view.x === " + other + ".pose[0] && view.z === " + other + ".pose[2]"));
+        assertTrue("and bert goes on", tab.number(driven + ".speed") > 0.1);
+    }
+
+    /** A page that opens while the world runs gets all of it, also what does not move any more; then it keeps up. */
+    @Test
+    public void aPageThatOpensLaterHasTheWholeWorldAndKeepsUp() {
+        robotLab.call("sear", "newProject");
+        robotLab.run("from org.SEAR.POJOs import Box, Cylinder, Dynamics, Floor, SEARrobot, Wheel\nFloor('floor', 20, 20, False)\n"
+            + "faller = Box('faller', 0.3, 0.3, 0.3, 1)\nfaller.move(3, 1, 3)\nwall = Box('wall', 1, 1, 1, 0)\nwall.move(-3, 0.5, 0)\n"
+            + robot("anna", 0));
+        tab.start();
+        browser.until("the box has fallen", () -> robotLab.call("sear", "getPose", "faller").get(1).asDouble() < 0.16);
+        robotLab.call("sear", "drive", 0.2, 1e6);
+        TABS.open("sear");
+        browser.until("the world", () -> tab.isTrue("state.objects.length === 3"));
+        double height = robotLab.call("sear", "getPose", "faller").get(1).asDouble();
+        assertEquals("it lies where it fell", height, tab.number("(state.objects | filter:{name: 'faller'})[0].pose[1]"), 0.001);
+        double before = tab.number("state.robots[0].pose[2]");
+        browser.until("the robot drives on", () -> tab.number("state.robots[0].pose[2]") > before + 0.1);
+        assertTrue("its path grows", tab.number("state.robots[0].path.length") > 3);
+        double time = tab.time();
+        browser.script("angular.element(document.querySelector('.sear-main')).scope().state.number -= 2");
+        tab.waitForTime(time + 0.3);
+        browser.until("a page that has missed something asks for the whole", () -> Math.abs(tab.number("state.robots[0].pose[2]")
+            - robotLab.call("sear", "getPose", "anna").get(2).asDouble()) < 0.2);
     }
 
     @Test

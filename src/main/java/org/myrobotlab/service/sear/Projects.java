@@ -8,7 +8,9 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Supplier;
@@ -20,6 +22,7 @@ import org.SEAR.project.problems.ProjectException;
 public final class Projects {
     private static final List<String> TEMPLATES = Arrays.asList("controller.py", "userCode.py");
     private static final String DEFAULT_FOLDER = "SEARproject";
+    private static final String ENDING = ".sear";
 
     private final Control control;
     private final Host host;
@@ -70,18 +73,60 @@ public final class Projects {
         }
     }
 
-    /** Saves the project as a bundle. */
+    /** Saves the project as a bundle. @param file gets the ending .sear, if it has it not; its folder must be there */
     public void save(Path file) throws IOException, ProjectException {
         if (!Files.isDirectory(folder())) {
             throw new IOException("there is no project folder " + folder() + ": create some objects first (org.SEAR.POJOs)");
         }
-        Bundle.save(folder(), file, new PercentProgress("saving", file, host::progress));
+        Path bundle = Paths.get(withEnding(file.toString()));
+        Path parent = bundle.toAbsolutePath().normalize().getParent();
+        if (parent == null || !Files.isDirectory(parent)) {
+            throw new IOException(bundle + " can't be saved, there is no folder " + parent + ": make it, or choose another");
+        }
+        Bundle.save(folder(), bundle, new PercentProgress("saving", bundle, host::progress));
+    }
+
+    /**
+     * Saves the project for a panel, which asks its user before a file is overwritten.
+     *
+     * @param overwrite whether a file of that name may be overwritten
+     * @return {@code {"asked": path, "path": with the ending, "saved": whether it is, "free": where there is no file yet, null if it is saved}}
+     */
+    public synchronized Map<String, Object> saveAs(String path, boolean overwrite) throws IOException, ProjectException {
+        String named = withEnding(path);
+        boolean saved = overwrite || Files.notExists(Paths.get(named));
+        if (saved) {
+            save(Paths.get(named));
+        }
+        Map<String, Object> answer = new LinkedHashMap<>();
+        answer.put("asked", path);
+        answer.put("path", named);
+        answer.put("saved", saved);
+        answer.put("free", saved ? null : free(named));
+        return answer;
+    }
+
+    private static String free(String path) {
+        String stem = path.substring(0, path.length() - ENDING.length());
+        for (int i = 2;; i++) {
+            String other = stem + "-" + i + ENDING;
+            if (Files.notExists(Paths.get(other))) {
+                return other;
+            }
+        }
+    }
+
+    private static String withEnding(String path) {
+        return path.toLowerCase(Locale.ROOT).endsWith(ENDING) ? path : path + ENDING;
     }
 
     /** Replaces the project by a bundle's, once that is read whole and found valid. @param file may be an example's path that is not on the disk */
     public synchronized void load(Path file) throws IOException, ProjectException {
         refuseWhileRunning("loadProject");
-        if (Files.isRegularFile(file)) {
+        Path ended = Paths.get(withEnding(file.toString()));
+        if (!Files.exists(file) && Files.isRegularFile(ended)) {
+            load(ended);
+        } else if (Files.isRegularFile(file)) {
             Bundle.load(file, folder(), new PercentProgress("loading", file, host::progress));
         } else if (!Examples.with(file, bundle -> Bundle.load(bundle, folder()))) {
             throw new IOException("there is no file " + file.toAbsolutePath());

@@ -16,7 +16,7 @@ public final class Works {
     private final Publisher publisher;
     private final Exports exports;
     private final Transfers transfers;
-    private final WorldState state = new WorldState();
+    private final WorldFeed feed = new WorldFeed();
     private final Preview preview = new Preview();
 
     public Works(Host host) {
@@ -62,10 +62,16 @@ public final class Works {
         return transfers;
     }
 
-    /** The state of the world for panels. */
-    public Map<String, Object> state() throws InterruptedException {
+    /** What panels are told next of the world: the whole or what has changed, as {@link WorldFeed} says. */
+    public Map<String, Object> nextState() throws InterruptedException {
         SimulationSession session = control.sessionOrNull();
-        return session == null ? WorldState.nothing() : session.ask(world -> state.of(world, session));
+        return session == null ? WorldFeed.nothing() : session.ask(world -> feed.next(world, session));
+    }
+
+    /** The whole state of the world, for a panel that comes later. */
+    public Map<String, Object> wholeState() throws InterruptedException {
+        SimulationSession session = control.sessionOrNull();
+        return session == null ? WorldFeed.nothing() : session.ask(world -> feed.whole(world, session));
     }
 
     /** The world as it would start, for panels while nothing runs; nothing while a simulation does. @param known the stamp of the one they have */
@@ -98,6 +104,7 @@ public final class Works {
     public void stop() {
         exports.close();
         control.stop();
+        feed.forget();
     }
 
     /** Ends everything, for good. */

@@ -1,6 +1,8 @@
 package org.myrobotlab.service.sear;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -27,7 +29,7 @@ import org.SEAR.simulator.Snapshot;
  * tenths of millimetres and thousandths of degrees.
  *
  * <pre>
- * {"time": 1.5, "step": 90, "running": true, "paused": false, "lockStep": false, "speed": 1.0 (measured), "wantedSpeed": 1.0,
+ * {"time": 1.5, "step": 90,
  *  "objects": [{"name": "Box1", "type": "Box", "size": [0.25, 0.25, 0.25], "scale": [1, 1, 1], "image": null, "pose": [..]},
  *              {"name": "Tree1", "type": "Model", "corners": [[x, y, z], ..] (scaled, in its own frame), "terrain": false, ..}],
  *  "robots": [{"name": "myRoomba", "pose": [..], "speed": 0.2, "turnRate": 0, "radius": 0.17, "path": [[x, z], ..], "status": [..],
@@ -36,32 +38,44 @@ import org.SEAR.simulator.Snapshot;
  *               "cones": [{"halfAngle", "range", "yaw"}]},
  *              {"name": "myLidar", "type": "LIDAR", "pose": [..], "spread": 180, "resolution": 1, "ranges": [.., null, ..]}]}
  * </pre>
+ *
+ * <p>{@link WorldFeed} adds what only a running simulation has.
  */
 public final class WorldState {
+    /** The lists of a state, each of maps. */
+    static final List<String> LISTS = Collections.unmodifiableList(Arrays.asList("objects", "robots", "sensors"));
     private static final double FINE = 1e4;
     private static final double MILLIMETRES = 1e3;
     private static final double ANGLE = 1e3;
-    /** Stands for "as fast as possible", which JSON has no number for. */
-    private static final double FASTEST = 1e6;
     private static final double PATH_STEP = 0.02;
     private static final int LONGEST_PATH = 500;
 
     private final Map<String, List<double[]>> paths = new LinkedHashMap<>();
     private double lastTime;
 
-    /** The present state; simulation thread. */
-    synchronized Map<String, Object> of(Simulation world, SimulationSession session) {
-        Map<String, Object> state = of(world);
-        state.put("running", true);
-        state.put("paused", session.isPaused());
-        state.put("lockStep", session.isLockStep());
-        state.put("speed", rounded(session.getMeasuredSpeed(), ANGLE));
-        state.put("wantedSpeed", Math.min(session.getWantedSpeed(), FASTEST));
+    /** The world without what only a running simulation has; simulation thread. */
+    synchronized Map<String, Object> of(Simulation world) {
+        Map<String, Object> state = moving(world);
+        addFixed(list(state, "objects"), world.getProject().getEnvironment(), world);
+        List<Map<String, Object>> robots = list(state, "robots");
+        List<Map<String, Object>> sensors = list(state, "sensors");
+        int sensor = 0;
+        for (int i = 0; i < robots.size(); i++) {
+            Robot robot = world.getRobots().get(i);
+            Map<String, Object> map = robots.get(i);
+            map.put("name", robot.getObject().getName());
+            map.put("radius", rounded(robot.getHardware().getBodyRadius(), FINE));
+            map.put("path", new ArrayList<>(paths.get(robot.getObject().getName())));
+            map.put("parts", parts(world, robot));
+            for (Sensor<?> one : robot.getSensors()) {
+                addFixed(sensors.get(sensor++), robot, one.getParameters());
+            }
+        }
         return state;
     }
 
-    /** The world without what only a running simulation has; simulation thread. */
-    synchronized Map<String, Object> of(Simulation world) {
+    /** What can change from step to step, in the same places as in the whole; simulation thread. */
+    synchronized Map<String, Object> moving(Simulation world) {
         Snapshot snapshot = world.snapshot();
         if (snapshot.time < lastTime) {
             paths.clear();
@@ -70,8 +84,10 @@ public final class WorldState {
         Map<String, Object> state = new LinkedHashMap<>();
         state.put("time", snapshot.time);
         state.put("step", snapshot.step);
-        state.put("objects", objects(world, snapshot));
-        state.put("robots", robots(world, snapshot));
+        List<Map<String, Object>> objects = new ArrayList<>();
+        snapshot.environment.forEach(pose -> objects.add(posed(pose)));
+        state.put("objects", objects);
+        state.put("robots", robots(snapshot));
         state.put("sensors", sensors(world));
         return state;
     }
@@ -79,30 +95,28 @@ public final class WorldState {
     /** A world without anything in it. */
     static Map<String, Object> empty() {
         Map<String, Object> state = new LinkedHashMap<>();
-        for (String list : new String[] {"objects", "robots", "sensors"}) {
-            state.put(list, new ArrayList<>());
-        }
+        LISTS.forEach(list -> state.put(list, new ArrayList<>()));
         return state;
     }
 
-    /** What there is to say when nothing runs. */
-    public static Map<String, Object> nothing() {
-        Map<String, Object> state = new LinkedHashMap<>();
-        state.put("running", false);
-        return state;
+    @SuppressWarnings("unchecked")
+    static List<Map<String, Object>> list(Map<String, Object> state, String name) {
+        return (List<Map<String, Object>>) state.get(name);
     }
 
-    private static List<Object> objects(Simulation world, Snapshot snapshot) {
-        List<Object> list = new ArrayList<>();
-        List<SearObject> environment = world.getProject().getEnvironment();
-        for (int i = 0; i < environment.size(); i++) {
-            list.add(object(world, environment.get(i), snapshot.environment.get(i)));
-        }
-        return list;
-    }
-
-    private static Map<String, Object> object(Simulation world, SearObject object, Pose pose) {
+    private static Map<String, Object> posed(Pose pose) {
         Map<String, Object> map = new LinkedHashMap<>();
+        map.put("pose", numbers(pose));
+        return map;
+    }
+
+    private static void addFixed(List<Map<String, Object>> maps, List<? extends SearObject> objects, Simulation world) {
+        for (int i = 0; i < maps.size(); i++) {
+            addFixed(maps.get(i), objects.get(i), world);
+        }
+    }
+
+    private static void addFixed(Map<String, Object> map, SearObject object, Simulation world) {
         map.put("name", object.getName());
         map.put("type", object.getClass().getSimpleName());
         map.put("size", size(object));
@@ -115,8 +129,6 @@ public final class WorldState {
             map.put("terrain", ((Model) object).isTerrain());
             map.put("corners", corners(world.getCorners(object)));
         }
-        map.put("pose", numbers(pose));
-        return map;
     }
 
     private static double[][] corners(double[]... exact) {
@@ -150,33 +162,34 @@ public final class WorldState {
         return new double[0];
     }
 
-    private List<Object> robots(Simulation world, Snapshot snapshot) {
+    private List<Object> robots(Snapshot snapshot) {
         List<Object> list = new ArrayList<>();
-        for (int i = 0; i < world.getRobots().size(); i++) {
-            Robot robot = world.getRobots().get(i);
-            Snapshot.RobotState state = snapshot.robots.get(i);
-            Map<String, Object> map = new LinkedHashMap<>();
-            map.put("name", state.name);
-            map.put("pose", numbers(state.pose));
-            map.put("speed", rounded(state.speed, FINE));
-            map.put("turnRate", rounded(state.turnRate, FINE));
-            map.put("radius", rounded(robot.getHardware().getBodyRadius(), FINE));
-            map.put("path", path(state));
-            map.put("status", state.status);
-            List<Object> parts = new ArrayList<>();
-            for (SearObject part : robot.getObject().getComponents()) {
-                if (part instanceof Shape) {
-                    parts.add(object(world, part, mount(part)));
-                }
-            }
-            robot.getObject().getWheels().forEach(wheel -> parts.add(object(world, wheel, mount(wheel))));
-            map.put("parts", parts);
+        for (Snapshot.RobotState robot : snapshot.robots) {
+            Map<String, Object> map = posed(robot.pose);
+            map.put("speed", rounded(robot.speed, FINE));
+            map.put("turnRate", rounded(robot.turnRate, FINE));
+            map.put("status", robot.status);
+            extendPath(robot);
             list.add(map);
         }
         return list;
     }
 
-    private List<double[]> path(Snapshot.RobotState robot) {
+    private static List<Object> parts(Simulation world, Robot robot) {
+        List<SearObject> visible = new ArrayList<>();
+        robot.getObject().getComponents().stream().filter(part -> part instanceof Shape).forEach(visible::add);
+        visible.addAll(robot.getObject().getWheels());
+        List<Object> list = new ArrayList<>();
+        for (SearObject part : visible) {
+            Map<String, Object> map = posed(mount(part));
+            addFixed(map, part, world);
+            list.add(map);
+        }
+        return list;
+    }
+
+    /** Panels do the same with the poses that they get. */
+    private void extendPath(Snapshot.RobotState robot) {
         List<double[]> path = paths.computeIfAbsent(robot.name, name -> new ArrayList<>());
         double[] last = path.isEmpty() ? null : path.get(path.size() - 1);
         if (last == null || Math.hypot(last[0] - robot.pose.x, last[1] - robot.pose.z) > PATH_STEP) {
@@ -187,24 +200,35 @@ public final class WorldState {
                 path.remove(i);
             }
         }
-        return new ArrayList<>(path);
     }
 
     private static List<Object> sensors(Simulation world) {
         List<Object> list = new ArrayList<>();
         for (Robot robot : world.getRobots()) {
             for (Sensor<?> sensor : robot.getSensors()) {
-                Map<String, Object> map = new LinkedHashMap<>();
-                SearObject object = sensor.getParameters();
-                map.put("name", sensor.getName());
-                map.put("type", object.getClass().getSimpleName());
-                map.put("robot", robot.getObject().getName());
-                map.put("pose", numbers(robot.getPose().times(sensor.getMount())));
-                addReading(map, object, world.read(sensor.getName()));
+                Map<String, Object> map = posed(robot.getPose().times(sensor.getMount()));
+                addReading(map, sensor.getParameters(), world.read(sensor.getName()));
                 list.add(map);
             }
         }
         return list;
+    }
+
+    private static void addFixed(Map<String, Object> map, Robot robot, SearObject sensor) {
+        map.put("name", sensor.getName());
+        map.put("type", sensor.getClass().getSimpleName());
+        map.put("robot", robot.getObject().getName());
+        if (sensor instanceof Distance) {
+            List<Object> cones = new ArrayList<>();
+            for (BeamCone cone : ((Distance) sensor).getCones()) {
+                Map<String, Object> one = new LinkedHashMap<>();
+                one.put("halfAngle", cone.getHalfAngle());
+                one.put("range", cone.getRange());
+                one.put("yaw", cone.getYaw());
+                cones.add(one);
+            }
+            map.put("cones", cones);
+        }
     }
 
     private static void addReading(Map<String, Object> map, SearObject object, Object reading) {
@@ -224,17 +248,6 @@ public final class WorldState {
             double[] hit = ((DistanceReading) reading).getHitPoint();
             map.put("hit", hit == null ? null : corners(hit)[0]);
         }
-        if (object instanceof Distance) {
-            List<Object> cones = new ArrayList<>();
-            for (BeamCone cone : ((Distance) object).getCones()) {
-                Map<String, Object> one = new LinkedHashMap<>();
-                one.put("halfAngle", cone.getHalfAngle());
-                one.put("range", cone.getRange());
-                one.put("yaw", cone.getYaw());
-                cones.add(one);
-            }
-            map.put("cones", cones);
-        }
     }
 
     private static Pose mount(SearObject part) {
@@ -247,7 +260,7 @@ public final class WorldState {
             rounded(angles[1], ANGLE), rounded(angles[2], ANGLE)};
     }
 
-    private static double rounded(double value, double per) {
+    static double rounded(double value, double per) {
         return Double.isNaN(value) || Double.isInfinite(value) ? 0 : Math.round(value * per) / per;
     }
 }

@@ -5,11 +5,12 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
 
     var LATITUDE = 2
     var LONGITUDE = 4
+    var QUALITY = 6
     var ALTITUDE = 9
     var QUALITIES = {0: 'no fix', 1: 'GPS', 2: 'differential GPS', 6: 'dead reckoning', 7: 'manual', 8: 'simulator'}
     var MOST_SENTENCES = 40
     var LONGEST_TRACK = 2000
-    var MOST_MESSAGES = 5
+    var MOST_MESSAGES = 100
     var HALF = 45               // units of the plot from the middle to the edge
     // WGS84: metres in a degree, as series in the latitude
     var METRES_PER_DEGREE = 111132.954
@@ -21,7 +22,8 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
     $scope.ports = []
     $scope.sentences = []
     $scope.received = 0
-    $scope.messages = []
+    $scope.messages = []        // newest first
+    $scope.last = null          // the newest one as a line
     $scope.tokens = null
     $scope.position = null
     $scope.track = []
@@ -62,6 +64,9 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
             $scope.sentences.unshift(data)
             $scope.sentences.splice(MOST_SENTENCES)
             break
+        case 'onLastFix':
+            onLastFix(data)
+            break
         case 'onSentenceCount':
             $scope.received = data
             counting = false
@@ -70,14 +75,53 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
             $scope.ports = data
             break
         case 'onStatus':
-            // an exception's detail is its stack trace; its key says what happened
-            $scope.messages.unshift({level: data.level, text: data.key || data.detail, time: new Date()})
-            $scope.messages.splice(MOST_MESSAGES)
+            say(data)
             break
         default:
             return
         }
         $scope.$applyAsync()
+    }
+
+    /** What came before this page was opened; a sentence that has come meanwhile is newer. */
+    function onLastFix(fix) {
+        if (fix && !$scope.tokens) {
+            $scope.tokens = fix.tokens
+            if (Number(fix.tokens[QUALITY]) > 0) {
+                onPosition([fix.latitude, fix.longitude, fix.altitude])
+            }
+        }
+    }
+
+    /** Whether a message repeats that a call has failed of which the service has told why: so MyRobotLab does. */
+    function repeats(text, told) {
+        return told && (text.indexOf('could not invoke ') === 0 || text !== told && text.slice(-told.length) === told)
+    }
+    var told = ''               // why a call failed, until MyRobotLab has repeated that
+    var said = 0
+    // An exception's detail is its stack trace; its key says what happened.
+    function say(status) {
+        var text = status.key || status.detail
+        if (status.level === 'error') {
+            var repeated = repeats(text, told)
+            told = repeated ? '' : text
+            if (repeated) {
+                return
+            }
+        }
+        var newest = $scope.messages[0]
+        if (newest && newest.text === text && newest.level === status.level) {
+            newest.times++
+            newest.time = new Date()
+        } else {
+            $scope.messages.unshift({id: said++, level: status.level, text: text, time: new Date(), times: 1})
+            $scope.messages.splice(MOST_MESSAGES)
+        }
+        $scope.last = {level: status.level, text: text, line: text.split('\n')[0]}
+    }
+    $scope.clearMessages = function() {
+        $scope.messages = []
+        $scope.last = null
     }
 
     function onPosition(position) {
@@ -129,10 +173,10 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
     $scope.longitude = LONGITUDE
     $scope.altitude = ALTITUDE
     $scope.hasFix = function() {
-        return $scope.tokens !== null && Number($scope.tokens[6]) > 0
+        return $scope.tokens !== null && Number($scope.tokens[QUALITY]) > 0
     }
     $scope.quality = function() {
-        return $scope.tokens ? QUALITIES[$scope.tokens[6] || 0] || 'quality ' + $scope.tokens[6] : '–'
+        return $scope.tokens ? QUALITIES[$scope.tokens[QUALITY] || 0] || 'quality ' + $scope.tokens[QUALITY] : '–'
     }
     $scope.time = function() {
         var utc = $scope.tokens && $scope.tokens[1]
@@ -143,7 +187,7 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
         touched = true
     }
     $scope.connect = function() {
-        $scope.messages = []
+        $scope.last = null
         msg.send('setModel', $scope.form.model)
         msg.send('connect', $scope.form.port, Number($scope.form.baud))
     }
@@ -157,9 +201,6 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
     $scope.refreshPorts = function() {
         msg.send('getPortNames')
     }
-    $scope.clearMessages = function() {
-        $scope.messages = []
-    }
     $scope.clearTrack = function() {
         $scope.track = []
         $scope.plot = null
@@ -172,6 +213,8 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
     msg.subscribe('publishStatus')
     msg.subscribe('getSentenceCount')
     msg.subscribe('getPortNames')
+    msg.subscribe('getLastFix')
     msg.subscribe(this)
     msg.send('getPortNames')
+    msg.send('getLastFix')
 }])

@@ -13,7 +13,7 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
     var FULL_CIRCLE = 180.5
     var RATE_MILLIS = 3000
     var TABLE_MILLIS = 300
-    var MOST_MESSAGES = 5
+    var MOST_MESSAGES = 100
     var KEY_STEPS = {ArrowLeft: 1, ArrowRight: -1, ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10, Home: -Infinity, End: Infinity}
 
     $scope.bauds = [9600, 19200, 38400, 500000]
@@ -25,7 +25,8 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
     $scope.ports = []
     $scope.scan = null
     $scope.rate = 0
-    $scope.messages = []
+    $scope.messages = []        // newest first
+    $scope.last = null          // the newest one as a line
     $scope.table = null
     $scope.beam = null          // which value of the scan is pointed at
     var touched = false
@@ -69,6 +70,11 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
         case 'onScan':
             onScan(data)
             break
+        case 'onLastScan':
+            if (data && !$scope.scan) {     // one that has come meanwhile is newer
+                showScan(data)
+            }
+            break
         case 'onPortNames':
             $scope.ports = data
             $scope.$apply()
@@ -82,29 +88,59 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
         }
     }
 
-    // An exception's detail is its stack trace; its key says what happened.
     function onStatus(status) {
         if (status.level === 'error' && $scope.service) {
             wanted = {}
             follow()
         }
-        $scope.messages.unshift({level: status.level, text: status.key || status.detail, time: new Date()})
-        $scope.messages.splice(MOST_MESSAGES)
+        say(status)
+    }
+
+    /** Whether a message repeats that a call has failed of which the service has told why: so MyRobotLab does. */
+    function repeats(text, told) {
+        return told && (text.indexOf('could not invoke ') === 0 || text !== told && text.slice(-told.length) === told)
+    }
+    var told = ''               // why a call failed, until MyRobotLab has repeated that
+    var said = 0
+    // An exception's detail is its stack trace; its key says what happened.
+    function say(status) {
+        var text = status.key || status.detail
+        if (status.level === 'error') {
+            var repeated = repeats(text, told)
+            told = repeated ? '' : text
+            if (repeated) {
+                return
+            }
+        }
+        var newest = $scope.messages[0]
+        if (newest && newest.text === text && newest.level === status.level) {
+            newest.times++
+            newest.time = new Date()
+        } else {
+            $scope.messages.unshift({id: said++, level: status.level, text: text, time: new Date(), times: 1})
+            $scope.messages.splice(MOST_MESSAGES)
+        }
+        $scope.last = {level: status.level, text: text, line: text.split('\n')[0]}
     }
     $scope.clearMessages = function() {
         $scope.messages = []
+        $scope.last = null
     }
 
     // Scans may come faster than the screen is drawn: only the newest one is drawn.
     var waiting = false
     function onScan(scan) {
-        $scope.scan = scan
         var now = Date.now()
         arrivals.push(now)
         while (arrivals[0] < now - RATE_MILLIS) {
             arrivals.shift()
         }
         $scope.rate = arrivals.length > 1 && now > arrivals[0] ? (arrivals.length - 1) * 1000 / (now - arrivals[0]) : 0
+        showScan(scan)
+    }
+
+    function showScan(scan) {
+        $scope.scan = scan
         $scope.beam = $scope.beam === null ? null : Math.min($scope.beam, scan.angles.length - 1)
         updateReach()
         updateTable()
@@ -123,7 +159,7 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
     }
     $scope.connect = function() {
         wanted = {}
-        $scope.messages = []
+        $scope.last = null
         msg.send('connect', $scope.form.port, Number($scope.form.baud))
     }
     $scope.refreshPorts = function() {
@@ -385,6 +421,8 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
     msg.subscribe('publishScan')
     msg.subscribe('publishStatus')
     msg.subscribe('getPortNames')
+    msg.subscribe('getLastScan')
     msg.subscribe(this)
     msg.send('getPortNames')
+    msg.send('getLastScan')
 }])

@@ -283,11 +283,14 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
 
     // ---- the editor ---------------------------------------------------------------------------------------------------
 
-    /** Opens a script in the editor. */
+    /** Opens a script in the editor. @throws IOException if there is no such file */
     public void openScript(String file) throws IOException {
         Path path = resolve(file);
-        String code = Files.exists(path) ? Files.readString(path, StandardCharsets.UTF_8) : "";
-        openedScripts.put(file, new Script(file, code));
+        openedScripts.remove(file);
+        if (!Files.isRegularFile(path)) {
+            throw new IOException("there is no file " + path.toAbsolutePath());
+        }
+        openedScripts.put(file, new Script(file, Files.readString(path, StandardCharsets.UTF_8)));
         broadcastState();
     }
 
@@ -310,11 +313,14 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         broadcastState();
     }
 
-    /** Writes a script, as a whole or not at all. */
+    /** Writes a script, as a whole or not at all. @throws IOException if its folder is missing */
     public void saveScript(String file, String code) throws IOException {
         Path path = resolve(file);
         Path part = path.resolveSibling(path.getFileName() + ".part");
-        Files.createDirectories(path.toAbsolutePath().getParent());
+        openedScripts.remove(file);
+        if (!Files.isDirectory(path.toAbsolutePath().normalize().getParent())) {
+            throw new IOException(file + " can't be saved, there is no folder " + path.toAbsolutePath().normalize().getParent() + ": make it first");
+        }
         Files.writeString(part, code, StandardCharsets.UTF_8);
         Files.move(part, path, StandardCopyOption.REPLACE_EXISTING);
         openedScripts.put(file, new Script(file, code));

@@ -70,6 +70,7 @@ public class ScriptsAndPortsTest {
         String text = "# comment\nif True:\n    print \"text\", 12";
         robotLab.call("python", "saveScript", "mine.py", text);
         browser.type(".python-file", "mine.py");
+        code("");
         browser.click(".python-open");
         browser.until("the script", () -> text.equals(browser.see(".python-code").getAttribute("value")));
         assertEquals("# comment", browser.texts(".py-c").get(0));
@@ -81,6 +82,44 @@ public class ScriptsAndPortsTest {
         browser.until("the saved script", () -> read("mine.py").endsWith("12\n    x = 1"));
         browser.until("it in the list of scripts", () -> browser.all(".mrl-python datalist option").stream()
             .anyMatch(option -> "mine.py".equals(option.getAttribute("value"))));
+    }
+
+    @Test
+    public void unsavedTextOutlivesAReloadAndAMissingFile() {
+        code("print 'not saved yet'");
+        browser.seeText(".python-unsaved", "not saved");
+        browser.until("the text is kept", () -> String.valueOf(browser.script("return localStorage.getItem('python.draft.python')"))
+            .contains("not saved yet"));
+        TABS.open("python");
+        assertEquals("print 'not saved yet'", browser.see(".python-code").getAttribute("value"));
+        browser.type(".python-file", "mispelt.py");
+        browser.click(".python-open");
+        browser.seeText(".python-question", "The text below is not saved.");
+        browser.click(".python-go");
+        browser.seeText(".python-problem", "mispelt.py can't be opened: there is no such file");
+        assertEquals("print 'not saved yet'", browser.see(".python-code").getAttribute("value"));
+        browser.type(".python-file", "no/such/folder/x.py");
+        browser.click(".python-save");
+        browser.click(".python-go");
+        browser.seeText(".python-problem", "was not saved");
+        assertTrue(Files.notExists(robotLab.file("no")));
+    }
+
+    @Test
+    public void aScriptOfSomebodyElseIsOnlyOverwrittenOnDemand() throws IOException {
+        Files.writeString(robotLab.file("foreign.py"), "print 'foreign'");
+        code("print 'mine'");
+        browser.type(".python-file", "foreign.py");
+        browser.click(".python-save");
+        browser.seeText(".python-question", "foreign.py is there already");
+        browser.click(".python-cancel");
+        assertEquals("print 'foreign'", read("foreign.py"));
+        browser.click(".python-save");
+        browser.click(".python-go");
+        browser.until("the new text", () -> read("foreign.py").equals("print 'mine'"));
+        browser.see(".python-code").sendKeys(Keys.chord(Keys.CONTROL, Keys.END), "  # more");
+        browser.click(".python-save");
+        browser.until("its own text is overwritten without a question", () -> read("foreign.py").endsWith("# more"));
     }
 
     private String read(String file) {

@@ -8,7 +8,15 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
         + KEYWORDS + ')|(\\b\\d[\\w.]*)', 'g')
     var CLASSES = ['py-c', 'py-s', 'py-k', 'py-n']
 
+    var DRAFT = 'python.draft.' + msg.name
+    var KEEP_MILLIS = 300
+
     $scope.form = {file: 'script.py', code: 'print "Hello from", python.name\n'}
+    $scope.question = null      // what Open or Save would lose: text, and go, what to do all the same
+    $scope.problem = ''
+    var kept = $scope.form.code // the text as it is in a file, or as it was before anybody typed
+    var known = {}              // files that this page has opened or saved: those it overwrites without asking
+    recall()
     $scope.files = []
     $scope.lines = []
     $scope.running = false
@@ -50,20 +58,98 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
     $scope.stop = function() {
         msg.sendBlocking('stop')
     }
-    $scope.save = function() {
-        msg.send('saveScript', $scope.form.file, $scope.form.code)
-        msg.send('getScriptList')
+    // ---- files: no text and no file is lost unasked ----------------------------------------------------------------------------------------
+    $scope.saveScript = function() {
+        var file = $scope.form.file
+        msg.sendBlocking('getScriptList').then(function(files) {
+            // only scripts in the folder of scripts are listed: of any other file nobody knows whether it is there
+            var inFolder = /^[^\/\\:]+\.py$/.test(file)
+            if (known[file] || inFolder && files.indexOf(file) < 0) {
+                write(file)
+            } else {
+                ask(file + (inFolder ? ' is there already, and this page has not opened it.' : ' is overwritten if it is there already.'), 'Save it', write, file)
+            }
+        })
     }
     $scope.open = function() {
-        msg.sendBlocking('openScript', $scope.form.file).then(function() {
-            return msg.sendBlocking('publishState')
-        }).then(function(state) {
-            var script = state.openedScripts[$scope.form.file]
-            if (script) {
-                $scope.form.code = script.code
+        var file = $scope.form.file
+        if ($scope.isUnsaved()) {
+            ask('The text below is not saved.', 'Open ' + file + ' all the same', read, file)
+        } else {
+            read(file)
+        }
+    }
+    $scope.isUnsaved = function() {
+        return $scope.form.code !== kept && Boolean($scope.form.code.trim())
+    }
+    $scope.cancel = function() {
+        $scope.question = null
+    }
+    function ask(text, button, work, file) {
+        $scope.question = {text: text, button: button, go: function() {
+            $scope.question = null
+            work(file)
+        }}
+    }
+
+    function write(file) {
+        var code = $scope.form.code
+        call('saveScript', [file, code]).then(function(script) {
+            if (settle(file, script, ' was not saved: is there such a folder, and may it be written to?')) {
+                kept = code
+                msg.send('getScriptList')
+                keep()
+            }
+        })
+    }
+    function read(file) {
+        call('openScript', [file]).then(function(script) {
+            if (settle(file, script, ' can\'t be opened: there is no such file')) {
+                $scope.form.code = kept = script.code
                 $scope.colour()
             }
         })
+    }
+    /** @return a promise of the script as the service has it then; undefined if it could not be done */
+    function call(method, data) {
+        return msg.sendBlocking.apply(null, [method].concat(data)).then(function() {
+            return msg.sendBlocking('publishState')
+        }).then(function(state) {
+            return state.openedScripts[data[0]]
+        })
+    }
+    function settle(file, script, problem) {
+        $scope.problem = script ? '' : file + problem
+        if (script) {
+            known[file] = true
+        }
+        return Boolean(script)
+    }
+
+    // The text outlives a reload of the page.
+    var keeping = null
+    function keep() {
+        $timeout.cancel(keeping)
+        keeping = $timeout(function() {
+            try {
+                window.localStorage.setItem(DRAFT, JSON.stringify({file: $scope.form.file, code: $scope.form.code, kept: kept, known: known}))
+            } catch (e) {
+                $scope.problem = 'This browser does not keep unsaved text: ' + e.message
+            }
+        }, KEEP_MILLIS)
+    }
+    function recall() {
+        try {
+            var draft = JSON.parse(window.localStorage.getItem(DRAFT))
+        } catch (e) {
+            return
+        }
+        if (draft && draft.code) {
+            $scope.form.file = draft.file
+            $scope.form.code = draft.code
+            kept = draft.kept
+            known = draft.known
+        }
     }
     $scope.clear = function() {
         $scope.lines = []
@@ -90,6 +176,7 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
     }
 
     $scope.colour = function() {
+        keep()
         var picture = document.getElementById('python-colours-' + msg.name)
         if (picture) {
             picture.innerHTML = coloured($scope.form.code || '')

@@ -1,6 +1,7 @@
 package org.SEAR.web;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
@@ -53,6 +54,27 @@ public class ShellTest {
         browser.see(".sear-start");
         assertEquals("no simulation runs", browser.text(".sear-status"));
         assertEquals("sear", robotLab.call("sear", "getName").asText());
+    }
+
+    @Test
+    public void myRobotLabsOwnMembersAreOnAPanelsScopeAfterItsControllerHasRun() {
+        String members = "[save, saveDefault, release, apply, startPeer, releasePeer, toggleVirtual, updateServiceData]";
+        for (String panel : new String[] {SearTab.ROOT, ".mrl-python", ".mrl-serial"}) {
+            browser.until(panel, () -> !browser.all(panel).isEmpty());
+            assertEquals(panel, 8L, browser.script("return angular.element(document.querySelector(arguments[0])).scope().$eval(arguments[1])"
+                + ".filter(angular.isFunction).length", panel, members));
+            assertEquals(false, browser.scope(panel, "showPeers"));
+        }
+        assertEquals("sear", browser.scope(SearTab.ROOT, "parentPanel.name"));
+    }
+
+    @Test
+    public void whatAPanelShowsItselfIsNotShownTwice() {
+        robotLab.call("sear", "warn", "only in the tab");
+        browser.seeText(".sear-log", "only in the tab");
+        assertFalse(browser.text("footer").contains("only in the tab"));
+        browser.click("#tab-python");
+        browser.seeText("#shell-statuses", "only in the tab");
     }
 
     @Test

@@ -7,6 +7,7 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
     var nextId = 1
     var waiting = {}        // id of a call -> promise of its answer
     var topics = {}         // service -> topic -> true
+    var shown = {}          // service and topic, where a service's panel has asked for it
     var callbacks = {}      // service -> functions that get its messages
     var states = {}         // service -> its last state
     var methods = {}        // service -> names of its methods
@@ -133,6 +134,11 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
         transmit({unsubscribe: name, topic: topic})
     }
 
+    /** Whether a service's own panel has asked for a topic. */
+    this.isShown = function(name, topic) {
+        return Boolean(shown[name + ' ' + topic])
+    }
+
     /** Has a function get all messages of a service. */
     this.subscribeToService = function(callback, name) {
         callbacks[name] = callbacks[name] || []
@@ -179,6 +185,7 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
             sendTo: self.sendTo,
             subscribe: function(what) {
                 if (typeof what === 'string') {
+                    shown[name + ' ' + what] = true
                     self.subscribe(name, what)
                 } else {
                     self.subscribeToService(what.onMsg, name)

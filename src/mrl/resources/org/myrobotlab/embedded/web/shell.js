@@ -20,6 +20,8 @@
         shell.form = {name: '', type: ''}
         var wanted = null       // the tab that the user wants, shown whenever its service is there
         shell.shown = null
+        // as MyRobotLab shows panels: beside the list of services, each below a header
+        shell.beside = /[?&]layout=myrobotlab\b/.test(window.location.search)
 
         Object.defineProperty(shell, 'connected', {get: function() {
             return mrl.connected
@@ -70,11 +72,28 @@
             }
         }
 
+        var told = {}           // by service why a call failed, until MyRobotLab has repeated that
         function add(status) {
-            shell.statuses.unshift({level: status.level, name: status.name, text: status.key || status.detail, time: new Date()})
+            var text = status.key || status.detail
+            if (status.level === 'error') {
+                var repeated = repeats(text, told[status.name])
+                told[status.name] = repeated ? '' : text
+                if (repeated) {
+                    return
+                }
+            }
+            shell.statuses.unshift({level: status.level, name: status.name, text: text, time: new Date()})
             shell.statuses.splice(MOST_STATUSES)
         }
 
+        function repeats(text, reason) {
+            return reason && (text.indexOf('could not invoke ') === 0 || text !== reason && text.slice(-reason.length) === reason)
+        }
+        /** Messages that the panel in front shows itself are not shown twice. */
+        shell.isNews = function(status) {
+            var name = String(status.name).split('@')[0]
+            return name !== shell.shown || !mrl.isShown(name, 'publishStatus')
+        }
         shell.show = function(name) {
             wanted = name
             choose()
@@ -126,6 +145,25 @@
         }
     }])
 
+    /** What MyRobotLab puts on a panel's scope after its controller has run; what a panel has put there under such a name is lost. */
+    function addMembers(scope, msg) {
+        scope.parentPanel = {name: msg.name}
+        scope.peer = null
+        scope.showPeers = false
+        scope.servicedatajson = ''
+        ;['save', 'saveDefault', 'apply', 'startPeer', 'releasePeer', 'updateServiceData'].forEach(function(method) {
+            scope[method] = function() {
+                msg.send.apply(null, [method].concat(Array.prototype.slice.call(arguments)))
+            }
+        })
+        scope.release = function() {
+            msg.sendTo('runtime', 'release', msg.name)
+        }
+        scope.toggleVirtual = function() {
+            msg.send('setVirtual', !scope.service.isVirtual)
+        }
+    }
+
     app.directive('mrlPanel', ['$compile', '$controller', 'mrl', 'panels', function($compile, $controller, mrl, panels) {
         return {
             restrict: 'E',
@@ -136,12 +174,12 @@
                 var controller = null
                 scope.name = name
                 scope.msg = msg
-                scope.parentPanel = {name: name}
                 scope.service = mrl.getService(name)
                 panels(attributes.type).then(function(panel) {
                     var make = $controller(panel.controller, {$scope: scope}, true)
                     make.instance.msg = msg
                     controller = make()
+                    addMembers(scope, msg)
                     element.html(panel.view)
                     $compile(element.contents())(scope)
                 })

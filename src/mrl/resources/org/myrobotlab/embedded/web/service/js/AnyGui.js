@@ -8,7 +8,7 @@ angular.module('mrlapp.service.AnyGui', []).controller('AnyGuiCtrl', ['$scope', 
             $scope.$apply()
         }
     }
-    $scope.release = function() {
+    $scope.releaseService = function() {
         msg.sendTo('runtime', 'release', msg.name)
     }
     msg.subscribe(this)

@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.project.ProjectException;
+import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;

@@ -409,8 +409,8 @@
     var LONGEST_PATH = 500      // points
     var LOOK_MILLIS = 1000      // how often a page that shows the project asks whether that has changed
     var PATIENCE_MILLIS = 10000 // an answer that takes longer is asked for again
-    var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'getProblems', 'getExamples', 'getBundle',
-        'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate']
+    var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'getProblems', 'getExamples',
+        'getBundle', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate']
 
     angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope', '$timeout', '$interval', 'mrl', SEARGuiCtrl])
 

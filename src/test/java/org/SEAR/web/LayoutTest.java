@@ -13,8 +13,8 @@ import org.openqa.selenium.Dimension;
 /** The panels at the widths they have: in MyRobotLab beside its list of services, on a whole page, on a telephone. */
 public class LayoutTest {
     @ClassRule
-    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('examples/sensors.sear')\nsear.startSimulation()\n"
-        + "lidar = Runtime.start('lidar', 'LIDAR')\nlidar.connect('/dev/SEAR_LIDAR_01')\nlidar.singleScan()\n"
+    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('examples/sensors.sear')\n"
+        + "sear.startSimulation()\nlidar = Runtime.start('lidar', 'LIDAR')\nlidar.connect('/dev/SEAR_LIDAR_01')\nlidar.singleScan()\n"
         + "gps = Runtime.start('gps', 'GPS')\ngps.connect('/dev/SEAR_GPS_01')\n");
     private static final String[] SERVICES = {"sear", "lidar", "gps"};
     /** Rows of controls whose tallest element is far lower than the row: they wrap. Of each how many lines it has, and its beginning. */
@@ -32,7 +32,7 @@ public class LayoutTest {
         "    }",
         "})",
         "panel.querySelectorAll('.sear-tree').forEach(function(e) {",
-        "    if (e.scrollHeight > e.clientHeight + 1 || e.scrollWidth > e.clientWidth + 1) { cut.push('list ' + e.scrollHeight + ' in ' + e.clientHeight) }",
+        "    if (e.scrollHeight > e.clientHeight + 1 || e.scrollWidth > e.clientWidth + 1) { cut.push('list of ' + e.scrollHeight) }",
         "})",
         "return cut");
     /** How far the middle of each check box is from that of its label, pixels. */

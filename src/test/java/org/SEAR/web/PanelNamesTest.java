@@ -65,7 +65,7 @@ public class PanelNamesTest {
     @Test
     public void suchNamesAreFound() {
         assertEquals(List.of("$scope.save", "$scope['peer"), scriptNames("$scope.save = f; $scope['peer'] = 1; $scope.saveProject = g; msg.save()"));
-        assertEquals(List.of("save", "showPeers", "servicedatajson"), viewNames("<p title=\"save\" ng-click=\"save()\" ng-if=\"a || showPeers\">{{ 1 +"
-            + " servicedatajson }} {{'peer'}} {{robot.peer}} save <b ng-click=\"msg.release(); saveProject()\">"));
+        assertEquals(List.of("save", "showPeers", "servicedatajson"), viewNames("<p title=\"save\" ng-click=\"save()\" ng-if=\"a || showPeers\">"
+            + "{{ 1 + servicedatajson }} {{'peer'}} {{robot.peer}} save <b ng-click=\"msg.release(); saveProject()\">"));
     }
 }

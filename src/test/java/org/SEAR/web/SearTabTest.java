@@ -171,7 +171,8 @@ public class SearTabTest {
         browser.click(".sear-forward");
         browser.until("the compass as the service answers it", () -> {
             String shown = browser.text(".sear-sensors tr[data-sensor='compass'] .sear-reading");
-            return shown.endsWith("°") && Math.abs(Double.parseDouble(shown.replace("°", "")) - robotLab.call("sear", "getCompassResult", "compass").asDouble()) < 1;
+            double truth = robotLab.call("sear", "getCompassResult", "compass").asDouble();
+            return shown.endsWith("°") && Math.abs(Double.parseDouble(shown.replace("°", "")) - truth) < 1;
         });
         browser.seeText(".sear-sensors tr[data-sensor='myLidar'] .sear-reading", "361 beams, ");
         browser.seeText(".sear-tree", "container Box");

@@ -37,7 +37,8 @@ public final class TabPictures {
                 robotLab.call("lidar", "singleScan");
                 return browser.texts("mrl-panel[name='lidar']").stream().anyMatch(text -> text.contains("181 ") || text.contains("361 "));
             });
-            browser.script("document.querySelectorAll('footer .btn-link').forEach(function(clear) { clear.click() })");
+            browser.script("document.querySelectorAll('footer .btn-link, .sear-clear, .lidar-clear, .gps-clear')"
+                + ".forEach(function(clear) { clear.click() })");
             for (String tab : new String[] {"sear", "lidar", "gps"}) {
                 browser.click("#tab-" + tab);
                 browser.see("mrl-panel[name='" + tab + "'] > *");

@@ -67,7 +67,8 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
             if (known[file] || inFolder && files.indexOf(file) < 0) {
                 write(file)
             } else {
-                ask(file + (inFolder ? ' is there already, and this page has not opened it.' : ' is overwritten if it is there already.'), 'Save it', write, file)
+                ask(file + (inFolder ? ' is there already, and this page has not opened it.' : ' is overwritten if it is there already.'), 'Save it',
+                    write, file)
             }
         })
     }

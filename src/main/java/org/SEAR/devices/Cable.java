@@ -3,11 +3,13 @@ package org.SEAR.devices;
 import org.SEAR.protocol.Uart;
 
 /**
- * The {@link SerialLine} of one device. Both directions carry 10 bits a byte in simulated time, and a device that streams into a sink that does not
- * read loses nothing: bytes wait in the cable. What the user's end writes waits too, up to {@link #MAX_WAITING} bytes; what comes on top is dropped
- * and counted, as by a real UART whose buffer is full, with one warning.
+ * The {@link SerialLine} of one device. Both directions carry 10 bits a byte in simulated time. What a device sends waits for the line; a message for
+ * which more than {@link #MAX_OUTPUT} bytes wait already is lost whole. What the user's end writes waits too, up to {@link #MAX_WAITING} bytes; what
+ * comes on top is lost. Both losses are counted, as by a real UART whose buffer is full.
  */
 public final class Cable implements SerialLine {
+    /** Bytes of a device's output that wait for the line, as in a real UART's buffer: while more do, what it sends is lost. */
+    public static final int MAX_OUTPUT = 4096;
     /** Most bytes from the user's end that wait for their turn. */
     public static final int MAX_WAITING = 1 << 20;
     /** What a byte looks like at the wrong speed. */
@@ -30,6 +32,7 @@ public final class Cable implements SerialLine {
     private volatile long dropped;
     private volatile int waiting;
     private volatile long delivered;
+    private long lost;
     private byte[] toDevice = new byte[FIRST_SIZE];
     private int toDeviceFrom;
     private int toDeviceEnd;
@@ -110,6 +113,13 @@ public final class Cable implements SerialLine {
         }
     }
 
+    /** How many bytes of the device's output have been lost since the last call. Simulation thread. */
+    public long takeLost() {
+        long count = lost;
+        lost = 0;
+        return count;
+    }
+
     /** Devices phase: bytes arrive and the device's timers run, up to {@code end}. */
     public void run(double end) {
         while (toDeviceFrom < toDeviceEnd) {
@@ -141,10 +151,14 @@ public final class Cable implements SerialLine {
 
     /** Puts bytes from the device on the line. */
     public void send(byte[] bytes, double time) {
+        double byteTime = Uart.seconds(1, device.getBaud());
+        if (freeAt - time > Uart.seconds(MAX_OUTPUT, device.getBaud())) {
+            lost += bytes.length;
+            return;
+        }
         if (toHostEnd + bytes.length > toHost.length) {
             makeRoom(bytes.length);
         }
-        double byteTime = Uart.seconds(1, device.getBaud());
         boolean garbled = speedOfHost() != device.getBaud();
         freeAt = Math.max(freeAt, time);
         for (byte each : bytes) {
@@ -245,6 +259,13 @@ public final class Cable implements SerialLine {
             dropped += bytes.length - taken;
             written += taken;
             hasIncoming = incomingCount > 0;
+        }
+    }
+
+    @Override
+    public int getWaiting() {
+        synchronized (lock) {
+            return incomingCount + waiting;
         }
     }
 

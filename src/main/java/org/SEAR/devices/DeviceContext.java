@@ -35,6 +35,15 @@ public interface DeviceContext {
     /** The simulation's seed. */
     long seed();
 
-    /** Something the user should know, shown once as warning with the device's name. */
-    void warn(String message);
+    /**
+     * Something the user should know, shown as warning with the device's name.
+     *
+     * @param cause what the warnings have in common of which only the first is shown, and how many there were, see {@link Repeats}
+     */
+    void warn(String cause, String message);
+
+    /** Something the user should know that has no other form. */
+    default void warn(String message) {
+        warn(message, message);
+    }
 }

@@ -35,6 +35,9 @@ public interface SerialLine {
     /** Where bytes from the device go; called in the outputs phase of a step. */
     void setSink(Sink sink);
 
+    /** Bytes from the user's end that have not reached the device yet. */
+    int getWaiting();
+
     /** Bytes ever written by {@link #write}. */
     long getWritten();
 

@@ -5,10 +5,9 @@ import java.util.Collections;
 import java.util.List;
 import java.util.ServiceLoader;
 import java.util.TreeMap;
-import java.util.function.Consumer;
+import java.util.function.BiConsumer;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SerialObject;
-import org.SEAR.devices.Cable;
 import org.SEAR.devices.DeviceType;
 import org.SEAR.devices.SerialDevice;
 import org.SEAR.devices.SerialLine;
@@ -27,9 +26,9 @@ final class Instruments {
     private final List<Port> ports = new ArrayList<>();
     private final List<SerialLine> lines = new ArrayList<>();
     private final List<String> names;
-    private final Consumer<String> warnings;
+    private final BiConsumer<String, String> warnings;
 
-    Instruments(List<RobotModel> robots, long seed, Consumer<String> warnings) {
+    Instruments(List<RobotModel> robots, long seed, BiConsumer<String, String> warnings) {
         this.robots = robots;
         this.warnings = warnings;
         SensorTypes types = SensorTypes.load();
@@ -93,16 +92,20 @@ final class Instruments {
         Hit hit = new Hit();
         for (RobotModel robot : robots) {
             for (Sensor<?> sensor : robot.getSensors()) {
-                sensor.warnings(robot.truth()).forEach(warnings);
+                sensor.warnings(robot.truth()).forEach(this::warn);
                 Pose pose = robot.getPose().times(sensor.getMount());
                 double[] ahead = pose.rotate(0, 0, 1);
                 BeamScene scene = robot.truth().scene();
                 double distance = scene.cast(pose.x, pose.y, pose.z, ahead[0], ahead[1], ahead[2], Double.MAX_VALUE, robot.getOwner(), hit);
                 if (distance < Double.POSITIVE_INFINITY && ahead[0] * hit.nx + ahead[1] * hit.ny + ahead[2] * hit.nz > 0) {
-                    warnings.accept("sensor " + sensor.getName() + " is inside " + robot.truth().objectName(hit.shape) + "; move one of them");
+                    warn("sensor " + sensor.getName() + " is inside " + robot.truth().objectName(hit.shape) + "; move one of them");
                 }
             }
         }
+    }
+
+    private void warn(String message) {
+        warnings.accept(message, message);
     }
 
     /** Commands phase: bytes from the users' ports. */
@@ -132,13 +135,9 @@ final class Instruments {
     /** Outputs phase. @param end of the step */
     void deliver(double end) {
         for (int i = 0; i < ports.size(); i++) {
-            Cable cable = ports.get(i).getCable();
-            cable.deliver(end);
-            long dropped = cable.takeDropped();
-            if (dropped > 0) {
-                warnings.accept(cable.getObjectName() + ": more was written to " + cable.getUserPort() + " than its line can carry at "
-                    + cable.getDeviceBaud() + " baud; bytes beyond " + Cable.MAX_WAITING + " waiting ones are lost");
-            }
+            Port port = ports.get(i);
+            port.getCable().deliver(end);
+            port.warnOfLosses();
         }
     }
 

@@ -1,6 +1,6 @@
 package org.SEAR.simulator;
 
-import java.util.function.Consumer;
+import java.util.function.BiConsumer;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SerialObject;
 import org.SEAR.devices.Cable;
@@ -16,10 +16,10 @@ final class Port implements DeviceContext {
     private final RobotModel robot;
     private final Sensor<?> sensor;
     private final long seed;
-    private final Consumer<String> warnings;
+    private final BiConsumer<String, String> warnings;
 
     /** @param sensor null for a robot's drive */
-    Port(SearObject object, RobotModel robot, Sensor<?> sensor, long seed, Consumer<String> warnings) {
+    Port(SearObject object, RobotModel robot, Sensor<?> sensor, long seed, BiConsumer<String, String> warnings) {
         SerialObject serial = (SerialObject) object;
         this.cable = new Cable(object.getName(), object.getClass().getSimpleName(), serial.getUartPort(), serial.getUserPort());
         this.robot = robot;
@@ -87,7 +87,19 @@ final class Port implements DeviceContext {
     }
 
     @Override
-    public void warn(String message) {
-        warnings.accept(cable.getObjectName() + ": " + message);
+    public void warn(String cause, String message) {
+        warnings.accept(cable.getObjectName() + ": " + cause, cable.getObjectName() + ": " + message);
+    }
+
+    /** Tells of bytes that found no room. */
+    void warnOfLosses() {
+        if (cable.takeDropped() > 0) {
+            warn("input", "more was written to " + cable.getUserPort() + " than its line can carry at " + cable.getDeviceBaud()
+                + " baud; bytes beyond " + Cable.MAX_WAITING + " waiting ones are lost");
+        }
+        if (cable.takeLost() > 0) {
+            warn("output", "it was asked for more than its line can carry at " + cable.getDeviceBaud() + " baud; replies for which more than "
+                + Cable.MAX_OUTPUT + " bytes wait already are lost");
+        }
     }
 }

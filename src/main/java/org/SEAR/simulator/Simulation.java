@@ -49,7 +49,7 @@ public final class Simulation implements AutoCloseable {
     private Simulation(Project project, long seed, long epochMillis) throws ProjectException {
         this.project = project;
         world = new World(project, epochMillis);
-        instruments = new Instruments(world.getRobots(), seed, warnings::add);
+        instruments = new Instruments(world.getRobots(), seed, warnings::count);
         deviceWarnings = warnings.list();
         observer = new Observer(world, instruments, warnings);
         robots = Collections.unmodifiableList(new ArrayList<Robot>(world.getRobots()));
@@ -98,7 +98,7 @@ public final class Simulation implements AutoCloseable {
             try {
                 command.accept(this);
             } catch (RuntimeException e) {
-                warnings.add("a command failed: " + e);
+                warnings.count("command", "a command failed: " + e);
             }
         }
     }

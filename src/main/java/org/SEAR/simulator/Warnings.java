@@ -1,27 +1,40 @@
 package org.SEAR.simulator;
 
-import java.util.LinkedHashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Set;
+import java.util.Map;
+import org.SEAR.devices.Repeats;
 
-/** What the user should know, each thing once, in the order in which it came up. Simulation thread. */
+/** What the user should know, each cause once, in the order in which it came up. Simulation thread. */
 final class Warnings {
-    private final Set<String> all = new LinkedHashSet<>();
+    private final Map<String, String> byCause = new LinkedHashMap<>();
+    private final Repeats repeats = new Repeats();
     private List<String> list = List.of();
 
+    /** Something that is so: said once, however often it is said. */
     void add(String warning) {
-        if (all.add(warning)) {
-            list = List.copyOf(all);
+        if (byCause.putIfAbsent(warning, warning) == null) {
+            list = List.copyOf(byCause.values());
+        }
+    }
+
+    /** Something that has happened: the first of its cause is shown, then how many there were, see {@link Repeats}. */
+    void count(String cause, String warning) {
+        String text = repeats.count(cause, warning);
+        if (text != null) {
+            byCause.put(cause, text);
+            list = List.copyOf(byCause.values());
         }
     }
 
     /** Starts again with what is known from the start. */
     void restart(List<String> project, List<String> world, List<String> devices) {
-        all.clear();
-        all.addAll(project);
-        all.addAll(world);
-        all.addAll(devices);
-        list = List.copyOf(all);
+        byCause.clear();
+        repeats.clear();
+        project.forEach(this::add);
+        world.forEach(this::add);
+        devices.forEach(this::add);
+        list = List.copyOf(byCause.values());
     }
 
     /** Immutable; the same list as long as nothing new came up. */

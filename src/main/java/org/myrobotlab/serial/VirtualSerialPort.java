@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.IntConsumer;
+import java.util.function.IntSupplier;
 import java.util.function.LongConsumer;
 import org.SEAR.protocol.Uart;
 import org.myrobotlab.service.interfaces.SerialDataListener;
@@ -27,7 +28,12 @@ import org.myrobotlab.service.interfaces.SerialDataListener;
  * a real cable. Any thread may call; listeners are called by the port's own reader thread, which lives while the port is open.
  */
 public class VirtualSerialPort extends Port {
+    /** Bytes that a real port takes before its writer has to wait, see {@link #awaitRoom}. */
+    public static final int BUFFER = 4096;
+
     private static final int LOWEST_BAUD = 50;
+    /** How often a full line is looked at again, milliseconds. */
+    private static final long LOOK_FOR_ROOM = 10;
     private static final int HIGHEST_BAUD = 4_000_000;
     private static final int DEFAULT_BAUD = 115200;
     /** How long the reader waits for a service whose messages don't go out. */
@@ -42,6 +48,7 @@ public class VirtualSerialPort extends Port {
     private volatile String wayOut = "disconnect() there first";
     private volatile IntConsumer baudListener = baud -> { };
     private volatile LongConsumer handedHook = total -> { };
+    private volatile IntSupplier beyond = () -> 0;
     private volatile PortClock clock;
     private long accepted;
     private long handed;
@@ -111,6 +118,32 @@ public class VirtualSerialPort extends Port {
     /** Called by the reader thread after each piece with all bytes ever handed over; the next piece waits for its return. */
     public void setHandedHook(LongConsumer hook) {
         handedHook = hook;
+    }
+
+    /** How many bytes wait behind the other end of the cable, beyond its listeners: a simulated device's line takes its time. */
+    public void setBeyond(IntSupplier waiting) {
+        beyond = waiting;
+    }
+
+    /**
+     * Waits until the other end takes bytes again: no more than {@link #BUFFER} wait there for their turn. Whoever writes without asking is not held up.
+     *
+     * @return how many bytes it takes now, above 0; 0 if this port was closed meanwhile
+     */
+    public int awaitRoom() throws InterruptedException {
+        while (opened) {
+            VirtualSerialPort other = peer;
+            long room = other == null ? BUFFER : BUFFER - other.getPending() - beyond.getAsInt();
+            if (room > 0) {
+                return (int) room;
+            }
+            synchronized (lock) {
+                if (opened) {
+                    lock.wait(LOOK_FOR_ROOM);
+                }
+            }
+        }
+        return 0;
     }
 
     /** Time as whoever uses this port should measure his time-outs. */

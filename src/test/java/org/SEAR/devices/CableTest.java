@@ -83,6 +83,37 @@ public class CableTest {
     }
 
     @Test
+    public void outputIsBoundedAndWhatIsLostIsCounted() {
+        byte[] message = new byte[500];
+        for (int i = 0; i < 100; i++) {
+            cable.send(message, 0);
+        }
+        assertEquals("nine begin while no more than 4096 bytes wait", 91 * 500, cable.takeLost());
+        assertEquals(0, cable.takeLost());
+        for (int i = 0; i < 300; i++) {
+            step(i);
+        }
+        assertEquals(9 * 500, host.size());
+        cable.send(message, 301 * Simulation.STEP);
+        for (int i = 301; i < 340; i++) {
+            step(i);
+        }
+        assertEquals("an empty line takes the next", 10 * 500, host.size());
+        assertEquals(0, cable.takeLost());
+    }
+
+    @Test
+    public void whatWaitsForTheDeviceIsTold() {
+        cable.write(new byte[40]);
+        assertEquals(40, cable.getWaiting());
+        step(0);
+        assertEquals(24, cable.getWaiting());
+        step(1);
+        step(2);
+        assertEquals(0, cable.getWaiting());
+    }
+
+    @Test
     public void anotherSpeedIsGarbageBothWays() {
         cable.setHostBaud(19200);
         cable.write(new byte[] {1, 2, 3});

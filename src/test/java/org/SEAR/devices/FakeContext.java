@@ -15,6 +15,7 @@ public final class FakeContext implements DeviceContext {
 
     public final FakeHardware hardware = new FakeHardware();
     public final List<String> warnings = new ArrayList<>();
+    private final java.util.Set<String> causes = new java.util.HashSet<>();
     public Sensor<?> sensor;
     public Object reading;
     public double now;
@@ -144,8 +145,8 @@ public final class FakeContext implements DeviceContext {
     }
 
     @Override
-    public void warn(String message) {
-        if (!warnings.contains(message)) {
+    public void warn(String cause, String message) {
+        if (causes.add(cause)) {
             warnings.add(message);
         }
     }

@@ -52,7 +52,7 @@ public class FuzzTest {
                 assertTrue(where + ": " + probe, line.takeHex().contains(answer));
             }
         }
-        assertTrue(line.warnings.size() < 5000);
+        assertTrue(line.warnings.size() < 10);
     }
 
     @Test

@@ -125,7 +125,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
         String danger = mode == OiMode.SAFE ? danger() : null;
         if (danger != null) {
             enter(OiMode.PASSIVE);
-            context.warn(danger + ": the robot left safe mode and stopped; send safe or full mode again when its wheels are on the ground");
+            context.warn(danger, danger + ": the robot left safe mode and stopped; send safe or full mode again when its wheels are on the ground");
         }
         if (model == OiModel.CREATE2 && mode == OiMode.PASSIVE && time - lastCommand > SLEEP_AFTER) {
             asleep = true;
@@ -156,7 +156,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
     @Override
     public void onUnknown(int code) {
         if (mode != OiMode.OFF) {
-            context.warn("opcode " + code + " is none of a " + model.getName() + ": ignored");
+            context.warn("opcode", "opcode " + code + " is none of a " + model.getName() + ": ignored");
         }
     }
 
@@ -167,7 +167,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
         }
         if (!opcode.isAllowed(model, mode)) {
             if (mode != OiMode.OFF) {
-                context.warn("command " + opcode.getCode() + " (" + opcode + ") is not obeyed in mode " + mode + ": ignored");
+                context.warn("mode", "command " + opcode.getCode() + " (" + opcode + ") is not obeyed in mode " + mode + ": ignored");
             }
             return;
         }
@@ -176,7 +176,8 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
             changeMode(opcode, a, time);
         } else if (!act(opcode, a, time) && !tell(opcode, a, count, time)) {
             String first = count > 0 ? " with first argument " + a[0] : "";
-            context.warn("command " + opcode.getCode() + " (" + opcode + ")" + first + " is not possible on a " + model.getName() + ": ignored");
+            context.warn("command", "command " + opcode.getCode() + " (" + opcode + ")" + first + " is not possible on a " + model.getName()
+                + ": ignored");
         }
     }
 
@@ -208,14 +209,14 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
                 break;
             default:
                 enter(OiMode.PASSIVE);
-                context.warn(opcode + ": the simulated robot has no cleaning programs and demos; it stands in passive mode");
+                context.warn("program", opcode + ": the simulated robot has no cleaning programs and demos; it stands in passive mode");
                 break;
         }
     }
 
     private void changeBaud(int code, double time) {
         if (code >= BAUDS.length) {
-            context.warn("baud code " + code + ": legal are 0 (300 baud) to 11 (115200 baud); ignored");
+            context.warn("baud", "baud code " + code + ": legal are 0 (300 baud) to 11 (115200 baud); ignored");
             return;
         }
         if (model.isLadder()) {
@@ -315,7 +316,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
         }
         stream.start(ids);
         if (stream.frameSize() > Uart.bytes(BEAT, baud)) {
-            context.warn("a stream of more than " + (int) Uart.bytes(BEAT, baud) + " bytes every 15 ms is more than " + baud
+            context.warn("stream", "a stream of more than " + (int) Uart.bytes(BEAT, baud) + " bytes every 15 ms is more than " + baud
                 + " baud can carry: frames are left out");
         }
         return true;

@@ -1,8 +1,10 @@
 package org.myrobotlab.service.sear;
 
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.SEAR.devices.Repeats;
 import org.myrobotlab.framework.QueueStats;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.interfaces.SerialDataListener;
@@ -15,6 +17,7 @@ final class PortBridge implements SerialDataListener {
 
     private final VirtualSerialPort port;
     private final Host host;
+    private final Repeats repeats = new Repeats();
     private final List<OuterEnd> ends = new CopyOnWriteArrayList<>();
 
     /** @throws IOException if another has the port */
@@ -33,11 +36,32 @@ final class PortBridge implements SerialDataListener {
         end.start(this::fromOutside, this::setBaud);
     }
 
+    /** Holds the program up while the line is full, as a real port does. */
     private void fromOutside(byte[] bytes) {
         try {
-            port.write(bytes);
+            for (int done = 0; done < bytes.length;) {
+                int room = port.awaitRoom();
+                if (room == 0) {
+                    return;
+                }
+                int end = Math.min(bytes.length, done + room);
+                port.write(Arrays.copyOfRange(bytes, done, end));
+                done = end;
+            }
         } catch (IOException e) {
-            host.warn("bytes for exported port " + port.getName() + " were lost: " + e.getMessage());
+            warn("loss", "bytes for exported port " + port.getName() + " were lost: " + e.getMessage());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void warn(String cause, String message) {
+        String text;
+        synchronized (repeats) {
+            text = repeats.count(cause, message);
+        }
+        if (text != null) {
+            host.warn(text);
         }
     }
 
@@ -45,7 +69,7 @@ final class PortBridge implements SerialDataListener {
         try {
             port.setParams(baud, DATA_BITS, STOP_BITS, NO_PARITY);
         } catch (IllegalArgumentException e) {
-            host.warn(e.getMessage());
+            warn("baud", e.getMessage());
         }
     }
 
@@ -54,9 +78,9 @@ final class PortBridge implements SerialDataListener {
     }
 
     void close() {
+        port.close();
         ends.forEach(OuterEnd::close);
         ends.clear();
-        port.close();
     }
 
     @Override

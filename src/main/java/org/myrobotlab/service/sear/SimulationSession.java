@@ -53,6 +53,7 @@ public final class SimulationSession {
     private volatile double scriptTime;
     private final Callers callers = new Callers();
     private final Set<String> told = new HashSet<>();
+    private final MemoryWatch memoryWatch = new MemoryWatch(this::outOfMemory);
     private volatile boolean driven;
     private volatile long lastDriven;
 
@@ -90,6 +91,7 @@ public final class SimulationSession {
 
     private void open(RunSettings settings, boolean debugShapes) throws IOException {
         clock.install();
+        memoryWatch.open();
         for (SerialLine line : simulation.getLines()) {
             UartLine uart = new UartLine(line, host);
             lines.add(uart);
@@ -123,10 +125,36 @@ public final class SimulationSession {
             runner.run();
         } catch (RuntimeException | Error e) {
             failure = e;
-            host.error("the simulation broke down at " + time() + " s: " + e);
         } finally {
             ended = true;
             clock.wake();
+        }
+        if (failure != null) {
+            closeLines();
+            host.error(describe(failure));
+        }
+    }
+
+    private String describe(Throwable reason) {
+        String what = reason instanceof OutOfMemoryError
+            ? "the simulation has ended at " + time() + " s because Java ran out of memory (" + reason.getMessage()
+                + "): start Java with more (-Xmx), or make the world smaller"
+            : "the simulation broke down at " + time() + " s: " + reason;
+        return what + "; its ports are closed";
+    }
+
+    /** Memory ran out on another thread of this program: whatever that thread was to do is not done, so the simulation ends, too. */
+    private void outOfMemory(OutOfMemoryError reason) {
+        if (!ended) {
+            failure = reason;
+            runner.stop();
+        }
+    }
+
+    private void closeLines() {
+        synchronized (lines) {
+            lines.forEach(UartLine::close);
+            lines.clear();
         }
     }
 
@@ -151,8 +179,8 @@ public final class SimulationSession {
         ended = true;
         clock.uninstall();
         clock.wake();
-        lines.forEach(UartLine::close);
-        lines.clear();
+        memoryWatch.close();
+        closeLines();
         simulation.close();
     }
 

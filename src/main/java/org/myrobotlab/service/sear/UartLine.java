@@ -3,6 +3,7 @@ package org.myrobotlab.service.sear;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
+import org.SEAR.devices.Repeats;
 import org.SEAR.devices.SerialLine;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.serial.Backlog;
@@ -34,6 +35,7 @@ final class UartLine {
     private final Host host;
     private final VirtualSerialPort uart;
     private final VirtualSerialPort user;
+    private final Repeats repeats = new Repeats();
     private Serial serial;
     private long given;
     private boolean complained;
@@ -65,6 +67,7 @@ final class UartLine {
         uart.setWayOut("it is the simulated device's own end, connect to " + user.getName());
         uart.setHandedHook(this::awaitDevice);
         user.setBaudListener(this::hostBaud);
+        user.setBeyond(line::getWaiting);
         ServiceInterface started = Runtime.start(serviceName, "Serial");
         if (!(started instanceof Serial)) {
             throw new IOException("a service named " + serviceName + " exists already and is no Serial service: release it first");
@@ -87,8 +90,14 @@ final class UartLine {
             return;
         }
         if (baud != 0 && baud != line.getDeviceBaud()) {
-            host.warn(line.getObjectType() + " " + line.getObjectName() + " talks at " + line.getDeviceBaud() + " baud, but port " + user.getName()
-                + " was set to " + baud + ": they won't understand each other");
+            String text;
+            synchronized (repeats) {
+                text = repeats.count("baud", line.getObjectType() + " " + line.getObjectName() + " talks at " + line.getDeviceBaud()
+                    + " baud, but port " + user.getName() + " was set to " + baud + ": they won't understand each other");
+            }
+            if (text != null) {
+                host.warn(text);
+            }
         }
     }
 

@@ -17,8 +17,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A pseudo-terminal in raw mode, which any program opens like a serial port. One side of its own is kept open, so that programs may come and go; what
- * nobody reads is thrown away. Linux and macOS.
+ * A pseudo-terminal in raw mode, which any program opens like a serial port; programs may come and go. What comes while none has it open is gone, and
+ * what a program did not read is gone when it closes, as on a real port. Linux and macOS; macOS forgets the settings of a terminal that nobody has
+ * open, so there a side of its own is kept open, and a program may get up to 4 kB of old bytes.
  */
 final class PseudoTerminal implements OuterEnd {
     private static final Logger log = LoggerFactory.getLogger(PseudoTerminal.class);
@@ -31,7 +32,13 @@ final class PseudoTerminal implements OuterEnd {
     private static final int TERMIOS_SIZE = 256;
     private static final int BUFFER = 4096;
     private static final int POLL_MILLIS = 100;
+    /** How often a terminal that nobody has open is looked at. */
+    private static final int CLOSED_MILLIS = 10;
     private static final short POLL_IN = 1;
+    private static final short POLL_HANG_UP = 0x10;
+    private static final int EVENTS_AT = Integer.BYTES;
+    private static final int FOUND_AT = Integer.BYTES + Short.BYTES;
+    private static final int NONE = -1;
     /** Linux's codes of baud rates (asm-generic/termbits.h). macOS uses the numbers themselves. */
     private static final int[][] LINUX_BAUDS = {{300, 0x7}, {600, 0x8}, {1200, 0x9}, {2400, 0xB}, {4800, 0xC}, {9600, 0xD}, {19200, 0xE},
         {38400, 0xF}, {57600, 0x1001}, {115200, 0x1002}, {230400, 0x1003}, {460800, 0x1004}, {500000, 0x1005}, {1000000, 0x1008}};
@@ -42,10 +49,13 @@ final class PseudoTerminal implements OuterEnd {
     private final String port;
     private final C c;
     private final int master;
+    /** macOS: the side kept open; {@link #NONE} elsewhere. */
     private final int slave;
     private final String path;
     private final Path link;
+    private final Memory writeDescriptor = new Memory(Long.BYTES);
     private volatile boolean open = true;
+    private boolean unread;
     private Thread reader;
 
     /** What is used of the C library. */
@@ -118,10 +128,14 @@ final class PseudoTerminal implements OuterEnd {
             throw new IOException("the pseudo-terminal " + path + " can't be opened (error " + Native.getLastError() + ")");
         }
         makeRaw(c, slave, baud);
+        int kept = Platform.isMac() ? slave : NONE;
+        if (kept == NONE) {
+            c.close(slave);
+        }
         try {
-            return new PseudoTerminal(port, c, master, slave, path, makeLink(link, path));
+            return new PseudoTerminal(port, c, master, kept, path, makeLink(link, path));
         } catch (IOException | RuntimeException e) {
-            closeIfOpen(c, slave);
+            closeIfOpen(c, kept);
             closeIfOpen(c, master);
             throw e;
         }
@@ -177,28 +191,46 @@ final class PseudoTerminal implements OuterEnd {
         byte[] buffer = new byte[BUFFER];
         int lastBaud = currentBaud(termios);
         while (open) {
-            descriptor.setInt(0, master);
-            descriptor.setShort(Integer.BYTES, POLL_IN);
-            descriptor.setShort(Integer.BYTES + Short.BYTES, (short) 0);
-            boolean some = c.poll(descriptor, new NativeLong(1), POLL_MILLIS) > 0;
+            int found = poll(descriptor, POLL_MILLIS);
             int newBaud = currentBaud(termios);
             if (newBaud != lastBaud && newBaud > 0) {
                 lastBaud = newBaud;
                 baud.accept(newBaud);
             }
-            int count = some && open ? c.read(master, buffer, new NativeLong(buffer.length)).intValue() : 0;
+            int count = (found & POLL_IN) != 0 && open ? c.read(master, buffer, new NativeLong(buffer.length)).intValue() : 0;
             if (count > 0) {
                 bytes.accept(Arrays.copyOf(buffer, count));
+            } else if ((found & POLL_HANG_UP) != 0 && open) {
+                forgetUnread();
+                c.poll(null, new NativeLong(0), CLOSED_MILLIS);
             }
+        }
+    }
+
+    /** What there is at the master, {@link #POLL_IN} and {@link #POLL_HANG_UP}; the latter while no program has the terminal open. */
+    private int poll(Memory descriptor, int millis) {
+        descriptor.setInt(0, master);
+        descriptor.setShort(EVENTS_AT, POLL_IN);
+        descriptor.setShort(FOUND_AT, (short) 0);
+        return c.poll(descriptor, new NativeLong(1), millis) > 0 ? descriptor.getShort(FOUND_AT) : 0;
+    }
+
+    /** The last program has closed the terminal: what it did not read is not for the next one. */
+    private synchronized void forgetUnread() {
+        int side = open && unread ? c.open(path, READ_WRITE | NO_CONTROLLING_TERMINAL) : NONE;
+        if (side >= 0) {
+            c.tcflush(side, FLUSH_INPUT);
+            c.close(side);
+            unread = false;
         }
     }
 
     /** 0 for a rate that the system doesn't tell, and while a program hangs up. */
     private int currentBaud(Pointer termios) {
-        if (Platform.isLinux() && c.ioctl(slave, new NativeLong(GET_TERMIOS_2, true), termios) == 0) {
+        if (Platform.isLinux() && c.ioctl(master, new NativeLong(GET_TERMIOS_2, true), termios) == 0) {
             return termios.getInt(OUTPUT_SPEED);
         }
-        c.tcgetattr(slave, termios);
+        c.tcgetattr(Platform.isMac() ? slave : master, termios);
         int code = c.cfgetospeed(termios).intValue();
         return Platform.isMac() ? code : translated(code, 1, 0);
     }
@@ -209,14 +241,20 @@ final class PseudoTerminal implements OuterEnd {
 
     @Override
     public synchronized void write(byte[] bytes) {
+        if (open && (poll(writeDescriptor, 0) & POLL_HANG_UP) != 0) {
+            return;
+        }
         for (int done = 0; open && done < bytes.length;) {
             byte[] rest = Arrays.copyOfRange(bytes, done, bytes.length);
             int written = c.write(master, rest, new NativeLong(rest.length)).intValue();
             if (written > 0) {
+                unread = true;
                 done += written;
             } else {
-                log.debug("nobody reads {}: its old bytes are thrown away", path);
-                c.tcflush(slave, FLUSH_INPUT);
+                log.debug("nobody reads {}: bytes are thrown away", path);
+                if (slave != NONE) {
+                    c.tcflush(slave, FLUSH_INPUT);
+                }
                 done = bytes.length;
             }
         }
@@ -238,7 +276,7 @@ final class PseudoTerminal implements OuterEnd {
             log.warn("link {} was not removed: {}", link, e.toString());
         }
         synchronized (this) {
-            c.close(slave);
+            closeIfOpen(c, slave);
             c.close(master);
         }
     }

@@ -16,6 +16,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.Random;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.After;
 import org.junit.Assume;
@@ -114,6 +116,119 @@ public class ExportsTest {
             device.write(all());
         }
         assertTrue(user.awaitHanded(TimeUnit.SECONDS.toMillis(20)));
+    }
+
+    @Test
+    public void whatCameWhileNobodyHadThePseudoTerminalOpenIsGone() throws Exception {
+        Assume.assumeTrue("macOS needs a side kept open", System.getProperty("os.name").equals("Linux"));
+        String path = exports.terminal("/dev/test_user", null);
+        for (int round = 1; round <= 3; round++) {
+            for (int i = 0; i < 100; i++) {
+                device.write(new byte[] {99});
+            }
+            assertTrue(user.awaitHanded(TimeUnit.SECONDS.toMillis(20)));
+            try (RandomAccessFile client = new RandomAccessFile(path, "rw")) {
+                client.write(round);
+                awaitDevice(round);
+                device.write(round);
+                assertEquals("round " + round, round, client.read());
+                device.write(all());
+                assertTrue("left unread", user.awaitHanded(TimeUnit.SECONDS.toMillis(20)));
+            }
+            awaitClosed(path);
+        }
+    }
+
+    /** Until the export has noticed that the program has gone: what is written is then thrown away, and so is what was unread. */
+    private void awaitClosed(String path) throws Exception {
+        long end = System.nanoTime() + PATIENCE;
+        int waiting = 1;
+        while (waiting > 0 && System.nanoTime() < end) {
+            Process count = new ProcessBuilder("python3", "-c", "import fcntl, os, struct, sys, termios\n"
+                + "fd = os.open(sys.argv[1], os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)\n"
+                + "print(struct.unpack('i', fcntl.ioctl(fd, termios.FIONREAD, b'0000'))[0])\n", path).start();
+            waiting = Integer.parseInt(new String(count.getInputStream().readAllBytes(), StandardCharsets.US_ASCII).trim());
+        }
+        assertEquals("bytes for the next program", 0, waiting);
+    }
+
+    @Test
+    public void theSettingsOfAPseudoTerminalSurviveThatNobodyHasItOpen() throws Exception {
+        int[] baud = new int[1];
+        user.setBaudListener(rate -> {
+            synchronized (baud) {
+                baud[0] = rate;
+                baud.notifyAll();
+            }
+        });
+        String path = exports.terminal("/dev/test_user", null);
+        assertEquals(0, new ProcessBuilder("stty", "-F", path, "19200").inheritIO().start().waitFor());
+        awaitBaud(19200, baud);
+        Process told = new ProcessBuilder("stty", "-F", path, "-a").start();
+        String settings = new String(told.getInputStream().readAllBytes(), StandardCharsets.US_ASCII);
+        assertTrue(settings, settings.contains("speed 19200 baud") && settings.contains("-echo ") && settings.contains("-icanon"));
+    }
+
+    @Test
+    public void aProgramThatWritesFasterThanTheDeviceTakesIsHeldUpAndLosesNothing() throws Exception {
+        CountDownLatch go = new CountDownLatch(1);
+        device.close();
+        device.open();
+        device.listen(new BytesListener(bytes -> {
+            try {
+                go.await();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+            synchronized (received) {
+                received.write(bytes, 0, bytes.length);
+                received.notifyAll();
+            }
+        }));
+        byte[] flood = new byte[64 * 1024];
+        new Random(5).nextBytes(flood);
+        int number = exports.tcp("/dev/test_user", 0);
+        try (Socket client = new Socket(InetAddress.getLoopbackAddress(), number)) {
+            client.getOutputStream().write(flood);
+            long end = System.nanoTime() + PATIENCE;
+            while (device.getPending() < VirtualSerialPort.BUFFER && System.nanoTime() < end) {
+                assertTrue(device.getPending() <= VirtualSerialPort.BUFFER);
+                synchronized (received) {
+                    received.wait(10);
+                }
+            }
+            assertEquals("a full buffer", VirtualSerialPort.BUFFER, device.getPending());
+            go.countDown();
+            assertArrayEquals(flood, awaitDevice(flood.length));
+        }
+    }
+
+    @Test
+    public void aWriterWhoseExportIsClosedIsNotHeldUp() throws Exception {
+        CountDownLatch never = new CountDownLatch(1);
+        device.close();
+        device.open();
+        device.listen(new BytesListener(bytes -> {
+            try {
+                never.await();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }));
+        int number = exports.tcp("/dev/test_user", 0);
+        try (Socket client = new Socket(InetAddress.getLoopbackAddress(), number)) {
+            client.getOutputStream().write(new byte[3 * VirtualSerialPort.BUFFER]);
+            long end = System.nanoTime() + PATIENCE;
+            while (device.getPending() < VirtualSerialPort.BUFFER && System.nanoTime() < end) {
+                synchronized (received) {
+                    received.wait(10);
+                }
+            }
+            exports.close();
+            assertEquals("the server ends", -1, client.getInputStream().read());
+        } finally {
+            never.countDown();
+        }
     }
 
     @Test

@@ -52,10 +52,14 @@ final class CheckCommand implements Callable<Integer> {
         return PROBLEMS;
     }
 
-    /** Builds the world, too: a model that can't be loaded and a robot without Dynamics are found only then. */
+    /** Builds the world and takes a step in it: a model that can't be loaded and a robot without Dynamics are found only then. */
     private static List<String> warnings(Project project) throws ProjectException {
         try (Simulation world = Simulation.of(project, 0)) {
+            world.step();
             return world.snapshot().warnings;
+        } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
+            throw new ProjectException(List.of(new Problem(project.getFolder().getFileName().toString(), 0, "", "its world can't be made (" + e + ")",
+                "objects that a world can be made of; take objects away until it starts, and tell SEAR's makers of the last one")));
         }
     }
 

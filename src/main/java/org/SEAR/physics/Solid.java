@@ -147,8 +147,8 @@ public final class Solid {
 
     private static Solid model(Model model, Project project) throws ProjectException {
         Triangles triangles;
-        try {
-            triangles = new ModelLoader(project.getAssets()).triangles(model);
+        try (ModelLoader loader = ModelLoader.withoutPictures(project.getAssets())) {
+            triangles = loader.triangles(model);
         } catch (IOException e) {
             throw problem(model, project, "a model that can be loaded (" + e.getMessage() + ")");
         }

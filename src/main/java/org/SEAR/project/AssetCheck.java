@@ -1,12 +1,16 @@
 package org.SEAR.project;
 
+import java.io.IOException;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.models.Assets;
 import org.SEAR.project.models.ModelLoader;
+import org.SEAR.project.models.UnreadablePicture;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
 
@@ -15,6 +19,7 @@ final class AssetCheck {
     private final Assets assets;
     private final ProblemList problems;
     private final List<String> warnings;
+    private final Set<String> pictures = new HashSet<>();
 
     AssetCheck(Assets assets, ProblemList problems, List<String> warnings) {
         this.assets = assets;
@@ -41,6 +46,14 @@ final class AssetCheck {
     private void checkImage(ParsedObject parsed, Shape shape) {
         if (shape.getImage() != null && !assets.has(shape.getImage())) {
             warnings.add(parsed.file + ": there is no picture \"" + shape.getImage() + "\" in assets; " + shape + " gets the default picture");
+        } else if (shape.getImage() != null && pictures.add(shape.getImage())) {
+            try {
+                assets.checkPicture(shape.getImage());
+            } catch (UnreadablePicture e) {
+                warnings.add(parsed.file + ": the picture of " + shape + " can't be shown (" + e.getMessage() + ")");
+            } catch (IOException e) {
+                problems.add(parsed.file, parsed.line("image"), "image", shape.getImage(), "a picture that can be shown (" + e.getMessage() + ")");
+            }
         }
     }
 

@@ -36,6 +36,30 @@ public final class Assets {
         return Files.isRegularFile(folder.resolve(normal(path))) || Assets.class.getClassLoader().getResource(SHIPPED + normal(path)) != null;
     }
 
+    /** Bytes of an asset. @param path as written in an object @throws FileNotFoundException if there is none */
+    long size(String path) throws IOException {
+        Path file = folder.resolve(normal(path));
+        if (Files.isRegularFile(file)) {
+            return Files.size(file);
+        }
+        try (InputStream in = open(path)) {
+            return in.available();
+        }
+    }
+
+    /**
+     * Refuses a picture that can't be unpacked, or takes too much memory then.
+     *
+     * @param path as written in an object
+     * @throws UnreadablePicture if it does no harm but can't be shown
+     * @throws IOException that names the file, what is wrong and what is legal
+     */
+    public void checkPicture(String path) throws IOException {
+        try (InputStream in = open(path)) {
+            PictureSize.checked(in.readNBytes(ModelLimits.MAX_PICTURE_FILE + 1), normal(path));
+        }
+    }
+
     /** The bytes of an asset. @param path as written in an object @throws FileNotFoundException that says where it should be */
     public InputStream open(String path) throws IOException {
         Path file = folder.resolve(normal(path));

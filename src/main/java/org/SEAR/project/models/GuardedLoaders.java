@@ -1,24 +1,42 @@
 package org.SEAR.project.models;
 
 import com.jme3.asset.AssetInfo;
+import com.jme3.asset.AssetKey;
+import com.jme3.asset.AssetLoader;
 import com.jme3.asset.AssetManager;
 import com.jme3.export.binary.BinaryLoader;
+import com.jme3.material.plugins.J3MLoader;
+import com.jme3.material.plugins.ShaderNodeDefinitionLoader;
+import com.jme3.scene.Spatial;
+import com.jme3.scene.plugins.MTLLoader;
+import com.jme3.scene.plugins.OBJLoader;
 import com.jme3.scene.plugins.blender.BlenderContext;
 import com.jme3.scene.plugins.blender.BlenderLoader;
 import com.jme3.scene.plugins.blender.file.BlenderFileException;
 import com.jme3.scene.plugins.blender.file.FileBlockHeader;
 import com.jme3.scene.plugins.blender.file.Structure;
+import com.jme3.scene.plugins.gltf.BinLoader;
+import com.jme3.scene.plugins.gltf.GlbLoader;
+import com.jme3.scene.plugins.gltf.GltfLoader;
+import com.jme3.scene.plugins.ogre.MaterialLoader;
 import com.jme3.scene.plugins.ogre.MeshLoader;
 import com.jme3.scene.plugins.ogre.SceneLoader;
 import com.jme3.scene.plugins.ogre.SkeletonLoader;
+import com.jme3.shader.plugins.GLSLLoader;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.net.URLDecoder;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.zip.GZIPInputStream;
 
 /**
  * jMonkeyEngine's loaders trust their files: OGRE XML may read other files through entities, a .j3o names the Java classes to be made, a
@@ -30,17 +48,90 @@ final class GuardedLoaders {
         "com.jme3.collision.",
         "com.jme3.util.", "com.jme3.effect.");
     private static final int J3O_MARK = 0x4a4d4533;
+    private static final int GLB_MARK = 0x46546c67;
+    private static final int JSON_CHUNK = 0x4e4f534a;
+    /** Where the JSON of a .glb starts. */
+    private static final int GLB_DATA = 20;
+    private static final byte[] GZIP = {0x1f, (byte) 0x8b};
+    /** Numbers of elements that OGRE's reader makes room for before it has read them. */
+    private static final Pattern COUNT = Pattern.compile("\\b(?:vertex)?count\\s*=\\s*[\"'](\\d+)", Pattern.CASE_INSENSITIVE);
+    /** An element of OGRE's XML is never shorter. */
+    private static final int SHORTEST = 10;
 
     private GuardedLoaders() {
     }
 
-    /** Puts them in the place of the unguarded ones. */
-    static void register(AssetManager manager) {
+    /** Puts them in the place of the unguarded ones. @param pixels whether anybody will look at the pictures */
+    static void register(AssetManager manager, boolean pixels) {
         manager.unregisterLoader(SceneLoader.class);
+        manager.unregisterLoader(GltfLoader.class);
+        manager.unregisterLoader(GlbLoader.class);
         manager.registerLoader(Mesh.class, "meshxml", "mesh.xml");
         manager.registerLoader(Skeleton.class, "skeletonxml", "skeleton.xml");
         manager.registerLoader(Binary.class, "j3o", "j3f");
         manager.registerLoader(Blend.class, "blend");
+        manager.registerLoader(Gltf.class, "gltf");
+        manager.registerLoader(Glb.class, "glb");
+        Pictures.register(manager, pixels);
+    }
+
+    /** Takes all loaders from a manager that is no longer needed, those that models.cfg names as well. */
+    static void unregister(AssetManager manager) {
+        for (Class<? extends AssetLoader> loader : List.of(Mesh.class, Skeleton.class, Binary.class, Blend.class, Gltf.class, Glb.class, OBJLoader.class,
+            MTLLoader.class, MaterialLoader.class, BinLoader.class, J3MLoader.class, ShaderNodeDefinitionLoader.class, GLSLLoader.class,
+            Pictures.Guarded.class, Pictures.Unseen.class)) {
+            manager.unregisterLoader(loader);
+        }
+    }
+
+    /** glTF whose numbers lead somewhere. */
+    public static final class Gltf extends GltfLoader {
+        @Override
+        public Object load(AssetInfo info) throws IOException {
+            byte[] json = bytes(info);
+            new GltfCheck(info.getKey().getName(), json, 0, uri -> size(info, uri)).check();
+            return super.load(new Checked(info, json));
+        }
+    }
+
+    /** Binary glTF: a head of 12 bytes, a chunk of JSON, a chunk of data, each with its length and kind before it. */
+    public static final class Glb extends GlbLoader {
+        @Override
+        public Object load(AssetInfo info) throws IOException {
+            byte[] bytes = bytes(info);
+            String name = info.getKey().getName();
+            ByteBuffer in = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+            ModelLimits.range(name, "the file's size", bytes.length, GLB_DATA, ModelLimits.MAX_FILE);
+            if (in.getInt(0) != GLB_MARK || in.getInt(4) != 2 || in.getInt(GLB_DATA - 4) != JSON_CHUNK) {
+                throw ModelLimits.wrong(name, "the head", "another one", "a .glb of glTF 2 that starts with its JSON");
+            }
+            ModelLimits.range(name, "the length in the head", in.getInt(8), GLB_DATA, bytes.length);
+            int json = in.getInt(GLB_DATA - 8);
+            ModelLimits.range(name, "the length of the JSON", json, 2, bytes.length - GLB_DATA);
+            long data = 0;
+            int chunk = GLB_DATA + json;
+            while (chunk + 8 <= bytes.length) {
+                long length = in.getInt(chunk);
+                ModelLimits.range(name, "the length of a chunk", length, 0, bytes.length - chunk - 8);
+                data = Math.max(data, length);
+                chunk += 8 + (int) length;
+            }
+            new GltfCheck(name, Arrays.copyOfRange(bytes, GLB_DATA, GLB_DATA + json), data, uri -> size(info, uri)).check();
+            return super.load(new Checked(info, bytes));
+        }
+    }
+
+    /** The size of a file beside a model, up to the limit. */
+    private static long size(AssetInfo model, String uri) throws IOException {
+        for (String name : new String[] {uri, URLDecoder.decode(uri.replace("+", "%2B"), StandardCharsets.UTF_8)}) {
+            AssetInfo found = model.getManager().locateAsset(new AssetKey<>(model.getKey().getFolder() + name));
+            if (found != null) {
+                try (InputStream in = found.openStream()) {
+                    return in.skip(ModelLimits.MAX_FILE);
+                }
+            }
+        }
+        throw ModelLimits.wrong(model.getKey().getName(), "a buffer's uri", uri, "a file beside the model");
     }
 
     /** OGRE meshes without document type. */
@@ -79,6 +170,26 @@ final class GuardedLoaders {
         private static final String LIBRARY = "Library";
 
         @Override
+        public Spatial load(AssetInfo info) throws IOException {
+            return super.load(new Checked(info, unpacked(info)));
+        }
+
+        private static byte[] unpacked(AssetInfo info) throws IOException {
+            byte[] bytes = bytes(info);
+            if (!Arrays.equals(GZIP, Arrays.copyOf(bytes, GZIP.length))) {
+                return bytes;
+            }
+            try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(bytes))) {
+                byte[] plain = in.readNBytes(ModelLimits.MAX_BLEND + 1);
+                if (plain.length > ModelLimits.MAX_BLEND) {
+                    throw ModelLimits.wrong(info.getKey().getName(), "the unpacked size", "more than " + ModelLimits.MAX_BLEND,
+                        "at most " + ModelLimits.MAX_BLEND + " bytes; save it unpacked in Blender, or export .glb");
+                }
+                return plain;
+            }
+        }
+
+        @Override
         protected BlenderContext setup(AssetInfo info) throws BlenderFileException {
             BlenderContext context = super.setup(info);
             info.getManager().unregisterLocator(info.getKey().getName(), LinkedContentLocator.class);
@@ -105,12 +216,21 @@ final class GuardedLoaders {
         if (text.contains("<!DOCTYPE") || text.contains("<!ENTITY") || text.indexOf('\0') >= 0) {
             throw new IOException(info.getKey().getName() + " has a document type or is not in UTF-8, which is not allowed in a model");
         }
+        Matcher count = COUNT.matcher(text);
+        while (count.find()) {
+            if (count.group(1).length() > 9 || Long.parseLong(count.group(1)) > text.length() / SHORTEST) {
+                throw ModelLimits.wrong(info.getKey().getName(), "a count", count.group(1), "no more than the file holds, "
+                    + text.length() / SHORTEST);
+            }
+        }
         return new Checked(info, bytes);
     }
 
     private static byte[] bytes(AssetInfo info) throws IOException {
         try (InputStream in = info.openStream()) {
-            return in.readAllBytes();
+            byte[] bytes = in.readNBytes((int) ModelLimits.MAX_FILE + 1);
+            ModelLimits.range(info.getKey().getName(), "the file's size", bytes.length, 1, ModelLimits.MAX_FILE);
+            return bytes;
         }
     }
 
@@ -147,7 +267,7 @@ final class GuardedLoaders {
     }
 
     /** A file that was looked through. */
-    private static final class Checked extends AssetInfo {
+    static final class Checked extends AssetInfo {
         private final byte[] bytes;
 
         Checked(AssetInfo info, byte[] bytes) {

@@ -1,0 +1,12 @@
+package org.SEAR.project.models;
+
+import java.io.IOException;
+
+/** A picture that does no harm but can't be shown. */
+public final class UnreadablePicture extends IOException {
+    private static final long serialVersionUID = 1L;
+
+    UnreadablePicture(String message, Exception cause) {
+        super(message, cause);
+    }
+}

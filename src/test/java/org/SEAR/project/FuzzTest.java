@@ -1,0 +1,136 @@
+package org.SEAR.project;
+
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.TreeMap;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import org.SEAR.POJOs.Model;
+import org.SEAR.project.bundle.Bundle;
+import org.SEAR.project.models.MutableModels;
+import org.SEAR.project.problems.ProjectException;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+
+/**
+ * Bundles and models that are changed at random are opened or refused with a message, never anything else. {@code -Dsear.fuzz=100000} for so many
+ * of each, {@code -Dsear.fuzzSeed=N} for the same again.
+ */
+public class FuzzTest {
+    private static final int COUNT = Integer.getInteger("sear.fuzz", 2000);
+    private static final long SEED = Long.getLong("sear.fuzzSeed", System.nanoTime());
+    private static final int[] ODD = {0, 1, 0x7f, 0x80, 0xff, '<', '"', '-', '9', 'e', '{', '\n'};
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+    private final Logger engine = Logger.getLogger("com.jme3");
+    private Level level;
+
+    @Before
+    public void beQuiet() {
+        level = engine.getLevel();
+        engine.setLevel(Level.OFF);
+        System.out.println("FuzzTest: -Dsear.fuzzSeed=" + SEED);
+    }
+
+    @After
+    public void beAsBefore() {
+        engine.setLevel(level);
+    }
+
+    /** One to eight changes: a byte, a few equal ones, a part taken out, doubled or cut off. */
+    private static byte[] mutated(byte[] original, Random random) {
+        byte[] bytes = original.clone();
+        for (int i = random.nextInt(8); i >= 0 && bytes.length > 1; i--) {
+            int at = random.nextInt(bytes.length);
+            int length = Math.min(bytes.length - at, 1 + random.nextInt(16));
+            switch (random.nextInt(6)) {
+                case 0:
+                    bytes = spliced(bytes, at, at + length, at);
+                    break;
+                case 1:
+                    bytes = spliced(bytes, at, at, at + length);
+                    break;
+                case 2:
+                    bytes = random.nextInt(8) == 0 ? spliced(bytes, at, bytes.length, at) : bytes;
+                    break;
+                case 3:
+                    Arrays.fill(bytes, at, at + length, (byte) ODD[random.nextInt(ODD.length)]);
+                    break;
+                default:
+                    bytes[at] = random.nextBoolean() ? (byte) random.nextInt() : (byte) ODD[random.nextInt(ODD.length)];
+            }
+        }
+        return bytes;
+    }
+
+    /** The bytes without those from FROM to TO, with those from FROM to COPY twice. */
+    private static byte[] spliced(byte[] bytes, int from, int to, int copy) {
+        byte[] result = new byte[bytes.length - (to - from) + (copy - from)];
+        System.arraycopy(bytes, 0, result, 0, from);
+        System.arraycopy(bytes, from, result, from, copy - from);
+        System.arraycopy(bytes, to, result, copy, bytes.length - to);
+        return result;
+    }
+
+    @Test
+    public void changedBundlesAreOpenedOrRefused() throws Exception {
+        List<byte[]> originals = new ArrayList<>();
+        for (String name : new String[] {"golden/version1-sensors.sear", "dissertation/macos-archive-utility.sear", "dissertation/folder-by-zip.sear",
+            "dissertation/windows-powershell.sear"}) {
+            originals.add(Bundle.class.getResourceAsStream(name).readAllBytes());
+        }
+        Random random = new Random(SEED);
+        Path file = project.getRoot().toPath().resolve("fuzz.sear");
+        int refused = 0;
+        for (int i = 0; i < COUNT; i++) {
+            Files.write(file, mutated(originals.get(i % originals.size()), random));
+            try {
+                Bundle.check(file);
+            } catch (ProjectException e) {
+                assertTrue("seed " + SEED + ", bundle " + i + ": " + e.getMessage(), e.getMessage().contains("legal: "));
+                refused++;
+            }
+        }
+        assertTrue("refused " + refused, refused > COUNT / 2);
+    }
+
+    @Test
+    public void changedModelsAreLoadedOrRefused() throws Exception {
+        TreeMap<String, byte[]> originals = MutableModels.all();
+        List<String> endings = new ArrayList<>(originals.keySet());
+        Random random = new Random(SEED);
+        Path assets = Files.createDirectories(project.folder().resolve("assets"));
+        project.put("environment/fuzz.xml", "<Box><name>fuzz</name><length>1</length><width>1</width><height>1</height></Box>");
+        int refused = 0;
+        for (int i = 0; i < COUNT; i++) {
+            String ending = endings.get(i % endings.size());
+            byte[] bytes = mutated(originals.get(ending), random);
+            Files.write(assets.resolve("m" + ending), bytes);
+            try {
+                MutableModels.load(project.folder(), new Model("m" + i, "m" + ending));
+            } catch (IOException e) {
+                assertTrue(text(i, ending, bytes) + e.getMessage(), e.getMessage().contains("Model \"m"));
+                refused++;
+            } catch (RuntimeException | Error e) {
+                throw new AssertionError(text(i, ending, bytes), e);
+            }
+            Files.deleteIfExists(project.folder().resolve("environment/m" + i + ".xml"));
+        }
+        assertTrue("refused " + refused, refused > COUNT / 10);
+    }
+
+    private static String text(int number, String ending, byte[] bytes) {
+        return "seed " + SEED + ", model " + number + ending + ": " + new String(bytes, StandardCharsets.ISO_8859_1) + "\n";
+    }
+}

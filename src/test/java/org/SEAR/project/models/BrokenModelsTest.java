@@ -1,0 +1,128 @@
+package org.SEAR.project.models;
+
+import static org.junit.Assert.assertArrayEquals;
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+import static org.junit.Assert.fail;
+
+import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectRule;
+import org.SEAR.project.problems.ProjectException;
+import org.SEAR.simulator.Simulation;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** Each broken model and picture is a problem with the object's file, its field and what is wrong, before anything is made of it. */
+public class BrokenModelsTest {
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    private void asset(String name, byte[] bytes) throws IOException {
+        Path file = project.folder().resolve("assets").resolve(name);
+        Files.createDirectories(file.getParent());
+        Files.write(file, bytes);
+    }
+
+    /** What is said of a world with this one object. */
+    private String problem(String object) throws Exception {
+        project.put("environment/o.xml", object);
+        try (Simulation made = Simulation.load(project.folder(), 1)) {
+            made.step();
+            return "a world at " + made.snapshot().time;
+        } catch (ProjectException e) {
+            assertEquals(e.getMessage(), 1, e.getProblems().size());
+            return e.getMessage();
+        }
+    }
+
+    private static String model(String file, int mass) {
+        return "<Model><name>o</name><path>" + file + "</path><mass>" + mass + "</mass></Model>";
+    }
+
+    @Test
+    public void eachModelIsRefusedWithItsMessage() throws Exception {
+        BrokenModels broken = BrokenModels.models();
+        assertTrue(broken.files.size() + " models", broken.files.size() >= 60);
+        List<String> wrong = new ArrayList<>();
+        for (Map.Entry<String, byte[]> file : broken.files.entrySet()) {
+            asset(file.getKey(), file.getValue());
+            for (int mass = 0; mass < 2; mass++) {
+                String said = problem(model(file.getKey(), mass));
+                boolean good = said.startsWith("environment/o.xml") && said.contains("path is \"" + file.getKey() + "\"")
+                    && said.contains(broken.messages.get(file.getKey()));
+                if (!good) {
+                    wrong.add(file.getKey() + ": " + said);
+                }
+            }
+        }
+        assertEquals(Collections.emptyList(), wrong);
+    }
+
+    @Test
+    public void eachPictureIsRefusedWithItsMessage() throws Exception {
+        BrokenModels broken = BrokenModels.pictures();
+        List<String> wrong = new ArrayList<>();
+        for (Map.Entry<String, byte[]> file : broken.files.entrySet()) {
+            asset(file.getKey(), file.getValue());
+            String said = problem("<Box><name>o</name><length>1</length><width>1</width><height>1</height><image>" + file.getKey() + "</image></Box>");
+            if (!said.contains("image is \"" + file.getKey() + "\"") || !said.contains(broken.messages.get(file.getKey()))) {
+                wrong.add(file.getKey() + ": " + said);
+            }
+        }
+        assertEquals(Collections.emptyList(), wrong);
+    }
+
+    @Test
+    public void aHugePictureOfAModelIsRefusedToo() throws Exception {
+        asset("p.png", BrokenModels.png(30_000, 20_000));
+        String obj = "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
+        asset("m.obj", obj.getBytes(StandardCharsets.UTF_8));
+        asset("m.mtl", "newmtl a\nmap_Kd p.png\n".getBytes(StandardCharsets.UTF_8));
+        String said = problem(model("m.obj", 0));
+        assertTrue(said, said.contains("p.png: the picture's size is 30000 x 20000"));
+    }
+
+    @Test
+    public void aPictureThatOnlyCantBeShownIsAWarning() throws Exception {
+        asset("noise.png", new byte[100]);
+        asset("cut.png", Arrays.copyOf(BrokenModels.png(2, 2), 20));
+        for (String name : new String[] {"noise.png", "cut.png"}) {
+            project.put("environment/o.xml", "<Box><name>o</name><length>1</length><width>1</width><height>1</height><image>" + name + "</image></Box>");
+            String warnings = Project.read(project.folder()).getWarnings().toString();
+            assertTrue(warnings, warnings.contains("the picture of Box \"o\" can't be shown (" + name));
+        }
+    }
+
+    @Test
+    public void onlyThePixelsOfAPngAreUnpacked() throws Exception {
+        byte[] png = BrokenModels.png(2, 2);
+        byte[] text = "\0\0\0\4zTXtboom\0\0\0\0".getBytes(StandardCharsets.ISO_8859_1);
+        byte[] with = new byte[png.length + text.length];
+        System.arraycopy(png, 0, with, 0, 33);
+        System.arraycopy(text, 0, with, 33, text.length);
+        System.arraycopy(png, 33, with, 33 + text.length, png.length - 33);
+        assertArrayEquals(png, PictureSize.checked(with, "p.png"));
+    }
+
+    @Test
+    public void aModelThatIsTooLargeIsNotEvenOpened() throws Exception {
+        asset("large.obj", new byte[0]);
+        try (RandomAccessFile file = new RandomAccessFile(project.folder().resolve("assets/large.obj").toFile(), "rw")) {
+            file.setLength(ModelLimits.MAX_FILE + 1);
+        }
+        String said = problem(model("large.obj", 0));
+        if (!said.contains("large.obj has 268435457 bytes, legal: at most 268435456")) {
+            fail(said);
+        }
+    }
+}

@@ -1,0 +1,29 @@
+package org.SEAR.project.models;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.TreeMap;
+import org.SEAR.POJOs.Model;
+import org.SEAR.project.Triangles;
+
+/** A small whole model in each format, for tests that change them. */
+public final class MutableModels {
+    private MutableModels() {
+    }
+
+    /** By the ending of their names. */
+    public static TreeMap<String, byte[]> all() throws IOException {
+        TreeMap<String, byte[]> all = new TreeMap<>();
+        for (String ending : ModelLoader.ENDINGS) {
+            all.put(ending, BrokenModels.TRIANGLE.bytes(ending));
+        }
+        return all;
+    }
+
+    /** The triangles of a model in a project folder. */
+    public static Triangles load(Path folder, Model model) throws IOException {
+        try (ModelLoader loader = ModelLoader.withoutPictures(new Assets(folder.resolve("assets")))) {
+            return loader.triangles(model);
+        }
+    }
+}

@@ -22,13 +22,15 @@ final class ScriptRun {
 
     private final Path script;
     private final int port;
+    private final boolean token;
     private final boolean keep;
     private final PrintWriter err;
     private final CountDownLatch shutdown = new CountDownLatch(1);
 
-    ScriptRun(Path script, int port, boolean keep, PrintWriter err) {
+    ScriptRun(Path script, int port, boolean token, boolean keep, PrintWriter err) {
         this.script = script;
         this.port = port;
+        this.token = token;
         this.keep = keep;
         this.err = err;
     }
@@ -47,7 +49,7 @@ final class ScriptRun {
             return CommandLine.ExitCode.SOFTWARE;
         }
         if (port != NO_PORT) {
-            Tabs.start(port);
+            Tabs.start(port, token, err);
         }
         ((Python) python).execFile(script.toString());
         PythonEngine engine = PythonEngine.of(PYTHON);

@@ -32,6 +32,9 @@ public final class SearCommand implements Callable<Integer> {
     @Option(names = "--port", paramLabel = "N|none", defaultValue = "8888", description = "Port of the tabs in the browser: http://localhost:N. "
         + "Default: ${DEFAULT-VALUE}.")
     private String port;
+    @Option(names = "--token", description = "Have the tabs and programs that call services ask for a token, which is printed with the address and "
+        + "written into a file that only you can read.")
+    private boolean token;
     @Option(names = "--keep", description = "Stay when the script has ended, until Ctrl+C or Runtime.shutdown().")
     private boolean keep;
     @Spec
@@ -66,7 +69,7 @@ public final class SearCommand implements Callable<Integer> {
             System.setProperty("sear.seed", seed.toString());
         }
         System.setProperty("sear.keep", String.valueOf(keep));
-        return new ScriptRun(script, checkedPort(), keep, spec.commandLine().getErr()).run();
+        return new ScriptRun(script, checkedPort(), token, keep, spec.commandLine().getErr()).run();
     }
 
     private String checkedSpeed() {

@@ -1,19 +1,76 @@
 package org.SEAR.cli;
 
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.myrobotlab.embedded.web.Token;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.WebGui;
 
 /** The tabs in the browser. */
 final class Tabs {
     private static final String NAME = "webgui";
+    /** So many ports after the wanted one are tried. */
+    private static final int MOST_TRIES = 100;
 
     private Tabs() {
     }
 
-    /** Serves them on a port of this machine; an error status says why if that can't be. */
-    static void start(int port) {
+    /**
+     * Serves them on a port of this machine, on the next one that is free if another program has it, and says where.
+     *
+     * @param withToken whether callers must know a token, which is printed and written into a file of the user
+     * @return the address; null if there is none, which has been said then
+     */
+    static String start(int wanted, boolean withToken, PrintWriter err) {
+        int port = free(wanted);
+        Token token = withToken ? Token.require() : null;
         WebGui webGui = (WebGui) Runtime.create(NAME, "WebGui");
         webGui.setPort(port);
         Runtime.start(NAME);
+        if (!webGui.isStarted()) {
+            return null;
+        }
+        String address = "http://localhost:" + port + "/" + (token == null ? "" : "#token=" + token.text());
+        err.println("tabs: " + address + (port == wanted ? "" : " (port " + wanted + " is in use by another program)"));
+        if (token != null) {
+            keep(token, port, err);
+        }
+        err.flush();
+        return address;
+    }
+
+    private static int free(int wanted) {
+        for (int port = wanted; port < wanted + MOST_TRIES && port <= ScriptRun.HIGHEST_PORT; port++) {
+            try (ServerSocket probe = new ServerSocket()) {
+                probe.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
+                return port;
+            } catch (IOException e) {
+                continue;
+            }
+        }
+        return wanted;
+    }
+
+    private static void keep(Token token, int port, PrintWriter err) {
+        try {
+            Path file = token.write(port);
+            err.println("token: " + file + " has it for programs, which send it as Authorization: Bearer TOKEN");
+            java.lang.Runtime.getRuntime().addShutdownHook(new Thread(() -> delete(file), "token"));
+        } catch (IOException e) {
+            err.println("token: it could not be written into a file: " + e.getMessage());
+        }
+    }
+
+    private static void delete(Path file) {
+        try {
+            Files.deleteIfExists(file);
+        } catch (IOException e) {
+            System.err.println("sear: " + file + " could not be deleted: " + e.getMessage());
+        }
     }
 }

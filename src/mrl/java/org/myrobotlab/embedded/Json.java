@@ -9,6 +9,7 @@ import com.fasterxml.jackson.databind.SerializationFeature;
 
 /** Objects as JSON: every field that is neither static nor transient, private ones too, and nothing else. Any thread. */
 public final class Json {
+    private static final int DEEPEST = 500;
     private static final ObjectMapper MAPPER = new ObjectMapper()
         .setVisibility(PropertyAccessor.ALL, JsonAutoDetect.Visibility.NONE)
         .setVisibility(PropertyAccessor.FIELD, JsonAutoDetect.Visibility.ANY)
@@ -28,12 +29,38 @@ public final class Json {
         }
     }
 
-    /** @throws IllegalArgumentException if the text is not JSON for such an object */
+    /** @throws IllegalArgumentException if the text is not JSON for such an object, or deeper than {@value #DEEPEST} lists in lists */
     public static <T> T read(String json, Class<T> type) {
+        checkDepth(json);
         try {
-            return MAPPER.readValue(json, type);
+            T value = MAPPER.readValue(json, type);
+            if (value == null && type != Object.class) {
+                throw new IllegalArgumentException("not JSON for " + type.getSimpleName() + ": null");
+            }
+            return value;
         } catch (JsonProcessingException e) {
             throw new IllegalArgumentException("not JSON for " + type.getSimpleName() + ": " + e.getOriginalMessage(), e);
+        }
+    }
+
+    /** The mapper calls itself for each list in a list. */
+    private static void checkDepth(String json) {
+        int depth = 0;
+        boolean isText = false;
+        for (int i = 0; i < json.length(); i++) {
+            char at = json.charAt(i);
+            if (isText && at == '\\') {
+                i++;
+            } else if (at == '"') {
+                isText = !isText;
+            } else if (!isText && (at == '[' || at == '{')) {
+                depth++;
+            } else if (!isText && (at == ']' || at == '}')) {
+                depth--;
+            }
+            if (depth > DEEPEST) {
+                throw new IllegalArgumentException("JSON with more than " + DEEPEST + " lists or objects in each other");
+            }
         }
     }
 

@@ -1,10 +1,13 @@
 package org.SEAR.cli;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.io.File;
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -79,6 +82,43 @@ public class SearCommandTest {
             + "def go(name):\n  print 'callback'\n  Runtime.shutdown()\nRuntime.start('s', 'Serial')\n";
         assertEquals(err, 0, sear(script(code), "--keep", "--port", "none"));
         assertTrue(out, out.startsWith("callback\n"));
+    }
+
+    /** A port that is free now. */
+    private static int freePort() throws IOException {
+        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            return free.getLocalPort();
+        }
+    }
+
+    @Test
+    public void theFirstLineSaysWhereTheTabsAre() throws Exception {
+        int port = freePort();
+        assertEquals(0, sear(script("print 'out'"), "--headless", "--port", String.valueOf(port)));
+        assertEquals("out\n", out);
+        assertEquals("tabs: http://localhost:" + port + "/\n", err);
+    }
+
+    @Test
+    public void aPortInUseIsAnsweredWithAnotherOne() throws Exception {
+        try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            int port = other.getLocalPort();
+            assertEquals(err, 0, sear(script("print webgui.getPort(), webgui.isStarted()"), "--headless", "--port", String.valueOf(port)));
+            String[] printed = out.trim().split(" ");
+            assertEquals("tabs: http://localhost:" + printed[0] + "/ (port " + port + " is in use by another program)\n", err);
+            assertTrue(out, Integer.parseInt(printed[0]) > port && printed[1].equals("True"));
+        }
+    }
+
+    @Test
+    public void theTokenIsPrintedAndInAFileOfTheUser() throws Exception {
+        String home = System.getProperty("user.home");
+        int port = freePort();
+        Path file = Paths.get(home, ".sear", "token-" + port);
+        assertEquals(err, 0, sear(script("print open('" + file + "').read()"), "--headless", "--token", "--port", String.valueOf(port)));
+        assertTrue(out, out.trim().matches("[\\w-]{32}"));
+        assertTrue(err, err.startsWith("tabs: http://localhost:" + port + "/#token=" + out.trim() + "\ntoken: " + file + " has it"));
+        assertFalse("it goes when the program ends", Files.exists(file));
     }
 
     @Test

@@ -39,12 +39,15 @@ public final class MyRobotLab implements AutoCloseable {
     public MyRobotLab(String script) throws IOException, InterruptedException {
         folder = Files.createTempDirectory("sear-web").toRealPath();
         Files.writeString(folder.resolve("start.py"), "# coding: utf-8\n" + script + "\nopen('" + STARTED + "', 'w').close()\n");
-        do {
+        while (process == null || log().contains(TAKEN)) {
+            if (process != null) {
+                stop();
+            }
             try (ServerSocket free = new ServerSocket(0)) {
                 port = free.getLocalPort();
             }
             startProcess();
-        } while (log().contains(TAKEN));
+        }
     }
 
     private void startProcess() throws IOException, InterruptedException {
@@ -91,7 +94,7 @@ public final class MyRobotLab implements AutoCloseable {
     public JsonNode call(String service, String method, Object... arguments) {
         URI uri = URI.create(url() + "api/service/" + service + "/" + method);
         try {
-            HttpResponse<String> answer = client.send(HttpRequest.newBuilder(uri)
+            HttpResponse<String> answer = client.send(HttpRequest.newBuilder(uri).header("Content-Type", "application/json")
                 .POST(HttpRequest.BodyPublishers.ofString(JSON.writeValueAsString(arguments))).build(), HttpResponse.BodyHandlers.ofString());
             if (answer.statusCode() != 200) {
                 throw new AssertionError(service + "." + method + " answered " + answer.statusCode() + ": " + answer.body());

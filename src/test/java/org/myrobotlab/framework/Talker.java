@@ -1,17 +1,22 @@
 package org.myrobotlab.framework;
 
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import org.myrobotlab.service.config.ServiceConfig;
 
 /** A service that publishes what it is told, and keeps what it is called back with. */
 public class Talker extends Service<ServiceConfig> {
     private static final long serialVersionUID = 1L;
+    private static final int PATIENCE_SECONDS = 20;
 
     /** What came in. */
     public final transient BlockingQueue<Object> heard = new LinkedBlockingQueue<>();
     private volatile boolean failing;
+    private final transient Semaphore begun = new Semaphore(0);
+    private final transient CountDownLatch end = new CountDownLatch(1);
 
     public Talker(String name, String id) {
         super(name, id);
@@ -72,6 +77,30 @@ public class Talker extends Service<ServiceConfig> {
 
     public double half(double value) {
         return value / 2;
+    }
+
+    /** A call that takes until {@link #goOn}. */
+    public void await() throws InterruptedException {
+        begun.release();
+        end.await();
+    }
+
+    /** Waits until so many are in {@link #await}. */
+    public void awaiting(int calls) throws InterruptedException {
+        if (!begun.tryAcquire(calls, PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+            throw new AssertionError("only " + begun.availablePermits() + " of " + calls + " calls have begun");
+        }
+    }
+
+    /** Ends all {@link #await}. */
+    public void goOn() {
+        end.countDown();
+    }
+
+    /** So many letters. */
+    public String longText(int length) {
+        begun.release();
+        return "x".repeat(length);
     }
 
     public void tick() {

@@ -13,7 +13,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
-import org.SEAR.project.Triangles;
+import org.SEAR.geometry.Triangles;
 
 /** The triangles of a loaded scene, checked: numbers of vertices that there are, finite coordinates within the limits. One use. */
 final class SceneTriangles {

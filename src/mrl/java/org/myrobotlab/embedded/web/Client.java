@@ -11,11 +11,18 @@ import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
+import org.xnio.IoUtils;
 
 /** A page that is open in a browser. Any thread. */
 final class Client {
     /** Values of a topic that may wait for a slow page; those that come then are left out. */
     private static final int MOST_WAITING = 200;
+    /** Characters that may wait for a page; one that lets more pile up does not read, and is closed. */
+    private static final long MOST_UNREAD = 32L << 20;
+    /** Messages of a page that wait until those before them are done; the page's connection waits with more. */
+    private static final int MOST_TASKS = 100;
+    private static final int MOST_TOPICS = 10_000;
 
     private final WebSocketChannel channel;
     private final Set<String> topics = ConcurrentHashMap.newKeySet();
@@ -23,6 +30,7 @@ final class Client {
     private final Queue<Runnable> tasks = new ArrayDeque<>();
     /** By topic, what the page has not taken yet: bytes of a serial port, one message each, must not crowd out a scan. */
     private final Map<String, AtomicInteger> waiting = new ConcurrentHashMap<>();
+    private final AtomicLong unread = new AtomicLong();
 
     Client(WebSocketChannel channel) {
         this.channel = channel;
@@ -30,14 +38,22 @@ final class Client {
 
     /** Sends a text. */
     void send(String text) {
-        WebSockets.sendText(text, channel, new Sent(new AtomicInteger()));
+        send(text, new AtomicInteger());
+    }
+
+    private void send(String text, AtomicInteger count) {
+        if (unread.get() > MOST_UNREAD) {
+            IoUtils.safeClose(channel);
+        } else {
+            WebSockets.sendText(text, channel, new Sent(count, text.length()));
+        }
     }
 
     /** Sends one of many values of a topic; leaves it out while the page can't keep up with that topic. */
     void sendValue(String service, String topic, String text) {
         AtomicInteger count = waiting.computeIfAbsent(service + "/" + topic, unused -> new AtomicInteger());
         if (count.get() < MOST_WAITING) {
-            WebSockets.sendText(text, channel, new Sent(count));
+            send(text, count);
         }
     }
 
@@ -45,6 +61,9 @@ final class Client {
     void inOrder(Executor worker, Runnable work) {
         synchronized (tasks) {
             tasks.add(work);
+            if (tasks.size() >= MOST_TASKS) {
+                channel.suspendReceives();
+            }
             if (tasks.size() > 1) {
                 return;
             }
@@ -64,6 +83,9 @@ final class Client {
             synchronized (tasks) {
                 tasks.remove();
                 more = !tasks.isEmpty();
+                if (tasks.size() == MOST_TASKS - 1) {
+                    channel.resumeReceives();
+                }
             }
             if (more) {
                 worker.execute(() -> workOff(worker));
@@ -71,7 +93,11 @@ final class Client {
         }
     }
 
+    /** @throws IllegalArgumentException if the page listens to too many topics */
     void subscribe(String service, String topic) {
+        if (topics.size() >= MOST_TOPICS) {
+            throw new IllegalArgumentException("a page may listen to " + MOST_TOPICS + " topics");
+        }
         topics.add(service + "/" + topic);
     }
 
@@ -92,22 +118,26 @@ final class Client {
     }
 
     /** Counts a message from when it is sent until it is gone, or the page is. */
-    private static final class Sent implements WebSocketCallback<Void> {
+    private final class Sent implements WebSocketCallback<Void> {
         private final AtomicInteger count;
+        private final int length;
 
-        Sent(AtomicInteger count) {
+        Sent(AtomicInteger count, int length) {
             this.count = count;
+            this.length = length;
             count.incrementAndGet();
+            unread.addAndGet(length);
         }
 
         @Override
-        public void complete(WebSocketChannel channel, Void nothing) {
+        public void complete(WebSocketChannel to, Void nothing) {
             count.decrementAndGet();
+            unread.addAndGet(-length);
         }
 
         @Override
-        public void onError(WebSocketChannel channel, Void nothing, Throwable error) {
-            count.decrementAndGet();
+        public void onError(WebSocketChannel to, Void nothing, Throwable error) {
+            complete(to, nothing);
         }
     }
 }

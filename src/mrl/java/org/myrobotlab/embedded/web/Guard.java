@@ -2,18 +2,20 @@ package org.myrobotlab.embedded.web;
 
 import io.undertow.server.HttpHandler;
 import io.undertow.server.HttpServerExchange;
+import io.undertow.util.HeaderValues;
 import io.undertow.util.Headers;
 import io.undertow.util.HttpString;
+import io.undertow.util.Methods;
 import io.undertow.util.StatusCodes;
 import java.util.Set;
 
 /**
- * Lets only pages of this very server in: whoever calls it by another name (DNS rebinding) or from a page of another server is refused, since every
- * method of every service can be called here.
+ * Stands before everything. Whoever calls this server by another name (DNS rebinding) or from a page of another server is refused, as is each method
+ * but GET and POST.
  */
 final class Guard implements HttpHandler {
-    private static final HttpString FETCH_SITE = new HttpString("Sec-Fetch-Site");
-    private static final Set<String> OWN_SITES = Set.of("same-origin", "none");
+    private static final HttpString CONTENT_TYPE_OPTIONS = new HttpString("X-Content-Type-Options");
+    private static final HttpString FRAME_OPTIONS = new HttpString("X-Frame-Options");
 
     private final HttpHandler next;
     private final Set<String> hosts;
@@ -25,27 +27,44 @@ final class Guard implements HttpHandler {
 
     @Override
     public void handleRequest(HttpServerExchange exchange) throws Exception {
-        String host = exchange.getRequestHeaders().getFirst(Headers.HOST);
-        String origin = exchange.getRequestHeaders().getFirst(Headers.ORIGIN);
-        String site = exchange.getRequestHeaders().getFirst(FETCH_SITE);
-        if (host == null || !hosts.contains(host)) {
-            refuse(exchange, "host " + host + " is refused: call this server localhost");
-        } else if (origin != null && !(origin.startsWith("http://") && hosts.contains(origin.substring("http://".length())))) {
-            refuse(exchange, "pages of " + origin + " are refused");
-        } else if (site != null && !OWN_SITES.contains(site) && isCall(exchange)) {
-            refuse(exchange, "pages of other servers are refused");
+        HeaderValues host = exchange.getRequestHeaders().get(Headers.HOST);
+        HeaderValues origin = exchange.getRequestHeaders().get(Headers.ORIGIN);
+        exchange.getResponseHeaders().put(CONTENT_TYPE_OPTIONS, "nosniff").put(FRAME_OPTIONS, "DENY");
+        if (host == null || host.size() != 1 || !hosts.contains(host.getFirst())) {
+            refuse(exchange, StatusCodes.FORBIDDEN, "host " + host + " is refused: call this server localhost");
+        } else if (origin != null && !(origin.size() == 1 && origin.getFirst().equals("http://" + host.getFirst()))) {
+            refuse(exchange, StatusCodes.FORBIDDEN, "pages of " + origin + " are refused");
+        } else if (!is(exchange, Methods.GET) && !is(exchange, Methods.POST)) {
+            refuseMethod(exchange, "GET, POST");
         } else {
-            exchange.getResponseHeaders().put(new HttpString("X-Content-Type-Options"), "nosniff").put(new HttpString("X-Frame-Options"), "DENY");
             next.handleRequest(exchange);
         }
     }
 
-    private static boolean isCall(HttpServerExchange exchange) {
-        return exchange.getRequestPath().startsWith(WebServer.API);
+    /** Whether a request has a method; {@code post} is not {@code POST}. */
+    static boolean is(HttpServerExchange exchange, HttpString method) {
+        return exchange.getRequestMethod().toString().equals(method.toString());
     }
 
-    private static void refuse(HttpServerExchange exchange, String why) {
-        exchange.setStatusCode(StatusCodes.FORBIDDEN);
+    /** Lets only GET through. */
+    static HttpHandler reading(HttpHandler next) {
+        return exchange -> {
+            if (is(exchange, Methods.GET)) {
+                next.handleRequest(exchange);
+            } else {
+                refuseMethod(exchange, "GET");
+            }
+        };
+    }
+
+    private static void refuseMethod(HttpServerExchange exchange, String legal) {
+        exchange.getResponseHeaders().put(Headers.ALLOW, legal);
+        refuse(exchange, StatusCodes.METHOD_NOT_ALLOWED, "method " + exchange.getRequestMethod() + " is refused here, legal: " + legal);
+    }
+
+    /** Answers with a status and a reason, and ends. */
+    static void refuse(HttpServerExchange exchange, int status, String why) {
+        exchange.setStatusCode(status);
         exchange.getResponseSender().send(why + "\n");
     }
 }

@@ -1,24 +1,24 @@
 package org.myrobotlab.embedded.web;
 
-import io.undertow.websockets.WebSocketConnectionCallback;
 import io.undertow.websockets.core.AbstractReceiveListener;
-import io.undertow.websockets.core.BufferedTextMessage;
+import io.undertow.websockets.core.StreamSourceFrameChannel;
 import io.undertow.websockets.core.WebSocketChannel;
-import io.undertow.websockets.spi.WebSocketHttpExchange;
+import io.undertow.websockets.core.WebSockets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.Executor;
 import org.myrobotlab.codec.CodecUtils;
 import org.myrobotlab.embedded.Json;
+import org.myrobotlab.embedded.Reasons;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.logging.LoggerFactory;
 import org.myrobotlab.service.Runtime;
 import org.slf4j.Logger;
+import org.xnio.IoUtils;
 
 /**
  * Messages between services and open pages, as JSON over a web socket.
@@ -28,9 +28,12 @@ import org.slf4j.Logger;
  * {@code {"name":"lidar","method":"onScan","data":[...]}}, {@code {"id":7,"answer":...}} or {@code {"id":7,"error":"..."}}, and
  * {@code {"services":[...]}} when a service comes or goes. Any thread.
  */
-public final class Hub implements WebSocketConnectionCallback {
+public final class Hub {
     private static final Logger LOG = LoggerFactory.getLogger(Hub.class);
-    private static final int LONGEST_MESSAGE = 16 << 20;
+    /** Each may keep a message of {@link RequestBody#LONGEST} in memory while it comes in. */
+    private static final int MOST_PAGES = 32;
+    /** Why a web socket is closed, as registered for RFC 6455. */
+    private static final int TRY_AGAIN_LATER = 1013;
     /** What a slow page gets all the same: the next one of these may be long in coming. */
     private static final Set<String> NEVER_LEFT_OUT = Set.of("publishState", "publishStatus", "getBundle");
 
@@ -42,47 +45,59 @@ public final class Hub implements WebSocketConnectionCallback {
         this.listener = listener;
     }
 
-    @Override
-    public void onConnect(WebSocketHttpExchange exchange, WebSocketChannel channel) {
+    /** A page has come. @param calls where what it calls runs */
+    void connect(WebSocketChannel channel, Calls calls) {
         Client client = new Client(channel);
+        if (clients.size() >= MOST_PAGES) {
+            WebSockets.sendClose(TRY_AGAIN_LATER, MOST_PAGES + " pages are open, the most that may", channel, null);
+            return;
+        }
         clients.add(client);
         channel.addCloseTask(closed -> forget(client));
         client.send(services());
         channel.getReceiveSetter().set(new AbstractReceiveListener() {
             @Override
-            protected void onFullTextMessage(WebSocketChannel from, BufferedTextMessage message) {
-                String text = message.getData();
-                client.inOrder(from.getWorker(), () -> receive(client, from.getWorker(), text));
+            protected void onText(WebSocketChannel from, StreamSourceFrameChannel message) {
+                TextReader.read(message, RequestBody.LONGEST, text -> client.inOrder(calls::execute, () -> receive(client, calls, text)));
             }
 
             @Override
-            protected long getMaxTextBufferSize() {
-                return LONGEST_MESSAGE;
+            protected void onBinary(WebSocketChannel from, StreamSourceFrameChannel message) {
+                LOG.debug("a page sent bytes, which nothing here takes: closed");
+                IoUtils.safeClose(from);
             }
         });
         channel.resumeReceives();
     }
 
-    private void receive(Client client, Executor worker, String text) {
+    private void receive(Client client, Calls calls, String text) {
         Object id = null;
         try {
             Map<?, ?> msg = Json.read(text, Map.class);
             id = msg.get("id");
             if (msg.containsKey("subscribe")) {
-                subscribe(client, (String) msg.get("subscribe"), (String) msg.get("topic"));
+                subscribe(client, text(msg, "subscribe"), text(msg, "topic"));
             } else if (msg.containsKey("unsubscribe")) {
-                unsubscribe(client, (String) msg.get("unsubscribe"), (String) msg.get("topic"));
+                unsubscribe(client, text(msg, "unsubscribe"), text(msg, "topic"));
             } else {
-                call(client, worker, id, (String) msg.get("name"), (String) msg.get("method"), (List<?>) msg.get("data"));
+                call(client, calls, id, text(msg, "name"), text(msg, "method"), (List<?>) msg.get("data"));
             }
-        } catch (IllegalArgumentException | ClassCastException e) {
+        } catch (RuntimeException | StackOverflowError e) {
             fail(client, id, e);
         }
     }
 
-    private static void fail(Client client, Object id, RuntimeException e) {
+    private static String text(Map<?, ?> msg, String key) {
+        Object value = msg.get(key);
+        if (!(value instanceof String)) {
+            throw new IllegalArgumentException(key + " of a message is " + value + ", legal: a text");
+        }
+        return (String) value;
+    }
+
+    private static void fail(Client client, Object id, Throwable e) {
         LOG.debug("message {} failed", id, e);
-        client.send(reply(id, "error", e.getMessage()));
+        client.send(reply(id, "error", Reasons.of(e)));
     }
 
     private synchronized void subscribe(Client client, String name, String topic) {
@@ -114,7 +129,7 @@ public final class Hub implements WebSocketConnectionCallback {
     }
 
     /** Calls without "id" run on the service's own thread, in the page's order; calls that want an answer run beside each other. */
-    private void call(Client client, Executor worker, Object id, String name, String method, List<?> data) {
+    private void call(Client client, Calls calls, Object id, String name, String method, List<?> data) {
         ServiceInterface service = Runtime.getService(name);
         if (service == null) {
             throw new IllegalArgumentException("there is no service " + name);
@@ -122,14 +137,18 @@ public final class Hub implements WebSocketConnectionCallback {
         Object[] arguments = JsonCall.arguments(service.getClass(), method, data == null ? List.of() : data);
         if (id == null) {
             service.in(Message.createMessage(listener, name, method, arguments));
-        } else {
-            worker.execute(() -> {
+        } else if (calls.enter()) {
+            calls.execute(() -> {
                 try {
                     client.send(reply(id, "answer", service.invoke(method, arguments)));
-                } catch (IllegalArgumentException e) {
+                } catch (RuntimeException | StackOverflowError e) {
                     fail(client, id, e);
+                } finally {
+                    calls.leave();
                 }
             });
+        } else {
+            throw new IllegalStateException(Calls.FULL);
         }
     }
 

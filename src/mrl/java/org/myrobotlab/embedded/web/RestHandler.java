@@ -5,70 +5,113 @@ import io.undertow.server.HttpServerExchange;
 import io.undertow.util.Headers;
 import io.undertow.util.Methods;
 import io.undertow.util.StatusCodes;
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
+import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
+import java.util.concurrent.Executor;
 import org.myrobotlab.embedded.Json;
 import org.myrobotlab.embedded.Reasons;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.service.Runtime;
 
 /**
- * Calls over HTTP: {@code POST /api/service/NAME/METHOD} with a JSON list of arguments as body, or {@code GET /api/service/NAME/METHOD/ARG/...};
- * the answer is JSON. {@code GET /api/service} lists the services, {@code GET /api/service/NAME} is a service's state.
+ * Calls over HTTP: {@code POST /api/service/NAME/METHOD} with a JSON list of arguments as body; the answer is JSON. {@code GET /api/service} lists the
+ * services, {@code GET /api/service/NAME} is a service's state, and {@code GET /api/service/NAME/METHOD/ARG/...} answers what a few methods read.
  */
 final class RestHandler implements HttpHandler {
+    /** Methods that change nothing, whatever service has them. */
+    private static final Set<String> READING = Set.of("getName", "getType", "getSimpleName", "getMethodNames", "isRunning", "isConnected",
+        "isSimulating", "isPaused", "isLockStep", "getTime", "getSensorNames", "getPose", "getDistanceResult", "getLidarResult", "getGpsResult",
+        "getCompassResult", "getAccelResult", "getGyroResult", "getPortNames", "getUnit", "getServiceNames");
     private static final int NAME = 0;
     private static final int METHOD = 1;
     private static final int ARGUMENTS = 2;
 
+    private final Calls calls;
+
+    RestHandler(Calls calls) {
+        this.calls = calls;
+    }
+
     @Override
-    public void handleRequest(HttpServerExchange exchange) throws IOException {
-        if (exchange.isInIoThread()) {
-            exchange.dispatch(this);
-            return;
-        }
-        exchange.startBlocking();
-        exchange.getResponseHeaders().put(Headers.CONTENT_TYPE, "application/json");
-        try {
-            exchange.getResponseSender().send(answer(exchange) + "\n");
-        } catch (IllegalArgumentException e) {
-            exchange.setStatusCode(StatusCodes.NOT_FOUND);
-            exchange.getResponseSender().send(Json.write(e.getMessage()) + "\n");
-        } catch (IllegalStateException e) {
-            exchange.setStatusCode(StatusCodes.INTERNAL_SERVER_ERROR);
-            exchange.getResponseSender().send(Json.write(e.getMessage()) + "\n");
+    public void handleRequest(HttpServerExchange exchange) {
+        List<String> path = new ArrayList<>(Arrays.asList(exchange.getRelativePath().split("/")));
+        path.removeIf(String::isEmpty);
+        if (Guard.is(exchange, Methods.POST)) {
+            RequestBody.receive(exchange, (whole, body) -> dispatch(whole, () -> post(path, body)));
+        } else if (path.size() > METHOD && !READING.contains(path.get(METHOD))) {
+            exchange.getResponseHeaders().put(Headers.ALLOW, "POST");
+            Guard.refuse(exchange, StatusCodes.METHOD_NOT_ALLOWED, path.get(METHOD) + " is called by POST, with a list of arguments as JSON");
+        } else {
+            dispatch(exchange, () -> get(path));
         }
     }
 
-    private static String answer(HttpServerExchange exchange) throws IOException {
-        List<String> path = new ArrayList<>(Arrays.asList(exchange.getRelativePath().split("/")));
-        path.removeIf(String::isEmpty);
+    /** Something that may fail as a called method does. */
+    private interface Answer {
+        String get();
+    }
+
+    private void dispatch(HttpServerExchange exchange, Answer answer) {
+        if (!calls.enter()) {
+            Guard.refuse(exchange, StatusCodes.SERVICE_UNAVAILABLE, Calls.FULL);
+            return;
+        }
+        exchange.dispatch((Executor) calls::execute, () -> {
+            try {
+                send(exchange, answer);
+            } finally {
+                calls.leave();
+            }
+        });
+    }
+
+    private static void send(HttpServerExchange exchange, Answer answer) {
+        exchange.getResponseHeaders().put(Headers.CONTENT_TYPE, "application/json");
+        String text;
+        try {
+            text = answer.get();
+        } catch (IllegalArgumentException e) {
+            exchange.setStatusCode(StatusCodes.NOT_FOUND);
+            text = Json.write(e.getMessage());
+        } catch (RuntimeException | StackOverflowError e) {
+            exchange.setStatusCode(StatusCodes.INTERNAL_SERVER_ERROR);
+            text = Json.write(Reasons.of(e));
+        }
+        exchange.getResponseSender().send(text + "\n");
+    }
+
+    private static String post(List<String> path, String body) {
+        if (path.size() != ARGUMENTS) {
+            throw new IllegalArgumentException("a call goes to /api/service/NAME/METHOD");
+        }
+        ServiceInterface service = service(path);
+        Object answer = call(service, path.get(METHOD), body.isBlank() ? List.of() : Json.read(body, List.class));
+        service.out(path.get(METHOD), answer);
+        return Json.write(answer);
+    }
+
+    private static String get(List<String> path) {
         if (path.isEmpty()) {
             return Json.write(Runtime.getServiceNames());
         }
+        ServiceInterface service = service(path);
+        if (path.size() == METHOD) {
+            return Json.write(service);
+        }
+        List<Object> values = new ArrayList<>();
+        path.subList(ARGUMENTS, path.size()).forEach(one -> values.add(value(one)));
+        return Json.write(call(service, path.get(METHOD), values));
+    }
+
+    private static ServiceInterface service(List<String> path) {
         ServiceInterface service = Runtime.getService(path.get(NAME));
         if (service == null) {
             throw new IllegalArgumentException("there is no service " + path.get(NAME));
         }
-        if (path.size() == METHOD) {
-            return Json.write(service);
-        }
-        return call(service, path.get(METHOD), arguments(exchange, path));
-    }
-
-    private static List<?> arguments(HttpServerExchange exchange, List<String> path) throws IOException {
-        if (exchange.getRequestMethod().equals(Methods.POST)) {
-            String body = new String(exchange.getInputStream().readAllBytes(), StandardCharsets.UTF_8).trim();
-            return body.isEmpty() ? List.of() : Json.read(body, List.class);
-        }
-        List<Object> values = new ArrayList<>();
-        for (String one : path.subList(ARGUMENTS, path.size())) {
-            values.add(value(one));
-        }
-        return values;
+        return service;
     }
 
     /** JSON, or else plain text. */
@@ -80,14 +123,11 @@ final class RestHandler implements HttpHandler {
         }
     }
 
-    private static String call(ServiceInterface service, String name, List<?> json) {
+    private static Object call(ServiceInterface service, String name, List<?> json) {
         Object[] arguments = JsonCall.arguments(service.getClass(), name, json);
         try {
-            Object answer = org.myrobotlab.embedded.Methods.call(service,
-                org.myrobotlab.embedded.Methods.find(service.getClass(), name, arguments), arguments);
-            service.out(name, answer);
-            return Json.write(answer);
-        } catch (java.lang.reflect.InvocationTargetException e) {
+            return org.myrobotlab.embedded.Methods.call(service, org.myrobotlab.embedded.Methods.find(service.getClass(), name, arguments), arguments);
+        } catch (InvocationTargetException e) {
             throw new IllegalStateException(service.getName() + "." + name + ": " + Reasons.of(e), e);
         }
     }

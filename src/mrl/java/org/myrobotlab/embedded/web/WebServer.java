@@ -26,8 +26,7 @@ import org.xnio.XnioWorker;
 
 /** Serves pages, panels and calls to browsers on this machine, and to nobody else. Any thread. */
 public final class WebServer {
-    static final String API = "/api";
-
+    private static final String API = "/api";
     private static final String ADDRESS = "127.0.0.1";
     private static final String PAGES = "org/myrobotlab/embedded/web";
     private static final String WEB_JARS = "META-INF/resources/webjars/";
@@ -35,9 +34,13 @@ public final class WebServer {
     private static final List<String> LIBRARIES = List.of("angularjs", "bootstrap", "jquery");
     private static final int IO_THREADS = 1;
     private static final int WORKERS = 8;
-    private static final long LONGEST_REQUEST = 64L << 20;
+    /** Connections that are open at the same time; more wait until one is closed. */
+    private static final int MOST_CONNECTIONS = 256;
+    private static final int HEADERS_MILLIS = 30_000;
+    private static final int IDLE_MILLIS = 60_000;
     private static final int STOP_SECONDS = 5;
 
+    private final Calls calls;
     private final XnioWorker worker;
     private final Undertow server;
     private final int port;
@@ -51,16 +54,20 @@ public final class WebServer {
         for (String folder : lastFirst) {
             files = new DiskHandler(folder, files);
         }
-        PathHandler paths = Handlers.path(fresh(files)).addPrefixPath(API + "/service", new RestHandler())
-            .addExactPath(API + "/messages", Handlers.websocket(hub));
+        calls = new Calls("web server " + port);
+        Token token = Token.current();
+        PathHandler paths = Handlers.path(Guard.reading(fresh(files))).addPrefixPath(API + "/service", CallGuard.calls(new RestHandler(calls), token))
+            .addExactPath(API + "/messages", CallGuard.sockets(Handlers.websocket((exchange, channel) -> hub.connect(channel, calls)), token));
         for (String name : LIBRARIES) {
-            paths.addPrefixPath("/webjars/" + name, library(name));
+            paths.addPrefixPath("/webjars/" + name, Guard.reading(library(name)));
         }
         worker = Xnio.getInstance(Undertow.class.getClassLoader()).createWorker(OptionMap.builder().set(Options.WORKER_IO_THREADS, IO_THREADS)
             .set(Options.WORKER_TASK_CORE_THREADS, WORKERS).set(Options.WORKER_TASK_MAX_THREADS, WORKERS).set(Options.TCP_NODELAY, true)
             .set(Options.WORKER_NAME, "web server " + port).getMap());
         server = Undertow.builder().addHttpListener(port, ADDRESS, new Guard(paths, port)).setWorker(worker)
-            .setServerOption(UndertowOptions.MAX_ENTITY_SIZE, LONGEST_REQUEST).build();
+            .setServerOption(UndertowOptions.MAX_ENTITY_SIZE, (long) RequestBody.LONGEST)
+            .setServerOption(UndertowOptions.REQUEST_PARSE_TIMEOUT, HEADERS_MILLIS).setServerOption(UndertowOptions.NO_REQUEST_TIMEOUT, IDLE_MILLIS)
+            .setSocketOption(Options.CONNECTION_HIGH_WATER, MOST_CONNECTIONS).setSocketOption(Options.CONNECTION_LOW_WATER, MOST_CONNECTIONS).build();
         start();
     }
 
@@ -119,10 +126,7 @@ public final class WebServer {
     /** Closes all connections and ends all threads; the one that a page's own call of this comes on ends after that call. */
     public void stop() {
         server.stop();
-        if (Thread.currentThread().getName().startsWith(worker.getName() + " ")) {
-            worker.shutdown();
-            return;
-        }
+        calls.stop();
         worker.shutdownNow();
         try {
             worker.awaitTermination(STOP_SECONDS, TimeUnit.SECONDS);

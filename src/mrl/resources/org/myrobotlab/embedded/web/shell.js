@@ -26,6 +26,9 @@
         Object.defineProperty(shell, 'connected', {get: function() {
             return mrl.connected
         }})
+        Object.defineProperty(shell, 'refused', {get: function() {
+            return mrl.refused
+        }})
 
         function order(service) {
             var at = FIRST.indexOf(service.simpleName)

@@ -117,7 +117,7 @@ public class InstalledPluginTest {
 
     private HttpRequest request(String path, String json) {
         URI uri = URI.create("http://localhost:" + port + "/api/service/" + path);
-        return HttpRequest.newBuilder(uri).POST(HttpRequest.BodyPublishers.ofString(json)).build();
+        return HttpRequest.newBuilder(uri).header("Content-Type", "application/json").POST(HttpRequest.BodyPublishers.ofString(json)).build();
     }
 
     private void call(String path, String json) throws IOException, InterruptedException {

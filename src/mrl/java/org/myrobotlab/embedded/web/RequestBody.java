@@ -1,0 +1,91 @@
+package org.myrobotlab.embedded.web;
+
+import io.undertow.server.HttpServerExchange;
+import io.undertow.util.StatusCodes;
+import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BiConsumer;
+import org.xnio.IoUtils;
+import org.xnio.XnioExecutor;
+
+/**
+ * Receives the body of one request without a thread that waits for it, and hands it on when it is whole. What all bodies together hold while they come
+ * in is limited, as is the time that each may take.
+ */
+final class RequestBody {
+    /** Of one body, bytes. */
+    static final int LONGEST = 16 << 20;
+    /** Of all bodies that are on their way, bytes. */
+    private static final int LARGEST_SUM = 64 << 20;
+    private static final int PATIENCE_SECONDS = 30;
+    private static final Semaphore ROOM = new Semaphore(LARGEST_SUM);
+
+    private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    private final BiConsumer<HttpServerExchange, String> taker;
+    private boolean isRefused;
+
+    private RequestBody(BiConsumer<HttpServerExchange, String> taker) {
+        this.taker = taker;
+    }
+
+    /** On a connection's own thread. @param taker gets the text, on that thread */
+    static void receive(HttpServerExchange exchange, BiConsumer<HttpServerExchange, String> taker) {
+        RequestBody body = new RequestBody(taker);
+        if (exchange.getRequestContentLength() > LONGEST) {
+            body.refuseLong(exchange);
+            return;
+        }
+        XnioExecutor.Key deadline = exchange.getIoThread().executeAfter(() -> IoUtils.safeClose(exchange.getConnection()), PATIENCE_SECONDS,
+            TimeUnit.SECONDS);
+        exchange.addExchangeCompleteListener((ended, next) -> {
+            body.forget();
+            next.proceed();
+        });
+        exchange.getRequestReceiver().receivePartialBytes((from, part, last) -> {
+            body.take(from, part);
+            if (last) {
+                deadline.remove();
+                body.handOn(from);
+            }
+        }, (from, error) -> IoUtils.safeClose(from.getConnection()));
+    }
+
+    private synchronized void take(HttpServerExchange exchange, byte... part) {
+        if (isRefused) {
+            return;
+        }
+        if (bytes.size() + part.length > LONGEST) {
+            refuseLong(exchange);
+        } else if (!ROOM.tryAcquire(part.length)) {
+            refuse(exchange, StatusCodes.SERVICE_UNAVAILABLE, "there are too many long calls on their way: try again");
+        } else {
+            bytes.write(part, 0, part.length);
+        }
+    }
+
+    private void refuseLong(HttpServerExchange exchange) {
+        refuse(exchange, StatusCodes.REQUEST_ENTITY_TOO_LARGE, "the arguments are longer than " + (LONGEST >> 20) + " MB");
+    }
+
+    private void refuse(HttpServerExchange exchange, int status, String why) {
+        forget();
+        isRefused = true;
+        exchange.setPersistent(false);
+        Guard.refuse(exchange, status, why);
+    }
+
+    private void handOn(HttpServerExchange exchange) {
+        if (!isRefused) {
+            String text = bytes.toString(StandardCharsets.UTF_8);
+            forget();
+            taker.accept(exchange, text);
+        }
+    }
+
+    private synchronized void forget() {
+        ROOM.release(bytes.size());
+        bytes.reset();
+    }
+}

@@ -1,0 +1,62 @@
+package org.myrobotlab.embedded.web;
+
+import io.undertow.websockets.core.StreamSourceFrameChannel;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.function.Consumer;
+import org.xnio.ChannelListener;
+import org.xnio.IoUtils;
+
+/**
+ * Reads one text of a web socket and hands it on when it is whole. Counts as the fragments come in: Undertow's own buffer looks at the length of a
+ * message only when its end has come. On the connection's own thread.
+ */
+final class TextReader implements ChannelListener<StreamSourceFrameChannel> {
+    private static final int PIECE = 1 << 13;
+
+    private final ByteBuffer piece = ByteBuffer.allocate(PIECE);
+    private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    private final int longest;
+    private final Consumer<String> taker;
+    private boolean isWhole;
+
+    private TextReader(int longest, Consumer<String> taker) {
+        this.longest = longest;
+        this.taker = taker;
+    }
+
+    /** Reads what is there and comes in. @param longest bytes; a longer text closes the web socket */
+    static void read(StreamSourceFrameChannel text, int longest, Consumer<String> taker) {
+        TextReader reader = new TextReader(longest, taker);
+        text.getReadSetter().set(reader);
+        reader.handleEvent(text);
+        if (!reader.isWhole) {
+            text.resumeReads();
+        }
+    }
+
+    @Override
+    public void handleEvent(StreamSourceFrameChannel text) {
+        if (isWhole) {
+            return;
+        }
+        try {
+            int length = text.read(piece);
+            while (length > 0 && bytes.size() + length <= longest) {
+                bytes.write(piece.array(), 0, length);
+                piece.clear();
+                length = text.read(piece);
+            }
+            if (length > 0) {
+                IoUtils.safeClose(text.getWebSocketChannel());
+            } else if (length < 0) {
+                isWhole = true;
+                taker.accept(bytes.toString(StandardCharsets.UTF_8));
+            }
+        } catch (IOException e) {
+            IoUtils.safeClose(text.getWebSocketChannel());
+        }
+    }
+}

@@ -1,0 +1,160 @@
+package org.myrobotlab.embedded.web;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.rules.ExternalResource;
+import org.myrobotlab.framework.Talker;
+import org.myrobotlab.service.Runtime;
+import org.myrobotlab.service.WebGui;
+
+/** A WebGui on a free port and a {@link Talker} named talker, talked to byte by byte. */
+final class Server extends ExternalResource {
+    /** So long may an answer take on a busy machine; a server that is blocked never answers. */
+    private static final int PATIENCE_MILLIS = (int) TimeUnit.SECONDS.toMillis(20);
+
+    private final boolean withToken;
+    private WebGui webGui;
+    private Talker talker;
+    private Token token;
+    private int port;
+
+    Server(boolean withToken) {
+        this.withToken = withToken;
+    }
+
+    @Override
+    protected void before() throws IOException {
+        try (ServerSocket free = new ServerSocket(0)) {
+            port = free.getLocalPort();
+        }
+        if (withToken) {
+            token = Token.require();
+        }
+        webGui = (WebGui) Runtime.create("webgui", "WebGui");
+        webGui.setPort(port);
+        webGui.getConfig().resources = List.of();
+        webGui.startService();
+        talker = (Talker) Runtime.start("talker", Talker.class.getName());
+    }
+
+    @Override
+    protected void after() {
+        Token.dismiss();
+        Runtime.releaseAll();
+    }
+
+    int port() {
+        return port;
+    }
+
+    Talker talker() {
+        return talker;
+    }
+
+    Token token() {
+        return token;
+    }
+
+    /** A connection that gives up when nothing comes. */
+    Socket connect() throws IOException {
+        Socket socket = new Socket("127.0.0.1", port);
+        socket.setSoTimeout(PATIENCE_MILLIS);
+        return socket;
+    }
+
+    /** The head of a request; a Host among the headers replaces the right one. */
+    private String head(String request, String... headers) {
+        StringBuilder head = new StringBuilder(request).append(" HTTP/1.1\r\n");
+        String all = String.join("\r\n", headers);
+        if (Arrays.stream(headers).noneMatch(one -> one.startsWith("Host:"))) {
+            head.append("Host: localhost:").append(port).append("\r\n");
+        }
+        return head.append(all).append(all.isEmpty() ? "" : "\r\n").toString();
+    }
+
+    /** Sends a request and answers the status code. @param request method and address, as "GET /" */
+    int status(String request, String body, String... headers) throws IOException {
+        try (Socket socket = connect()) {
+            byte[] bytes = body.getBytes(StandardCharsets.UTF_8);
+            send(socket, head(request, headers) + "Connection: close\r\nContent-Length: " + bytes.length + "\r\n\r\n" + body);
+            return Integer.parseInt(line(socket.getInputStream()).split(" ")[1]);
+        }
+    }
+
+    /** Begins a request whose body has not come as a whole. */
+    Socket begin(String request, String begun, String... headers) throws IOException {
+        Socket socket = connect();
+        send(socket, head(request, headers) + "\r\n" + begun);
+        return socket;
+    }
+
+    /** Opens a web socket. @return the connection after the server's answer, or null if it is refused */
+    Socket webSocket(String path, String... headers) throws IOException {
+        Socket socket = connect();
+        send(socket, head("GET " + path, headers) + "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+            + "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n");
+        boolean isOpen = line(socket.getInputStream()).startsWith("HTTP/1.1 101");
+        if (!isOpen) {
+            socket.close();
+            return null;
+        }
+        while (!line(socket.getInputStream()).isEmpty()) {
+            continue;
+        }
+        return socket;
+    }
+
+    /** The same from a page of this server. */
+    Socket webSocket() throws IOException {
+        return webSocket("/api/messages", "Origin: http://localhost:" + port);
+    }
+
+    static void send(Socket socket, String text) throws IOException {
+        socket.getOutputStream().write(text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** The bytes of a frame, masked with zeros. @param first FIN and kind, as 0x81 for a whole text */
+    static byte[] frame(int first, byte... data) {
+        ByteArrayOutputStream frame = new ByteArrayOutputStream();
+        frame.write(first);
+        frame.write(0x80 | 127);
+        for (int shift = 56; shift >= 0; shift -= 8) {
+            frame.write((int) ((long) data.length >> shift));
+        }
+        frame.writeBytes(new byte[4]);
+        frame.writeBytes(data);
+        return frame.toByteArray();
+    }
+
+    /** The next text that the server sends. */
+    static String nextText(InputStream in) throws IOException {
+        int first = in.read();
+        int length = in.read();
+        if (first != 0x81) {
+            throw new IOException("no text, but " + first + " " + length);
+        }
+        long size = length;
+        if (length >= 126) {
+            size = 0;
+            for (int i = 0; i < (length == 126 ? 2 : 8); i++) {
+                size = size << 8 | in.read();
+            }
+        }
+        return new String(in.readNBytes((int) size), StandardCharsets.UTF_8);
+    }
+
+    private static String line(InputStream in) throws IOException {
+        ByteArrayOutputStream line = new ByteArrayOutputStream();
+        for (int one = in.read(); one >= 0 && one != '\n'; one = in.read()) {
+            line.write(one);
+        }
+        return line.toString(StandardCharsets.US_ASCII).trim();
+    }
+}

@@ -1,0 +1,159 @@
+package org.myrobotlab.embedded.web;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.junit.After;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** Programs of this computer that are slow, greedy or broken don't keep others from the pages and services. */
+public class SturdyServerTest {
+    private static final String JSON = "Content-Type: application/json";
+    private static final int MANY = 20;
+    private static final int MEGABYTE = 1 << 20;
+    private static final int FRAGMENT = 0x01;
+    private static final int BYTES_FRAGMENT = 0x02;
+    private static final int MORE = 0x00;
+    private static final int TEXT = 0x81;
+
+    @Rule
+    public final Server server = new Server(false);
+    private final List<Socket> open = new ArrayList<>();
+
+    @After
+    public void close() throws IOException {
+        for (Socket one : open) {
+            one.close();
+        }
+    }
+
+    private void othersAreServed() throws Exception {
+        assertEquals(200, server.status("GET /", ""));
+        assertEquals(200, server.status("POST /api/service/talker/tick", "[]", JSON));
+        assertEquals("tick", server.talker().heard.poll(20, TimeUnit.SECONDS));
+    }
+
+    @Test
+    public void slowBodiesBlockNobody() throws Exception {
+        for (int i = 0; i < MANY; i++) {
+            open.add(server.begin("POST /api/service/talker/publishNumber", "[", JSON, "Content-Length: 3"));
+            open.add(server.begin("POST /api/service/talker/publishNumber", "1\r\n[\r\n", JSON, "Transfer-Encoding: chunked"));
+        }
+        othersAreServed();
+        Socket slow = open.get(0);
+        Server.send(slow, "7]");
+        assertEquals("a slow call is carried out when it is whole", "HTTP/1.1 200", new String(slow.getInputStream().readNBytes(12), StandardCharsets.US_ASCII));
+    }
+
+    @Test
+    public void callsThatTakeLongBlockNobody() throws Exception {
+        for (int i = 0; i < MANY; i++) {
+            open.add(server.begin("POST /api/service/talker/await", "[]", JSON, "Content-Length: 2"));
+        }
+        server.talker().awaiting(MANY);
+        othersAreServed();
+        server.talker().goOn();
+        for (Socket one : open) {
+            assertEquals("HTTP/1.1 200", new String(one.getInputStream().readNBytes(12), StandardCharsets.US_ASCII));
+        }
+    }
+
+    @Test
+    public void clientsThatNeverReadBlockNobody() throws Exception {
+        for (int i = 0; i < MANY; i++) {
+            open.add(server.begin("POST /api/service/talker/longText", "[" + 8 * MEGABYTE + "]", JSON, "Content-Length: 9"));
+        }
+        server.talker().awaiting(MANY);
+        othersAreServed();
+    }
+
+    @Test
+    public void aPageThatNeverReadsIsClosed() throws Exception {
+        Socket page = server.webSocket();
+        open.add(page);
+        CountDownLatch closed = new CountDownLatch(1);
+        Thread caller = new Thread(() -> {
+            try {
+                while (true) {
+                    page.getOutputStream().write(Server.frame(TEXT,
+                        ("{\"id\":1,\"name\":\"talker\",\"method\":\"longText\",\"data\":[" + MEGABYTE + "]}").getBytes(StandardCharsets.UTF_8)));
+                }
+            } catch (IOException e) {
+                closed.countDown();
+            }
+        }, "caller");
+        caller.setDaemon(true);
+        caller.start();
+        assertTrue("the server has closed it", closed.await(60, TimeUnit.SECONDS));
+        othersAreServed();
+    }
+
+    /** Fragments of a message that never ends. @return how many megabytes the server took */
+    private int megabytesTaken(int first) throws IOException {
+        byte[] part = new byte[MEGABYTE];
+        Arrays.fill(part, (byte) ' ');
+        Socket page = server.webSocket();
+        open.add(page);
+        int sent = 0;
+        try {
+            for (; sent < 64; sent++) {
+                page.getOutputStream().write(Server.frame(sent == 0 ? first : MORE, part));
+            }
+        } catch (IOException e) {
+            assertTrue(sent + " MB, " + e, sent > 0);
+        }
+        return sent;
+    }
+
+    @Test
+    public void unfinishedMessagesAreLimited() throws Exception {
+        int texts = megabytesTaken(FRAGMENT);
+        assertTrue(texts + " MB of text", texts < 32);
+        int bytes = megabytesTaken(BYTES_FRAGMENT);
+        assertTrue(bytes + " MB of bytes", bytes < 32);
+        othersAreServed();
+    }
+
+    /** The next text that does not list the services, which the server sends by itself. */
+    private static String answer(Socket page) throws IOException {
+        String text = Server.nextText(page.getInputStream());
+        return text.startsWith("{\"services\":") ? answer(page) : text;
+    }
+
+    @Test
+    public void jsonThatIsNoCallIsAnsweredAndThePageGoesOn() throws Exception {
+        Socket page = server.webSocket();
+        open.add(page);
+        String nested = "[".repeat(60_000) + "]".repeat(60_000);
+        String[][] cases = {{"null", "not JSON for Map: null"}, {"7", "not JSON for Map"}, {nested, "more than 500 lists"},
+            {"{\"a\":" + nested + "}", "more than 500 lists"}, {"{}", "name of a message is null"},
+            {"{\"name\":7,\"method\":\"tick\"}", "name of a message is 7, legal: a text"}, {"{\"subscribe\":\"talker\"}", "topic of a"},
+            {"{\"name\":\"talker\",\"method\":\"tick\",\"data\":5}", "ClassCastException"}};
+        for (String[] one : cases) {
+            page.getOutputStream().write(Server.frame(TEXT, one[0].getBytes(StandardCharsets.UTF_8)));
+            String answer = answer(page);
+            assertTrue(one[0].substring(0, Math.min(30, one[0].length())) + " " + answer, answer.contains("\"error\"") && answer.contains(one[1]));
+        }
+        assertEquals(404, server.status("POST /api/service/talker/half", "null", JSON));
+        assertEquals(404, server.status("POST /api/service/talker/half", nested, JSON));
+        assertEquals(404, server.status("POST /api/service/talker/half", "{\"a\":1}", JSON));
+        othersAreServed();
+    }
+
+    @Test
+    public void aCallOfMoreThanSixteenMegabytesIsRefused() throws Exception {
+        Socket socket = server.begin("POST /api/service/talker/half", "", JSON, "Content-Length: " + 17 * MEGABYTE);
+        open.add(socket);
+        assertEquals("HTTP/1.1 413", new String(socket.getInputStream().readNBytes(12), StandardCharsets.US_ASCII));
+        othersAreServed();
+    }
+}

@@ -16,6 +16,8 @@ public final class SimulationRunner implements Runnable {
     /** A delay longer than this is not caught up, ns. */
     private static final long LONGEST_DELAY = 250_000_000L;
     private static final double NANOS = 1e9;
+    /** By which sums of steps may miss the time that was asked for, s. */
+    private static final double ROUNDING = Simulation.STEP / 1000;
     /** Real time over which the speed is measured, ns, and how often. */
     private static final long SPEED_WINDOW = 1_000_000_000L;
     private static final int SPEED_SAMPLES = 8;
@@ -216,13 +218,19 @@ public final class SimulationRunner implements Runnable {
         }
     }
 
-    /** Waits until simulated time has reached {@code seconds}, or the run has ended. */
-    public void await(double seconds) throws InterruptedException {
-        notOnSimulationThread("await");
+    /** Simulated seconds that this has advanced the world by. A reset changes nothing about it. */
+    public double getAdvancedTime() {
+        return done * Simulation.STEP;
+    }
+
+    /** Waits so many simulated seconds, whether the world is reset meanwhile or not, or until the run has ended. */
+    public void sleep(double seconds) throws InterruptedException {
+        notOnSimulationThread("sleep");
         lock.lock();
         waiting++;
         try {
-            while (simulation.snapshot().time < seconds && !ended) {
+            double end = getAdvancedTime() + seconds - ROUNDING;
+            while (getAdvancedTime() < end && !ended) {
                 progress.await();
             }
         } finally {

@@ -57,7 +57,7 @@ public class RunnerTest {
         runner.setSpeed(4);
         thread.start();
         long begin = System.nanoTime();
-        runner.await(4);
+        runner.sleep(4);
         double seconds = (System.nanoTime() - begin) / 1e9;
         assertEquals(1, seconds, 0.3);
         assertEquals(4, runner.getMeasuredSpeed(), 1.5);
@@ -68,7 +68,7 @@ public class RunnerTest {
         runner.setSpeed(Double.POSITIVE_INFINITY);
         thread.start();
         long begin = System.nanoTime();
-        runner.await(60);
+        runner.sleep(60);
         assertTrue((System.nanoTime() - begin) / 1e9 < 6);
     }
 
@@ -78,7 +78,7 @@ public class RunnerTest {
         runner.getSimulation().post(world -> {
             throw new IllegalStateException("no such thing");
         });
-        runner.await(0.1);
+        runner.sleep(0.1);
         assertTrue(runner.getSimulation().snapshot().warnings.toString().contains("no such thing"));
         Future<Object> answer = runner.getSimulation().ask(world -> world.read("nobody"));
         try {
@@ -95,7 +95,7 @@ public class RunnerTest {
         thread.start();
         runner.advance(1);
         runner.stop();
-        runner.await(100);
+        runner.sleep(100);
         try {
             runner.getSimulation().ask(Simulation::getTime).get(5, TimeUnit.SECONDS);
             assertTrue("an ended simulation answered", false);

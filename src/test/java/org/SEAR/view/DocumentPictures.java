@@ -69,7 +69,7 @@ public final class DocumentPictures {
 
     private static void drive(Views view, double seconds) throws InterruptedException {
         SimulationRunner runner = view.world.runner;
-        runner.await(view.world.snapshot().time + seconds);
+        runner.sleep(seconds);
         runner.setPaused(true);
     }
 

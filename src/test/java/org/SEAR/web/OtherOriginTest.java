@@ -92,8 +92,8 @@ public class OtherOriginTest {
                 .replace("]", ", &quot;") + "' value='&quot;]'></form><script>document.forms[0].submit()</script>",
             "fetch", "<script>fetch('" + api() + "', {method: 'POST', headers: {'Content-Type': 'application/json'}, body: '"
                 + json("fetch").replace("'", "\\'") + "'})" + done + "</script>",
-            "simplefetch", "<script>fetch('" + api() + "', {method: 'POST', mode: 'no-cors', body: '" + json("simplefetch").replace("'", "\\'") + "'})"
-                + done + "</script>",
+            "simplefetch", "<script>fetch('" + api() + "', {method: 'POST', mode: 'no-cors', body: '"
+                + json("simplefetch").replace("'", "\\'") + "'})" + done + "</script>",
             "getfetch", "<script>fetch('" + call("getfetch") + "', {mode: 'no-cors'})" + done + "</script>",
             "put", "<script>fetch('" + api() + "', {method: 'PUT', body: '" + json("put").replace("'", "\\'") + "'})" + done + "</script>",
             "socket", "<script>var s = new WebSocket('" + api().replace("http:", "ws:").replace("service/python/exec", "messages") + "');"
@@ -120,8 +120,8 @@ public class OtherOriginTest {
         browser.until("the link", () -> !browser.driver().getCurrentUrl().endsWith("/link"));
         browser.driver().get(evil("form"));
         browser.until("the form", () -> !browser.driver().getCurrentUrl().endsWith("/form"));
-        for (String file : new String[] {"image", "script", "frame", "fetch", "simplefetch", "getfetch", "put", "socket", "redirect", "address", "link",
-            "form"}) {
+        for (String file : new String[] {"image", "script", "frame", "fetch", "simplefetch", "getfetch", "put", "socket", "redirect", "address",
+            "link", "form"}) {
             assertFalse(file + " ran code", Files.exists(robotLab.file(file)));
         }
     }

@@ -1,6 +1,8 @@
 package org.myrobotlab.service;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
 
 import java.io.ByteArrayOutputStream;
@@ -9,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicReference;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
@@ -38,6 +41,9 @@ public class LockStepTest {
         "    roombaLine.write(0)",
         "result = str(seen) + str(list(sear.getPose('roomba')))",
         "sear.stopSimulation()");
+
+    /** Milliseconds; nothing here takes as long, even on a busy machine. */
+    private static final long PATIENCE = 20_000;
 
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();
@@ -93,6 +99,71 @@ public class LockStepTest {
     @Test
     public void everyByteToThePortsIsTheSame() throws Exception {
         assertEquals(bytesOfARun(), bytesOfARun());
+    }
+
+    /** Pauses and resets while a script sleeps for two seconds. @param lockStep whether only the sleep advances time */
+    private void resetWhileAScriptSleeps(boolean lockStep, double speed) throws Exception {
+        SEAR sear = (SEAR) Runtime.start("sear", "SEAR");
+        sear.startSimulation();
+        sear.setLockStep(lockStep);
+        sear.simSleep(30);
+        sear.setSpeed(speed);
+        AtomicReference<Object> end = new AtomicReference<>();
+        Thread script = new Thread(() -> {
+            try {
+                sear.simSleep(2);
+                end.set(sear.getTime());
+            } catch (RuntimeException e) {
+                end.set(e);
+            }
+        }, "sleeper");
+        script.start();
+        while (sear.getTime() < 30.2) {
+            Thread.onSpinWait();
+        }
+        sear.pause();
+        double slept = sear.getTime() - 30;
+        sear.reset();
+        assertEquals(0, sear.getTime(), 1e-9);
+        sear.resume();
+        script.join(PATIENCE);
+        assertFalse("still asleep at " + sear.getTime(), script.isAlive());
+        assertTrue(String.valueOf(end.get()), end.get() instanceof Double);
+        assertEquals("the rest of the sleep", 2 - slept, (Double) end.get(), lockStep ? 0.02 : 1);
+        sear.stopSimulation();
+    }
+
+    @Test
+    public void aSleepInLockStepOutlivesPauseAndReset() throws Exception {
+        for (int i = 0; i < 3; i++) {
+            resetWhileAScriptSleeps(true, 1);
+        }
+    }
+
+    @Test
+    public void aSleepInRealTimeIsRelativeToAReset() throws Exception {
+        resetWhileAScriptSleeps(false, 1);
+    }
+
+    @Test
+    public void pauseResetAndResumeWhileASleeperWaitsForTheEndOfThePause() throws Exception {
+        SEAR sear = (SEAR) Runtime.start("sear", "SEAR");
+        sear.startSimulation();
+        sear.pause();
+        AtomicReference<Throwable> failure = new AtomicReference<>();
+        Thread script = new Thread(() -> sear.simSleep(1), "sleeper");
+        script.setUncaughtExceptionHandler((thread, e) -> failure.set(e));
+        script.start();
+        while (script.getState() != Thread.State.TIMED_WAITING) {
+            Thread.onSpinWait();
+        }
+        sear.reset();
+        sear.resume();
+        script.join(PATIENCE);
+        assertFalse("still asleep", script.isAlive());
+        assertNull(String.valueOf(failure.get()), failure.get());
+        assertEquals(1, sear.getTime(), 1e-9);
+        sear.stopSimulation();
     }
 
     private String bytesOfARun() throws Exception {

@@ -66,12 +66,14 @@ public class WebGuiTest {
 
     private HttpResponse<String> post(String path, String body) throws IOException, InterruptedException {
         URI uri = URI.create("http://localhost:" + port + path);
-        return client.send(HttpRequest.newBuilder(uri).header("Content-Type", "application/json").POST(HttpRequest.BodyPublishers.ofString(body)).build(),
-            HttpResponse.BodyHandlers.ofString());
+        return client.send(HttpRequest.newBuilder(uri).header("Content-Type", "application/json")
+            .POST(HttpRequest.BodyPublishers.ofString(body)).build(), HttpResponse.BodyHandlers.ofString());
     }
 
     private WebSocket open() {
-        return client.newWebSocketBuilder().header("Origin", "http://localhost:" + port).buildAsync(URI.create("ws://localhost:" + port + "/api/messages"), new WebSocket.Listener() {
+        String host = "localhost:" + port;
+        return client.newWebSocketBuilder().header("Origin", "http://" + host).buildAsync(URI.create("ws://" + host + "/api/messages"),
+                new WebSocket.Listener() {
             private final StringBuilder text = new StringBuilder();
 
             @Override

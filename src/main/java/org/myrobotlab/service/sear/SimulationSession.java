@@ -29,9 +29,9 @@ public final class SimulationSession {
     private static final long READER_PATIENCE = TimeUnit.MILLISECONDS.toNanos(50);
     private static final long READER_LOOK = TimeUnit.MICROSECONDS.toNanos(100);
     private static final long LOOK_AFTER_SLEEPERS = 1;
-    /** Within this of its target a sleep has ended: the sum of steps is not exact. Seconds. */
-    private static final double NEARLY = Simulation.STEP / 1000;
     private static final long SCRIPT_DRIVES = TimeUnit.SECONDS.toNanos(1);
+    /** By which sums of steps may miss the time that was asked for, s. */
+    private static final double ROUNDING = Simulation.STEP / 1000;
     private static final long THREAD_END = TimeUnit.SECONDS.toMillis(10);
 
     private final Host host;
@@ -44,12 +44,15 @@ public final class SimulationSession {
     private final Pace pace;
     private final PortQuiet quiet;
     private final Object stepping = new Object();
+    /** Where sleepers wait for the end of a pause. */
+    private final Object pauseEnds = new Object();
     private volatile SimulationClock clock;
     private volatile boolean lockStep;
     private volatile boolean paused;
     private volatile boolean ended;
     private boolean stopped;
     private volatile Throwable failure;
+    /** Up to where the script has slept: {@link SimulationRunner#getAdvancedTime} without rounding to steps. */
     private volatile double scriptTime;
     private final Callers callers = new Callers();
     private final Set<String> told = new HashSet<>();
@@ -127,7 +130,7 @@ public final class SimulationSession {
             failure = e;
         } finally {
             ended = true;
-            clock.wake();
+            wakeSleepers();
         }
         if (failure != null) {
             closeLines();
@@ -178,7 +181,7 @@ public final class SimulationSession {
         }
         ended = true;
         clock.uninstall();
-        clock.wake();
+        wakeSleepers();
         memoryWatch.close();
         closeLines();
         simulation.close();
@@ -267,7 +270,7 @@ public final class SimulationSession {
         }
     }
 
-    /** Waits so long in simulated time; in lock-step it makes that time pass. */
+    /** Waits so long in simulated time, whether it is reset meanwhile or not; in lock-step it makes that time pass. */
     public void simSleep(double seconds) throws InterruptedException {
         if (!(seconds >= 0) || Double.isInfinite(seconds)) {
             throw new IllegalArgumentException("simSleep of " + seconds + " s, legal: 0 or more");
@@ -275,26 +278,26 @@ public final class SimulationSession {
         if (lockStep) {
             sleepInLockStep(seconds);
         } else {
-            runner.await(time() + seconds);
+            runner.sleep(seconds);
         }
         checkRunning();
         tellWarnings();
     }
 
     private void sleepInLockStep(double seconds) throws InterruptedException {
-        double start = time();
+        double start = runner.getAdvancedTime();
         double base = scriptTime <= start && scriptTime > start - Simulation.STEP ? scriptTime : start;
         double target = base + seconds;
         scriptTime = target;
         pace.begin(start);
-        whileSleeping(target - NEARLY, () -> {
+        whileSleeping(target - ROUNDING, () -> {
             synchronized (stepping) {
                 quiet.settle();
             }
-            while (time() < target - NEARLY) {
-                awaitResume(target - NEARLY);
-                stepIfBefore(target - NEARLY);
-                pace.await(time());
+            while (runner.getAdvancedTime() < target - ROUNDING) {
+                awaitResume(target - ROUNDING);
+                stepIfBefore(target - ROUNDING);
+                pace.await(runner.getAdvancedTime());
             }
         });
     }
@@ -311,7 +314,7 @@ public final class SimulationSession {
     private void stepIfBefore(double target) throws InterruptedException {
         checkRunning();
         synchronized (stepping) {
-            if (time() < target) {
+            if (runner.getAdvancedTime() < target) {
                 oneStep();
             }
         }
@@ -330,7 +333,7 @@ public final class SimulationSession {
             quiet.disturb();
         }
         quiet.settle();
-        while (callers.othersAreDue(time()) && !ended) {
+        while (callers.othersAreDue(runner.getAdvancedTime()) && !ended) {
             quiet.disturb();
             stepping.wait(LOOK_AFTER_SLEEPERS);
         }
@@ -338,11 +341,18 @@ public final class SimulationSession {
     }
 
     private void awaitResume(double target) throws InterruptedException {
-        synchronized (clock) {
-            while (paused && !ended && time() < target) {
-                clock.wait(LOOK_AFTER_THREAD);
+        synchronized (pauseEnds) {
+            while (paused && !ended && runner.getAdvancedTime() < target) {
+                pauseEnds.wait(LOOK_AFTER_THREAD);
             }
         }
+    }
+
+    private void wakeSleepers() {
+        synchronized (pauseEnds) {
+            pauseEnds.notifyAll();
+        }
+        clock.wake();
     }
 
     /** Advances by so many steps; pauses a simulation whose time runs by itself. */
@@ -353,9 +363,9 @@ public final class SimulationSession {
         if (!lockStep && !paused) {
             pause();
         }
-        double target = time() + steps * Simulation.STEP - NEARLY;
+        double target = runner.getAdvancedTime() + steps * Simulation.STEP - ROUNDING;
         whileSleeping(target, () -> {
-            while (time() < target) {
+            while (runner.getAdvancedTime() < target) {
                 stepIfBefore(target);
             }
         });
@@ -374,7 +384,7 @@ public final class SimulationSession {
     public void resume() {
         paused = false;
         runner.setPaused(lockStep);
-        clock.wake();
+        wakeSleepers();
     }
 
     /** Whether {@link #pause} holds. */
@@ -395,7 +405,7 @@ public final class SimulationSession {
                 return true;
             });
             forgetWarnings();
-            scriptTime = 0;
+            scriptTime = runner.getAdvancedTime();
             SimulationClock fresh = new SimulationClock(simulation, lockStep);
             clock.moveTickersTo(fresh);
             fresh.install();

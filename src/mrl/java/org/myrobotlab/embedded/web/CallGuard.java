@@ -34,7 +34,8 @@ final class CallGuard implements HttpHandler {
     static HttpHandler calls(HttpHandler next, Token token) {
         return new CallGuard(exchange -> {
             if (Guard.is(exchange, Methods.POST) && !isJson(exchange.getRequestHeaders().getFirst(Headers.CONTENT_TYPE))) {
-                Guard.refuse(exchange, StatusCodes.UNSUPPORTED_MEDIA_TYPE, "a call is a list of arguments as JSON, with the header Content-Type: " + JSON);
+                Guard.refuse(exchange, StatusCodes.UNSUPPORTED_MEDIA_TYPE,
+                    "a call is a list of arguments as JSON, with the header Content-Type: " + JSON);
             } else {
                 next.handleRequest(exchange);
             }

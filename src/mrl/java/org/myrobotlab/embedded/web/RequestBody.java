@@ -11,8 +11,8 @@ import org.xnio.IoUtils;
 import org.xnio.XnioExecutor;
 
 /**
- * Receives the body of one request without a thread that waits for it, and hands it on when it is whole. What all bodies together hold while they come
- * in is limited, as is the time that each may take.
+ * Receives the body of one request without a thread that waits for it, and hands it on when it is whole. What all bodies together hold while they
+ * come in is limited, as is the time that each may take.
  */
 final class RequestBody {
     /** Of one body, bytes. */

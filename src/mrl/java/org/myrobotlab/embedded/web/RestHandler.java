@@ -6,6 +6,7 @@ import io.undertow.util.Headers;
 import io.undertow.util.Methods;
 import io.undertow.util.StatusCodes;
 import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -17,8 +18,8 @@ import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.service.Runtime;
 
 /**
- * Calls over HTTP: {@code POST /api/service/NAME/METHOD} with a JSON list of arguments as body; the answer is JSON. {@code GET /api/service} lists the
- * services, {@code GET /api/service/NAME} is a service's state, and {@code GET /api/service/NAME/METHOD/ARG/...} answers what a few methods read.
+ * Calls over HTTP: {@code POST /api/service/NAME/METHOD} with a JSON list of arguments as body; the answer is JSON. {@code GET /api/service} lists
+ * the services, {@code GET /api/service/NAME} is a service's state, and {@code GET /api/service/NAME/METHOD/ARG/...} answers what a few methods read.
  */
 final class RestHandler implements HttpHandler {
     /** Methods that change nothing, whatever service has them. */
@@ -126,7 +127,8 @@ final class RestHandler implements HttpHandler {
     private static Object call(ServiceInterface service, String name, List<?> json) {
         Object[] arguments = JsonCall.arguments(service.getClass(), name, json);
         try {
-            return org.myrobotlab.embedded.Methods.call(service, org.myrobotlab.embedded.Methods.find(service.getClass(), name, arguments), arguments);
+            Method method = org.myrobotlab.embedded.Methods.find(service.getClass(), name, arguments);
+            return org.myrobotlab.embedded.Methods.call(service, method, arguments);
         } catch (InvocationTargetException e) {
             throw new IllegalStateException(service.getName() + "." + name + ": " + Reasons.of(e), e);
         }

@@ -42,6 +42,10 @@ public class SturdyServerTest {
         assertEquals("tick", server.talker().heard.poll(20, TimeUnit.SECONDS));
     }
 
+    private static String start(Socket socket) throws IOException {
+        return new String(socket.getInputStream().readNBytes("HTTP/1.1 200".length()), StandardCharsets.US_ASCII);
+    }
+
     @Test
     public void slowBodiesBlockNobody() throws Exception {
         for (int i = 0; i < MANY; i++) {
@@ -51,7 +55,7 @@ public class SturdyServerTest {
         othersAreServed();
         Socket slow = open.get(0);
         Server.send(slow, "7]");
-        assertEquals("a slow call is carried out when it is whole", "HTTP/1.1 200", new String(slow.getInputStream().readNBytes(12), StandardCharsets.US_ASCII));
+        assertEquals("a slow call is carried out when it is whole", "HTTP/1.1 200", start(slow));
     }
 
     @Test
@@ -63,7 +67,7 @@ public class SturdyServerTest {
         othersAreServed();
         server.talker().goOn();
         for (Socket one : open) {
-            assertEquals("HTTP/1.1 200", new String(one.getInputStream().readNBytes(12), StandardCharsets.US_ASCII));
+            assertEquals("HTTP/1.1 200", start(one));
         }
     }
 
@@ -153,7 +157,7 @@ public class SturdyServerTest {
     public void aCallOfMoreThanSixteenMegabytesIsRefused() throws Exception {
         Socket socket = server.begin("POST /api/service/talker/half", "", JSON, "Content-Length: " + 17 * MEGABYTE);
         open.add(socket);
-        assertEquals("HTTP/1.1 413", new String(socket.getInputStream().readNBytes(12), StandardCharsets.US_ASCII));
+        assertEquals("HTTP/1.1 413", start(socket));
         othersAreServed();
     }
 }

@@ -52,15 +52,16 @@ public class WhoMayCallTest {
     @Test
     public void whatAFormOrABeaconCanSendIsNoCall() throws Exception {
         assertEquals(415, post());
-        for (String type : new String[] {"application/x-www-form-urlencoded", "multipart/form-data; boundary=x", "text/plain", "text/plain; a=application/json",
-            "application/jsonp", ""}) {
+        for (String type : new String[] {"application/x-www-form-urlencoded", "multipart/form-data; boundary=x", "text/plain",
+            "text/plain; a=application/json", "application/jsonp", ""}) {
             assertEquals(type, 415, post("Content-Type: " + type));
         }
     }
 
     @Test
     public void otherHostsAndOriginsAreRefused() throws Exception {
-        for (String origin : new String[] {"http://evil.example", "null", "https://localhost:" + server.port(), "http://localhost:" + (server.port() + 1),
+        for (String origin : new String[] {"http://evil.example", "null", "https://localhost:" + server.port(),
+            "http://localhost:" + (server.port() + 1),
             "http://localhost", "http://127.0.0.1:" + server.port(), own() + ".evil.example", ""}) {
             assertEquals(origin, 403, post(JSON, "Origin: " + origin));
         }

@@ -202,9 +202,9 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
         }
     }
 
-    function ringStep(reach) {
+    function ringStep(radius) {
         for (var i = 0; i < RING_STEPS.length; i++) {
-            if (reach / RING_STEPS[i] <= MOST_RINGS) {
+            if (radius / RING_STEPS[i] <= MOST_RINGS) {
                 return RING_STEPS[i]
             }
         }

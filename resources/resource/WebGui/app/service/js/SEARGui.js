@@ -473,7 +473,7 @@
         }
 
         this.onMsg = function(inMsg) {
-            var handler = handlers.hasOwnProperty(inMsg.method) && handlers[inMsg.method]
+            var handler = Object.prototype.hasOwnProperty.call(handlers, inMsg.method) && handlers[inMsg.method]
             if (handler) {
                 handler(inMsg.data && inMsg.data[0])
                 if (handler !== onSimulation) {     // which may come faster than the screen is drawn

@@ -100,7 +100,7 @@ public class ReadmeTest {
         Process process = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
             System.getProperty("sear.cliClasspath"), "org.SEAR.cli.SearCommand", file.toString(), "--headless", "--speed", "max", "--port", "none")
             .directory(folder.getRoot()).redirectErrorStream(true).redirectOutput(output.toFile()).start();
-        assertTrue("the script ends", process.waitFor(120, TimeUnit.SECONDS));
+        assertTrue("the script ends", process.waitFor(240, TimeUnit.SECONDS));
         String text = Files.readString(output, StandardCharsets.UTF_8);
         assertEquals(text, 0, process.exitValue());
         return text;

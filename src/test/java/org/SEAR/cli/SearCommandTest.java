@@ -37,7 +37,7 @@ public class SearCommandTest {
             "-Dfile.encoding=UTF-8", "-cp", System.getProperty("sear.cliClasspath"), "org.SEAR.cli.SearCommand"));
         command.addAll(Arrays.asList(arguments));
         Process process = new ProcessBuilder(command).directory(folder.getRoot()).redirectOutput(outFile).redirectError(errFile).start();
-        assertTrue("sear hangs", process.waitFor(60, TimeUnit.SECONDS));
+        assertTrue("sear hangs", process.waitFor(240, TimeUnit.SECONDS));
         out = Files.readString(outFile.toPath());
         err = Files.readString(errFile.toPath());
         return process.exitValue();

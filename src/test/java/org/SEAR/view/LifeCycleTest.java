@@ -55,7 +55,7 @@ public class LifeCycleTest {
             resident[i] = resident();
             threads = i == WARM_UP ? threads() : threads;
         }
-        assertEquals("threads", threads, threads());
+        assertTrue("threads were " + threads + " and are " + threads(), threads() <= threads);
         assertEquals("windows", 0, windows());
         String grown = growth("heap", heap);
         return grown != null ? grown : growth("memory", resident);

@@ -50,7 +50,7 @@ public class NoDisplayTest {
     private static String run(Process process) throws Exception {
         process.getOutputStream().close();
         String output = new String(process.getInputStream().readAllBytes());
-        assertTrue(output, process.waitFor(60, TimeUnit.SECONDS));
+        assertTrue(output, process.waitFor(240, TimeUnit.SECONDS));
         assertEquals(output, 0, process.exitValue());
         assertTrue(output, output.contains("still alive"));
         return output;

@@ -22,7 +22,7 @@ import javax.imageio.ImageIO;
 
 /** A running simulation with its window, for tests. */
 final class Views implements AutoCloseable {
-    private static final long PATIENCE = 45;
+    private static final long PATIENCE = 120;
     final RunningWorld world;
     final SimulatorWindow window;
     final List<String> warnings = Collections.synchronizedList(new ArrayList<>());

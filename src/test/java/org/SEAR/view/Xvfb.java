@@ -60,7 +60,7 @@ final class Xvfb implements AutoCloseable {
     public void close() {
         server.destroy();
         try {
-            if (!server.waitFor(10, TimeUnit.SECONDS)) {
+            if (!server.waitFor(60, TimeUnit.SECONDS)) {
                 server.destroyForcibly();
             }
         } catch (InterruptedException e) {

@@ -86,7 +86,7 @@ public class MessagesTest {
         assertEquals(1.5, b.invoke("half", 3L));
     }
 
-    @Test(timeout = 10_000)
+    @Test(timeout = 60_000)
     public void aBlockingCallEndsWithItsTimeout() throws InterruptedException {
         try {
             a.sendBlocking("nobody", 50, "half", 1.0);
@@ -153,7 +153,7 @@ public class MessagesTest {
         a.failInHook(true);
         b.send("a", "tick");
         assertEquals("IllegalStateException: hook", ((Status) b.next()).key);
-        thread.join(TimeUnit.SECONDS.toMillis(5));
+        thread.join(TimeUnit.SECONDS.toMillis(60));
         assertFalse(thread.isAlive());
     }
 

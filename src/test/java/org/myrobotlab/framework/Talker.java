@@ -24,9 +24,9 @@ public class Talker extends Service<ServiceConfig> {
 
     /** Waits for what comes in next. */
     Object next() throws InterruptedException {
-        Object value = heard.poll(5, TimeUnit.SECONDS);
+        Object value = heard.poll(60, TimeUnit.SECONDS);
         if (value == null) {
-            throw new AssertionError(getName() + " heard nothing for 5 s");
+            throw new AssertionError(getName() + " heard nothing for 60 s");
         }
         return value;
     }

@@ -12,7 +12,7 @@ import org.myrobotlab.service.interfaces.SerialDataListener;
 
 /** What sits at the far end of a cable in a test, in place of a device. */
 final class FarEnd implements SerialDataListener, AutoCloseable {
-    private static final long PATIENCE = TimeUnit.SECONDS.toNanos(20);
+    private static final long PATIENCE = TimeUnit.SECONDS.toNanos(60);
 
     private final VirtualSerialPort device;
     private final VirtualSerialPort user;

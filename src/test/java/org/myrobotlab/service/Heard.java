@@ -11,7 +11,7 @@ import org.myrobotlab.service.config.ServiceConfig;
 /** A service that keeps what others publish to it, to be waited for. */
 public class Heard extends Service<ServiceConfig> {
     private static final long serialVersionUID = 1L;
-    private static final long PATIENCE = TimeUnit.SECONDS.toNanos(20);
+    private static final long PATIENCE = TimeUnit.SECONDS.toNanos(60);
 
     private final transient List<Object> values = new ArrayList<>();
     private final transient List<String> statuses = new ArrayList<>();

@@ -25,7 +25,7 @@ import org.myrobotlab.serial.SerialDeviceFactory;
 /** Whatever ends a SEAR service, no thread, port or server of it is left, and another can follow. */
 public class LifeTest {
     private static final double STRAIGHT = Double.POSITIVE_INFINITY;
-    private static final int PATIENCE = 20;
+    private static final int PATIENCE = 60;
 
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();

@@ -99,7 +99,7 @@ public class PythonTest {
         String traceback = python.getLastError().key;
         assertEquals("Traceback (most recent call last):\n  File \"" + script + "\", line 5, in <module>\n    f()\n  File \"" + script
             + "\", line 3, in f\n    return 1 / 0\nZeroDivisionError: integer division or modulo by zero", traceback);
-        assertEquals("released " + traceback + "\n", talker.heard.poll(5, TimeUnit.SECONDS));
+        assertEquals("released " + traceback + "\n", talker.heard.poll(60, TimeUnit.SECONDS));
         assertFalse(python.exec("if True print 1"));
         assertTrue(python.getLastError().key, python.getLastError().key.contains("SyntaxError"));
         assertFalse(python.exec("Runtime.getService('talker').fail()"));
@@ -122,15 +122,15 @@ public class PythonTest {
         talker.addListener("publishNumber", "python", "nix");
         talker.invoke("publishNumber", 1);
         assertEquals("python error talker.publishNumber calls back nix, but the script has no function of that name",
-            talker.heard.poll(5, TimeUnit.SECONDS).toString());
+            talker.heard.poll(60, TimeUnit.SECONDS).toString());
     }
 
     @Test
     public void whatScriptsPrintIsPublishedByLine() throws InterruptedException {
         talker.subscribe("python", "publishStdOut", "onReleased");
         assertTrue(python.exec("print 'one', 2\nprint u'\u00fc'"));
-        assertEquals("released one 2\n", talker.heard.poll(5, TimeUnit.SECONDS));
-        assertEquals("released \u00fc\n", talker.heard.poll(5, TimeUnit.SECONDS));
+        assertEquals("released one 2\n", talker.heard.poll(60, TimeUnit.SECONDS));
+        assertEquals("released \u00fc\n", talker.heard.poll(60, TimeUnit.SECONDS));
     }
 
     @Test
@@ -141,7 +141,7 @@ public class PythonTest {
             + "assert wrong == [], wrong\nsys.stdout.writelines(['a', u'b'])\nsys.stdout.flush()\nsys.stderr.write('c\\n')"));
     }
 
-    @Test(timeout = 30_000)
+    @Test(timeout = 120_000)
     public void stopBreaksOffEndlessLoopsAndSleeps() throws InterruptedException {
         for (String endless : new String[] {"while True: n = 1", "sleep(1000)"}) {
             CountDownLatch ended = new CountDownLatch(1);

@@ -243,19 +243,8 @@ public class SearServiceTest {
         sear.addListener("publishReading", "searStatus", "onValue");
         heard.await(2);
         Runtime.releaseService("testSear");
-        script.join(10_000);
+        script.join(60_000);
         assertEquals("the simulation was stopped", end[0]);
-    }
-
-    @Test
-    public void lockStepKeepsToASpeedThatWasAskedFor() {
-        sear.setSpeed(4);
-        sear.startSimulation();
-        long start = System.nanoTime();
-        sear.simSleep(2);
-        double seconds = (System.nanoTime() - start) / 1e9;
-        assertTrue("took " + seconds, seconds > 0.45);
-        assertEquals(2, sear.getTime(), 1e-6);
     }
 
     @Test
@@ -290,7 +279,7 @@ public class SearServiceTest {
         assertFalse(serial.isConnected());
         assertNull(SerialDeviceFactory.get(TestWorld.ROOMBA_PORT));
         Runtime.releaseService("testSear");
-        long end = System.nanoTime() + 10_000_000_000L;
+        long end = System.nanoTime() + 60_000_000_000L;
         while (!TestWorld.threads().isEmpty() && System.nanoTime() < end) {
             Thread.onSpinWait();
         }
@@ -465,23 +454,6 @@ public class SearServiceTest {
         String copy = sear.copyTemplate("controller.py", folder.toString());
         assertTrue(Files.readString(Path.of(copy)).startsWith("# controller.py"));
         assertFails("exists already", () -> sear.copyTemplate("controller.py", folder.toString()));
-    }
-
-    @Test
-    public void withoutLockStepTimeRunsByItself() throws Exception {
-        System.setProperty("sear.speed", "20");
-        sear.startSimulation();
-        long start = System.nanoTime();
-        sear.simSleep(4);
-        double seconds = (System.nanoTime() - start) / 1e9;
-        assertTrue("took " + seconds, seconds > 0.1 && seconds < 4);
-        assertTrue(sear.getTime() >= 4);
-        sear.pause();
-        double time = sear.getTime();
-        sear.step(3);
-        assertEquals(time + 0.05, sear.getTime(), 1e-6);
-        sear.resume();
-        sear.simSleep(1);
     }
 
     @Test

@@ -73,8 +73,8 @@ public class SerialTest {
     @Test
     public void bytesGoBothWays() throws Exception {
         user.connect("/dev/v0", 9600, 8, 1, 0);
-        user.setTimeout(5000);
-        uart.setTimeout(5000);
+        user.setTimeout(60_000);
+        uart.setTimeout(60_000);
         user.write(0x1FF);
         user.write("abc");
         user.write(new byte[] {-1, 0});
@@ -122,7 +122,7 @@ public class SerialTest {
     public void aListenerCountsFromTheNextConnectOn() throws Exception {
         Keeper late = (Keeper) Runtime.start("late", Keeper.class.getName());
         late.wanted = 1;
-        user.setTimeout(5000);
+        user.setTimeout(60_000);
         user.connect("/dev/v0");
         user.addByteListener(late);
         uart.write(1);
@@ -131,7 +131,7 @@ public class SerialTest {
         user.disconnect();
         user.connect("/dev/v0");
         uart.write(2);
-        assertTrue(late.enough.await(5, TimeUnit.SECONDS));
+        assertTrue(late.enough.await(60, TimeUnit.SECONDS));
         assertArrayEquals(new byte[] {2}, late.bytes.toByteArray());
     }
 

@@ -124,7 +124,7 @@ public class ThirdPartyDriversTest {
         assertTrue("rawlog-grabber ended by itself: " + output, grabber.isAlive());
         grabber.getOutputStream().write('\n');
         grabber.getOutputStream().flush();
-        assertTrue("rawlog-grabber ends at a key", grabber.waitFor(20, TimeUnit.SECONDS));
+        assertTrue("rawlog-grabber ends at a key", grabber.waitFor(60, TimeUnit.SECONDS));
         Path log = only("log*.rawlog", output);
         run(new ProcessBuilder("rawlog-edit", "--export-2d-scans-txt", "-i", log.getFileName().toString(), "--out-dir", "."), output);
         Path scans = only("*LASER*.txt", output, "times");

@@ -92,8 +92,8 @@ public class WebGuiTest {
     /** The next message that has such a key. */
     private Map<?, ?> next(String key) throws InterruptedException {
         while (true) {
-            Map<?, ?> message = messages.poll(10, TimeUnit.SECONDS);
-            assertTrue("no message with " + key + " came for 10 s", message != null);
+            Map<?, ?> message = messages.poll(60, TimeUnit.SECONDS);
+            assertTrue("no message with " + key + " came for 60 s", message != null);
             if (message.containsKey(key)) {
                 return message;
             }
@@ -204,9 +204,9 @@ public class WebGuiTest {
 
     /** How many topics of the talker are listened to for pages; waits until there are so many. */
     private void waitForTopics(int wanted) {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(10);
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
         while (talker.getOutbox().getAttached("publishNumber").size() + talker.getOutbox().getAttached("publishState").size() != wanted) {
-            assertTrue("not " + wanted + " for 10 s: " + talker.getNotifyList(), System.nanoTime() < end);
+            assertTrue("not " + wanted + " for 60 s: " + talker.getNotifyList(), System.nanoTime() < end);
             Thread.onSpinWait();
         }
     }

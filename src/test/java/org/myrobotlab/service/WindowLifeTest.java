@@ -22,7 +22,7 @@ import org.myrobotlab.serial.SerialDeviceFactory;
 /** Whatever ends a SEAR service whose simulation shows a window, neither the window nor a thread or port of it is left, and another can follow. */
 @RunWith(UnderXvfb.class)
 public class WindowLifeTest {
-    private static final long PATIENCE = 45;
+    private static final long PATIENCE = 120;
     private SEAR sear;
 
     @Before

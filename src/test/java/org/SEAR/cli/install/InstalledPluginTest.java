@@ -33,7 +33,7 @@ import org.junit.rules.TemporaryFolder;
  * command line, and used over its WebGui alone.
  */
 public class InstalledPluginTest {
-    private static final int PATIENCE = 60;
+    private static final int PATIENCE = 120;
     private static final String THREADS = "from java.lang import Thread\n"
         + "print 'threads:' + ','.join([t.getName() for t in Thread.getAllStackTraces().keySet()])\n";
 

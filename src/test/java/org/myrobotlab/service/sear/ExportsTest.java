@@ -31,7 +31,7 @@ import org.myrobotlab.service.interfaces.SerialDataListener;
 
 /** Any program of the computer can open a virtual port, and come and go. */
 public class ExportsTest {
-    private static final long PATIENCE = TimeUnit.SECONDS.toNanos(20);
+    private static final long PATIENCE = TimeUnit.SECONDS.toNanos(60);
 
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();

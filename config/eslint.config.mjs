@@ -1,0 +1,39 @@
+// The panels are ES 5 scripts for AngularJS 1.5, without semicolons; browsers give what is in globals.
+import js from '@eslint/js'
+
+const browser = ['angular', 'clearInterval', 'clearTimeout', 'console', 'document', 'location', 'navigator', 'setInterval', 'setTimeout', 'window',
+    'FileReader', 'WebSocket', 'Blob', 'URL', 'XMLHttpRequest', 'history', 'confirm', 'atob', 'btoa', 'Uint8Array', '$']
+
+export default [
+    js.configs.recommended,
+    {
+        languageOptions: {
+            ecmaVersion: 2015,
+            sourceType: 'script',
+            globals: Object.fromEntries(browser.map(name => [name, 'readonly']))
+        },
+        linterOptions: {reportUnusedDisableDirectives: 'error'},
+        rules: {
+            'no-unused-vars': ['error', {args: 'none', caughtErrors: 'none'}],
+            'no-use-before-define': ['error', {functions: false, variables: false}],
+            'no-unexpected-multiline': 'error',
+            'no-implicit-globals': 'error',
+            'no-eval': 'error',
+            'no-implied-eval': 'error',
+            'no-new-func': 'error',
+            'no-script-url': 'error',
+            'no-shadow': 'error',
+            'no-return-assign': 'error',
+            'no-self-compare': 'error',
+            'no-throw-literal': 'error',
+            'no-unused-expressions': 'error',
+            'no-console': ['error', {allow: ['error', 'warn']}],
+            'array-callback-return': 'error',
+            'default-case-last': 'error',
+            'eqeqeq': ['error', 'always', {null: 'ignore'}],
+            'radix': 'error',
+            'semi': ['error', 'never'],
+            'strict': ['error', 'never']
+        }
+    }
+]

@@ -1,0 +1,2 @@
+/** What MyRobotLab's service picker shows. Uses nothing else. Any thread. */
+package org.myrobotlab.service.meta;

@@ -29,7 +29,7 @@ public class SimulationClockTest {
         runner.setSpeed(speed);
         thread.start();
         long begin = System.nanoTime();
-        runner.await(simulated);
+        runner.sleep(simulated);
         double pace = simulated * 1e9 / (System.nanoTime() - begin);
         runner.stop();
         thread.join();

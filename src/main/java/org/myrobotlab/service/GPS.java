@@ -324,7 +324,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         log.info("{} connected to {}", getName(), portName);
     }
 
-    /** The port is being closed, by this service or by whoever owns it. Some MyRobotLabs say so before it is closed: {@link SerialLink} looks again. */
+    /** The port is being closed, by this service or by whoever owns it. It may still be open now: {@link SerialLink} looks again. */
     @Override
     public void onDisconnect(String portName) {
         log.info("{} disconnected from {}", getName(), portName);

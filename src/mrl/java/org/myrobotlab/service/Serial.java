@@ -6,7 +6,6 @@ import java.net.Socket;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -135,7 +134,7 @@ public class Serial extends Service<SerialConfig> implements SerialControl, Queu
     @Override
     public void open(String name, int baud, int newDataBits, int newStopBits, int newParity) throws IOException {
         if (name == null) {
-            error("no port given; there are " + known());
+            error("no port given; there are " + new TreeSet<>(listPorts()));
             return;
         }
         if (portName != null && !portName.equals(name)) {
@@ -249,10 +248,6 @@ public class Serial extends Service<SerialConfig> implements SerialControl, Queu
         synchronized (Serial.class) {
             return ports.get(name);
         }
-    }
-
-    private static Collection<String> known() {
-        return new TreeSet<>(listPorts());
     }
 
     /** A port of this machine, not yet open; null if there is no library for it, an error status says so. */

@@ -24,7 +24,7 @@ final class UartLine {
     private static final long PATIENCE = TimeUnit.SECONDS.toMillis(5);
     /** As long the simulation thread waits for MyRobotLab's messages to go out. */
     private static final long OUTBOX_PATIENCE = TimeUnit.MILLISECONDS.toNanos(50);
-    /** As many bytes may wait for the reader of the user's port before a simulation that runs as fast as possible waits: as in a computer's driver. */
+    /** So many bytes may wait for the user's port's reader before a simulation that runs as fast as possible waits: as in a driver. */
     private static final int MOST_PENDING = 4096;
     private static final String DRIVE = "Dynamics";
     private static final String CALLBACK = "onUartBytes";

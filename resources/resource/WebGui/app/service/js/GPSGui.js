@@ -11,6 +11,7 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
     var MOST_SENTENCES = 40
     var LONGEST_TRACK = 2000
     var MOST_MESSAGES = 100
+    var REPEATED = 'could not invoke '      // so MyRobotLab begins to say once more that a call has failed
     var HALF = 45               // units of the plot from the middle to the edge
     // WGS84: metres in a degree, as series in the latitude
     var METRES_PER_DEGREE = 111132.954
@@ -45,7 +46,7 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
     }
 
     this.onMsg = function(inMsg) {
-        var data = inMsg.data[0]
+        var data = inMsg.data && inMsg.data[0]
         switch (inMsg.method) {
         case 'onState':
             self.updateState(data)
@@ -93,18 +94,14 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
         }
     }
 
-    /** Whether a message repeats that a call has failed of which the service has told why: so MyRobotLab does. */
-    function repeats(text, told) {
-        return told && (text.indexOf('could not invoke ') === 0 || text !== told && text.slice(-told.length) === told)
-    }
-    var told = ''               // why a call failed, until MyRobotLab has repeated that
+    var told = false            // whether the service has said why a call failed, and MyRobotLab has not repeated that yet
     var said = 0
     // An exception's detail is its stack trace; its key says what happened.
     function say(status) {
         var text = status.key || status.detail
         if (status.level === 'error') {
-            var repeated = repeats(text, told)
-            told = repeated ? '' : text
+            var repeated = told && text.indexOf(REPEATED) === 0
+            told = !repeated
             if (repeated) {
                 return
             }

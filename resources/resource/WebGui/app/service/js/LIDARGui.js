@@ -14,6 +14,7 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
     var RATE_MILLIS = 3000
     var TABLE_MILLIS = 300
     var MOST_MESSAGES = 100
+    var REPEATED = 'could not invoke '      // so MyRobotLab begins to say once more that a call has failed
     var KEY_STEPS = {ArrowLeft: 1, ArrowRight: -1, ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10, Home: -Infinity, End: Infinity}
 
     $scope.bauds = [9600, 19200, 38400, 500000]
@@ -61,7 +62,7 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
     }
 
     this.onMsg = function(inMsg) {
-        var data = inMsg.data[0]
+        var data = inMsg.data && inMsg.data[0]
         switch (inMsg.method) {
         case 'onState':
             self.updateState(data)
@@ -96,18 +97,14 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
         say(status)
     }
 
-    /** Whether a message repeats that a call has failed of which the service has told why: so MyRobotLab does. */
-    function repeats(text, told) {
-        return told && (text.indexOf('could not invoke ') === 0 || text !== told && text.slice(-told.length) === told)
-    }
-    var told = ''               // why a call failed, until MyRobotLab has repeated that
+    var told = false            // whether the service has said why a call failed, and MyRobotLab has not repeated that yet
     var said = 0
     // An exception's detail is its stack trace; its key says what happened.
     function say(status) {
         var text = status.key || status.detail
         if (status.level === 'error') {
-            var repeated = repeats(text, told)
-            told = repeated ? '' : text
+            var repeated = told && text.indexOf(REPEATED) === 0
+            told = !repeated
             if (repeated) {
                 return
             }

@@ -331,6 +331,7 @@
 
     // ---- words -----------------------------------------------------------------------------------------------------------------------------
     var UNITS = {Distance: ['m', 3], Compass: ['°', 1], Accelerometer: ['m/s²', 3], Gyroscope: ['rad/s', 3], Odometer: ['m', 3]}
+    var NO_BREAK = '\u00a0'
     var PLAIN = ['', 6]         // of a sensor that somebody has added
 
     /** A sensor's reading for people, with its unit and as many digits as it has sense in. */
@@ -346,23 +347,18 @@
         }
         var values = angular.isArray(sensor.value) ? sensor.value : String(sensor.value).split(',')
         if (sensor.type === 'GPS') {
-            return fixed(values[0], 7) + '°, ' + fixed(values[1], 7) + '°, ' + fixed(values[2], 2) + ' m'
+            return fixed(values[0], 7) + '°, ' + fixed(values[1], 7) + '°, ' + fixed(values[2], 2) + NO_BREAK + 'm'
         }
         var unit = UNITS.hasOwnProperty(sensor.type) ? UNITS[sensor.type] : PLAIN
         return values.map(function(value) {
             return isNaN(value) ? value : unit === PLAIN ? String(Number(Number(value).toPrecision(PLAIN[1]))) : fixed(value, unit[1])
-        }).join(', ') + (unit[0] && unit[0] !== '°' ? ' ' : '') + unit[0]
+        }).join(', ') + (unit[0] && unit[0] !== '°' ? NO_BREAK : '') + unit[0]
     }
 
     /** So many digits behind the point, without the sign of a zero. */
     function fixed(value, digits) {
         var text = Number(value).toFixed(digits)
         return Number(text) === 0 ? text.replace('-', '') : text
-    }
-
-    /** Whether a message repeats that a call has failed of which the service has told why: so MyRobotLab does. */
-    function repeats(text, told) {
-        return told && (text.indexOf('could not invoke ') === 0 || text !== told && text.slice(-told.length) === told)
     }
 
     function count(number, thing) {
@@ -404,6 +400,7 @@
     var NEW = 'project.sear'
     var MOST_RECENT = 8
     var MOST_MESSAGES = 100
+    var REPEATED = 'could not invoke '      // so MyRobotLab begins to say once more that a call has failed
     var MOST_LISTED = 100       // objects of the world; the others on request
     var PATH_STEP = 0.02        // metres; as the service has it
     var LONGEST_PATH = 500      // points
@@ -492,7 +489,7 @@
             repaint()
         }
 
-        var told = ''               // why a call failed, until MyRobotLab has repeated that
+        var told = false            // whether the service has said why a call failed, and MyRobotLab has not repeated that yet
         function onStatus(status) {
             var text = status && (status.key || status.detail)
             if (!text) {
@@ -502,14 +499,14 @@
                 $scope.transfer = null
                 $scope.pending = null
                 asked = {}
-                var repeated = repeats(text, told)
-                told = repeated ? '' : text
+                var repeated = told && text.indexOf(REPEATED) === 0
+                told = !repeated
                 if (repeated) {
                     return
                 }
             }
             var problems = $scope.allProblems()
-            var listed = problems.length && text.indexOf(problems[0].file) === 0
+            var listed = problems.length > 1 && text.indexOf(problems[0].file) === 0
             say(status.level, listed ? 'the project has ' + count(problems.length, 'problem') + ', listed below' : text)
         }
 

@@ -106,6 +106,17 @@ public class PreviewTest {
     }
 
     @Test
+    public void aLongListIsShortenedUntilAllIsAskedFor() {
+        robotLab.call("sear", "newProject");
+        robotLab.run(OBJECTS + "for i in range(130): Box('box %03d' % i, 0.5, 0.5, 0.5, 0).move(i % 12, 0.25, i / 12)\n");
+        browser.seeText(".sear-all", "and 30 more objects: list all");
+        assertEquals(100, browser.all(".sear-tree > li").size());
+        browser.click(".sear-all");
+        browser.until("all", () -> browser.all(".sear-tree > li").size() == 130);
+        assertTrue(browser.all(".sear-all").isEmpty());
+    }
+
+    @Test
     public void aBrokenProjectShowsItsProblemsUntilTheyAreMended() throws IOException {
         open("maze", "maze Roomba");
         Path bad = robotLab.file("SEARproject/environment/bad.xml");

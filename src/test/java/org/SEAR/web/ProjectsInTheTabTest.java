@@ -133,7 +133,7 @@ public class ProjectsInTheTabTest {
     public void myRobotLabsRepetitionOfAnErrorIsDroppedAndOtherwiseShown() {
         robotLab.call("sear", "error", "the door is shut");
         robotLab.call("sear", "error", "could not invoke sear.open ([Ljava.lang.Object;@1b2c) - check logs");
-        robotLab.call("sear", "warn", "a warning");
+        robotLab.call("sear", "info", "all is well");
         robotLab.call("sear", "error", "could not invoke sear.shut ([Ljava.lang.Object;@1b2d) - check logs");
         browser.seeText(".sear-main .alert-danger", "could not invoke sear.shut");
         assertEquals(2, browser.all(".sear-main .alert-danger").size());

@@ -1,6 +1,7 @@
 package org.SEAR.web;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
@@ -51,6 +52,10 @@ public class ScriptsAndPortsTest {
         browser.click(".python-run");
         browser.seeText(".mrl-console .err", "line 2");
         browser.seeText(".mrl-console .err", "NameError: name 'nonsense' is not defined");
+        browser.seeText(".python-status", "ready");
+        assertEquals("once", 2, browser.text(".mrl-console").split("NameError").length);
+        assertFalse(browser.text("footer").contains("NameError"));
+        browser.click("#tab-sear");
         browser.seeText("#shell-statuses", "NameError");
     }
 

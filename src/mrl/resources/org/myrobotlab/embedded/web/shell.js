@@ -12,6 +12,7 @@
         var shell = this
         var FIRST = ['SEAR', 'LIDAR', 'GPS', 'Roomba', 'Python']
         var LAST = ['Runtime', 'WebGui']
+        var REPEATED = 'could not invoke '
         var PORT = 'Serial'     // there are many of them, so they get a row of their own
         shell.main = []
         shell.ports = []
@@ -75,12 +76,12 @@
             }
         }
 
-        var told = {}           // by service why a call failed, until MyRobotLab has repeated that
+        var told = {}           // services that have said why a call failed, which MyRobotLab has not repeated yet
         function add(status) {
             var text = status.key || status.detail
             if (status.level === 'error') {
-                var repeated = repeats(text, told[status.name])
-                told[status.name] = repeated ? '' : text
+                var repeated = told[status.name] && text.indexOf(REPEATED) === 0
+                told[status.name] = !repeated
                 if (repeated) {
                     return
                 }
@@ -89,9 +90,6 @@
             shell.statuses.splice(MOST_STATUSES)
         }
 
-        function repeats(text, reason) {
-            return reason && (text.indexOf('could not invoke ') === 0 || text !== reason && text.slice(-reason.length) === reason)
-        }
         /** Messages that the panel in front shows itself are not shown twice. */
         shell.isNews = function(status) {
             var name = String(status.name).split('@')[0]

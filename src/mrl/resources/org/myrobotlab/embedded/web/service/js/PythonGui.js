@@ -32,7 +32,11 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
             print(data, '')
             break
         case 'onStdError':
+            lastError = data
             print(data, 'err')
+            break
+        case 'onStatus':
+            onStatus(data.key || data.detail, data.level)
             break
         case 'onScriptList':
             $scope.files = data
@@ -41,6 +45,15 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
             break
         }
         $scope.$applyAsync()
+    }
+
+    // The console has a script's errors already, and beside the file's name stands what was wrong with that.
+    var lastError = ''
+    var ABOUT_FILES = /\b(openScript|saveScript)\b/
+    function onStatus(text, level) {
+        if (lastError.indexOf(text) < 0 && !ABOUT_FILES.test(text)) {
+            print(text + '\n', level === 'error' ? 'err' : '')
+        }
     }
 
     function print(text, kind) {
@@ -213,6 +226,7 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
 
     msg.subscribe('publishStdOut')
     msg.subscribe('publishStdError')
+    msg.subscribe('publishStatus')
     msg.subscribe('getScriptList')
     msg.subscribe(this)
     msg.send('getScriptList')

@@ -38,11 +38,13 @@ if [ -n "$missing" ]; then
     fi
 fi
 
-rm -f build/test-summary.txt
+# With -PmrlJar everything lies below build/real-mrl.
+summaries="build/test-summary.txt build/real-mrl/test-summary.txt"
+rm -f $summaries
 # Without a locale, as in a bare container, Java can't write a file with an umlaut in its name.
 case ${LC_ALL:-${LC_CTYPE:-${LANG:-}}} in "" | C | POSIX) LC_ALL=C.UTF-8; export LC_ALL ;; esac
 [ -t 0 ] && SEAR_TERMINAL=1 && export SEAR_TERMINAL
 gradle "$@"
 status=$?
-[ -f build/test-summary.txt ] && cat build/test-summary.txt
+cat $summaries 2>/dev/null
 exit $status

@@ -6,7 +6,9 @@ import static org.junit.Assert.assertNotNull;
 import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
 
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStreamReader;
 import java.net.ConnectException;
 import java.net.InetAddress;
 import java.net.Socket;
@@ -50,7 +52,7 @@ public class LifeTest {
         return sear;
     }
 
-    private static void assertNothingIsLeft() {
+    static void assertNothingIsLeft() {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE);
         while (!TestWorld.threads().isEmpty() && System.nanoTime() < end) {
             Thread.onSpinWait();
@@ -84,20 +86,39 @@ public class LifeTest {
         assertTrue(sear.isSimulating());
     }
 
+    /** In a process of its own, which MyRobotLab's shutdown may end. */
     @Test
     public void shutDownWithAServerForOtherProgramsOpen() throws Exception {
-        SEAR sear = start("life");
-        int number = sear.exportTcp(TestWorld.ROOMBA_PORT, 0);
-        try (Socket client = new Socket(InetAddress.getLoopbackAddress(), number)) {
-            Runtime.shutdown();
-            assertTrue("the server hung up", isHungUp(client));
+        Process process = new ProcessBuilder(System.getProperty("java.home") + "/bin/java", "-Dsear.headless=true", "-Dsear.speed=1", "-cp",
+            System.getProperty("java.class.path"), ShutDownProbe.class.getName(), temporary.getRoot().getPath()).redirectErrorStream(true).start();
+        StringBuilder log = new StringBuilder();
+        try (BufferedReader lines = new BufferedReader(new InputStreamReader(process.getInputStream()))) {
+            int number = Integer.parseInt(lineThatBegins(ShutDownProbe.LISTENS, lines, log));
+            try (Socket client = new Socket(InetAddress.getLoopbackAddress(), number)) {
+                process.getOutputStream().close();
+                assertTrue("the server hung up\n" + log, isHungUp(client));
+            }
+            lines.lines().forEach(line -> log.append(line).append('\n'));
+            assertTrue("a thread keeps MyRobotLab alive\n" + log, process.waitFor(PATIENCE, TimeUnit.SECONDS));
+            assertFalse(log.toString(), log.toString().contains("Exception in thread"));
+            try (Socket client = new Socket(InetAddress.getLoopbackAddress(), number)) {
+                throw new AssertionError("the server still listens at " + client);
+            } catch (ConnectException e) {
+                assertTrue(log.toString(), log.toString().contains(ShutDownProbe.SHUTS_DOWN));
+            }
+        } finally {
+            process.destroyForcibly();
         }
-        assertNothingIsLeft();
-        try (Socket client = new Socket(InetAddress.getLoopbackAddress(), number)) {
-            throw new AssertionError("the server still listens at " + client);
-        } catch (ConnectException e) {
-            assertNull(Runtime.getService("life"));
+    }
+
+    private static String lineThatBegins(String beginning, BufferedReader lines, StringBuilder log) throws IOException {
+        for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+            log.append(line).append('\n');
+            if (line.startsWith(beginning)) {
+                return line.substring(beginning.length());
+            }
         }
+        throw new AssertionError("it ended:\n" + log);
     }
 
     /** A connection that the server had not accepted yet is reset, others end. */

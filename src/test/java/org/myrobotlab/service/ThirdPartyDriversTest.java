@@ -199,7 +199,7 @@ public class ThirdPartyDriversTest {
         List<String> command = new ArrayList<>(Arrays.asList("python3", SCRIPTS.resolve(script).toString()));
         command.addAll(Arrays.asList(arguments));
         ProcessBuilder builder = new ProcessBuilder(command);
-        builder.environment().put("PYTHONPATH", ROOT.resolve("build/drivers").toString());
+        builder.environment().put("PYTHONPATH", System.getProperty("sear.drivers"));
         return run(builder, new ArrayList<>());
     }
 

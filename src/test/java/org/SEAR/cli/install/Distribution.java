@@ -5,12 +5,18 @@ import static org.junit.Assert.assertTrue;
 import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.jar.Attributes;
+import java.util.jar.JarOutputStream;
+import java.util.jar.Manifest;
+import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 
@@ -68,13 +74,17 @@ final class Distribution {
 
     /** Runs a command with this JVM's Java. */
     static Result run(Path folder, Path logs, List<String> command) throws IOException, InterruptedException {
+        return run(folder, logs, command, PATIENCE);
+    }
+
+    static Result run(Path folder, Path logs, List<String> command, int seconds) throws IOException, InterruptedException {
         File out = logs.resolve("out" + ++runs + ".txt").toFile();
         File err = logs.resolve("err" + runs + ".txt").toFile();
         ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectOutput(out).redirectError(err);
         builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
         Process process = builder.start();
         try {
-            assertTrue(command + " hangs", process.waitFor(PATIENCE, TimeUnit.SECONDS));
+            assertTrue(command + " hangs", process.waitFor(seconds, TimeUnit.SECONDS));
         } finally {
             process.destroyForcibly();
         }
@@ -85,6 +95,18 @@ final class Distribution {
     Path[] jars(String folder) throws IOException {
         try (java.util.stream.Stream<Path> files = Files.list(home.resolve(folder))) {
             return files.filter(file -> file.toString().endsWith(".jar")).sorted().toArray(Path[]::new);
+        }
+    }
+
+    /** Makes a folder a MyRobotLab, the embedded one. MyRobotLab's jar holds its libraries; here it names them. */
+    void layOut(Path mrl) throws IOException {
+        Files.createDirectories(mrl.resolve("libraries/jar"));
+        Manifest manifest = new Manifest();
+        manifest.getMainAttributes().put(Attributes.Name.MANIFEST_VERSION, "1.0");
+        manifest.getMainAttributes().put(Attributes.Name.CLASS_PATH, Arrays.stream(jars("lib")).map(jar -> jar.toUri().toString())
+            .filter(jar -> !jar.endsWith("sear-cli.jar")).collect(Collectors.joining(" ")));
+        try (OutputStream out = Files.newOutputStream(mrl.resolve("myrobotlab.jar"))) {
+            new JarOutputStream(out, manifest).close();
         }
     }
 

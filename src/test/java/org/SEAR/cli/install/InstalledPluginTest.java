@@ -5,7 +5,6 @@ import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.net.ConnectException;
 import java.net.ServerSocket;
 import java.net.URI;
@@ -14,13 +13,9 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
-import java.util.jar.Attributes;
-import java.util.jar.JarOutputStream;
-import java.util.jar.Manifest;
 import java.util.stream.Collectors;
 import org.junit.After;
 import org.junit.Before;
@@ -53,8 +48,7 @@ public class InstalledPluginTest {
     public void installAndStart() throws Exception {
         Distribution distribution = new Distribution(folder.newFolder("distribution").toPath());
         mrl = folder.newFolder("my robot lab").toPath();
-        Files.createDirectories(mrl.resolve("libraries/jar"));
-        hostJar(distribution.jars("lib"));
+        distribution.layOut(mrl);
         new Installer(mrl).install(distribution.home().resolve("plugin"), false).apply();
         assertFalse("the installer leaves MyRobotLab's first start alone", Files.exists(mrl.resolve("resource")));
         Files.createDirectories(mrl.resolve("resource/WebGui/app/service/js"));
@@ -73,17 +67,6 @@ public class InstalledPluginTest {
     @After
     public void end() {
         process.destroyForcibly();
-    }
-
-    /** MyRobotLab's jar holds its libraries; here it names them. */
-    private void hostJar(Path... jars) throws IOException {
-        Manifest manifest = new Manifest();
-        manifest.getMainAttributes().put(Attributes.Name.MANIFEST_VERSION, "1.0");
-        manifest.getMainAttributes().put(Attributes.Name.CLASS_PATH,
-            Arrays.stream(jars).map(jar -> jar.toUri().toString()).filter(jar -> !jar.endsWith("sear-cli.jar")).collect(Collectors.joining(" ")));
-        try (OutputStream out = Files.newOutputStream(mrl.resolve("myrobotlab.jar"))) {
-            new JarOutputStream(out, manifest).close();
-        }
     }
 
     /** Something that comes true in time. */

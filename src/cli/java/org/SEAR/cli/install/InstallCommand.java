@@ -36,6 +36,9 @@ public final class InstallCommand implements Callable<Integer> {
             Plan plan = remove ? installer.remove(plugin) : installer.install(plugin, replaceEngine);
             out.println("MyRobotLab: " + installer.root()
                 + (installer.installedVersion() == null ? "" : ", with SEAR " + installer.installedVersion()));
+            if (installer.recovered() != null) {
+                out.println(installer.recovered());
+            }
             plan.describe().forEach(line -> out.println("  " + line));
             if (plan.isEmpty()) {
                 out.println("Nothing to do" + (plan.remarks().isEmpty() ? ": SEAR " + installer.installedVersion() + " is installed and complete."
@@ -45,9 +48,6 @@ public final class InstallCommand implements Callable<Integer> {
             } else {
                 plan.apply();
                 plan.leftovers().forEach(file -> out.println("  left    " + file + ": another program has it open; delete it by hand"));
-                if (remove) {
-                    installer.removeEmptyFolders();
-                }
                 out.println(remove ? "SEAR was removed." : "Done. Start MyRobotLab; " + (plan.remarks().isEmpty()
                     ? "SEAR, LIDAR and GPS are among its services." : "SEAR, LIDAR and GPS can be started."));
             }

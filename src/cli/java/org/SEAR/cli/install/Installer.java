@@ -6,9 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Collections;
-import java.util.List;
 import java.util.Map;
 import java.util.Properties;
 import java.util.TreeMap;
@@ -36,10 +34,19 @@ public final class Installer {
 
     private final MrlFolder mrl;
     private final Receipt old;
+    private final String recovered;
 
-    /** @param folder MyRobotLab's folder, or the one right above it */
+    /**
+     * Looks at a MyRobotLab; what a call that was killed has begun there is undone or finished first.
+     *
+     * @param folder MyRobotLab's folder, or the one right above it
+     */
     public Installer(Path folder) throws InstallException, IOException {
         mrl = MrlFolder.find(folder);
+        if (Journal.isPending(mrl.root())) {
+            mrl.refuseIfRunning();
+        }
+        recovered = Journal.recover(mrl.root());
         old = Receipt.read(mrl.receipt());
     }
 
@@ -54,6 +61,11 @@ public final class Installer {
     /** MyRobotLab's folder. */
     public Path root() {
         return mrl.root();
+    }
+
+    /** What became of an earlier call that was killed; null if there was none. */
+    public String recovered() {
+        return recovered;
     }
 
     /** Version that is installed, or null. */
@@ -240,6 +252,7 @@ public final class Installer {
         }
         LibraryChoice.putBack(mrl, old, plan);
         plan.delete(RECEIPT);
+        plan.deleteEmptied(old.folders);
         mrl.refuseIfNotWritable(plan);
         return plan;
     }
@@ -279,23 +292,6 @@ public final class Installer {
                 plan.delete(path);
             } else {
                 plan.note("keep    " + path + ": it was changed by hand");
-            }
-        }
-    }
-
-    /** Deletes the folders that the installation made, where they are empty now. Call after {@link #remove}'s plan was applied. */
-    public void removeEmptyFolders() throws IOException {
-        List<String> folders = new ArrayList<>(old.folders);
-        Collections.reverse(folders);
-        for (String folder : folders) {
-            Path path = mrl.root().resolve(folder);
-            if (Files.isDirectory(path)) {
-                try (DirectoryStream<Path> content = Files.newDirectoryStream(path)) {
-                    if (content.iterator().hasNext()) {
-                        continue;
-                    }
-                }
-                Files.delete(path);
             }
         }
     }

@@ -6,9 +6,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFileAttributeView;
 import java.nio.file.attribute.PosixFileAttributes;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -17,18 +15,18 @@ import java.util.TreeSet;
 
 /**
  * Files to write and to delete below one folder, done as a whole or not at all: new bytes are first written beside their place, then moved in; when
- * anything fails, what was done is undone. Any one thread.
+ * anything fails, what was done is undone, and when the program is killed, a {@link Journal} tells the next call. Any one thread.
  */
 final class Plan {
-    private static final String STAGED = ".sear-new";
-    private static final String KEPT = ".sear-old";
     private static final String ROOT = "root";
     private final Path root;
     private final Map<String, byte[]> writes = new TreeMap<>();
     private final Set<String> deletes = new TreeSet<>();
     private final List<String> notes = new ArrayList<>();
+    private final Set<String> emptied = new TreeSet<>();
     private final List<String> remarks = new ArrayList<>();
     private final List<Path> leftovers = new ArrayList<>();
+    private Runnable beforeStep = () -> { };
 
     Plan(Path root) {
         this.root = root;
@@ -94,6 +92,9 @@ final class Plan {
         Set<String> paths = new TreeSet<>(writes.keySet());
         paths.addAll(deletes);
         Set<Path> touched = new TreeSet<>();
+        if (!paths.isEmpty()) {
+            touched.add(root); // for the journal
+        }
         for (String path : paths) {
             Path folder = root.resolve(path).getParent();
             while (!Files.exists(folder)) {
@@ -107,52 +108,68 @@ final class Plan {
 
     /** Does it. @throws IOException after everything was put back as it was; what could not be put back is among its suppressed exceptions */
     void apply() throws IOException {
-        Deque<Undo> undo = new ArrayDeque<>();
+        Journal journal = journal();
+        for (String path : journal.changed) {
+            Files.deleteIfExists(sibling(path, Journal.KEPT)); // left by an update while another program had it open
+        }
+        journal.write(root, beforeStep);
         try {
-            for (String folder : newFolders()) {
-                giveToOwner(Files.createDirectory(root.resolve(folder)));
-                undo.push(() -> Files.delete(root.resolve(folder)));
-            }
-            for (Map.Entry<String, byte[]> write : writes.entrySet()) {
-                Path staged = sibling(write.getKey(), STAGED);
-                undo.push(() -> Files.deleteIfExists(staged));
-                giveToOwner(Files.write(staged, write.getValue()));
-            }
-            for (String path : deletes) {
-                setAside(path, undo);
-            }
-            for (String path : writes.keySet()) {
-                if (Files.exists(root.resolve(path))) {
-                    setAside(path, undo);
-                }
-                Files.move(sibling(path, STAGED), root.resolve(path), StandardCopyOption.ATOMIC_MOVE);
-                undo.push(() -> Files.delete(root.resolve(path)));
-            }
+            carryOut(journal);
         } catch (IOException e) {
-            for (Undo step : undo) {
-                try {
-                    step.run();
-                } catch (IOException more) {
-                    e.addSuppressed(more);
-                }
+            try {
+                journal.undo(root);
+                Journal.delete(root);
+            } catch (IOException more) {
+                e.addSuppressed(more);
             }
             throw e;
         }
-        forgetKept();
+        journal.done = true;
+        journal.write(root, beforeStep);
+        beforeStep.run();
+        leftovers.addAll(journal.finish(root));
+        beforeStep.run();
+        Journal.delete(root);
     }
 
-    /** All is done; an old file that another program still holds open stays beside the new one, where nothing reads it. */
-    private void forgetKept() {
-        Set<String> paths = new TreeSet<>(writes.keySet());
-        paths.addAll(deletes);
-        for (String path : paths) {
-            Path kept = sibling(path, KEPT);
-            try {
-                Files.deleteIfExists(kept);
-            } catch (IOException e) {
-                leftovers.add(kept);
-            }
+    private Journal journal() {
+        Journal journal = new Journal();
+        for (String path : writes.keySet()) {
+            (Files.exists(root.resolve(path)) ? journal.changed : journal.fresh).add(path);
         }
+        journal.changed.addAll(deletes);
+        journal.folders.addAll(newFolders());
+        journal.emptied.addAll(emptied);
+        return journal;
+    }
+
+    private void carryOut(Journal journal) throws IOException {
+        for (String folder : journal.folders) {
+            beforeStep.run();
+            giveToOwner(Files.createDirectory(root.resolve(folder)));
+        }
+        for (Map.Entry<String, byte[]> write : writes.entrySet()) {
+            beforeStep.run();
+            giveToOwner(Files.write(sibling(write.getKey(), Journal.STAGED), write.getValue()));
+        }
+        for (String path : journal.changed) {
+            beforeStep.run();
+            Files.move(root.resolve(path), sibling(path, Journal.KEPT), StandardCopyOption.ATOMIC_MOVE);
+        }
+        for (String path : writes.keySet()) {
+            beforeStep.run();
+            Files.move(sibling(path, Journal.STAGED), root.resolve(path), StandardCopyOption.ATOMIC_MOVE);
+        }
+    }
+
+    /** Called before each change of the disk, so that a test can end the call there. */
+    void setBeforeStep(Runnable action) {
+        beforeStep = action;
+    }
+
+    /** Folders to delete in the end, where they are empty then. @param folders relative to the root */
+    void deleteEmptied(Set<String> folders) {
+        emptied.addAll(folders);
     }
 
     /** Old files that could not be deleted, after {@link #apply}. */
@@ -170,19 +187,8 @@ final class Plan {
         }
     }
 
-    private void setAside(String path, Deque<Undo> undo) throws IOException {
-        Path kept = sibling(path, KEPT);
-        Files.move(root.resolve(path), kept, StandardCopyOption.ATOMIC_MOVE);
-        undo.push(() -> Files.move(kept, root.resolve(path), StandardCopyOption.ATOMIC_MOVE));
-    }
-
     private Path sibling(String path, String suffix) {
         Path file = root.resolve(path);
         return file.resolveSibling(file.getFileName() + suffix);
-    }
-
-    /** One step back. */
-    private interface Undo {
-        void run() throws IOException;
     }
 }

@@ -61,9 +61,7 @@ abstract class LaidOutMrl {
     }
 
     final void remove() throws Exception {
-        Installer installer = new Installer(mrl);
-        installer.remove(plugin).apply();
-        installer.removeEmptyFolders();
+        new Installer(mrl).remove(plugin).apply();
     }
 
     final void text(String path, String content) throws IOException {

@@ -1,7 +1,6 @@
 package org.example;
 
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.sensors.ErrorModel;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.SensorType;
 import org.SEAR.sensors.Truth;
@@ -9,13 +8,11 @@ import org.SEAR.sensors.Truth;
 /** Temperature at the sensor: ground - lapse * height, degrees Celsius; NaN when the reading dropped out. */
 public final class ThermometerSensor extends Sensor<Double> {
     private final Thermometer thermometer;
-    private final ErrorModel errors;
 
     /** @param seed of the simulation */
     public ThermometerSensor(Thermometer parameters, long seed) {
-        super(parameters);
+        super(parameters, seed, 1);
         this.thermometer = parameters;
-        this.errors = ErrorModel.of(parameters, seed, 1);
     }
 
     @Override
@@ -24,17 +21,6 @@ public final class ThermometerSensor extends Sensor<Double> {
             return Double.NaN;
         }
         return errors.apply(thermometer.getGround() - thermometer.getLapse() * pose(truth).y, truth.step(), 0, 0);
-    }
-
-    @Override
-    public void track(Truth truth) {
-        errors.track(truth);
-    }
-
-    @Override
-    public void reset() {
-        super.reset();
-        errors.reset();
     }
 
     /** The registry entry. */

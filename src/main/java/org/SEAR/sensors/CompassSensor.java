@@ -22,24 +22,11 @@ public final class CompassSensor extends Sensor<Double> {
     private static final double AT_THE_POLE = 1e-6;
 
     private final Compass compass;
-    private final ErrorModel errors;
 
     /** @param seed of the simulation */
     public CompassSensor(Compass parameters, long seed) {
-        super(parameters);
+        super(parameters, seed, 1);
         this.compass = parameters;
-        this.errors = ErrorModel.of(parameters, seed, 1);
-    }
-
-    @Override
-    public void track(Truth truth) {
-        errors.track(truth);
-    }
-
-    @Override
-    public void reset() {
-        super.reset();
-        errors.reset();
     }
 
     @Override

@@ -17,7 +17,6 @@ import org.SEAR.raycast.Hit;
  */
 public final class DistanceSensor extends Sensor<DistanceReading> {
     private final BeamPattern pattern;
-    private final ErrorModel errors;
     private final Distance distance;
     private final double minRange;
     private final VoltageCurve voltages;
@@ -29,25 +28,13 @@ public final class DistanceSensor extends Sensor<DistanceReading> {
 
     /** @param seed of the simulation */
     public DistanceSensor(Distance parameters, long seed) {
-        super(parameters);
+        super(parameters, seed, 1);
         this.distance = parameters;
         this.pattern = BeamPattern.of(parameters.getCones());
         this.directions = new double[3 * pattern.size()];
         Beam shape = parameters.getShape();
         this.minRange = shape == null ? 0 : shape.getMinRange();
         this.voltages = new VoltageCurve(shape == null ? Collections.emptyList() : shape.getVoltages());
-        this.errors = ErrorModel.of(parameters, seed, 1);
-    }
-
-    @Override
-    public void track(Truth truth) {
-        errors.track(truth);
-    }
-
-    @Override
-    public void reset() {
-        super.reset();
-        errors.reset();
     }
 
     @Override

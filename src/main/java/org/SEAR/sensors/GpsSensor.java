@@ -19,24 +19,11 @@ public final class GpsSensor extends Sensor<GpsFix> {
     private static final int EAST = 2;
 
     private final GeoOrigin origin;
-    private final ErrorModel errors;
 
     /** @param seed of the simulation */
     public GpsSensor(GPS parameters, long seed) {
-        super(parameters);
+        super(parameters, seed, 3);
         this.origin = new GeoOrigin(parameters.getLatitude(), parameters.getAltitude(), parameters.getLongitude());
-        this.errors = ErrorModel.of(parameters, seed, 3);
-    }
-
-    @Override
-    public void track(Truth truth) {
-        errors.track(truth);
-    }
-
-    @Override
-    public void reset() {
-        super.reset();
-        errors.reset();
     }
 
     @Override

@@ -4,15 +4,15 @@ import org.SEAR.POJOs.SearObject;
 
 /** A three-axis sensor of the robot's motion that answers the mean of a window of 1 / bandwidth. Simulation thread. */
 abstract class InertialSensor extends Sensor<VectorReading> {
+    private static final int AXES = 3;
+
     private final double bandwidth;
-    private final ErrorModel errors;
     private final Window window = new Window();
 
     /** @param bandwidth Hz; from half the simulation's rate upwards the window is a single step */
     InertialSensor(SearObject parameters, double bandwidth, long seed) {
-        super(parameters);
+        super(parameters, seed, AXES);
         this.bandwidth = bandwidth;
-        this.errors = ErrorModel.of(parameters, seed, 3);
     }
 
     /** Puts the value of the last step into the window, along the sensor's axes. */
@@ -21,14 +21,8 @@ abstract class InertialSensor extends Sensor<VectorReading> {
     }
 
     @Override
-    public void track(Truth truth) {
-        errors.track(truth);
-    }
-
-    @Override
     public void reset() {
         super.reset();
-        errors.reset();
         window.clear();
     }
 

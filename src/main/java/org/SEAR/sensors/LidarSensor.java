@@ -16,24 +16,11 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
     private static final double ROUNDING = 1e-9;
 
     private final LIDAR lidar;
-    private final ErrorModel errors;
 
     /** @param seed of the simulation */
     public LidarSensor(LIDAR parameters, long seed) {
-        super(parameters);
+        super(parameters, seed, 1);
         this.lidar = parameters;
-        this.errors = ErrorModel.of(parameters, seed, 1);
-    }
-
-    @Override
-    public void track(Truth truth) {
-        errors.track(truth);
-    }
-
-    @Override
-    public void reset() {
-        super.reset();
-        errors.reset();
     }
 
     @Override

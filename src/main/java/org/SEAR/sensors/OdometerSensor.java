@@ -12,14 +12,12 @@ import org.SEAR.POJOs.SearObject;
 public final class OdometerSensor extends Sensor<OdometerReading> {
     private static final double MILLIMETRES = 1000;
 
-    private final ErrorModel errors;
     private double count;
     private double pathBefore;
 
     /** @param seed of the simulation */
     public OdometerSensor(Odometer parameters, long seed) {
-        super(parameters);
-        this.errors = ErrorModel.of(parameters, seed, 1);
+        super(parameters, seed, 1);
     }
 
     /** Reads and clears: the next reading counts from here. A reading that dropped out clears nothing. Simulation thread. */
@@ -34,7 +32,7 @@ public final class OdometerSensor extends Sensor<OdometerReading> {
 
     @Override
     public void track(Truth truth) {
-        errors.track(truth);
+        super.track(truth);
         count = Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, count + (truth.path() - pathBefore) * MILLIMETRES));
         pathBefore = truth.path();
     }
@@ -42,7 +40,6 @@ public final class OdometerSensor extends Sensor<OdometerReading> {
     @Override
     public void reset() {
         super.reset();
-        errors.reset();
         count = 0;
         pathBefore = 0;
     }

@@ -14,14 +14,23 @@ import org.SEAR.geometry.Pose;
  * @param <R> the immutable reading
  */
 public abstract class Sensor<R> {
+    /** What this sensor's readings differ from the truth by. */
+    protected final ErrorModel errors;
     private final SearObject parameters;
     private final Pose mount;
     private R last;
     private long lastStep = -1;
 
-    /** @param parameters the sensor's object; its pose is in the body frame */
-    protected Sensor(SearObject parameters) {
+    /**
+     * A sensor with the errors that its object asks for.
+     *
+     * @param parameters the sensor's object; its pose is in the body frame
+     * @param seed of the simulation
+     * @param channels values that drift by themselves, see {@link ErrorModel#of}
+     */
+    protected Sensor(SearObject parameters, long seed, int channels) {
         this.parameters = parameters;
+        this.errors = ErrorModel.of(parameters, seed, channels);
         this.mount = Pose.ofDegrees(parameters.getX(), parameters.getY(), parameters.getZ(),
             parameters.getRx(), parameters.getRy(), parameters.getRz());
     }
@@ -50,8 +59,12 @@ public abstract class Sensor<R> {
         return last;
     }
 
-    /** Called after each step, before anybody reads: only for sensors with a memory (integrators, windows). Allocates nothing. */
+    /**
+     * Called after each step, before anybody reads. Sensors with a memory (integrators, windows) override it and call this one first. Allocates
+     * nothing.
+     */
     public void track(Truth truth) {
+        errors.track(truth);
     }
 
     /** What the user should know about this sensor in this world, in plain words; asked once after start and reset. */
@@ -70,9 +83,10 @@ public abstract class Sensor<R> {
         lastStep = -1;
     }
 
-    /** Back to the state of a fresh start. */
+    /** Back to the state of a fresh start. Sensors with a memory override it and call this one first. */
     public void reset() {
         forget();
+        errors.reset();
     }
 
     /** Computes the reading. */

@@ -126,7 +126,8 @@ public class VirtualSerialPort extends Port {
     }
 
     /**
-     * Waits until the other end takes bytes again: no more than {@link #BUFFER} wait there for their turn. Whoever writes without asking is not held up.
+     * Waits until the other end takes bytes again: no more than {@link #BUFFER} wait there for their turn. Whoever writes without asking is not held
+     * up.
      *
      * @return how many bytes it takes now, above 0; 0 if this port was closed meanwhile
      */

@@ -55,8 +55,8 @@ public final class Configuration {
     }
 
     /**
-     * What a 77h request makes of this one: it carries all 34 bytes, or, as drivers for the older LMS2xx send it, the first 32; what it does not carry
-     * stays as it is. Example of 32, millimetres: {@code 02 00 21 00 77 00 00 00 00 00 00 01 00 00 02 02 + 21 x 00 + FC 7E}.
+     * What a 77h request makes of this one: it carries all 34 bytes, or, as drivers for the older LMS2xx send it, the first 32; what it does not
+     * carry stays as it is. Example of 32, millimetres: {@code 02 00 21 00 77 00 00 00 00 00 00 01 00 00 02 02 + 21 x 00 + FC 7E}.
      *
      * @return null if the request has another length
      */

@@ -2,7 +2,8 @@ package org.SEAR.protocol.lms;
 
 /**
  * The word before the values of a B0h telegram: bits 0 to 9 the number of values, 11 and 12 the quarter of a degree at which a partial scan begins,
- * 13 whether it is one, 14 and 15 the unit. Example: 361 values in millimetres are {@code 69 41}. Source: SICK telegram listing, table 7-31. Immutable.
+ * 13 whether it is one, 14 and 15 the unit. Example: 361 values in millimetres are {@code 69 41}.
+ * Source: SICK telegram listing, table 7-31. Immutable.
  */
 public final class CountWord {
     private static final int COUNT = 0x3FF;

@@ -33,21 +33,15 @@ public final class LmsDevice {
     private static final double SHORT_PATIENCE = 1;
 
     /** Takes what happens at the device; called on the port's reader thread. */
-    public interface Listener {
+    public interface Listener extends DriverEvents {
         void scan(LmsScan scan);
 
         void streaming(boolean on);
-
-        void baud(int baud);
 
         /** @param spread degrees from first to last beam @param resolution degrees between beams */
         void scanMode(double spread, double resolution);
 
         void unit(boolean millimetres);
-
-        void error(String message);
-
-        void info(String message);
     }
 
     private final Listener listener;
@@ -67,7 +61,7 @@ public final class LmsDevice {
     /** Gives the device its port. Before anything else. */
     public void attach(SerialLink newLink) {
         link = newLink;
-        driver = new LmsDriver(new Wire(), new Events());
+        driver = new LmsDriver(new Wire(), listener, this::scanned);
     }
 
     /** @throws IllegalArgumentException that names the legal rates */
@@ -250,28 +244,6 @@ public final class LmsDevice {
             listener.error("the LIDAR did not take " + what + " (result " + reply.at(1) + ")");
         }
         return reply.at(1) == 0;
-    }
-
-    private final class Events implements LmsDriver.Events {
-        @Override
-        public void baud(int baud) {
-            listener.baud(baud);
-        }
-
-        @Override
-        public void scan(Telegram telegram) {
-            scanned(telegram);
-        }
-
-        @Override
-        public void error(String message) {
-            listener.error(message);
-        }
-
-        @Override
-        public void info(String message) {
-            listener.info(message);
-        }
     }
 
     private final class Wire implements LmsDriver.Line {

@@ -35,21 +35,9 @@ final class LmsDriver implements TelegramReader.Listener {
         double now();
     }
 
-    /** Whoever wants to know. */
-    interface Events {
-        /** @param telegram a B0h telegram */
-        void scan(Telegram telegram);
-
-        /** The device was found at another rate than the port was opened with; the port is at that rate now. */
-        void baud(int baud);
-
-        void error(String message);
-
-        void info(String message);
-    }
-
     private final Line line;
-    private final Events events;
+    private final DriverEvents events;
+    private final Consumer<Telegram> scans;
     private final TelegramReader reader = new TelegramReader(address -> (address & Telegram.FROM_DEVICE) != 0, this);
     private final Deque<LmsRequest> waiting = new ArrayDeque<>();
     private LmsRequest current;
@@ -60,9 +48,11 @@ final class LmsDriver implements TelegramReader.Listener {
     private double deadline;
     private double notBefore;
 
-    LmsDriver(Line line, Events events) {
+    /** @param scans takes the B0h telegrams that the device sends by itself */
+    LmsDriver(Line line, DriverEvents events, Consumer<Telegram> scans) {
         this.line = line;
         this.events = events;
+        this.scans = scans;
     }
 
     /** Queues a request. @throws IllegalStateException if the device is far behind */
@@ -202,7 +192,7 @@ final class LmsDriver implements TelegramReader.Listener {
             events.error("the LIDAR does not permit " + name + " in its present operating mode");
             sendNext();
         } else if (command == Command.SCAN.getReply()) {
-            accept(events::scan, telegram);
+            accept(scans, telegram);
         } else if (command == Command.POWER_ON) {
             events.info("the LIDAR has started: " + LmsReplies.text(telegram));
         }

@@ -15,7 +15,7 @@ final class FakeScanner extends Sensor<LidarScan> implements LidarSource {
     int scans;
 
     FakeScanner() {
-        super(new LIDAR("lidar"));
+        super(new LIDAR("lidar"), 0, 1);
     }
 
     @Override

@@ -9,7 +9,6 @@ import java.util.Random;
 import org.SEAR.Bytes;
 import org.SEAR.protocol.lms.Command;
 import org.SEAR.protocol.lms.OperatingMode;
-import org.SEAR.protocol.lms.Telegram;
 import org.junit.Before;
 import org.junit.Test;
 
@@ -49,12 +48,7 @@ public class LmsDriverTest {
             public double now() {
                 return now;
             }
-        }, new LmsDriver.Events() {
-            @Override
-            public void scan(Telegram telegram) {
-                answers.add("streamed");
-            }
-
+        }, new DriverEvents() {
             @Override
             public void baud(int found) {
                 answers.add("at " + found);
@@ -69,7 +63,7 @@ public class LmsDriverTest {
             public void info(String message) {
                 infos.add(message);
             }
-        });
+        }, telegram -> answers.add("streamed"));
     }
 
     private void askScan() {

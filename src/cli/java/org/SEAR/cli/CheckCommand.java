@@ -11,6 +11,7 @@ import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.project.problems.Reasons;
 import org.SEAR.simulator.Simulation;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -47,7 +48,7 @@ final class CheckCommand implements Callable<Integer> {
             }
             err.println(path + ": problems: " + e.getProblems().size());
         } catch (IOException e) {
-            err.println("sear check: " + path + " can't be read: " + reason(e));
+            err.println("sear check: " + path + " can't be read: " + Reasons.of(e));
         }
         return PROBLEMS;
     }
@@ -61,10 +62,6 @@ final class CheckCommand implements Callable<Integer> {
             throw new ProjectException(List.of(new Problem(project.getFolder().getFileName().toString(), 0, "", "its world can't be made (" + e + ")",
                 "objects that a world can be made of; take objects away until it starts, and tell SEAR's makers of the last one")));
         }
-    }
-
-    private static String reason(IOException e) {
-        return e instanceof java.nio.file.NoSuchFileException ? "there is no such file or folder" : String.valueOf(e.getMessage());
     }
 
     private Path project() {

@@ -3,6 +3,7 @@ package org.SEAR.project;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -10,22 +11,29 @@ import java.util.List;
 import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.ObjectStore;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.project.problems.Reasons;
 import org.SEAR.project.xml.Xml;
 
-/** Keeps objects as XML files of the present SEARproject folder. Each file is written beside its place and then moved there: whole or not at all. */
+/** Keeps objects as XML files of the present SEARproject folder. Each file is written beside its place and then moved there: whole or not at all. Any thread; waits while the project is replaced. */
 public final class FileStore implements ObjectStore {
-    private static final Object LOCK = new Object();
     /** Keeps the temporary files of two programs that work on one project apart. */
     private static final long PROCESS = ProcessHandle.current().pid();
 
     @Override
     public void write(SearObject object, boolean part) throws IOException {
-        synchronized (LOCK) {
-            ProjectSwap.recover(ProjectFolder.present());
+        change(() -> {
             Path file = ProjectFolder.file(ProjectFolder.present(), part, object.getName());
             Files.createDirectories(file.getParent());
             refuseOtherCapitals(file, object.getName());
             writeAtomically(file, Xml.write(object).getBytes(StandardCharsets.UTF_8));
+        });
+    }
+
+    private static void change(ProjectSwap.Change change) throws IOException {
+        try {
+            ProjectSwap.change(ProjectFolder.present(), change);
+        } catch (FileSystemException e) {
+            throw new IOException(Reasons.of(e), e);
         }
     }
 
@@ -57,9 +65,7 @@ public final class FileStore implements ObjectStore {
 
     @Override
     public void remove(String name, boolean part) throws IOException {
-        synchronized (LOCK) {
-            Files.deleteIfExists(ProjectFolder.file(ProjectFolder.present(), part, name));
-        }
+        change(() -> Files.deleteIfExists(ProjectFolder.file(ProjectFolder.present(), part, name)));
     }
 
     @Override

@@ -15,6 +15,7 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeMap;
+import java.util.concurrent.locks.ReentrantLock;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -23,12 +24,16 @@ import java.util.stream.Stream;
  *
  * <p>The new project is made ready beside the old one as {@code SEARproject.loading}, then renamed to {@code SEARproject.next}: from then on it
  * counts as soon as {@code SEARproject} is missing. The old one is renamed to {@code SEARproject.backup-N}, then the new one to {@code SEARproject}.
- * A crash between these two is mended by {@link #recover}, which everything that opens a project calls first. The lock keeps two programs apart.
+ * An old backup is renamed before it is deleted, so that
+ * none is ever half there. A crash between these two is mended by {@link #recover}, which everything that opens a project calls first. The lock keeps two programs apart.
  */
 public final class ProjectSwap implements AutoCloseable {
     private static final String LOADING = ".loading";
     private static final String NEXT = ".next";
     private static final String BACKUP = ".backup-";
+    private static final String DELETING = ".deleting";
+    /** Whoever replaces a project in this program, or writes to it. Files' locks keep other programs out, not threads. */
+    private static final ReentrantLock CHANGING = new ReentrantLock();
     /** Older backups are removed. */
     private static final int BACKUPS = 10;
 
@@ -42,14 +47,52 @@ public final class ProjectSwap implements AutoCloseable {
         this.lock = lock;
     }
 
-    /** Locks a project folder against other loads and cleans up after a crash. @throws IOException if another program has the lock */
+    /** Something that changes files of the present project. */
+    public interface Change {
+        void make() throws IOException;
+    }
+
+    /** Changes files of a project: waits while this program replaces it, and finishes what a crash left halfway. */
+    static void change(Path folder, Change change) throws IOException {
+        CHANGING.lock();
+        try {
+            recover(folder);
+            change.make();
+        } finally {
+            CHANGING.unlock();
+        }
+    }
+
+    /**
+     * Locks a project folder against other loads and cleans up after a crash. Waits for other threads of this program that replace a project or
+     * write to it. The same thread closes it.
+     *
+     * @throws IOException if another program has the lock
+     */
     public static ProjectSwap lock(Path folder) throws IOException {
+        return lock(folder, false);
+    }
+
+    private static ProjectSwap lock(Path folder, boolean wait) throws IOException {
+        CHANGING.lock();
+        ProjectSwap swap = null;
+        try {
+            swap = lockFile(folder, wait);
+            return swap;
+        } finally {
+            if (swap == null) {
+                CHANGING.unlock();
+            }
+        }
+    }
+
+    private static ProjectSwap lockFile(Path folder, boolean wait) throws IOException {
         Files.createDirectories(folder.getParent());
         Path file = folder.resolveSibling("." + folder.getFileName() + ".lock");
         FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
         FileLock lock = null;
         try {
-            lock = tryLock(channel);
+            lock = tryLock(channel, wait);
             if (lock == null) {
                 throw new IOException("another program is just replacing the project in " + folder + "; try again when it is done");
             }
@@ -63,18 +106,18 @@ public final class ProjectSwap implements AutoCloseable {
         }
     }
 
-    private static FileLock tryLock(FileChannel channel) throws IOException {
+    private static FileLock tryLock(FileChannel channel, boolean wait) throws IOException {
         try {
-            return channel.tryLock();
+            return wait ? channel.lock() : channel.tryLock();
         } catch (OverlappingFileLockException e) {
             throw new IOException("this program is just replacing the project; try again when it is done", e);
         }
     }
 
-    /** Finishes what a crash left halfway. Cheap when there is nothing to do. */
+    /** Finishes what a crash left halfway, or waits for who is just doing it. Cheap when there is nothing to do. */
     static void recover(Path folder) throws IOException {
         if (!Files.exists(folder, LinkOption.NOFOLLOW_LINKS) && Files.exists(beside(folder, NEXT), LinkOption.NOFOLLOW_LINKS)) {
-            lock(folder).close();
+            lock(folder, true).close();
         }
     }
 
@@ -92,6 +135,7 @@ public final class ProjectSwap implements AutoCloseable {
             }
         }
         delete(beside(folder, LOADING));
+        delete(beside(folder, DELETING));
     }
 
     /** An empty folder to make the new project ready in. */
@@ -119,7 +163,10 @@ public final class ProjectSwap implements AutoCloseable {
         Files.move(folder, backup, StandardCopyOption.ATOMIC_MOVE);
         List<Integer> old = new ArrayList<>(backups.keySet());
         for (int i = 0; i <= old.size() - BACKUPS; i++) {
-            delete(backups.get(old.get(i)));
+            Path doomed = beside(folder, DELETING);
+            delete(doomed);
+            Files.move(backups.get(old.get(i)), doomed, StandardCopyOption.ATOMIC_MOVE);
+            delete(doomed);
         }
         return backup;
     }
@@ -167,8 +214,12 @@ public final class ProjectSwap implements AutoCloseable {
         try {
             delete(beside(folder, LOADING));
         } finally {
-            lock.release();
-            channel.close();
+            try {
+                lock.release();
+                channel.close();
+            } finally {
+                CHANGING.unlock();
+            }
         }
     }
 }

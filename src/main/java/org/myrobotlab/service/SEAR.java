@@ -9,6 +9,7 @@ import java.util.concurrent.Callable;
 import org.SEAR.POJOs.ScriptText;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.project.problems.Reasons;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.SEARConfig;
@@ -432,7 +433,7 @@ public class SEAR extends Service<SEARConfig> {
     }
 
     private static String message(Exception e) {
-        return e.getMessage() == null ? e.toString() : e.getMessage();
+        return Reasons.of(e);
     }
 
     private static String missing(LinkageError e) {

@@ -2,6 +2,7 @@ package org.SEAR.project.bundle;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.List;
@@ -27,7 +28,7 @@ public final class Bundle {
      * Saves a project; the same files give the same bytes. A bundle of that name is replaced when the new one is whole.
      *
      * @throws ProjectException if the project is not valid, or has what no bundle may hold (links, archives, more than 1 GiB)
-     * @throws IOException if the file can't be written
+     * @throws IOException if the file can't be written, or is a link, a pipe or a device
      */
     public static void save(Path folder, Path file, Progress progress) throws IOException, ProjectException {
         Path project = Project.read(folder).getFolder();
@@ -37,6 +38,9 @@ public final class Bundle {
         }
         if (Files.isDirectory(target)) {
             throw new IOException(target + " is a folder; choose the name of a file, such as " + target.resolve("project.sear"));
+        }
+        if (Files.exists(target, LinkOption.NOFOLLOW_LINKS) && !Files.isRegularFile(target, LinkOption.NOFOLLOW_LINKS)) {
+            throw new IOException(target + " is a link, a pipe or a device; choose the name of an ordinary file");
         }
         Files.createDirectories(target.getParent());
         Path temporary = target.resolveSibling("." + target.getFileName() + ProjectFolder.TEMPORARY);

@@ -6,6 +6,7 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -149,8 +150,14 @@ public final class Projects {
             if (in == null) {
                 throw new IOException("this sear.jar lacks templates/" + name);
             }
-            Files.createDirectories(copy.getParent());
-            Files.copy(in, copy);
+            Files.createDirectories(copy.toAbsolutePath().getParent());
+            Path temporary = copy.resolveSibling("." + name + ".tmp");
+            try {
+                Files.copy(in, temporary, StandardCopyOption.REPLACE_EXISTING);
+                Files.move(temporary, copy);
+            } finally {
+                Files.deleteIfExists(temporary);
+            }
         }
         return copy;
     }

@@ -1,0 +1,68 @@
+package org.SEAR.project.models;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.lang.management.BufferPoolMXBean;
+import java.lang.management.ManagementFactory;
+import org.SEAR.POJOs.Model;
+import org.SEAR.project.ProjectRule;
+import org.SEAR.simulator.Simulation;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** A thread that lives long makes many worlds: nothing of their models stays. */
+public class ModelMemoryTest {
+    private static final int STARTS = 40;
+    private static final long MEGABYTE = 1 << 20;
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    private static long direct() {
+        return ManagementFactory.getPlatformMXBeans(BufferPoolMXBean.class).stream().filter(pool -> pool.getName().equals("direct"))
+            .mapToLong(BufferPoolMXBean::getMemoryUsed).sum();
+    }
+
+    /** Direct memory once what nobody holds is gone; that takes a few collections. */
+    private static long held(long enough) {
+        long least = Long.MAX_VALUE;
+        for (int i = 0; i < 50 && least > enough; i++) {
+            System.gc();
+            System.runFinalization();
+            least = Math.min(least, direct());
+        }
+        return least;
+    }
+
+    @Test
+    public void manyStartsHoldNoMoreDirectMemoryThanOne() throws Exception {
+        int side = 150;
+        float[] corners = new float[side * side * 3];
+        for (int i = 0; i < side * side; i++) {
+            corners[3 * i] = i % side;
+            corners[3 * i + 2] = i / side;
+        }
+        int[] indices = new int[(side - 1) * (side - 1) * 3];
+        for (int i = 0; i < indices.length / 3; i++) {
+            int corner = i / (side - 1) * side + i % (side - 1);
+            indices[3 * i] = corner;
+            indices[3 * i + 1] = corner + side;
+            indices[3 * i + 2] = corner + 1;
+        }
+        new Model("ground", new ModelFiles(corners, indices, 0, 0, 0).put(project, ".glb"));
+        start();
+        long before = held(0);
+        for (int i = 0; i < STARTS; i++) {
+            start();
+        }
+        long after = held(before + MEGABYTE);
+        assertTrue(before + " bytes became " + after, after < before + 4 * MEGABYTE);
+    }
+
+    private void start() throws Exception {
+        try (Simulation world = Simulation.load(project.folder(), 1)) {
+            assertEquals(0, world.snapshot().step);
+        }
+    }
+}

@@ -305,12 +305,28 @@ public class SEAR extends Service<SEARConfig> {
         return attempt(() -> works.projects().saveAs(bundle(path).toString(), overwrite));
     }
 
-    /** Replaces the project by a bundle's, once that is read whole and found valid; the present one is kept as backup. */
+    /** Replaces the project by a bundle's, or a copy of a project folder, once that is read whole and found valid; the present one is kept as backup. */
     public void loadProject(String path) {
         attempt(() -> {
             works.projects().load(bundle(path));
             return null;
         });
+    }
+
+    /**
+     * Adds a robot of a bundle or project folder to the present project, which is kept as backup. Names and ports that are taken get a number.
+     *
+     * @param path a bundle or a folder
+     * @param name the robot's name there; None or empty if it is the only one
+     * @return its name here
+     */
+    public String importRobot(String path, String name) {
+        return attempt(() -> works.projects().importRobot(bundle(path), name == null ? null : ScriptText.of(name)));
+    }
+
+    /** Adds the environment of a bundle or project folder to the present project, as {@link #importRobot} a robot. @return the objects' names here */
+    public List<String> importEnvironment(String path) {
+        return attempt(() -> works.projects().importEnvironment(bundle(path)));
     }
 
     /** Takes a part of a bundle from a panel, base64; the last part loads the project and publishes publishUploaded. */

@@ -6,6 +6,9 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectFolder;
 import org.SEAR.project.ProjectSwap;
@@ -58,7 +61,7 @@ public final class Bundle {
     }
 
     /**
-     * Loads a bundle in the place of the project in a folder, once it has been read whole and found valid. The old project becomes a backup beside it
+     * Loads a bundle, or a copy of a folder, in the place of the project in a folder, once it has been read whole and found valid. The old project becomes a backup beside it
      * ({@code SEARproject.backup-N}; the last ten are kept).
      *
      * @return the new project
@@ -69,11 +72,78 @@ public final class Bundle {
         Path project = folder.toAbsolutePath().normalize();
         try (ProjectSwap swap = ProjectSwap.lock(project)) {
             Path staging = swap.staging();
-            new BundleReader(file.toAbsolutePath().normalize(), progress).unpack(staging);
+            unpack(file.toAbsolutePath().normalize(), staging, progress);
             Project.read(staging);
             swap.putInPlace();
         }
         return Project.read(project);
+    }
+
+    /** Unpacks a bundle; a project folder, or the folder that it lies in, is treated as if it had been saved first. */
+    private static void unpack(Path source, Path folder, Progress progress) throws IOException, ProjectException {
+        if (!Files.isDirectory(source)) {
+            new BundleReader(source, progress).unpack(folder);
+            return;
+        }
+        Path inside = source.resolve("SEARproject");
+        Path packed = Files.createTempFile("sear", ".sear");
+        try {
+            new BundleWriter(Project.read(Files.isDirectory(inside) ? inside : source).getFolder(), source.getFileName().toString(), Progress.NONE)
+                .write(packed);
+            new BundleReader(packed, progress).unpack(folder);
+        } finally {
+            Files.deleteIfExists(packed);
+        }
+    }
+
+    /**
+     * Adds a robot of a bundle or folder to a project. Names, ports, beams and assets that are taken there get a number.
+     *
+     * @param robot its name in the bundle; null or empty if that has one robot only
+     * @return new names by the old ones; the robot's is the first
+     * @throws ProjectException with everything that is wrong with either, or would be then; the project stays as it was
+     */
+    public static Map<String, String> importRobot(Path file, Path folder, String robot) throws IOException, ProjectException {
+        return add(file, folder, (source, to) -> to.robot(find(source, robot, file)));
+    }
+
+    /** Adds all of the environment of a bundle or folder to a project, as {@link #importRobot} does a robot. @return new names by the old ones */
+    public static Map<String, String> importEnvironment(Path file, Path folder) throws IOException, ProjectException {
+        return add(file, folder, (source, to) -> to.environment());
+    }
+
+    private static SEARrobot find(Project source, String name, Path file) {
+        List<SEARrobot> robots = source.getRobots();
+        boolean any = name == null || name.isEmpty();
+        return robots.stream().filter(robot -> any && robots.size() == 1 || robot.getName().equals(name)).findFirst()
+            .orElseThrow(() -> new IllegalArgumentException("robot is \"" + (any ? "" : name) + "\", legal: a robot of " + file + ": "
+                + robots.stream().map(SEARrobot::getName).collect(Collectors.toList())));
+    }
+
+    /** What is taken of another project. */
+    private interface Choice {
+        Map<String, String> of(Project source, Import to) throws IOException;
+    }
+
+    private static Map<String, String> add(Path file, Path folder, Choice choice) throws IOException, ProjectException {
+        Path project = folder.toAbsolutePath().normalize();
+        Path unpacked = Files.createTempDirectory("sear-import");
+        try (ProjectSwap swap = ProjectSwap.lock(project)) {
+            unpack(file.toAbsolutePath().normalize(), unpacked, Progress.NONE);
+            Path staging = swap.staging();
+            Project present = null;
+            if (Files.isDirectory(project)) {
+                unpack(project, staging, Progress.NONE);
+                present = Project.read(staging);
+            }
+            Project source = Project.read(unpacked);
+            Map<String, String> renamed = choice.of(source, new Import(source, present, staging));
+            Project.read(staging);
+            swap.putInPlace();
+            return renamed;
+        } finally {
+            ProjectSwap.delete(unpacked);
+        }
     }
 
     /** What somebody wants to see of a project that was found valid. */

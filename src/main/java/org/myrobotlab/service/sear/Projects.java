@@ -127,11 +127,35 @@ public final class Projects {
         Path ended = Paths.get(withEnding(file.toString()));
         if (!Files.exists(file) && Files.isRegularFile(ended)) {
             load(ended);
-        } else if (Files.isRegularFile(file)) {
+        } else if (Files.isRegularFile(file) || Files.isDirectory(file)) {
             Bundle.load(file, folder(), new PercentProgress("loading", file, host::progress));
         } else if (!Examples.with(file, bundle -> Bundle.load(bundle, folder()))) {
-            throw new IOException("there is no file " + file.toAbsolutePath());
+            throw new IOException("there is no file or folder " + file.toAbsolutePath());
         }
+    }
+
+    /** Adds a robot of a bundle or folder to the project. @param robot its name there; null or empty if it is the only one @return its name here */
+    public synchronized String importRobot(Path file, String robot) throws IOException, ProjectException {
+        refuseWhileRunning("importRobot");
+        Map<String, String> renamed = Bundle.importRobot(file, folder(), robot);
+        tell(renamed);
+        return renamed.values().iterator().next();
+    }
+
+    /** Adds the environment of a bundle or folder to the project. @return the names of the objects here */
+    public synchronized List<String> importEnvironment(Path file) throws IOException, ProjectException {
+        refuseWhileRunning("importEnvironment");
+        Map<String, String> renamed = Bundle.importEnvironment(file, folder());
+        tell(renamed);
+        return new ArrayList<>(renamed.values());
+    }
+
+    private void tell(Map<String, String> renamed) {
+        renamed.forEach((old, now) -> {
+            if (!old.equals(now)) {
+                host.progress("\"" + old + "\" is called \"" + now + "\" here, because that name was taken");
+            }
+        });
     }
 
     /** Copies a template into a folder. @return the copy @throws IOException if that exists already */

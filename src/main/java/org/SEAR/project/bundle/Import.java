@@ -1,0 +1,199 @@
+package org.SEAR.project.bundle;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.SEAR.POJOs.Beam;
+import org.SEAR.POJOs.Parameter;
+import org.SEAR.POJOs.ParameterTable;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.SerialObject;
+import org.SEAR.POJOs.Wheel;
+import org.SEAR.project.Beams;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectFolder;
+import org.SEAR.project.xml.Xml;
+
+/**
+ * Puts objects of one project into the folder of another: names and ports that are taken there get a number, and so do assets and beams that have
+ * another content there. One use, one thread.
+ */
+final class Import {
+    private static final List<String> ASSETS = Arrays.asList("path", "image");
+    private static final List<String> PORTS = Arrays.asList("uartPort", "userPort");
+
+    private final Project source;
+    private final Path target;
+    private final Set<String> names = new HashSet<>();
+    private final Set<String> ports = new HashSet<>();
+
+    /** @param present the project that the target folder holds; null if that is empty */
+    Import(Project source, Project present, Path target) {
+        this.source = source;
+        this.target = target;
+        if (present != null) {
+            present.getEnvironment().forEach(this::take);
+            for (SEARrobot robot : present.getRobots()) {
+                take(robot);
+                robot.getComponents().forEach(this::take);
+            }
+        }
+    }
+
+    private void take(SearObject object) {
+        names.add(object.getName().toLowerCase(Locale.ROOT));
+        if (object instanceof SerialObject) {
+            ports.add(String.valueOf(((SerialObject) object).getUartPort()).toLowerCase(Locale.ROOT));
+            ports.add(String.valueOf(((SerialObject) object).getUserPort()).toLowerCase(Locale.ROOT));
+        }
+    }
+
+    /** All of the environment. @return new names by the old ones */
+    Map<String, String> environment() throws IOException {
+        Map<String, String> renamed = new LinkedHashMap<>();
+        reserve(source.getEnvironment(), renamed);
+        String prefix = copyAssets();
+        for (SearObject object : source.getEnvironment()) {
+            write(object, ProjectFolder.ENVIRONMENT, renamed, prefix);
+        }
+        return renamed;
+    }
+
+    /** A robot with all its parts. @return new names by the old ones; the robot's is the first */
+    Map<String, String> robot(SEARrobot robot) throws IOException {
+        List<SearObject> all = new ArrayList<>();
+        all.add(robot);
+        robot.getComponents().stream().filter(part -> !(part instanceof Wheel)).forEach(all::add);
+        Map<String, String> renamed = new LinkedHashMap<>();
+        reserve(all, renamed);
+        String prefix = copyAssets();
+        for (SearObject object : all) {
+            write(object, ProjectFolder.ROBOT, renamed, prefix);
+        }
+        return renamed;
+    }
+
+    private void reserve(List<? extends SearObject> objects, Map<String, String> renamed) {
+        objects.forEach(object -> renamed.put(object.getName(), unique(object.getName(), names)));
+    }
+
+    /**
+     * The name itself, or with the first number that makes it new: {@code rover}, {@code rover_2}. Files are read in the order
+     * of their names, so the first robot stays the first.
+     */
+    private static String unique(String name, Set<String> taken) {
+        String free = name;
+        for (int number = 2; !taken.add(free.toLowerCase(Locale.ROOT)); number++) {
+            free = name + "_" + number;
+        }
+        return free;
+    }
+
+    private void write(SearObject object, String folder, Map<String, String> renamed, String prefix) throws IOException {
+        set(object, "name", name -> renamed.get(name));
+        set(object, "component", name -> renamed.getOrDefault(name, name));
+        copyBeam(object);
+        ASSETS.forEach(element -> set(object, element, path -> isOwnAsset(path) ? prefix + path.replaceFirst("^(\\./)+", "") : path));
+        PORTS.forEach(element -> set(object, element, port -> unique(port, ports)));
+        if (object instanceof SEARrobot) {
+            for (Wheel wheel : ((SEARrobot) object).getWheels()) {
+                set(wheel, "image", path -> isOwnAsset(path) ? prefix + path : path);
+            }
+        }
+        Path file = Files.createDirectories(target.resolve(folder)).resolve(object.getName() + ProjectFolder.XML);
+        Files.writeString(file, Xml.write(object));
+    }
+
+    private static void set(SearObject object, String element, UnaryOperator<String> change) {
+        Parameter parameter = ParameterTable.of(object.getClass()).find(element);
+        if (parameter == null) {
+            return;
+        }
+        List<Object> values = new ArrayList<>();
+        parameter.values(object).forEach(value -> values.add(change.apply((String) value)));
+        if (!values.isEmpty()) {
+            parameter.set(object, parameter.isList() ? values : values.get(0));
+        }
+    }
+
+    private boolean isOwnAsset(String path) {
+        return Files.isRegularFile(source.getAssets().getFolder().resolve(path));
+    }
+
+    /** Copies all assets: to the same paths if nothing else is there, else all of them to a new folder. @return what comes before their paths then */
+    private String copyAssets() throws IOException {
+        Path from = source.getAssets().getFolder();
+        Path to = target.resolve(ProjectFolder.ASSETS);
+        if (!Files.isDirectory(from)) {
+            return "";
+        }
+        List<Path> files;
+        try (Stream<Path> all = Files.walk(from)) {
+            files = all.filter(Files::isRegularFile).map(from::relativize).collect(Collectors.toList());
+        }
+        String prefix = "";
+        for (int number = 1; !fit(files, from, to.resolve(prefix)); number++) {
+            prefix = "imported" + number + "/";
+        }
+        for (Path file : files) {
+            Path copy = to.resolve(prefix).resolve(file);
+            Files.createDirectories(copy.getParent());
+            Files.copy(from.resolve(file), copy, StandardCopyOption.REPLACE_EXISTING);
+        }
+        return prefix;
+    }
+
+    private static boolean fit(List<Path> files, Path from, Path to) throws IOException {
+        for (Path file : files) {
+            if (Files.exists(to.resolve(file)) && !isSame(from.resolve(file), to.resolve(file))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean isSame(Path a, Path b) throws IOException {
+        return Files.isRegularFile(b) && Files.size(a) == Files.size(b) && Arrays.equals(Files.readAllBytes(a), Files.readAllBytes(b));
+    }
+
+    /** A beam of the source's own goes along; one of that name and another content there gets a number. */
+    private void copyBeam(SearObject object) throws IOException {
+        Parameter parameter = ParameterTable.of(object.getClass()).find("beam");
+        if (parameter == null || parameter.get(object) == null) {
+            return;
+        }
+        String name = (String) parameter.get(object);
+        Path from = source.getFolder().resolve(ProjectFolder.BEAMS).resolve(name + ProjectFolder.XML);
+        if (!Files.isRegularFile(from)) {
+            return;
+        }
+        Path beams = Files.createDirectories(target.resolve(ProjectFolder.BEAMS));
+        String free = name;
+        Beam beam = new Beams(source.getFolder()).get(name);
+        String text = Xml.write(beam);
+        for (int number = 2; !isFree(beams.resolve(free + ProjectFolder.XML), free, text); number++) {
+            free = name + "_" + number;
+            ParameterTable.of(Beam.class).find("name").set(beam, free);
+            text = Xml.write(beam);
+        }
+        Files.writeString(beams.resolve(free + ProjectFolder.XML), text);
+        parameter.set(object, free);
+    }
+
+    private boolean isFree(Path file, String name, String text) {
+        return !Files.exists(file) || Xml.write(new Beams(target).get(name)).equals(text);
+    }
+}

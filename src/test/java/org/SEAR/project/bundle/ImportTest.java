@@ -1,0 +1,114 @@
+package org.SEAR.project.bundle;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+import static org.junit.Assert.fail;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectRule;
+import org.SEAR.project.problems.ProjectException;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** Robots and environments out of other projects. */
+public class ImportTest {
+    private static final String BEAM = "<Beam><name>own</name><minRange>0</minRange><cone><halfAngle>5</halfAngle><range>RANGE</range></cone></Beam>";
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+    private Path bundle;
+
+    @Before
+    public void haveABundle() throws Exception {
+        project.put("robot/rover.xml", "<SEARrobot><name>rover</name><component>drive</component><component>body</component>"
+            + "<component>eye</component></SEARrobot>");
+        project.put("robot/drive.xml", "<Dynamics><name>drive</name><mass>3</mass><uartPort>COM1</uartPort><userPort>COM2</userPort></Dynamics>");
+        project.put("robot/body.xml", "<Box><name>body</name><length>1</length><width>1</width><height>1</height><image>skin.png</image></Box>");
+        project.put("robot/eye.xml", "<Distance><name>eye</name><beam>own</beam></Distance>");
+        project.put("beams/own.xml", BEAM.replace("RANGE", "2"));
+        project.put("assets/skin.png", "one");
+        project.put("environment/crate.xml", "<Box><name>crate</name><length>1</length><width>1</width><height>1</height></Box>");
+        bundle = project.getRoot().toPath().resolve("rover.sear");
+        Bundle.save(project.folder(), bundle);
+    }
+
+    private Project read() throws ProjectException {
+        return Project.read(project.folder());
+    }
+
+    private static String parts(SEARrobot robot) {
+        return robot.getName() + robot.getComponents().stream().map(part -> part.getName()).collect(Collectors.toList());
+    }
+
+    @Test
+    public void theSameRobotIsPlacedTwice() throws Exception {
+        Map<String, String> renamed = Bundle.importRobot(bundle, project.folder(), "rover");
+        assertEquals("{rover=rover_2, drive=drive_2, body=body_2, eye=eye_2}", renamed.toString());
+        assertEquals("rover[drive, body, eye]", parts(read().getRobots().get(0)));
+        assertEquals("rover_2[drive_2, body_2, eye_2]", parts(read().getRobots().get(1)));
+        assertTrue(project.text("robot/drive_2.xml"), project.text("robot/drive_2.xml").contains("<uartPort>COM1_2</uartPort>"));
+        assertTrue(project.text("robot/body_2.xml"), project.text("robot/body_2.xml").contains("<image>skin.png</image>"));
+        assertTrue(project.text("robot/eye_2.xml"), project.text("robot/eye_2.xml").contains("<beam>own</beam>"));
+        assertEquals("rover_3", Bundle.importRobot(bundle, project.folder(), "").get("rover"));
+        assertEquals(3, read().getRobots().size());
+        assertEquals(1, read().getEnvironment().size());
+    }
+
+    @Test
+    public void beamsAndPicturesOfOtherContentStayApart() throws Exception {
+        project.put("beams/own.xml", BEAM.replace("RANGE", "7"));
+        project.put("assets/skin.png", "two");
+        Bundle.importRobot(bundle, project.folder(), "rover");
+        assertTrue(project.text("robot/eye_2.xml"), project.text("robot/eye_2.xml").contains("<beam>own_2</beam>"));
+        assertTrue(project.text("beams/own_2.xml"), project.text("beams/own_2.xml").contains("<range>2</range>"));
+        assertTrue(project.text("beams/own.xml"), project.text("beams/own.xml").contains("<range>7</range>"));
+        assertTrue(project.text("robot/body_2.xml"), project.text("robot/body_2.xml").contains("<image>imported1/skin.png</image>"));
+        assertEquals("one", project.text("assets/imported1/skin.png"));
+        assertEquals("two", project.text("assets/skin.png"));
+    }
+
+    @Test
+    public void anEnvironmentComesFromAFolderToo() throws Exception {
+        Path other = project.getRoot().toPath().resolve("other/SEARproject");
+        Files.createDirectories(other.getParent());
+        Bundle.load(bundle, other);
+        assertEquals("{crate=crate_2}", Bundle.importEnvironment(other.getParent(), project.folder()).toString());
+        assertEquals(2, read().getEnvironment().size());
+        Bundle.newProject(project.folder());
+        assertEquals("{crate=crate}", Bundle.importEnvironment(other, project.folder()).toString());
+        assertEquals(0, read().getRobots().size());
+    }
+
+    @Test
+    public void aFolderIsLoadedAsACopy() throws Exception {
+        Path mine = project.getRoot().toPath().resolve("mine/SEARproject");
+        Files.createDirectories(mine.getParent());
+        assertEquals("rover", Bundle.load(project.folder(), mine).getRobots().get(0).getName());
+        assertEquals(ProjectRule.files(project.folder()), ProjectRule.files(mine));
+    }
+
+    @Test
+    public void whatCantBeImportedChangesNothing() throws Exception {
+        Map<String, String> before = ProjectRule.files(project.folder());
+        try {
+            Bundle.importRobot(bundle, project.folder(), "nobody");
+            fail("imported");
+        } catch (IllegalArgumentException e) {
+            assertTrue(e.getMessage(), e.getMessage().contains("robot is \"nobody\", legal: a robot of") && e.getMessage().contains("[rover]"));
+        }
+        try {
+            Bundle.importEnvironment(Paths.get("nothere.sear"), project.folder());
+            fail("imported");
+        } catch (ProjectException e) {
+            assertTrue(e.getMessage(), e.getMessage().contains("there is no such file"));
+        }
+        assertEquals(before, ProjectRule.files(project.folder()));
+    }
+}

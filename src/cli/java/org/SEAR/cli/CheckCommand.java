@@ -27,7 +27,8 @@ final class CheckCommand implements Callable<Integer> {
     private static final int PROBLEMS = 2;
     private static final String PROJECT = "SEARproject";
 
-    @Parameters(paramLabel = "FOLDER_OR_FILE.sear", description = "A SEARproject folder, the folder that it lies in, or a bundle.")
+    @Parameters(paramLabel = "FOLDER_OR_FILE.sear", arity = "0..1", defaultValue = PROJECT,
+        description = "A SEARproject folder, the folder that it lies in, or a bundle. Default: ${DEFAULT-VALUE}.")
     private Path path;
     @Spec
     private CommandSpec spec;

@@ -1,9 +1,12 @@
 package org.SEAR.cli;
 
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
 import org.SEAR.cli.install.InstallCommand;
+import picocli.AutoComplete;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -14,14 +17,17 @@ import picocli.CommandLine.Spec;
 
 /** {@code sear SCRIPT.py [options]}, and the other commands of the program. */
 @Command(name = "sear", mixinStandardHelpOptions = true, versionProvider = Version.class,
-    subcommands = {CheckCommand.class, SensorsCommand.class, InstallCommand.class},
-    description = "Runs a Python script in a small MyRobotLab with SEAR in it. The project is the folder SEARproject in the present folder.",
+    subcommands = {CheckCommand.class, SensorsCommand.class, InstallCommand.class, AutoComplete.GenerateCompletion.class},
+    description = "Runs a Python script in a small MyRobotLab with SEAR in it, or opens a project in the tabs, and in the browser where there is one. "
+        + "The project of a script is the folder SEARproject in the present folder.",
     footer = "Exit status: 0 when the script ends, 1 when it raises, 2 when the command makes no sense.")
 public final class SearCommand implements Callable<Integer> {
-    private static final int USAGE = CommandLine.ExitCode.USAGE;
-
-    @Parameters(paramLabel = "SCRIPT.py", arity = "0..1", description = "The script, Python 2.7 as MyRobotLab has it (Jython).")
+    @Parameters(index = "0", paramLabel = "SCRIPT.py|PROJECT", arity = "0..1", description = "A script, Python 2.7 as MyRobotLab has it (Jython); or a "
+        + "bundle (.sear) or a folder, whose project is opened in the tabs. Without it the tabs open on the project of the present folder.")
     private Path script;
+    @Parameters(index = "1..*", paramLabel = "ARGUMENT", arity = "0..*", description = "What the script finds in sys.argv; put -- before the first one "
+        + "if one looks like an option or a command.")
+    private List<String> arguments = List.of();
     @Option(names = "--headless", description = "Open no window.")
     private boolean headless;
     @Option(names = "--speed", paramLabel = "FACTOR|max", description = "Simulated seconds a second; max: as fast as possible, in lock-step with "
@@ -54,11 +60,6 @@ public final class SearCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        if (script == null) {
-            PrintWriter err = spec.commandLine().getErr();
-            spec.commandLine().usage(err);
-            return USAGE;
-        }
         if (headless) {
             System.setProperty("sear.headless", "true");
         }
@@ -69,7 +70,16 @@ public final class SearCommand implements Callable<Integer> {
             System.setProperty("sear.seed", seed.toString());
         }
         System.setProperty("sear.keep", String.valueOf(keep));
-        return new ScriptRun(script, checkedPort(), token, keep, spec.commandLine().getErr()).run();
+        PrintWriter err = spec.commandLine().getErr();
+        MrlRun run = new MrlRun(checkedPort(), token, err);
+        if (script != null && !Files.exists(script)) {
+            err.println("sear: " + script + " can't be read: there is no such file. Try sear --help.");
+            return CommandLine.ExitCode.USAGE;
+        }
+        if (script == null || Files.isDirectory(script) || script.toString().endsWith(".sear")) {
+            return run.project(script, !headless);
+        }
+        return run.script(script, arguments, keep);
     }
 
     private String checkedSpeed() {
@@ -81,10 +91,10 @@ public final class SearCommand implements Callable<Integer> {
 
     private int checkedPort() {
         if (port.equals("none")) {
-            return ScriptRun.NO_PORT;
+            return MrlRun.NO_PORT;
         }
-        if (!port.matches("[0-9]{1,5}") || Integer.parseInt(port) < 1 || Integer.parseInt(port) > ScriptRun.HIGHEST_PORT) {
-            throw new ParameterException(spec.commandLine(), "--port is \"" + port + "\", legal: 1 to " + ScriptRun.HIGHEST_PORT + ", or none");
+        if (!port.matches("[0-9]{1,5}") || Integer.parseInt(port) < 1 || Integer.parseInt(port) > MrlRun.HIGHEST_PORT) {
+            throw new ParameterException(spec.commandLine(), "--port is \"" + port + "\", legal: 1 to " + MrlRun.HIGHEST_PORT + ", or none");
         }
         return Integer.parseInt(port);
     }

@@ -45,7 +45,7 @@ final class Tabs {
     }
 
     private static int free(int wanted) {
-        for (int port = wanted; port < wanted + MOST_TRIES && port <= ScriptRun.HIGHEST_PORT; port++) {
+        for (int port = wanted; port < wanted + MOST_TRIES && port <= MrlRun.HIGHEST_PORT; port++) {
             try (ServerSocket probe = new ServerSocket()) {
                 probe.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
                 return port;

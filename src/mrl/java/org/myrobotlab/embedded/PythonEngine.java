@@ -36,6 +36,8 @@ public final class PythonEngine {
     private final String name;
     private final PythonInterpreter interpreter;
     private volatile ScriptResult last = ScriptResult.GOOD;
+    private volatile List<String> arguments = List.of();
+    private volatile boolean callFailed;
     private final Map<Thread, Run> running = new HashMap<>();
     /** Calls of the script's functions, compiled when they came first, by bare name. */
     private final Map<String, PyCode> calls = new ConcurrentHashMap<>();
@@ -72,7 +74,10 @@ public final class PythonEngine {
         byte[] code = Files.readAllBytes(path);
         addModulePath(path.getParent().toString());
         set("__file__", path.toString());
-        interpreter.getSystemState().argv = new PyList(List.of(Py.fileSystemEncode(file)));
+        PyList argv = new PyList();
+        argv.append(Py.fileSystemEncode(file));
+        arguments.forEach(one -> argv.append(Py.fileSystemEncode(one)));
+        interpreter.getSystemState().argv = argv;
         return run(code, file);
     }
 
@@ -91,16 +96,28 @@ public final class PythonEngine {
         return last;
     }
 
+    /** What files that are run find in sys.argv behind their name. */
+    public void setArguments(List<String> newArguments) {
+        arguments = List.copyOf(newArguments);
+    }
+
     /** Calls a function of the script. */
-    public ScriptResult call(String function, Object... arguments) {
-        return guarded(() -> {
+    public ScriptResult call(String function, Object... values) {
+        ScriptResult result = guarded(() -> {
             PyObject callable = interpreter.eval(function);
-            PyObject[] converted = new PyObject[arguments.length];
+            PyObject[] converted = new PyObject[values.length];
             for (int i = 0; i < converted.length; i++) {
-                converted[i] = Py.java2py(arguments[i]);
+                converted[i] = Py.java2py(values[i]);
             }
             callable.__call__(converted);
         });
+        callFailed |= result.getTraceback() != null;
+        return result;
+    }
+
+    /** Whether a function that was called has raised. */
+    public boolean hasCallFailed() {
+        return callFailed;
     }
 
     /**

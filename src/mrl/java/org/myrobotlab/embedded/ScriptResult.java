@@ -17,6 +17,9 @@ public final class ScriptResult {
     /** It was broken off. */
     static final ScriptResult STOPPED = new ScriptResult(1, null, true);
 
+    private static final Pattern F_STRING = Pattern.compile("(?i)\\bf[r]?[\"']");
+    private static final Pattern PRINT = Pattern.compile("\\bprint\\s*\\(");
+    private static final String OLD_PYTHON = "\nscripts are Python 2.7 (Jython)";
     /** A Java exception's class, as Jython writes it. */
     private static final Pattern TWICE = Pattern.compile("^([\\w.$]+): \\1: ");
 
@@ -38,7 +41,23 @@ public final class ScriptResult {
         if (e.match(Py.SystemExit)) {
             return exit(e);
         }
-        return new ScriptResult(1, traceback(e), false);
+        e.normalize();
+        String message = e.value.__str__().toString().trim();
+        String headline = message.contains("\n") ? message.substring(0, message.indexOf('\n')) + "\n" : "";
+        return new ScriptResult(1, headline + traceback(e) + hint(e), false);
+    }
+
+    /** What today's Python writes and this one does not read. */
+    private static String hint(PyException e) {
+        PyObject line = e.match(Py.SyntaxError) ? e.value.__findattr__("text") : null;
+        if (line == null) {
+            return "";
+        }
+        if (F_STRING.matcher(line.toString()).find()) {
+            return OLD_PYTHON + ", which has no f-strings: write \"%d m\" % metres";
+        }
+        return PRINT.matcher(line.toString()).find()
+            ? OLD_PYTHON + ": write print \"a\", b, or begin the script with from __future__ import print_function" : "";
     }
 
     /** As Python ends: sys.exit(n) with n, sys.exit() with 0, sys.exit(text) with 1 and the text. */

@@ -24,7 +24,8 @@ public class Outbox implements Runnable, Serializable {
     private static final int MOST = 1024;
 
     protected final String name;
-    /** Who listens, by published method. */
+    /** Who listens, by published method; what holds it here can be serialised, whatever the type promises. */
+    @SuppressWarnings("serial")
     protected final Map<String, List<MRLListener>> notifyList = new ConcurrentHashMap<>();
     private final transient BlockingQueue<Message> messages = new LinkedBlockingQueue<>();
     private final transient List<MessageListener> watchers = new CopyOnWriteArrayList<>();

@@ -44,7 +44,8 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
     private static final int SCRIPT_DEPTH = 3;
     private static final String IMPORTS = "import sys\nfrom time import sleep\n";
 
-    /** Scripts that are open in the editor, by file. */
+    /** Scripts that are open in the editor, by file; what holds them here can be serialised, whatever the type promises. */
+    @SuppressWarnings("serial")
     Map<String, Script> openedScripts = new ConcurrentHashMap<>();
     protected boolean openOnExecute;
     private transient volatile PythonEngine engine;

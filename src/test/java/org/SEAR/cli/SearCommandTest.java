@@ -122,15 +122,60 @@ public class SearCommandTest {
     }
 
     @Test
+    public void argumentsReachTheScript() throws Exception {
+        assertEquals(err, 0, sear(script("print sys.argv"), "one", "--port", "none", "--", "--headless", "check"));
+        assertEquals("['script.py', 'one', '--headless', 'check']\n", out);
+    }
+
+    @Test
+    public void todaysPythonIsAnsweredWithTheVersionOfThisOne() throws Exception {
+        assertEquals(1, sear(script("x = 3\nprint f'{x} m'"), "--port", "none"));
+        assertTrue(err, err.trim().endsWith("scripts are Python 2.7 (Jython), which has no f-strings: write \"%d m\" % metres"));
+        assertEquals(1, sear(script("print('a', end='')"), "--port", "none"));
+        assertTrue(err, err.contains("scripts are Python 2.7 (Jython): write print"));
+        assertEquals(1, sear(script("x = = 3"), "--port", "none"));
+        assertFalse(err, err.contains("Python 2.7"));
+    }
+
+    @Test
+    public void anExceptionOfSeveralLinesBeginsWithWhatWasWrong() throws Exception {
+        assertEquals(1, sear(script("raise ValueError('first\\nsecond')"), "--port", "none"));
+        assertTrue(err, err.replaceFirst("^.*:\\s+", "").startsWith("first\nTraceback"));
+    }
+
+    @Test
+    public void anErrorInACallbackMakesTheRunExitWith1() throws Exception {
+        String code = "Runtime.getInstance().addListener('started', python.name, 'go')\ndone = []\n"
+            + "def go(name):\n  done.append(1)\n  raise ValueError('in a callback')\nRuntime.start('s', 'Serial')\n"
+            + "while not done: sleep(0.01)\nsleep(1)";
+        assertEquals(1, sear(script(code), "--port", "none"));
+        assertTrue(err, err.contains("ValueError: in a callback"));
+    }
+
+    @Test
+    public void shellsGetTheirCompletion() throws Exception {
+        assertEquals(0, sear("generate-completion"));
+        assertTrue(out, out.contains("complete -F _complete_sear") && out.contains("--headless"));
+    }
+
+    @Test
+    public void checkWithoutAnArgumentChecksTheProjectHere() throws Exception {
+        assertEquals(2, sear("check"));
+        assertTrue(err, err.contains("SEARproject can't be read: there is no such file or folder"));
+        Path environment = Files.createDirectories(folder.getRoot().toPath().resolve("SEARproject/environment"));
+        Files.writeString(environment.resolve("a.xml"), "<Box><name>a</name><length>-1</length></Box>");
+        assertEquals(2, sear("check"));
+        assertTrue(out, out.contains("environment/a.xml"));
+    }
+
+    @Test
     public void whatMakesNoSenseIs2() throws Exception {
         assertEquals(2, sear("nix.py"));
-        assertTrue(err, err.contains("script nix.py can't be read"));
+        assertTrue(err, err.contains("nix.py can't be read"));
         assertEquals(2, sear(script("pass"), "--speed", "fast"));
         assertTrue(err, err.contains("--speed is \"fast\", legal: a number above 0, or max"));
         assertEquals(2, sear(script("pass"), "--port", "99999"));
         assertTrue(err, err.contains("--port is \"99999\", legal: 1 to 65535, or none"));
-        assertEquals(2, sear());
-        assertTrue(err, err.contains("Usage: sear"));
     }
 
     @Test

@@ -44,6 +44,8 @@ public class LockStepTest {
 
     /** Milliseconds; nothing here takes as long, even on a busy machine. */
     private static final long PATIENCE = 20_000;
+    /** Milliseconds, longer than it takes a sleeper to look whether the pause has ended. */
+    private static final long PAUSE = 600;
 
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();
@@ -146,6 +148,8 @@ public class LockStepTest {
             Thread.onSpinWait();
         }
         sear.reset();
+        script.join(PAUSE);
+        assertTrue("the sleeper waits on: " + failure.get(), script.isAlive());
         sear.resume();
         script.join(PATIENCE);
         assertFalse("still asleep", script.isAlive());

@@ -1,0 +1,114 @@
+package org.SEAR.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import org.myrobotlab.embedded.PythonEngine;
+import org.myrobotlab.embedded.Shutdown;
+import org.myrobotlab.framework.interfaces.ServiceInterface;
+import org.myrobotlab.service.Python;
+import org.myrobotlab.service.Runtime;
+import org.myrobotlab.service.SEAR;
+import picocli.CommandLine.ExitCode;
+
+/** One run of the embedded MyRobotLab, from start to release: of a script, or with a project open in the tabs. */
+final class MrlRun {
+    /** No tabs. */
+    static final int NO_PORT = -1;
+    static final int HIGHEST_PORT = 65535;
+
+    private static final String PYTHON = "python";
+    private static final String SEAR_NAME = "sear";
+    private static final String PROJECT = "SEARproject";
+
+    private final int port;
+    private final boolean token;
+    private final PrintWriter err;
+    private final CountDownLatch shutdown = new CountDownLatch(1);
+    private String address;
+
+    MrlRun(int port, boolean token, PrintWriter err) {
+        this.port = port;
+        this.token = token;
+        this.err = err;
+    }
+
+    /** Starts Python and the tabs. @return Python; null if it can't be */
+    private Python start() {
+        Shutdown.then(shutdown::countDown);
+        java.lang.Runtime.getRuntime().addShutdownHook(new Thread(MrlRun::release, "release"));
+        ServiceInterface python = Runtime.start(PYTHON, "Python");
+        if (port != NO_PORT) {
+            address = Tabs.start(port, token, err);
+        }
+        return python instanceof Python ? (Python) python : null;
+    }
+
+    /** Ends scripts before what they wait for, which would have them complain. */
+    private static void release() {
+        PythonEngine engine = PythonEngine.of(PYTHON);
+        if (engine != null) {
+            engine.interrupt();
+        }
+        Runtime.releaseAll();
+    }
+
+    /**
+     * Runs a script.
+     *
+     * @param keep whether to stay until Ctrl+C or Runtime.shutdown()
+     * @return the exit status
+     */
+    int script(Path script, List<String> arguments, boolean keep) throws IOException, InterruptedException {
+        Python python = start();
+        PythonEngine engine = PythonEngine.of(PYTHON);
+        if (python == null || engine == null) {
+            return ExitCode.SOFTWARE;
+        }
+        engine.setArguments(arguments);
+        python.execFile(script.toString());
+        int status = PythonEngine.of(PYTHON) == null ? ExitCode.OK : engine.getLastResult().getExitCode();
+        if (keep) {
+            shutdown.await();
+        }
+        release();
+        return status == ExitCode.OK && engine.hasCallFailed() ? ExitCode.SOFTWARE : status;
+    }
+
+    /**
+     * Shows a project in the tabs until Ctrl+C or Runtime.shutdown().
+     *
+     * @param path a bundle, a project's folder or the one that it lies in; null for the project of the present folder, which may be empty
+     * @param inBrowser whether to open the browser, if there is one
+     * @return the exit status
+     */
+    int project(Path path, boolean inBrowser) throws InterruptedException {
+        if (path != null && Files.isDirectory(path)) {
+            Path inside = path.resolve(PROJECT);
+            System.setProperty("sear.project", (Files.isDirectory(inside) ? inside : path).toString());
+        }
+        Python python = start();
+        ServiceInterface sear = Runtime.start(SEAR_NAME, "SEAR");
+        if (python == null || !(sear instanceof SEAR)) {
+            return ExitCode.SOFTWARE;
+        }
+        if (path != null && !Files.isDirectory(path)) {
+            try {
+                ((SEAR) sear).loadProject(path.toString());
+            } catch (IllegalArgumentException | IllegalStateException e) {
+                err.println("sear: " + path + " can't be opened: " + e.getMessage());
+                release();
+                return ExitCode.USAGE;
+            }
+        }
+        if (address != null && inBrowser) {
+            Browser.open(address + (address.contains("#") ? "" : "#/" + SEAR_NAME));
+        }
+        shutdown.await();
+        release();
+        return ExitCode.OK;
+    }
+}

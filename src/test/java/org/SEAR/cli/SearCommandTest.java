@@ -146,8 +146,8 @@ public class SearCommandTest {
     @Test
     public void anErrorInACallbackMakesTheRunExitWith1() throws Exception {
         String code = "Runtime.getInstance().addListener('started', python.name, 'go')\ndone = []\n"
-            + "def go(name):\n  done.append(1)\n  raise ValueError('in a callback')\nRuntime.start('s', 'Serial')\n"
-            + "while not done: sleep(0.01)\nsleep(1)";
+            + "def go(name):\n  done.append(1)\n  raise ValueError('in a callback')\nRuntime.start('s', 'Serial')\nRuntime.start('t', 'Serial')\n"
+            + "while len(done) < 2: sleep(0.01)";
         assertEquals(1, sear(script(code), "--port", "none"));
         assertTrue(err, err.contains("ValueError: in a callback"));
     }

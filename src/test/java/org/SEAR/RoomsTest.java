@@ -8,10 +8,16 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.Deque;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -25,6 +31,14 @@ public class RoomsTest {
         "org.SEAR.robot", "org.SEAR.physics", "org.SEAR.devices", "org.SEAR.sensors", "org.SEAR.raycast", "org.SEAR.collision", "org.SEAR.project",
         "org.SEAR.geometry", "org.SEAR.POJOs", "org.SEAR.protocol");
     private static final List<String> CORE = ROOMS.subList(3, ROOMS.size());
+    /** Files that all use each other, directly or through others. */
+    private static final int LARGEST_KNOT = 6;
+    /** The objects of the grammar know their robot, their shapes and how they are kept. */
+    private static final Map<String, Integer> LARGE_KNOTS = Collections.singletonMap("org.SEAR.POJOs", 13);
+    private static final int MOST_FILES = 20;
+    private static final List<String> SMALL = Arrays.asList("org.SEAR.simulator", "org.SEAR.robot", "org.SEAR.physics", "org.SEAR.devices",
+        "org.SEAR.devices.gps", "org.SEAR.devices.lms", "org.SEAR.devices.oi", "org.SEAR.raycast", "org.SEAR.collision", "org.SEAR.geometry");
+    private static final Pattern WORD = Pattern.compile("(?<![.\\w])[A-Z]\\w*");
     private static final Pattern NAME = Pattern.compile("\\b(?:org|com)\\.[A-Za-z0-9_.]+");
     private static final Path SOURCES = Paths.get(System.getProperty("sear.root", "."), "src/main/java");
     private static final Path MYROBOTLAB = Paths.get(System.getProperty("sear.root", "."), "src/mrl/java");
@@ -82,6 +96,74 @@ public class RoomsTest {
                 assertTrue(file.toString(), namesIn(file).stream().noneMatch(name -> name.startsWith("com.jme3")));
             }
         }
+    }
+
+    @Test
+    public void onlyPhysicsKnowsJbullet() throws IOException {
+        for (Path file : sources()) {
+            if (CORE.contains(room(packageOf(file))) && !packageOf(file).equals("org.SEAR.physics")) {
+                assertTrue(file.toString(), namesIn(file).stream().noneMatch(name -> name.startsWith("com.bulletphysics")));
+            }
+        }
+    }
+
+    @Test
+    public void noKnotOfFilesInsideARoomIsLargerThanSix() throws IOException {
+        List<String> wrong = new ArrayList<>();
+        for (Map.Entry<String, Map<String, Set<String>>> room : uses().entrySet()) {
+            int most = LARGE_KNOTS.getOrDefault(room.getKey(), LARGEST_KNOT);
+            Map<String, Set<String>> reachable = new TreeMap<>();
+            room.getValue().forEach((file, used) -> reachable.put(file, reachable(file, room.getValue())));
+            for (String file : reachable.keySet()) {
+                List<String> knot = reachable.get(file).stream().filter(other -> reachable.get(other).contains(file)).collect(Collectors.toList());
+                if (knot.size() > most) {
+                    wrong.add(room.getKey() + ": " + knot);
+                }
+            }
+        }
+        assertEquals(Collections.emptyList(), wrong);
+    }
+
+    @Test
+    public void roomsOfTheCoreStaySmall() throws IOException {
+        uses().forEach((room, files) -> {
+            if (SMALL.contains(room)) {
+                assertTrue(room + " has " + files.size() + " files", files.size() <= MOST_FILES);
+            }
+        });
+    }
+
+    /** By package and file: which files of the same package it uses. */
+    private static Map<String, Map<String, Set<String>>> uses() throws IOException {
+        Map<String, Map<String, Set<String>>> rooms = new TreeMap<>();
+        for (Path file : sources()) {
+            rooms.computeIfAbsent(packageOf(file), name -> new TreeMap<>()).put(file.getFileName().toString().replace(".java", ""), new TreeSet<>());
+        }
+        for (Path file : sources()) {
+            Map<String, Set<String>> room = rooms.get(packageOf(file));
+            String mine = file.getFileName().toString().replace(".java", "");
+            lines(file).forEach(line -> {
+                Matcher words = WORD.matcher(line.replaceAll("\"(\\\\.|[^\"\\\\])*\"|//.*|/\\*.*", ""));
+                while (words.find()) {
+                    if (room.containsKey(words.group()) && !words.group().equals(mine)) {
+                        room.get(mine).add(words.group());
+                    }
+                }
+            });
+        }
+        return rooms;
+    }
+
+    private static Set<String> reachable(String from, Map<String, Set<String>> uses) {
+        Set<String> found = new TreeSet<>();
+        Deque<String> open = new ArrayDeque<>(uses.get(from));
+        while (!open.isEmpty()) {
+            String file = open.remove();
+            if (found.add(file)) {
+                open.addAll(uses.get(file));
+            }
+        }
+        return found;
     }
 
     private static String room(String name) {

@@ -36,6 +36,11 @@ public final class ThermometerSensor extends Sensor<Double> {
         }
 
         @Override
+        public String unit() {
+            return "degC";
+        }
+
+        @Override
         public Sensor<?> create(SearObject parameters, long seed) {
             return new ThermometerSensor((Thermometer) parameters, seed);
         }

@@ -20,6 +20,11 @@ public interface SerialDevice {
     /** Power off and on. */
     void reset();
 
+    /** Whether it takes commands that move its robot now, so that who sends them drives. */
+    default boolean takesDriveCommands() {
+        return false;
+    }
+
     /** State in words for people, for example {@code "OI mode: safe"}. */
     String status();
 }

@@ -10,6 +10,7 @@ import java.util.List;
 import javax.vecmath.Quat4f;
 import javax.vecmath.Vector3f;
 import org.SEAR.geometry.Frame;
+import org.SEAR.geometry.Placement;
 import org.SEAR.geometry.Pose;
 
 /**
@@ -46,7 +47,7 @@ public final class Body {
     private final double cz;
     private final CollisionShape collision;
     private boolean robot;
-    private Obstacles obstacles;
+    private ApproachConstraints approach;
     private boolean driven;
     private Pose anchor;
     private int still;
@@ -59,6 +60,7 @@ public final class Body {
     private final Quat4f rotation = new Quat4f();
     private final Vector3f low = new Vector3f();
     private final Vector3f high = new Vector3f();
+    private final Vector3f position = new Vector3f();
 
     /** @param mass kg, 0 = fixed @param centre of mass in the body's frame */
     public Body(String name, double mass, List<Solid> solids, Pose[] places, double[] centre, Pose start) {
@@ -97,6 +99,22 @@ public final class Body {
     static void toTransform(Pose pose, Transform to) {
         to.setRotation(new Quat4f((float) pose.qx, (float) pose.qy, (float) pose.qz, (float) pose.qw));
         to.origin.set((float) pose.x, (float) pose.y, (float) pose.z);
+    }
+
+    /** Copies where jbullet has something. */
+    static void toPlacement(Transform from, Placement into) {
+        into.m00 = from.basis.m00;
+        into.m01 = from.basis.m01;
+        into.m02 = from.basis.m02;
+        into.m10 = from.basis.m10;
+        into.m11 = from.basis.m11;
+        into.m12 = from.basis.m12;
+        into.m20 = from.basis.m20;
+        into.m21 = from.basis.m21;
+        into.m22 = from.basis.m22;
+        into.x = from.origin.x;
+        into.y = from.origin.y;
+        into.z = from.origin.z;
     }
 
     /** Puts its first solids into the scenes; the others only collide. @param visible whether beams see each */
@@ -217,19 +235,68 @@ public final class Body {
     /** Says that it is a robot's body: nothing brakes it but its wheels. */
     public void setRobot() {
         robot = true;
-        obstacles = new Obstacles();
+        approach = new ApproachConstraints();
     }
 
     /** Says that something stands near a robot's body. @param nx from there to the body, world frame @param x of its surface @param gap metres */
     void near(Body other, double nx, double ny, double nz, double x, double y, double z, double gap) {
-        if (obstacles != null) {
-            obstacles.add(other, nx, ny, nz, x, y, z, gap);
+        if (approach != null) {
+            approach.add(other, nx, ny, nz, x, y, z, gap);
         }
     }
 
-    /** What stands near a robot's body; null if this is none. */
-    public Obstacles getObstacles() {
-        return obstacles;
+    /** Forgets what stands near a robot's body; each step finds it anew. */
+    public void forgetObstacles() {
+        approach.clear();
+    }
+
+    /** Gives what stood near a robot's body, where it can move, what it took to stop before it. */
+    public void pushObstacles(double[] impulse, double[] at) {
+        for (int i = 0; i < approach.size(); i++) {
+            if (approach.reaction(i, impulse, at)) {
+                approach.body(i).push(impulse, at);
+            }
+        }
+    }
+
+    /** What keeps a robot's body from entering what it comes near to; null if this is none. */
+    ApproachConstraints getApproach() {
+        return approach;
+    }
+
+    /**
+     * Changes its velocities at once.
+     *
+     * @param impulse {x, y, z}, Ns, world frame
+     * @param at the point of the body where it acts, world frame
+     */
+    public void push(double[] impulse, double[] at) {
+        rigid.getCenterOfMassPosition(position);
+        low.set((float) impulse[0], (float) impulse[1], (float) impulse[2]);
+        high.set((float) (at[0] - position.x), (float) (at[1] - position.y), (float) (at[2] - position.z));
+        rigid.applyImpulse(low, high);
+    }
+
+    /** Velocities of its centre of mass, world frame. @param v takes {vx, vy, vz, wx, wy, wz}, m/s and rad/s */
+    public void velocities(double[] v) {
+        rigid.getLinearVelocity(low);
+        rigid.getAngularVelocity(high);
+        v[0] = low.x;
+        v[1] = low.y;
+        v[2] = low.z;
+        v[3] = high.x;
+        v[4] = high.y;
+        v[5] = high.z;
+    }
+
+    /** Whether it does not sleep. */
+    public boolean isActive() {
+        return rigid.isActive();
+    }
+
+    /** Ends its sleep. */
+    public void wake() {
+        rigid.activate();
     }
 
     /** Whether the robot's motors turn: then it does not sleep. */
@@ -263,7 +330,7 @@ public final class Body {
         pose = newStart;
     }
 
-    public RigidBody getRigid() {
+    RigidBody getRigid() {
         return rigid;
     }
 

@@ -6,12 +6,12 @@ import com.bulletphysics.collision.dispatch.DefaultCollisionConfiguration;
 import java.util.EnumSet;
 import java.util.Set;
 
-/** jbullet's collision algorithms, but {@link ContactPatch} for every pair of shapes that SEAR has. */
+/** jbullet's collision algorithms, but {@link ContactAlgorithm} for every pair of shapes that SEAR has. */
 final class ContactConfiguration extends DefaultCollisionConfiguration {
     private static final Set<BroadphaseNativeType> SOLIDS = EnumSet.of(BroadphaseNativeType.BOX_SHAPE_PROXYTYPE,
         BroadphaseNativeType.CYLINDER_SHAPE_PROXYTYPE, BroadphaseNativeType.CONE_SHAPE_PROXYTYPE, BroadphaseNativeType.CONVEX_HULL_SHAPE_PROXYTYPE);
 
-    private final CollisionAlgorithmCreateFunc patches = new ContactPatch.Maker();
+    private final CollisionAlgorithmCreateFunc patches = new ContactAlgorithm.Maker();
 
     @Override
     public CollisionAlgorithmCreateFunc getCollisionAlgorithmCreateFunc(BroadphaseNativeType a, BroadphaseNativeType b) {

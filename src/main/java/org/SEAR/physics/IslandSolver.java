@@ -9,28 +9,28 @@ import com.bulletphysics.dynamics.constraintsolver.TypedConstraint;
 import com.bulletphysics.linearmath.IDebugDraw;
 import com.bulletphysics.util.ObjectArrayList;
 
-/** jbullet's solver, turned as often as the bodies that hang together need. Simulation thread. */
+/** jbullet's solver, with as many iterations as the bodies that hang together need. Simulation thread. */
 final class IslandSolver extends SequentialImpulseConstraintSolver {
     /** A body that touches nothing that moves: its few contacts need not pass impulses on. */
-    private static final int TURNS_ALONE = 10;
+    private static final int ITERATIONS_ALONE = 10;
     /** A stack. */
-    private static final int TURNS_TOGETHER = 40;
+    private static final int ITERATIONS_TOGETHER = 40;
 
-    private long turns;
+    private long iterations;
 
     /** Called for each group of moving bodies that touch each other; what is fixed does not count among them. */
     @Override
     public float solveGroup(ObjectArrayList<CollisionObject> bodies, int bodyCount, ObjectArrayList<PersistentManifold> manifolds,
             int firstManifold, int manifoldCount, ObjectArrayList<TypedConstraint> constraints, int firstConstraint, int constraintCount,
             ContactSolverInfo info, IDebugDraw drawer, Dispatcher dispatcher) {
-        info.numIterations = bodyCount > 1 ? TURNS_TOGETHER : TURNS_ALONE;
-        turns += manifoldCount + constraintCount > 0 ? info.numIterations : 0;
+        info.numIterations = bodyCount > 1 ? ITERATIONS_TOGETHER : ITERATIONS_ALONE;
+        iterations += manifoldCount + constraintCount > 0 ? info.numIterations : 0;
         return super.solveGroup(bodies, bodyCount, manifolds, firstManifold, manifoldCount, constraints, firstConstraint, constraintCount, info,
             drawer, dispatcher);
     }
 
-    /** Turns so far, of all groups that touched anything: the work it has done. */
-    long getTurns() {
-        return turns;
+    /** Iterations so far, of all groups that touched anything: the work it has done. */
+    long getIterations() {
+        return iterations;
     }
 }

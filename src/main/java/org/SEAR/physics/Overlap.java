@@ -1,12 +1,14 @@
 package org.SEAR.physics;
 
-import org.SEAR.collision.Gjk;
+import org.SEAR.collision.Convex;
+import org.SEAR.collision.GjkDistance;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
 
-/** Whether bodies overlap at poses they may be given, in exact geometry. For the time before the first step. */
+/** Whether bodies overlap at poses they may be given, computed in double precision from the shapes themselves. For the time before the first step. */
 final class Overlap {
     private final Body body;
+    private final GjkDistance gjk = new GjkDistance();
 
     Overlap(Body body) {
         this.body = body;
@@ -19,12 +21,9 @@ final class Overlap {
         for (int i = 0; i < body.solids.size(); i++) {
             Placed part = new Placed(body.solids.get(i), pose.times(body.places[i]), 0);
             for (int axis = 0; axis < 3; axis++) {
-                double[] direction = new double[3];
-                direction[axis] = 1;
-                part.farthest(direction, point);
+                part.support(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0, point);
                 box[axis + 3] = Math.max(box[axis + 3], point[axis]);
-                direction[axis] = -1;
-                part.farthest(direction, point);
+                part.support(axis == 0 ? -1 : 0, axis == 1 ? -1 : 0, axis == 2 ? -1 : 0, point);
                 box[axis] = Math.min(box[axis], point[axis]);
             }
         }
@@ -42,7 +41,7 @@ final class Overlap {
             for (int k = 0; k < other.body.solids.size(); k++) {
                 Solid solid = other.body.solids.get(k);
                 Pose place = other.body.getStart().times(other.body.places[k]);
-                if (solid.isMesh() ? meets(mine, bounds(pose), solid, place) : Gjk.intersect(mine, new Placed(solid, place, 0))) {
+                if (solid.isMesh() ? meets(mine, bounds(pose), solid, place) : gjk.overlap(mine, new Placed(solid, place, 0))) {
                     return true;
                 }
             }
@@ -57,7 +56,7 @@ final class Overlap {
             for (int corner = 0; corner < 3; corner++) {
                 solid.corner(mesh.indices[t * 3 + corner], place, corners.at[corner]);
             }
-            if (corners.near(box) && Gjk.intersect(mine, corners)) {
+            if (corners.near(box) && gjk.overlap(mine, corners)) {
                 return true;
             }
         }
@@ -65,7 +64,7 @@ final class Overlap {
     }
 
     /** A solid at a pose, with a skin taken off. */
-    private static final class Placed implements Gjk.Support {
+    private static final class Placed implements Convex {
         private final Solid solid;
         private final Pose pose;
         private final double skin;
@@ -77,19 +76,19 @@ final class Overlap {
         }
 
         @Override
-        public void farthest(double[] d, double[] into) {
-            double[] inside = pose.rotateBack(d[0], d[1], d[2]);
+        public void support(double dx, double dy, double dz, double[] into) {
+            double[] inside = pose.rotateBack(dx, dy, dz);
             double[] point = solid.farthest(inside[0], inside[1], inside[2]);
             double[] world = pose.transform(point[0], point[1], point[2]);
-            double off = skin / Math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-            for (int axis = 0; axis < 3; axis++) {
-                into[axis] = world[axis] - off * d[axis];
-            }
+            double off = skin / Math.sqrt(dx * dx + dy * dy + dz * dz);
+            into[0] = world[0] - off * dx;
+            into[1] = world[1] - off * dy;
+            into[2] = world[2] - off * dz;
         }
     }
 
     /** A triangle. */
-    private static final class Corners implements Gjk.Support {
+    private static final class Corners implements Convex {
         private final double[][] at = new double[3][3];
 
         boolean near(double[] box) {
@@ -103,10 +102,10 @@ final class Overlap {
         }
 
         @Override
-        public void farthest(double[] d, double[] into) {
+        public void support(double dx, double dy, double dz, double[] into) {
             double best = Double.NEGATIVE_INFINITY;
             for (double[] corner : at) {
-                double along = corner[0] * d[0] + corner[1] * d[1] + corner[2] * d[2];
+                double along = corner[0] * dx + corner[1] * dy + corner[2] * dz;
                 if (along > best) {
                     best = along;
                     System.arraycopy(corner, 0, into, 0, 3);

@@ -15,9 +15,10 @@ import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
-import org.SEAR.collision.Feature;
-import org.SEAR.collision.Features;
-import org.SEAR.collision.Hull;
+import org.SEAR.collision.ConvexBox;
+import org.SEAR.collision.ConvexHull;
+import org.SEAR.collision.ConvexRound;
+import org.SEAR.collision.ConvexShape;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
 import org.SEAR.project.Project;
@@ -26,7 +27,7 @@ import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.raycast.BeamScene;
 
-/** The exact geometry of one object of the grammar, scale included, as beams and as collisions need it. */
+/** The geometry of one object of the grammar, scale included, as beams and as collisions need it. */
 public final class Solid {
     /** The collision margin of jbullet, metres, for shapes that are large enough; contacts come from the solids themselves. */
     private static final float MARGIN = 0.01f;
@@ -52,7 +53,7 @@ public final class Solid {
     private final double scaleX;
     private final double scaleY;
     private final double scaleZ;
-    private Hull hull;
+    private ConvexShape convex;
 
     private Solid(Kind kind, double halfX, double halfY, double halfZ, Pose offset) {
         this(kind, halfX, halfY, halfZ, offset, null, 1, 1, 1);
@@ -174,7 +175,7 @@ public final class Solid {
         if (mesh == null) {
             return new double[0][];
         }
-        return Meshes.corners(mesh, scaleX, scaleY, scaleZ, DRAWN_DIRECTIONS).stream().map(corner -> new double[] {corner.x, corner.y, corner.z})
+        return MeshShapes.corners(mesh, scaleX, scaleY, scaleZ, DRAWN_DIRECTIONS).stream().map(corner -> new double[] {corner.x, corner.y, corner.z})
             .toArray(double[][]::new);
     }
 
@@ -207,7 +208,7 @@ public final class Solid {
                 shape = new ConeShape((float) halfX, (float) (2 * halfY));
                 break;
             default:
-                shape = moving ? Meshes.hull(hull()) : Meshes.fixed(mesh, scaleX, scaleY, scaleZ);
+                shape = moving ? MeshShapes.hull((ConvexHull) convex()) : MeshShapes.fixed(mesh, scaleX, scaleY, scaleZ);
         }
         if (kind != Kind.MESH) {
             shape.setMargin(margin());
@@ -220,73 +221,34 @@ public final class Solid {
         return (float) Math.min(MARGIN, MARGIN_SHARE * Math.min(halfX, Math.min(halfY, halfZ)));
     }
 
-    /** Where a moving body has the mass of this, in the solid's frame: {x, y, z}. The middle; for a mesh that of its convex hull, filled evenly. */
-    public double[] centre() {
-        return kind == Kind.MESH ? hull().getCentre() : new double[3];
+    /** What of it collides: a mesh counts as its convex hull. */
+    public ConvexShape convex() {
+        if (convex == null) {
+            convex = makeConvex();
+        }
+        return convex;
     }
 
-    /** Cubic metres; a mesh counts as its convex hull. */
-    public double volume() {
-        double box = 8 * halfX * halfY * halfZ;
+    private ConvexShape makeConvex() {
         switch (kind) {
             case BOX:
-                return box;
+                return new ConvexBox(halfX, halfY, halfZ);
             case CYLINDER:
-                return box * Math.PI / 4;
+                return ConvexRound.cylinder(halfX, halfY);
             case CONE:
-                return box * Math.PI / 12;
+                return ConvexRound.cone(halfX, halfY);
             default:
-                return hull().getVolume();
+                return hull();
         }
     }
 
-    /** The convex hull of a mesh. */
-    Hull hull() {
-        if (hull == null) {
-            double[] points = new double[mesh.vertices.length];
-            double[] scale = {scaleX, scaleY, scaleZ};
-            for (int i = 0; i < points.length; i++) {
-                points[i] = mesh.vertices[i] * scale[i % 3];
-            }
-            hull = Hull.of(points);
+    private ConvexHull hull() {
+        double[] points = new double[mesh.vertices.length];
+        double[] scale = {scaleX, scaleY, scaleZ};
+        for (int i = 0; i < points.length; i++) {
+            points[i] = mesh.vertices[i] * scale[i % 3];
         }
-        return hull;
-    }
-
-    /** The part that faces a direction of its own frame, a mesh taken as its convex hull; see {@link Features}. */
-    void feature(double dx, double dy, double dz, Feature into) {
-        into.clear();
-        if (kind == Kind.BOX) {
-            Features.box(halfX, halfY, halfZ, dx, dy, dz, into);
-        } else if (kind == Kind.MESH) {
-            hull().feature(dx, dy, dz, into);
-        } else {
-            Features.round(halfX, kind == Kind.CONE ? 0 : halfX, halfY, dx, dy, dz, into);
-        }
-    }
-
-    /** The farthest point in a direction of its own frame, a mesh taken as its convex hull. @param into takes {x, y, z} */
-    void farthestOfHull(double dx, double dy, double dz, double[] into) {
-        if (kind == Kind.MESH) {
-            hull().farthest(dx, dy, dz, into);
-            return;
-        }
-        if (kind == Kind.BOX) {
-            into[0] = Math.copySign(halfX, dx);
-            into[1] = Math.copySign(halfY, dy);
-            into[2] = Math.copySign(halfZ, dz);
-            return;
-        }
-        double across = Math.sqrt(dx * dx + dz * dz);
-        if (kind == Kind.CONE && dy * 2 * halfY > across * halfX) {
-            into[0] = 0;
-            into[1] = halfY;
-            into[2] = 0;
-            return;
-        }
-        into[0] = across > 0 ? halfX * dx / across : 0;
-        into[1] = kind == Kind.CONE ? -halfY : Math.copySign(halfY, dy);
-        into[2] = across > 0 ? halfX * dz / across : 0;
+        return ConvexHull.of(points);
     }
 
     boolean isMesh() {
@@ -308,10 +270,10 @@ public final class Solid {
     public double[] farthest(double dx, double dy, double dz) {
         double[] point = new double[3];
         if (kind == Kind.MESH) {
-            int vertex = Meshes.outermost(mesh, dx * scaleX, dy * scaleY, dz * scaleZ);
+            int vertex = MeshShapes.outermost(mesh, dx * scaleX, dy * scaleY, dz * scaleZ);
             corner(vertex, Pose.IDENTITY, point);
         } else {
-            farthestOfHull(dx, dy, dz, point);
+            convex().support(dx, dy, dz, point);
         }
         return point;
     }

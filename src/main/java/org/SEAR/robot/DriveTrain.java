@@ -1,26 +1,22 @@
 package org.SEAR.robot;
 
-import com.bulletphysics.dynamics.RigidBody;
-import com.bulletphysics.dynamics.constraintsolver.TypedConstraint;
-import com.bulletphysics.dynamics.constraintsolver.TypedConstraintType;
 import java.util.ArrayList;
 import java.util.List;
-import javax.vecmath.Matrix3f;
-import javax.vecmath.Vector3f;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
-import org.SEAR.physics.Body;
-import org.SEAR.physics.Obstacles;
-import org.SEAR.physics.Physics;
-import org.SEAR.physics.Scenes;
 import org.SEAR.geometry.TimeStep;
+import org.SEAR.physics.Body;
+import org.SEAR.physics.Drive;
+import org.SEAR.physics.PhysicsWorld;
+import org.SEAR.physics.Scenes;
+import org.SEAR.physics.SolverBody;
 
 /**
  * The wheels of one robot. jbullet solves them together with the contacts of the body: a servo of limited force on each driven wheel, grip along
  * and across it, springs on all; idlers roll freely in every direction. Simulation thread.
  */
-public final class DriveTrain extends TypedConstraint {
+public final class DriveTrain implements Drive {
     /** Greatest force of all motors together for each kg of the robot, N/kg (climbs 20 degrees). */
     private static final double MOTOR_FORCE = 4;
     /** The same for a skid-steered robot, whose wheels scrub when it turns. */
@@ -41,6 +37,7 @@ public final class DriveTrain extends TypedConstraint {
     private final Body body;
     private final List<RaycastWheel> wheels = new ArrayList<>();
     private final int owner;
+    private final double[] mounts;
     private final double track;
     private final double ramp;
     private double scrub;
@@ -48,26 +45,20 @@ public final class DriveTrain extends TypedConstraint {
     private double right;
     private double commandedLeft;
     private double commandedRight;
-    private boolean first;
     private final double[] v = new double[6];
     private final double[] ahead = new double[3];
     private final double[] up = new double[3];
-    private final double[] centre = new double[3];
     private final double[] groundSpeed = new double[3];
     private final double[] impulse = new double[3];
     private final double[] point = new double[3];
-    private final Vector3f linear = new Vector3f();
-    private final Vector3f angular = new Vector3f();
-    private final Vector3f position = new Vector3f();
-    private final Matrix3f inverseInertia = new Matrix3f();
 
     DriveTrain(Body body, List<Wheel> objects, Dynamics dynamics, int owner) {
-        super(TypedConstraintType.D6_CONSTRAINT_TYPE, body.getRigid(), new RigidBody(0, null, null));
         this.body = body;
         this.owner = owner;
         for (Wheel wheel : objects) {
             wheels.add(new RaycastWheel(wheel, dynamics, body.mass));
         }
+        mounts = WheelPoses.mounts(wheels);
         track = equip();
         ramp = ramp(objects, dynamics);
     }
@@ -82,8 +73,8 @@ public final class DriveTrain extends TypedConstraint {
         for (RaycastWheel wheel : wheels) {
             lowest = Math.min(lowest, wheel.y - dynamics.getRestLength() - wheel.radius);
         }
-        double room = Ballast.room(mass[0], mass[2], objects);
-        return Math.min(RAMP, TIPPING_SHARE * Physics.GRAVITY * room / Math.max(mass[1] - lowest, NO_TRACK));
+        double room = CentreOfMass.room(mass[0], mass[2], objects);
+        return Math.min(RAMP, TIPPING_SHARE * PhysicsWorld.GRAVITY * room / Math.max(mass[1] - lowest, NO_TRACK));
     }
 
     /** Shares out the motor force and the grip. @return distance of the left from the right driven wheels, metres */
@@ -155,7 +146,7 @@ public final class DriveTrain extends TypedConstraint {
         Pose pose = body.getPose();
         axis(pose, up, 0, 1, 0);
         axis(pose, ahead, 0, 0, 1);
-        read();
+        body.velocities(v);
         double speed = v[0] * ahead[0] + v[1] * ahead[1] + v[2] * ahead[2];
         for (int i = 0; i < wheels.size(); i++) {
             RaycastWheel wheel = wheels.get(i);
@@ -163,8 +154,7 @@ public final class DriveTrain extends TypedConstraint {
             double sign = wheel.getTarget() != 0 ? wheel.getTarget() : Math.abs(speed) > LEAST_SPEED ? speed : 0;
             wheel.lookAhead(scenes, pose, owner, ahead, Math.signum(sign));
         }
-        first = true;
-        body.getObstacles().clear();
+        body.forgetObstacles();
     }
 
     private static void axis(Pose pose, double[] into, double x, double y, double z) {
@@ -175,83 +165,34 @@ public final class DriveTrain extends TypedConstraint {
     }
 
     @Override
-    public void buildJacobian() {
-        first = true;
+    public void prepare(SolverBody solver) {
+        for (int i = 0; i < wheels.size(); i++) {
+            wheels.get(i).prepare(solver, ahead, groundSpeed);
+        }
     }
 
     @Override
-    public void solveConstraint(float timeStep) {
-        read();
-        if (first) {
-            first = false;
-            prepare();
-        }
+    public void solve(SolverBody solver) {
         for (int i = 0; i < wheels.size(); i++) {
-            wheels.get(i).solve(v);
+            wheels.get(i).solve(solver.v);
         }
-        body.getObstacles().solve(v);
-        write();
-    }
-
-    private void read() {
-        rbA.getLinearVelocity(linear);
-        rbA.getAngularVelocity(angular);
-        v[0] = linear.x;
-        v[1] = linear.y;
-        v[2] = linear.z;
-        v[3] = angular.x;
-        v[4] = angular.y;
-        v[5] = angular.z;
-    }
-
-    private void write() {
-        linear.set((float) v[0], (float) v[1], (float) v[2]);
-        angular.set((float) v[3], (float) v[4], (float) v[5]);
-        rbA.setLinearVelocity(linear);
-        rbA.setAngularVelocity(angular);
-    }
-
-    private void prepare() {
-        rbA.getInvInertiaTensorWorld(inverseInertia);
-        rbA.getCenterOfMassPosition(position);
-        centre[0] = position.x;
-        centre[1] = position.y;
-        centre[2] = position.z;
-        for (int i = 0; i < wheels.size(); i++) {
-            RaycastWheel wheel = wheels.get(i);
-            wheel.prepare(v, centre, ahead, rbA.getInvMass(), inverseInertia, groundSpeed);
-        }
-        body.getObstacles().prepare(centre, rbA.getInvMass(), inverseInertia);
     }
 
     /** Turns the wheels and pushes the ground, after jbullet's step. */
     void roll() {
-        read();
-        Obstacles obstacles = body.getObstacles();
-        for (int i = 0; i < obstacles.size(); i++) {
-            if (obstacles.reaction(i, impulse, point)) {
-                give(obstacles.body(i).getRigid());
-            }
-        }
+        body.velocities(v);
+        body.pushObstacles(impulse, point);
         for (int i = 0; i < wheels.size(); i++) {
             RaycastWheel wheel = wheels.get(i);
             wheel.roll(v);
             if (wheel.reaction(impulse, point)) {
-                give(wheel.getGround().getRigid());
+                wheel.getGround().push(impulse, point);
             }
             if (wheel.push(impulse, point)) {
-                RigidBody pushed = wheel.getObstacle().getRigid();
-                pushed.activate();
-                give(pushed);
+                wheel.getObstacle().wake();
+                wheel.getObstacle().push(impulse, point);
             }
         }
-    }
-
-    private void give(RigidBody rigid) {
-        rigid.getCenterOfMassPosition(position);
-        linear.set((float) impulse[0], (float) impulse[1], (float) impulse[2]);
-        angular.set((float) (point[0] - position.x), (float) (point[1] - position.y), (float) (point[2] - position.z));
-        rigid.applyImpulse(linear, angular);
     }
 
     public List<RaycastWheel> getWheels() {
@@ -261,5 +202,10 @@ public final class DriveTrain extends TypedConstraint {
     /** Distance of the left from the right driven wheels, metres. */
     double getTrack() {
         return track;
+    }
+
+    /** Where the wheels are now in the body frame, spin included; immutable, of no use to the running world. */
+    public List<Pose> getWheelPoses() {
+        return WheelPoses.of(wheels, mounts);
     }
 }

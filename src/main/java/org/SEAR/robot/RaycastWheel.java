@@ -1,16 +1,16 @@
 package org.SEAR.robot;
 
-import javax.vecmath.Matrix3f;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Frame;
 import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.TimeStep;
 import org.SEAR.physics.Body;
-import org.SEAR.physics.Row;
+import org.SEAR.physics.ConstraintRow;
 import org.SEAR.physics.Scenes;
+import org.SEAR.physics.SolverBody;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.Hit;
-import org.SEAR.geometry.TimeStep;
 
 /**
  * A wheel that feels the ground with one ray along its suspension, as Bullet's vehicle does: the wheel's place in the body frame is where the
@@ -50,12 +50,12 @@ public final class RaycastWheel {
     private final double releasing;
     private final double mostForce;
     private final double rest;
-    private final Row spring = new Row();
-    private final Row stop = new Row();
-    private final Row forward = new Row();
-    private final Row side = new Row();
-    private final Row block = new Row();
-    private final Row slide = new Row();
+    private final ConstraintRow spring = new ConstraintRow();
+    private final ConstraintRow stop = new ConstraintRow();
+    private final ConstraintRow forward = new ConstraintRow();
+    private final ConstraintRow side = new ConstraintRow();
+    private final ConstraintRow block = new ConstraintRow();
+    private final ConstraintRow slide = new ConstraintRow();
     private final Hit hit = new Hit();
     private final Hit ahead = new Hit();
     private Body obstacle;
@@ -191,21 +191,20 @@ public final class RaycastWheel {
      * Makes the rows of this step. The springs' impulses of the last one are the first guess; grip starts from nothing, because what several
      * wheels hold against each other would never fade.
      *
-     * @param v velocities of the centre of mass, changed @param centre of mass in the world @param ahead the body's forward axis in the world
+     * @param body takes what the springs give
+     * @param ahead the body's forward axis in the world
+     * @param groundSpeed room for three numbers
      */
-    void prepare(double[] v, double[] centre, double[] ahead, double inverseMass, Matrix3f inverseInertia, double[] groundSpeed) {
+    void prepare(SolverBody body, double[] ahead, double[] groundSpeed) {
         if (obstacle != null) {
-            prepareObstacle(centre, inverseMass, inverseInertia);
+            prepareObstacle(body);
         }
         if (!grounded) {
             return;
         }
         speedOfGround(groundSpeed);
-        double rx = px - centre[0];
-        double ry = py - centre[1];
-        double rz = pz - centre[2];
-        spring.set(hit.nx, hit.ny, hit.nz, rx, ry, rz, inverseMass, inverseInertia);
-        stop.set(hit.nx, hit.ny, hit.nz, rx, ry, rz, inverseMass, inverseInertia);
+        spring.set(hit.nx, hit.ny, hit.nz, px, py, pz, body);
+        stop.set(hit.nx, hit.ny, hit.nz, px, py, pz, body);
         double along = ahead[0] * hit.nx + ahead[1] * hit.ny + ahead[2] * hit.nz;
         double fx = ahead[0] - along * hit.nx;
         double fy = ahead[1] - along * hit.ny;
@@ -214,26 +213,26 @@ public final class RaycastWheel {
         fx *= scale;
         fy *= scale;
         fz *= scale;
-        forward.set(fx, fy, fz, rx, ry, rz, inverseMass, inverseInertia);
-        side.set(hit.ny * fz - hit.nz * fy, hit.nz * fx - hit.nx * fz, hit.nx * fy - hit.ny * fx, rx, ry, rz, inverseMass, inverseInertia);
+        forward.set(fx, fy, fz, px, py, pz, body);
+        side.set(hit.ny * fz - hit.nz * fy, hit.nz * fx - hit.nx * fz, hit.nx * fy - hit.ny * fx, px, py, pz, body);
         groundForward = groundSpeed[0] * fx + groundSpeed[1] * fy + groundSpeed[2] * fz;
         groundSide = groundSpeed[0] * side.dx() + groundSpeed[1] * side.dy() + groundSpeed[2] * side.dz();
         groundUp = groundSpeed[0] * hit.nx + groundSpeed[1] * hit.ny + groundSpeed[2] * hit.nz;
-        double damping = spring.speed(v) - groundUp < 0 ? compressing : releasing;
+        double damping = spring.speed(body.v) - groundUp < 0 ? compressing : releasing;
         double soft = damping + TimeStep.SECONDS * stiffness;
         softness = soft > 0 ? 1 / (TimeStep.SECONDS * soft) : 0;
         bias = soft > 0 ? stiffness * Math.min(rest, rest - gap) / soft : 0;
-        spring.push(v, spring.impulse);
-        stop.push(v, stop.impulse);
+        spring.push(body.v, spring.impulse);
+        stop.push(body.v, stop.impulse);
         forward.impulse = 0;
         side.impulse = 0;
     }
 
-    private void prepareObstacle(double[] centre, double inverseMass, Matrix3f inverseInertia) {
-        block.set(ahead.nx, ahead.ny, ahead.nz, wx - centre[0], wy - centre[1], wz - centre[2], inverseMass, inverseInertia);
+    private void prepareObstacle(SolverBody body) {
+        block.set(ahead.nx, ahead.ny, ahead.nz, wx, wy, wz, body);
         block.impulse = 0;
         double level = Math.max(Math.hypot(ahead.nx, ahead.nz), LEAST_LEVEL);
-        slide.set(ahead.nz / level, 0, -ahead.nx / level, wx - centre[0], wy - centre[1], wz - centre[2], inverseMass, inverseInertia);
+        slide.set(ahead.nz / level, 0, -ahead.nx / level, wx, wy, wz, body);
         slide.impulse = 0;
         groundPush = 0;
         groundSlide = 0;
@@ -257,7 +256,7 @@ public final class RaycastWheel {
         slide.add(v, -(slide.speed(v) - groundSlide) / slide.mobility, -hold, hold);
     }
 
-    /** One turn of the solver. @param v velocities of the centre of mass, changed */
+    /** One iteration of the solver. @param v velocities of the centre of mass, changed */
     void solve(double[] v) {
         if (obstacle != null) {
             solveObstacle(v);
@@ -375,11 +374,11 @@ public final class RaycastWheel {
 
     /** Where the wheel is in the body frame, spin included. */
     public Pose place() {
-        return place(length, angle);
+        return place(x, y, z, length, angle);
     }
 
-    /** Where it is when it hangs this far and has turned this much; depends on nothing that changes. Any thread. */
-    public Pose place(double hanging, double turned) {
+    /** Where a wheel that is fastened at (x, y, z) is when it hangs this far, metres, and has turned this much, radians. Any thread. */
+    static Pose place(double x, double y, double z, double hanging, double turned) {
         double half = Math.IEEEremainder(turned, 2 * HALF_TURN) / 2;
         return new Pose(x, y - hanging, z, Math.sin(half), 0, 0, Math.cos(half));
     }

@@ -51,7 +51,7 @@ public final class RobotBuilder {
             add(bareBody(), Pose.IDENTITY, true, 1);
         }
         radius = reach();
-        double[] centre = Ballast.place(centroid(), isWeighed(), robot.getWheels());
+        double[] centre = CentreOfMass.place(centroid(), isWeighed(), robot.getWheels());
         for (Wheel wheel : robot.getWheels()) {
             Solid solid = Solid.of(wheel, project);
             wheelSolids.add(solid);
@@ -98,7 +98,7 @@ public final class RobotBuilder {
 
     /** Masses place the centre of mass where there are any, else volumes do. */
     private double weight(Shape part, Solid solid) {
-        return isWeighed() ? part.getMass() : solid.volume();
+        return isWeighed() ? part.getMass() : solid.convex().volume();
     }
 
     private boolean isWeighed() {
@@ -126,7 +126,7 @@ public final class RobotBuilder {
         double[] sum = new double[3];
         double total = 0;
         for (int i = 0; i < solids.size(); i++) {
-            double[] inSolid = solids.get(i).centre();
+            double[] inSolid = solids.get(i).convex().centre();
             double[] centre = places.get(i).times(solids.get(i).offset).transform(inSolid[0], inSolid[1], inSolid[2]);
             double weight = weights.get(i);
             sum[0] += centre[0] * weight;

@@ -9,7 +9,7 @@ import org.SEAR.devices.RobotHardware;
 import org.SEAR.geometry.Frame;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
-import org.SEAR.physics.Physics;
+import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
 import org.SEAR.physics.Solid;
 import org.SEAR.sensors.Sensor;
@@ -63,10 +63,10 @@ public final class RobotModel implements Robot, RobotHardware {
     }
 
     /** Back to the start, in a new physics world. */
-    public void restart(Physics physics) {
+    public void restart(PhysicsWorld physics) {
         train = new DriveTrain(body, object.getWheels(), dynamics, number);
         if (!train.getWheels().isEmpty()) {
-            physics.add(train);
+            physics.add(body, train);
         }
         bumpedLeft = false;
         bumpedRight = false;
@@ -79,9 +79,9 @@ public final class RobotModel implements Robot, RobotHardware {
         boolean busy = train.isCommanded() || groundMoves();
         body.setDriven(busy);
         if (busy) {
-            body.getRigid().activate();
+            body.wake();
         }
-        if (body.getRigid().isActive()) {
+        if (body.isActive()) {
             train.look(scenes);
         }
     }
@@ -89,7 +89,7 @@ public final class RobotModel implements Robot, RobotHardware {
     private boolean groundMoves() {
         for (int i = 0; i < train.getWheels().size(); i++) {
             Body ground = train.getWheels().get(i).getGround();
-            if (ground != null && !ground.isFixed() && ground.getRigid().isActive()) {
+            if (ground != null && !ground.isFixed() && ground.isActive()) {
                 return true;
             }
         }

@@ -2,13 +2,13 @@ package org.SEAR.robot;
 
 import java.util.Arrays;
 import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.TimeStep;
 import org.SEAR.physics.Body;
-import org.SEAR.physics.Physics;
+import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.sensors.Earth;
 import org.SEAR.sensors.Truth;
-import org.SEAR.geometry.TimeStep;
 
 /** The exact state of one robot after each step. Simulation thread. */
 public final class RobotTruth implements Truth {
@@ -132,7 +132,7 @@ public final class RobotTruth implements Truth {
 
     @Override
     public double gravity() {
-        return Physics.GRAVITY;
+        return PhysicsWorld.GRAVITY;
     }
 
     @Override

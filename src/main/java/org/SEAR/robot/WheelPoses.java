@@ -7,25 +7,47 @@ import org.SEAR.geometry.Pose;
 
 /**
  * The wheels of one robot in the body frame after one step. Most steps are never looked at, so a pose is made only when it is asked for. Immutable,
- * any thread.
+ * any thread; holds numbers only, nothing of the running world.
  */
-public final class WheelPoses extends AbstractList<Pose> implements RandomAccess {
-    private final List<RaycastWheel> wheels;
+final class WheelPoses extends AbstractList<Pose> implements RandomAccess {
+    /** Where each wheel is fastened: x, y, z in the body frame, metres. */
+    private final double[] mounts;
     /** How far each wheel hangs, metres, and its angle, radians. */
     private final double[] state;
 
-    public WheelPoses(List<RaycastWheel> wheels) {
-        this.wheels = wheels;
-        state = new double[2 * wheels.size()];
+    private WheelPoses(double[] mounts, double[] state) {
+        this.mounts = mounts;
+        this.state = state;
+    }
+
+    /**
+     * Where the wheels are now.
+     *
+     * @param mounts as {@link #mounts} made them
+     */
+    static WheelPoses of(List<RaycastWheel> wheels, double[] mounts) {
+        double[] state = new double[2 * wheels.size()];
         for (int i = 0; i < wheels.size(); i++) {
             state[2 * i] = wheels.get(i).getLength();
             state[2 * i + 1] = wheels.get(i).getAngle();
         }
+        return new WheelPoses(mounts, state);
+    }
+
+    /** Where the wheels are fastened, once for all steps. */
+    static double[] mounts(List<RaycastWheel> wheels) {
+        double[] mounts = new double[3 * wheels.size()];
+        for (int i = 0; i < wheels.size(); i++) {
+            mounts[3 * i] = wheels.get(i).x;
+            mounts[3 * i + 1] = wheels.get(i).y;
+            mounts[3 * i + 2] = wheels.get(i).z;
+        }
+        return mounts;
     }
 
     @Override
     public Pose get(int index) {
-        return wheels.get(index).place(state[2 * index], state[2 * index + 1]);
+        return RaycastWheel.place(mounts[3 * index], mounts[3 * index + 1], mounts[3 * index + 2], state[2 * index], state[2 * index + 1]);
     }
 
     @Override

@@ -87,6 +87,11 @@ public final class AccelerometerSensor extends InertialSensor {
         }
 
         @Override
+        public String unit() {
+            return "m/s2";
+        }
+
+        @Override
         public Sensor<?> create(SearObject parameters, long seed) {
             return new AccelerometerSensor((Accelerometer) parameters, seed);
         }

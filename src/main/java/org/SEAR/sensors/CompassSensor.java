@@ -106,6 +106,11 @@ public final class CompassSensor extends Sensor<Double> {
         }
 
         @Override
+        public String unit() {
+            return "deg";
+        }
+
+        @Override
         public Sensor<?> create(SearObject parameters, long seed) {
             return new CompassSensor((Compass) parameters, seed);
         }

@@ -92,6 +92,11 @@ public final class DistanceSensor extends Sensor<DistanceReading> {
         }
 
         @Override
+        public String unit() {
+            return "m";
+        }
+
+        @Override
         public Sensor<?> create(SearObject parameters, long seed) {
             return new DistanceSensor((Distance) parameters, seed);
         }

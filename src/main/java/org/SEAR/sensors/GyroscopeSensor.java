@@ -41,6 +41,11 @@ public final class GyroscopeSensor extends InertialSensor {
         }
 
         @Override
+        public String unit() {
+            return "rad/s";
+        }
+
+        @Override
         public Sensor<?> create(SearObject parameters, long seed) {
             return new GyroscopeSensor((Gyroscope) parameters, seed);
         }

@@ -67,6 +67,11 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
         }
 
         @Override
+        public String unit() {
+            return "m";
+        }
+
+        @Override
         public Sensor<?> create(SearObject parameters, long seed) {
             return new LidarSensor((LIDAR) parameters, seed);
         }

@@ -67,6 +67,11 @@ public final class OdometerSensor extends Sensor<OdometerReading> {
         }
 
         @Override
+        public String unit() {
+            return "m";
+        }
+
+        @Override
         public Sensor<?> create(SearObject parameters, long seed) {
             return new OdometerSensor((Odometer) parameters, seed);
         }

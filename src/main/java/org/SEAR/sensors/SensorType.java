@@ -13,6 +13,11 @@ public interface SensorType {
     /** What it measures and what its reading is, with unit, in one sentence; {@code sear sensors} prints it. */
     String description();
 
+    /** The unit in which its reading is shown to people, for example {@code deg} or {@code m/s2}; empty for what has none or several. */
+    default String unit() {
+        return "";
+    }
+
     /** A sensor for the object. @param seed of the simulation, from which the sensor derives its own random numbers */
     Sensor<?> create(SearObject parameters, long seed);
 }

@@ -39,6 +39,12 @@ public final class SensorTypes {
         return Collections.unmodifiableCollection(new ArrayList<>(types.values()));
     }
 
+    /** The unit of the reading of an object's sensor; empty if it is no sensor or its reading has none. */
+    public String unit(SearObject object) {
+        SensorType type = find(object);
+        return type == null ? "" : type.unit();
+    }
+
     /** Whether an object describes a sensor. */
     public boolean isSensor(SearObject object) {
         return find(object) != null;

@@ -3,12 +3,11 @@ package org.SEAR.simulator;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.ServiceLoader;
 import java.util.TreeMap;
 import java.util.function.BiConsumer;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SerialObject;
-import org.SEAR.devices.DeviceType;
+import org.SEAR.devices.DeviceTypes;
 import org.SEAR.devices.SerialDevice;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.geometry.Pose;
@@ -32,7 +31,7 @@ final class Instruments {
         this.robots = robots;
         this.warnings = warnings;
         SensorTypes types = SensorTypes.load();
-        List<DeviceType> deviceTypes = deviceTypes();
+        DeviceTypes deviceTypes = DeviceTypes.load();
         for (RobotModel robot : robots) {
             for (SearObject part : robot.getObject().getComponents()) {
                 Sensor<?> sensor = types.isSensor(part) ? types.create(part, seed) : null;
@@ -47,31 +46,19 @@ final class Instruments {
         names = List.copyOf(sensors.keySet());
     }
 
-    private static List<DeviceType> deviceTypes() {
-        List<DeviceType> found = new ArrayList<>();
-        ServiceLoader.load(DeviceType.class, Instruments.class.getClassLoader()).forEach(found::add);
-        ClassLoader context = Thread.currentThread().getContextClassLoader();
-        if (context != null && context != Instruments.class.getClassLoader()) {
-            ServiceLoader.load(DeviceType.class, context).forEach(found::add);
-        }
-        return found;
-    }
-
-    private void connect(SearObject part, RobotModel robot, Sensor<?> sensor, long seed, List<DeviceType> types) {
+    private void connect(SearObject part, RobotModel robot, Sensor<?> sensor, long seed, DeviceTypes types) {
         if (!(part instanceof SerialObject) || ((SerialObject) part).getUartPort() == null || ((SerialObject) part).getUserPort() == null) {
             return;
         }
-        for (DeviceType type : types) {
-            if (type.parameterType().isInstance(part)) {
-                Port port = new Port(part, robot, sensor, seed, warnings);
-                SerialDevice device = type.create(part, port);
-                if (device != null) {
-                    port.getCable().attach(device);
-                    ports.add(port);
-                    lines.add(port.getCable());
-                }
-                return;
-            }
+        if (!types.isKnown(part)) {
+            return;
+        }
+        Port port = new Port(part, robot, sensor, seed, warnings);
+        SerialDevice device = types.create(part, port);
+        if (device != null) {
+            port.getCable().attach(device);
+            ports.add(port);
+            lines.add(port.getCable());
         }
     }
 

@@ -1,6 +1,8 @@
 package org.SEAR.simulator;
 
+import java.util.ArrayList;
 import java.util.List;
+import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
@@ -35,6 +37,17 @@ final class Places {
                 }
             }
         }
-        throw new IllegalArgumentException("nothing is called \"" + name + "\", legal: the name of a robot, a part of a robot or an object");
+        throw new IllegalArgumentException("nothing is named \"" + name + "\"; there are " + names(project));
+    }
+
+    private static String names(Project project) {
+        List<String> names = new ArrayList<>();
+        for (SEARrobot robot : project.getRobots()) {
+            names.add(robot.getName());
+            robot.getComponents().forEach(part -> names.add(part.getName()));
+            robot.getWheels().forEach(wheel -> names.add(wheel.getName()));
+        }
+        project.getEnvironment().forEach(object -> names.add(object.getName()));
+        return String.join(" ", names);
     }
 }

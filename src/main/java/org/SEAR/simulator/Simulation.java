@@ -22,8 +22,8 @@ import org.SEAR.sensors.Sensor;
 /**
  * A running world: physics, robots, sensors and devices, advanced in steps of 1/60 s.
  *
- * <p>One thread, the simulation thread, owns it: whoever calls {@link #step}. Any other thread may call {@link #post}, {@link #ask} and
- * {@link #snapshot} only.
+ * <p>One thread, the simulation thread, owns it: whoever calls {@link #step}. What other threads may call says so: {@link #post} and
+ * {@link #ask}, which bring work to that thread, {@link #snapshot}, and what never changes.
  */
 public final class Simulation implements AutoCloseable {
     /** Length of a step, simulated seconds. */
@@ -34,7 +34,7 @@ public final class Simulation implements AutoCloseable {
     private final Project project;
     private final World world;
     private final Instruments instruments;
-    private final Observer observer;
+    private final SnapshotRecorder observer;
     private final Warnings warnings = new Warnings();
     private final List<String> deviceWarnings;
     private final List<Robot> robots;
@@ -51,7 +51,7 @@ public final class Simulation implements AutoCloseable {
         world = new World(project, epochMillis);
         instruments = new Instruments(world.getRobots(), seed, warnings::count);
         deviceWarnings = warnings.list();
-        observer = new Observer(world, instruments, warnings);
+        observer = new SnapshotRecorder(world, instruments, warnings);
         robots = Collections.unmodifiableList(new ArrayList<Robot>(world.getRobots()));
         start();
     }
@@ -210,7 +210,8 @@ public final class Simulation implements AutoCloseable {
     /**
      * Where something is in the world. Simulation thread.
      *
-     * @param name of a robot, a part of a robot, or an environment object
+     * @param name of a robot, a part of a robot, or an environment object; a wheel is where its suspension and motor have it now, and a
+     *     Dynamics, which has no place of its own on the robot, is where the robot is
      * @throws IllegalArgumentException if there is none of that name
      */
     public Pose getPose(String name) {

@@ -44,14 +44,17 @@ public final class Snapshot {
         public final List<Pose> wheels;
         /** Status lines of its devices. */
         public final List<String> status;
+        /** Whether one of its devices takes drive commands: who sends them drives. */
+        public final boolean commanded;
 
-        RobotState(String name, Pose pose, double speed, double turnRate, List<Pose> wheels, List<String> status) {
+        RobotState(String name, Pose pose, double speed, double turnRate, List<Pose> wheels, List<String> status, boolean commanded) {
             this.name = name;
             this.pose = pose;
             this.speed = speed;
             this.turnRate = turnRate;
             this.wheels = wheels;
             this.status = status;
+            this.commanded = commanded;
         }
     }
 }

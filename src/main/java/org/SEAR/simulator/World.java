@@ -11,7 +11,7 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
-import org.SEAR.physics.Physics;
+import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
 import org.SEAR.physics.Solid;
 import org.SEAR.physics.StartPoses;
@@ -24,10 +24,10 @@ import org.SEAR.robot.VirtualWalls;
 import org.SEAR.sensors.Earth;
 
 /** The things of a project: environment and robots in physics and before the beams. Simulation thread. */
-final class World implements Physics.Touches {
+final class World implements PhysicsWorld.Touches {
     private static final int MAX_CONTACTS = 256;
 
-    private final Physics physics = new Physics();
+    private final PhysicsWorld physics = new PhysicsWorld();
     private final Scenes scenes;
     private final List<Body> environment = new ArrayList<>();
     private final List<RobotModel> robots = new ArrayList<>();
@@ -80,7 +80,7 @@ final class World implements Physics.Touches {
         }
         Pose place = solid.offset;
         double mass = ((Shape) object).getMass();
-        double[] centre = mass > 0 ? solid.centre() : new double[3];
+        double[] centre = mass > 0 ? solid.convex().centre() : new double[3];
         return new Body(object.getName(), mass, Collections.singletonList(solid), new Pose[] {place},
             place.transform(centre[0], centre[1], centre[2]),
             Pose.ofDegrees(object.getX(), object.getY(), object.getZ(), object.getRx(), object.getRy(), object.getRz()));
@@ -185,7 +185,7 @@ final class World implements Physics.Touches {
         return warnings;
     }
 
-    Physics getPhysics() {
+    PhysicsWorld getPhysics() {
         return physics;
     }
 }

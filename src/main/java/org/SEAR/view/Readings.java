@@ -2,8 +2,6 @@ package org.SEAR.view;
 
 import java.util.Arrays;
 import java.util.Locale;
-import org.SEAR.POJOs.Accelerometer;
-import org.SEAR.POJOs.SearObject;
 import org.SEAR.sensors.DistanceReading;
 import org.SEAR.sensors.GpsFix;
 import org.SEAR.sensors.LidarScan;
@@ -41,8 +39,12 @@ final class Readings {
         return value * value;
     }
 
-    /** In words, with unit. @param sensor the sensor's object; null if unknown */
-    static String words(Object reading, SearObject sensor) {
+    /**
+     * In words, with unit.
+     *
+     * @param unit of the sensor's type, for readings that are plain numbers
+     */
+    static String words(Object reading, String unit) {
         if (reading instanceof LidarScan) {
             return words((LidarScan) reading);
         }
@@ -59,11 +61,10 @@ final class Readings {
         }
         if (reading instanceof VectorReading) {
             VectorReading vector = (VectorReading) reading;
-            String unit = sensor instanceof Accelerometer ? "m/s2" : "rad/s";
-            return format("%.2f, %.2f, %.2f ", hundredths(vector.getX()), hundredths(vector.getY()), hundredths(vector.getZ())) + unit;
+            return (format("%.2f, %.2f, %.2f ", hundredths(vector.getX()), hundredths(vector.getY()), hundredths(vector.getZ())) + unit).trim();
         }
         if (reading instanceof Double) {
-            return format("%.1f deg", Math.rint((Double) reading * TENTHS) / TENTHS + 0.0);
+            return (format("%.1f ", Math.rint((Double) reading * TENTHS) / TENTHS + 0.0) + unit).trim();
         }
         return String.valueOf(reading);
     }

@@ -10,6 +10,7 @@ import java.util.function.BooleanSupplier;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.project.Project;
+import org.SEAR.sensors.SensorTypes;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
 import org.SEAR.simulator.Snapshot;
@@ -20,7 +21,8 @@ final class RunnerLink implements WorldLink {
     private final Simulation simulation;
     private final BooleanSupplier scriptDrives;
     private final ExecutorService steps;
-    private final Map<String, SearObject> sensors = new LinkedHashMap<>();
+    /** The unit of each sensor's reading. */
+    private final Map<String, String> sensors = new LinkedHashMap<>();
     private Snapshot last;
     private Moment moment;
 
@@ -33,9 +35,10 @@ final class RunnerLink implements WorldLink {
             stepper.setDaemon(true);
             return stepper;
         });
+        SensorTypes types = SensorTypes.load();
         for (SEARrobot robot : project().getRobots()) {
             for (SearObject part : robot.getComponents()) {
-                sensors.put(part.getName(), part);
+                sensors.put(part.getName(), types.unit(part));
             }
         }
         simulation.post(world -> watch(world, true));
@@ -74,7 +77,7 @@ final class RunnerLink implements WorldLink {
         }
         Map<String, double[]> beams = new LinkedHashMap<>();
         Map<String, String> values = new LinkedHashMap<>();
-        for (Map.Entry<String, SearObject> sensor : sensors.entrySet()) {
+        for (Map.Entry<String, String> sensor : sensors.entrySet()) {
             Object reading = snapshot.readings.get(sensor.getKey());
             if (reading != null) {
                 values.put(sensor.getKey(), Readings.words(reading, sensor.getValue()));
@@ -107,16 +110,9 @@ final class RunnerLink implements WorldLink {
         return scriptDrives.getAsBoolean() || obeysCommands();
     }
 
-    /** Whether a robot's Open Interface takes drive commands: who put it into safe or full mode drives. */
+    /** Whether a robot's device takes drive commands: who put a Roomba into safe or full mode drives. */
     private boolean obeysCommands() {
-        for (Snapshot.RobotState robot : simulation.snapshot().robots) {
-            for (String status : robot.status) {
-                if (status.contains("OI mode: safe") || status.contains("OI mode: full")) {
-                    return true;
-                }
-            }
-        }
-        return false;
+        return simulation.snapshot().robots.stream().anyMatch(robot -> robot.commanded);
     }
 
     @Override

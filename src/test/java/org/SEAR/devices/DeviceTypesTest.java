@@ -2,20 +2,31 @@ package org.SEAR.devices;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertSame;
 import static org.junit.Assert.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.ServiceLoader;
+import org.SEAR.POJOs.Compass;
+import org.SEAR.POJOs.GPS;
+import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.TextRule;
 import org.SEAR.devices.gps.GpsModel;
-import org.SEAR.protocol.lms.Variant;
+import org.SEAR.devices.gps.Mt3301Type;
 import org.SEAR.devices.oi.OiModel;
+import org.SEAR.project.ProjectRule;
+import org.SEAR.protocol.lms.Variant;
+import org.junit.Rule;
 import org.junit.Test;
 
 /** The registry of devices, and names of models. */
 public class DeviceTypesTest {
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
     @Test
     public void theThreeDevicesAreFoundByTheirObjects() {
         List<String> found = new ArrayList<>();
@@ -23,6 +34,31 @@ public class DeviceTypesTest {
             found.add(type.parameterType().getSimpleName());
         }
         assertTrue(found.toString(), found.containsAll(Arrays.asList("LIDAR", "Dynamics", "GPS")));
+    }
+
+    /** A LIDAR that is no LMS200 may be what another jar simulates. */
+    @Test
+    public void theNextKindIsAskedWhenOneHasNoDeviceForAnObject() {
+        GPS gps = new GPS("gps", 48, 300, 11);
+        SerialDevice device = new Mt3301Type().create(gps, new FakeContext());
+        DeviceTypes types = new DeviceTypes(Arrays.asList(type(GPS.class, null), type(LIDAR.class, null), type(LIDAR.class, device)));
+        assertSame(device, types.create(new LIDAR("lidar"), new FakeContext()));
+        assertNull(types.create(gps, new FakeContext()));
+        assertTrue(types.isKnown(gps) && !types.isKnown(new Compass("compass")));
+    }
+
+    private static DeviceType type(Class<? extends SearObject> of, SerialDevice device) {
+        return new DeviceType() {
+            @Override
+            public Class<? extends SearObject> parameterType() {
+                return of;
+            }
+
+            @Override
+            public SerialDevice create(SearObject parameters, DeviceContext context) {
+                return device;
+            }
+        };
     }
 
     @Test

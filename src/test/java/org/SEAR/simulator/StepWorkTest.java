@@ -128,7 +128,7 @@ public class StepWorkTest {
         for (int i = 0; i < TURNING_STEPS; i++) {
             simulation.step();
         }
-        return simulation.getWorld().getPhysics().getSolverTurns();
+        return simulation.getWorld().getPhysics().getSolverIterations();
     }
 
     @Test

@@ -92,6 +92,7 @@ public class SearServiceTest {
         assertEquals(0.9, sear.getOdomResult() - start, 0.03);
         assertEquals(0.9, sear.getPose("roomba")[2], 0.05);
         assertEquals(sear.getOdomResult(), sear.getOdomResult("roomba"), 0);
+        assertArrayEquals("a Dynamics is where its robot is", sear.getPose("roomba"), sear.getPose("drive"), 1e-9);
         assertEquals(sear.getPose("roomba")[2] + TestWorld.LIDAR_Z, sear.getPose("scanner")[2], 1e-3);
     }
 

@@ -407,6 +407,11 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
     }
 
     @Override
+    public boolean takesDriveCommands() {
+        return mode.isActive();
+    }
+
+    @Override
     public String status() {
         String song = songs.isPlaying(beats * BEAT) ? ", song " + songs.getNumber() : "";
         return "OI mode: " + mode.name().toLowerCase(java.util.Locale.ROOT) + (asleep ? " (asleep)" : "") + ", " + lights.describe()

@@ -162,7 +162,7 @@ public final class Readings {
     /** [x, y, z, rx, ry, rz] in the world, metres and degrees, of a robot, an object, a part or a sensor. */
     public double[] pose(String asked) throws InterruptedException {
         String name = given(asked);
-        return control.session().ask(world -> asNumbers(find(world, name)));
+        return control.session().ask(world -> asNumbers(world.getPose(name)));
     }
 
     private static String given(String name) {
@@ -170,42 +170,6 @@ public final class Readings {
             throw new IllegalArgumentException("the name is missing (None), legal: the name of a sensor, robot, part or object");
         }
         return ScriptText.of(name);
-    }
-
-    private static Pose find(Simulation world, String name) {
-        List<SearObject> environment = world.getProject().getEnvironment();
-        for (int i = 0; i < environment.size(); i++) {
-            if (environment.get(i).getName().equals(name)) {
-                return world.snapshot().environment.get(i);
-            }
-        }
-        for (Robot robot : world.getRobots()) {
-            if (robot.getObject().getName().equals(name)) {
-                return robot.getPose();
-            }
-            for (SearObject part : robot.getObject().getComponents()) {
-                if (part.getName().equals(name)) {
-                    return robot.getPose().times(Pose.ofDegrees(part.getX(), part.getY(), part.getZ(), part.getRx(), part.getRy(), part.getRz()));
-                }
-            }
-            for (SearObject wheel : robot.getObject().getWheels()) {
-                if (wheel.getName().equals(name)) {
-                    return robot.getPose().times(Pose.ofDegrees(wheel.getX(), wheel.getY(), wheel.getZ(), 0, 0, 0));
-                }
-            }
-        }
-        throw new IllegalArgumentException("nothing is named \"" + name + "\"; there are " + names(world));
-    }
-
-    private static String names(Simulation world) {
-        StringBuilder names = new StringBuilder();
-        for (Robot robot : world.getRobots()) {
-            names.append(robot.getObject().getName()).append(' ');
-            robot.getObject().getComponents().forEach(part -> names.append(part.getName()).append(' '));
-            robot.getObject().getWheels().forEach(wheel -> names.append(wheel.getName()).append(' '));
-        }
-        world.getProject().getEnvironment().forEach(object -> names.append(object.getName()).append(' '));
-        return names.toString().trim();
     }
 
     private static double[] asNumbers(Pose pose) {

@@ -1,11 +1,11 @@
 package org.SEAR.collision;
 
 /**
- * Where two sets touch. {@link Closest} gives one point and a direction; here what both turn to each other is cut to the part that they share, and
- * its outermost corners are the contact, all in the same step. So things stand still. Where no face is part of it (edge on edge), the one point
- * stands.
+ * Where two sets touch. {@link GjkDistance} gives one point and a direction; here the incident face is clipped to the part that lies above or below
+ * the reference face, and its outermost corners are the contact, all in the same step. So things stand still. Where no face is part of it (edge on
+ * edge), the one point stands.
  */
-public final class Patch {
+public final class ManifoldClipper {
     /** Surfaces this close already carry each other, metres: a face that rests has all its corners in touch. */
     public static final float SKIN = 5e-4f;
     /** Surfaces farther apart than this have no contact, metres; jbullet's own limit. */
@@ -17,46 +17,46 @@ public final class Patch {
     private static final int CORNERS = 4;
 
     /** What each turns to the other, in the world; filled in by the caller. */
-    public final Feature ofA = new Feature();
-    public final Feature ofB = new Feature();
+    public final ContactFeature ofA = new ContactFeature();
+    public final ContactFeature ofB = new ContactFeature();
     private final int[] chosen = new int[CORNERS];
 
     /** Adds the points of contact. @param nearest from B to A */
-    public void find(Closest nearest, Contacts into) {
+    public void find(GjkDistance nearest, ContactPoints into) {
         if (!faces(nearest.nx, nearest.ny, nearest.nz, into)) {
             into.add(nearest.nx, nearest.ny, nearest.nz, nearest.onB[0], nearest.onB[1], nearest.onB[2], nearest.distance);
         }
     }
 
     /** Adds the corners of what both share. @param nx direction from B to A @return whether there is such a patch */
-    public boolean faces(double nx, double ny, double nz, Contacts into) {
+    public boolean faces(double nx, double ny, double nz, ContactPoints into) {
         double alongA = ofA.flat ? -(nx * ofA.nx + ny * ofA.ny + nz * ofA.nz) : 0;
         double alongB = ofB.flat ? nx * ofB.nx + ny * ofB.ny + nz * ofB.nz : 0;
         if (Math.max(alongA, alongB) < ALIGNED) {
             return false;
         }
         boolean onB = alongB >= alongA - EVEN;
-        Feature face = onB ? ofB : ofA;
-        Feature cut = onB ? ofA : ofB;
-        cut.clip(face);
-        int corners = choose(face, cut);
+        ContactFeature reference = onB ? ofB : ofA;
+        ContactFeature incident = onB ? ofA : ofB;
+        incident.clip(reference);
+        int corners = choose(reference, incident);
         double sign = onB ? 1 : -1;
         for (int i = 0; i < corners; i++) {
             int corner = chosen[i];
-            double height = face.height(cut.x(corner), cut.y(corner), cut.z(corner));
+            double height = reference.height(incident.x(corner), incident.y(corner), incident.z(corner));
             double down = onB ? height : 0;
-            into.add(sign * face.nx, sign * face.ny, sign * face.nz, cut.x(corner) - down * face.nx, cut.y(corner) - down * face.ny,
-                cut.z(corner) - down * face.nz, height);
+            into.add(sign * reference.nx, sign * reference.ny, sign * reference.nz, incident.x(corner) - down * reference.nx,
+                incident.y(corner) - down * reference.ny, incident.z(corner) - down * reference.nz, height);
         }
         return corners > 0;
     }
 
     /** The lowest corner, the one farthest from it, and those farthest from their line to either side. */
-    private int choose(Feature face, Feature cut) {
+    private int choose(ContactFeature reference, ContactFeature incident) {
         int lowest = -1;
         double least = BREAKING;
-        for (int i = 0; i < cut.count; i++) {
-            double height = face.height(cut.x(i), cut.y(i), cut.z(i));
+        for (int i = 0; i < incident.count; i++) {
+            double height = reference.height(incident.x(i), incident.y(i), incident.z(i));
             if (height < least) {
                 least = height;
                 lowest = i;
@@ -69,9 +69,10 @@ public final class Patch {
         chosen[count++] = lowest;
         int far = lowest;
         double most = 0;
-        for (int i = 0; i < cut.count; i++) {
-            double distance = square(cut.x(i) - cut.x(lowest)) + square(cut.y(i) - cut.y(lowest)) + square(cut.z(i) - cut.z(lowest));
-            if (distance > most && face.height(cut.x(i), cut.y(i), cut.z(i)) < BREAKING) {
+        for (int i = 0; i < incident.count; i++) {
+            double distance = square(incident.x(i) - incident.x(lowest)) + square(incident.y(i) - incident.y(lowest))
+                + square(incident.z(i) - incident.z(lowest));
+            if (distance > most && reference.height(incident.x(i), incident.y(i), incident.z(i)) < BREAKING) {
                 most = distance;
                 far = i;
             }
@@ -83,9 +84,9 @@ public final class Patch {
         for (int side = -1; side <= 1; side += 2) {
             int best = -1;
             most = 0;
-            for (int i = 0; i < cut.count; i++) {
-                double area = side * area(face, cut, lowest, far, i);
-                if (area > most + SKIN * SKIN && face.height(cut.x(i), cut.y(i), cut.z(i)) < BREAKING) {
+            for (int i = 0; i < incident.count; i++) {
+                double area = side * area(reference, incident, lowest, far, i);
+                if (area > most + SKIN * SKIN && reference.height(incident.x(i), incident.y(i), incident.z(i)) < BREAKING) {
                     most = area;
                     best = i;
                 }
@@ -102,13 +103,13 @@ public final class Patch {
     }
 
     /** Twice the area of a triangle of corners, + counter-clockwise seen from above the face. */
-    private static double area(Feature face, Feature cut, int a, int b, int c) {
-        double ux = cut.x(b) - cut.x(a);
-        double uy = cut.y(b) - cut.y(a);
-        double uz = cut.z(b) - cut.z(a);
-        double vx = cut.x(c) - cut.x(a);
-        double vy = cut.y(c) - cut.y(a);
-        double vz = cut.z(c) - cut.z(a);
-        return face.nx * (uy * vz - uz * vy) + face.ny * (uz * vx - ux * vz) + face.nz * (ux * vy - uy * vx);
+    private static double area(ContactFeature reference, ContactFeature incident, int a, int b, int c) {
+        double ux = incident.x(b) - incident.x(a);
+        double uy = incident.y(b) - incident.y(a);
+        double uz = incident.z(b) - incident.z(a);
+        double vx = incident.x(c) - incident.x(a);
+        double vy = incident.y(c) - incident.y(a);
+        double vz = incident.z(c) - incident.z(a);
+        return reference.nx * (uy * vz - uz * vy) + reference.ny * (uz * vx - ux * vz) + reference.nz * (ux * vy - uy * vx);
     }
 }

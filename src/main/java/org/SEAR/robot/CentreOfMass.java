@@ -7,11 +7,11 @@ import org.SEAR.POJOs.Wheel;
  * Where a robot's centre of mass lies. It is the centroid of the components; but who built a real robot put its battery so that it stands on its
  * wheels, so a centroid that lies outside the wheels or close to tipping is replaced by the middle of the wheels.
  */
-final class Ballast {
+final class CentreOfMass {
     /** Least distance from tipping, as a share of the distance that the middle of the wheels has. */
     private static final double LEAST_SHARE = 0.6;
 
-    private Ballast() {
+    private CentreOfMass() {
     }
 
     /**

@@ -6,7 +6,7 @@ import org.SEAR.geometry.Placement;
  * The part of a solid's surface that faces something: a face with its outward normal, or an edge (two points) or corner without one. Filled in the
  * solid's frame, then placed in the world.
  */
-public final class Feature {
+public final class ContactFeature {
     /** Corners that it holds; a face that is to be cut needs room for those that cutting makes. */
     static final int MOST = 32;
 
@@ -73,7 +73,7 @@ public final class Feature {
     }
 
     /** Cuts off what does not lie above or below a face. */
-    void clip(Feature face) {
+    void clip(ContactFeature face) {
         double mx = 0;
         double my = 0;
         double mz = 0;

@@ -13,24 +13,26 @@ import com.bulletphysics.collision.shapes.TriangleCallback;
 import com.bulletphysics.linearmath.Transform;
 import com.bulletphysics.util.ObjectArrayList;
 import javax.vecmath.Vector3f;
-import org.SEAR.collision.Closest;
-import org.SEAR.collision.Contacts;
-import org.SEAR.collision.Patch;
-import org.SEAR.collision.Triangle;
+import org.SEAR.collision.ContactPoints;
+import org.SEAR.collision.ContactTriangle;
+import org.SEAR.collision.GjkDistance;
+import org.SEAR.collision.ManifoldClipper;
+import org.SEAR.collision.PlacedConvex;
 import org.SEAR.geometry.Placement;
 
 /**
- * The contact of two solids, or of a solid and the triangles of a fixed mesh, in exact geometry: jbullet's own algorithms work in single precision
+ * The contact of two solids, or of a solid and the triangles of a fixed mesh, from the shapes themselves in double
+ * precision (the poses are jbullet's, in single precision, and so is what it makes of the points): jbullet's own algorithms work in single precision
  * with margins of a centimetre and let things stop millimetres early or late. Simulation thread.
  */
-public final class ContactPatch extends CollisionAlgorithm {
-    private final Closest closest;
-    private final Patch patch;
-    private final Contacts contacts;
-    private final Handover handover;
-    private final Placed placedA;
-    private final Placed placedB;
-    private final Triangle triangle;
+public final class ContactAlgorithm extends CollisionAlgorithm {
+    private final GjkDistance gjk;
+    private final ManifoldClipper clipper;
+    private final ContactPoints contacts;
+    private final ManifoldWriter writer;
+    private final PlacedConvex placedA;
+    private final PlacedConvex placedB;
+    private final ContactTriangle triangle;
     private final Transform place = new Transform();
     private final Placement placeOfMesh = new Placement();
     private final Transform inMesh = new Transform();
@@ -40,19 +42,19 @@ public final class ContactPatch extends CollisionAlgorithm {
     private final TriangleCallback triangles = new TriangleCallback() {
         @Override
         public void processTriangle(Vector3f[] corners, int part, int index) {
-            if (triangle.set(corners, placeOfMesh) && triangle.isNear(placedA, Patch.BREAKING) && closest.measure(placedA, triangle, Patch.BREAKING)
-                && !pushOut()) {
-                triangle.feature(closest.nx, closest.ny, closest.nz, patch.ofB);
+            if (triangle.set(corners, placeOfMesh) && triangle.isNear(placedA, ManifoldClipper.BREAKING)
+                && gjk.measure(placedA, triangle, ManifoldClipper.BREAKING) && !pushOut()) {
+                triangle.feature(gjk.nx, gjk.ny, gjk.nz, clipper.ofB);
                 touch();
             }
         }
     };
 
-    private ContactPatch(CollisionAlgorithmConstructionInfo info, Maker maker) {
-        closest = maker.closest;
-        patch = maker.patch;
+    private ContactAlgorithm(CollisionAlgorithmConstructionInfo info, Maker maker) {
+        gjk = maker.gjk;
+        clipper = maker.clipper;
         contacts = maker.contacts;
-        handover = maker.handover;
+        writer = maker.writer;
         placedA = maker.placedA;
         placedB = maker.placedB;
         triangle = maker.triangle;
@@ -61,17 +63,17 @@ public final class ContactPatch extends CollisionAlgorithm {
 
     /** Makes them for a world. They work one after the other and share their tools: pairs come and go all the time. */
     static final class Maker extends CollisionAlgorithmCreateFunc {
-        private final Closest closest = new Closest();
-        private final Patch patch = new Patch();
-        private final Contacts contacts = new Contacts();
-        private final Handover handover = new Handover();
-        private final Placed placedA = new Placed();
-        private final Placed placedB = new Placed();
-        private final Triangle triangle = new Triangle();
+        private final GjkDistance gjk = new GjkDistance();
+        private final ManifoldClipper clipper = new ManifoldClipper();
+        private final ContactPoints contacts = new ContactPoints();
+        private final ManifoldWriter writer = new ManifoldWriter();
+        private final PlacedConvex placedA = new PlacedConvex();
+        private final PlacedConvex placedB = new PlacedConvex();
+        private final ContactTriangle triangle = new ContactTriangle();
 
         @Override
         public CollisionAlgorithm createCollisionAlgorithm(CollisionAlgorithmConstructionInfo info, CollisionObject a, CollisionObject b) {
-            return new ContactPatch(info, this);
+            return new ContactAlgorithm(info, this);
         }
 
         @Override
@@ -91,47 +93,47 @@ public final class ContactPatch extends CollisionAlgorithm {
         result.setPersistentManifold(manifold);
         contacts.clear();
         a.getWorldTransform(place);
-        placedA.set((Solid) a.getCollisionShape().getUserPointer(), place);
+        Body.toPlacement(place, placedA.set(((Solid) a.getCollisionShape().getUserPointer()).convex()));
         if (b.getCollisionShape() instanceof BvhTriangleMeshShape) {
             meetMesh(a.getCollisionShape(), b);
         } else {
             b.getWorldTransform(place);
-            placedB.set((Solid) b.getCollisionShape().getUserPointer(), place);
-            if (closest.measure(placedA, placedB, Patch.BREAKING)) {
-                patch.ofB.clear();
-                placedB.feature(closest.nx, closest.ny, closest.nz, patch.ofB);
+            Body.toPlacement(place, placedB.set(((Solid) b.getCollisionShape().getUserPointer()).convex()));
+            if (gjk.measure(placedA, placedB, ManifoldClipper.BREAKING)) {
+                clipper.ofB.clear();
+                placedB.feature(gjk.nx, gjk.ny, gjk.nz, clipper.ofB);
                 touch();
             }
         }
-        handover.give(contacts, manifold, result);
-        Handover.announce(contacts, (Body) a.getUserPointer(), (Body) b.getUserPointer());
+        writer.give(contacts, manifold, result);
+        ManifoldWriter.announce(contacts, (Body) a.getUserPointer(), (Body) b.getUserPointer());
     }
 
     private void meetMesh(CollisionShape shape, CollisionObject mesh) {
         Transform placeOfA = new Transform(place);
         mesh.getWorldTransform(place);
-        Placed.toPlacement(place, placeOfMesh);
+        Body.toPlacement(place, placeOfMesh);
         inMesh.inverse(place);
         inMesh.mul(placeOfA);
         shape.getAabb(inMesh, low, high);
-        low.set(low.x - Patch.BREAKING, low.y - Patch.BREAKING, low.z - Patch.BREAKING);
-        high.set(high.x + Patch.BREAKING, high.y + Patch.BREAKING, high.z + Patch.BREAKING);
+        low.set(low.x - ManifoldClipper.BREAKING, low.y - ManifoldClipper.BREAKING, low.z - ManifoldClipper.BREAKING);
+        high.set(high.x + ManifoldClipper.BREAKING, high.y + ManifoldClipper.BREAKING, high.z + ManifoldClipper.BREAKING);
         ((BvhTriangleMeshShape) mesh.getCollisionShape()).processAllTriangles(triangles, low, high);
     }
 
     /** What has come a little way through a triangle goes back through it, not sideways over its edges to the next triangle. */
     private boolean pushOut() {
-        if (closest.distance >= 0 || triangle.depth() > Patch.BREAKING) {
+        if (gjk.distance >= 0 || triangle.depth() > ManifoldClipper.BREAKING) {
             return false;
         }
-        triangle.front(patch.ofB);
-        placedA.feature(-patch.ofB.nx, -patch.ofB.ny, -patch.ofB.nz, patch.ofA);
-        return patch.faces(patch.ofB.nx, patch.ofB.ny, patch.ofB.nz, contacts);
+        triangle.front(clipper.ofB);
+        placedA.feature(-clipper.ofB.nx, -clipper.ofB.ny, -clipper.ofB.nz, clipper.ofA);
+        return clipper.faces(clipper.ofB.nx, clipper.ofB.ny, clipper.ofB.nz, contacts);
     }
 
     private void touch() {
-        placedA.feature(-closest.nx, -closest.ny, -closest.nz, patch.ofA);
-        patch.find(closest, contacts);
+        placedA.feature(-gjk.nx, -gjk.ny, -gjk.nz, clipper.ofA);
+        clipper.find(gjk, contacts);
     }
 
     @Override

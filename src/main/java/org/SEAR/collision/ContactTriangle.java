@@ -4,7 +4,7 @@ import javax.vecmath.Vector3f;
 import org.SEAR.geometry.Placement;
 
 /** A triangle of a fixed mesh, in the world; it has two sides. */
-public final class Triangle implements Convex {
+public final class ContactTriangle implements Convex {
     private static final double NOTHING = 1e-14;
     private final double[] at = new double[9];
     private double nx;
@@ -38,9 +38,9 @@ public final class Triangle implements Convex {
     /** Whether a set reaches within {@code reach} metres of the triangle's plane; measures {@link #depth} too. */
     public boolean isNear(Convex other, double reach) {
         double plane = nx * at[0] + ny * at[1] + nz * at[2];
-        other.farthest(-nx, -ny, -nz, point);
+        other.support(-nx, -ny, -nz, point);
         lowest = nx * point[0] + ny * point[1] + nz * point[2] - plane;
-        other.farthest(nx, ny, nz, point);
+        other.support(nx, ny, nz, point);
         highest = nx * point[0] + ny * point[1] + nz * point[2] - plane;
         return lowest <= reach && highest >= -reach;
     }
@@ -51,13 +51,13 @@ public final class Triangle implements Convex {
     }
 
     /** The side on which most of the set is. */
-    public void front(Feature into) {
+    public void front(ContactFeature into) {
         double side = highest > -lowest ? 1 : -1;
         feature(side * nx, side * ny, side * nz, into);
     }
 
     @Override
-    public void farthest(double dx, double dy, double dz, double[] into) {
+    public void support(double dx, double dy, double dz, double[] into) {
         int best = 0;
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < 9; i += 3) {
@@ -73,7 +73,7 @@ public final class Triangle implements Convex {
     }
 
     /** The side that faces a direction. */
-    public void feature(double dx, double dy, double dz, Feature into) {
+    public void feature(double dx, double dy, double dz, ContactFeature into) {
         into.clear();
         for (int i = 0; i < 9; i += 3) {
             into.add(at[i], at[i + 1], at[i + 2]);

@@ -8,10 +8,9 @@ import java.util.Map;
 import java.util.TreeSet;
 import org.SEAR.geometry.Pose;
 import org.SEAR.robot.RobotModel;
-import org.SEAR.robot.WheelPoses;
 
 /** Makes the snapshots. What did not change is shared with the snapshot before. Simulation thread. */
-final class Observer {
+final class SnapshotRecorder {
     private static final int DEFAULT_INTERVAL = 2;
     /** A robot whose up axis points lower than this (its vertical part) lies on its side or back. */
     private static final double OVERTURNED = 0.3;
@@ -26,12 +25,14 @@ final class Observer {
     private Map<String, Object> readings = Collections.emptyMap();
     private final Snapshot.RobotState[] states;
     private final List<List<String>> status = new ArrayList<>();
+    private final boolean[] commanded;
 
-    Observer(World world, Instruments instruments, Warnings warnings) {
+    SnapshotRecorder(World world, Instruments instruments, Warnings warnings) {
         this.world = world;
         this.instruments = instruments;
         this.warnings = warnings;
         states = new Snapshot.RobotState[world.getRobots().size()];
+        commanded = new boolean[states.length];
         for (int i = 0; i < states.length; i++) {
             status.add(List.of());
         }
@@ -59,7 +60,7 @@ final class Observer {
             RobotModel robot = world.getRobots().get(i);
             boolean changed = display && updateStatus(i);
             if (step == 0 || changed || states[i] == null || world.getPhysics().isAwake(robot.getBody()) || states[i].speed != 0) {
-                states[i] = state(robot, status.get(i));
+                states[i] = state(robot, status.get(i), commanded[i]);
                 check(robot);
             }
         }
@@ -78,21 +79,24 @@ final class Observer {
         RobotModel robot = world.getRobots().get(number);
         List<String> old = status.get(number);
         List<String> now = null;
+        boolean wasCommanded = commanded[number];
+        commanded[number] = false;
         for (int i = 0; i < instruments.getPorts().size(); i++) {
             Port port = instruments.getPorts().get(i);
             if (port.getRobot() == robot) {
                 now = now == null ? new ArrayList<>() : now;
                 now.add(port.getCable().getObjectName() + ": " + port.getCable().getDevice().status());
+                commanded[number] |= port.getCable().getDevice().takesDriveCommands();
             }
         }
         if (now == null || now.equals(old)) {
-            return false;
+            return commanded[number] != wasCommanded;
         }
         status.set(number, List.copyOf(now));
         return true;
     }
 
-    private static Snapshot.RobotState state(RobotModel robot, List<String> status) {
+    private static Snapshot.RobotState state(RobotModel robot, List<String> status, boolean commanded) {
         Pose pose = robot.getPose();
         double[] velocity = robot.truth().velocity();
         double[] angular = robot.truth().angularVelocity();
@@ -100,7 +104,7 @@ final class Observer {
         double[] up = pose.rotate(0, 1, 0);
         return new Snapshot.RobotState(robot.getObject().getName(), pose,
             velocity[0] * ahead[0] + velocity[1] * ahead[1] + velocity[2] * ahead[2],
-            angular[0] * up[0] + angular[1] * up[1] + angular[2] * up[2], new WheelPoses(robot.getTrain().getWheels()), status);
+            angular[0] * up[0] + angular[1] * up[1] + angular[2] * up[2], robot.getTrain().getWheelPoses(), status, commanded);
     }
 
     private void check(RobotModel robot) {

@@ -6,11 +6,10 @@ import com.bulletphysics.collision.narrowphase.ManifoldPoint;
 import com.bulletphysics.collision.narrowphase.PersistentManifold;
 import com.bulletphysics.dynamics.DiscreteDynamicsWorld;
 import com.bulletphysics.dynamics.RigidBody;
-import com.bulletphysics.dynamics.constraintsolver.TypedConstraint;
 import java.util.ArrayList;
 import java.util.List;
 import javax.vecmath.Vector3f;
-import org.SEAR.collision.Patch;
+import org.SEAR.collision.ManifoldClipper;
 import org.SEAR.geometry.TimeStep;
 
 /**
@@ -18,7 +17,7 @@ import org.SEAR.geometry.TimeStep;
  * while it stays inside, nothing changes; when it leaves its zone, wakes or falls asleep, the zones are drawn anew and bodies enter and leave in
  * the order of their numbers. Simulation thread.
  */
-public final class Physics {
+public final class PhysicsWorld {
     /** Gravity, m/s^2. */
     public static final double GRAVITY = 9.81;
     /** How far a zone reaches beyond a body at rest, metres. */
@@ -77,7 +76,7 @@ public final class Physics {
         world = new DiscreteDynamicsWorld(dispatcher, new PairSearch(), solver, configuration);
         world.setGravity(new Vector3f(0, (float) -GRAVITY, 0));
         world.getSolverInfo().splitImpulse = true;
-        world.getSolverInfo().linearSlop = Patch.SKIN;
+        world.getSolverInfo().linearSlop = ManifoldClipper.SKIN;
         int count = bodies.size();
         bounds = new double[count][6];
         zones = new double[count][6];
@@ -93,9 +92,9 @@ public final class Physics {
         redraw = true;
     }
 
-    /** Joins a constraint to the new world. */
-    public void add(TypedConstraint constraint) {
-        world.addConstraint(constraint);
+    /** Joins the drive of a robot's body to the new world. */
+    public void add(Body body, Drive drive) {
+        world.addConstraint(new DriveConstraint(body, drive));
     }
 
     /** One step of the world; costs nothing while everything sleeps. */
@@ -233,8 +232,8 @@ public final class Physics {
         return count;
     }
 
-    /** How often the contact solver has turned since {@link #restart}. */
-    public long getSolverTurns() {
-        return solver.getTurns();
+    /** Iterations of the contact solver since {@link #restart}. */
+    public long getSolverIterations() {
+        return solver.getIterations();
     }
 }

@@ -1,13 +1,17 @@
 package org.SEAR.collision;
 
 /**
- * Where two convex sets are nearest to each other, or how deep they are in each other, in double precision and without margins: the distance by
- * Gilbert, Johnson and Keerthi (1988), the depth by {@link Depth}. One pair at a time; not for several threads.
+ * Where two convex sets are nearest to each other, or how deep they are in each other, computed in double precision and without margins:
+ * the distance by Gilbert, Johnson and Keerthi (1988), the depth by {@link Epa}. A distance is good to 2e-7 m for shapes of a metre; where the poses
+ * come from single precision, as jbullet's do, they limit it to some 1e-7 of the distance from the origin. One pair at a time; not for several
+ * threads.
  */
-public final class Closest {
+public final class GjkDistance {
     /** Distances are this good, metres. */
     private static final double PRECISION = 1e-7;
-    private static final int ROUNDS = 64;
+    private static final int ITERATIONS = 64;
+    /** A length that is none, metres. */
+    private static final double NOTHING = 1e-9;
 
     /** From the second set to the first, length 1. */
     public double nx;
@@ -24,7 +28,7 @@ public final class Closest {
     private final double[] best = new double[4];
     private final double[] trial = new double[4];
     private final double[] a = new double[3];
-    private final Depth depth = new Depth();
+    private final Epa epa = new Epa();
     private int size;
 
     /**
@@ -38,7 +42,7 @@ public final class Closest {
         size = 1;
         share[0] = 1;
         double length = approach();
-        for (int round = 0; round < ROUNDS && length > PRECISION; round++) {
+        for (int iteration = 0; iteration < ITERATIONS && length > PRECISION; iteration++) {
             difference(first, second, -v[0], -v[1], -v[2], p[size], q[size]);
             double lower = dot(v, p[size]) / length;
             if (lower > reach) {
@@ -64,7 +68,60 @@ public final class Closest {
             separated(length);
             return distance <= reach;
         }
-        return depth.measure(first, second, p, q, size, this);
+        return epa.measure(first, second, p, q, size, this);
+    }
+
+    /**
+     * Whether two sets have a point in common: no plane parts them. Sharper than a {@link #measure}d distance of 0, which is only known within
+     * {@link #PRECISION}.
+     */
+    public boolean overlap(Convex first, Convex second) {
+        difference(first, second, 1, 0, 0, p[0], q[0]);
+        size = 1;
+        share[0] = 1;
+        double length = approach();
+        for (int iteration = 0; iteration < ITERATIONS && length > NOTHING; iteration++) {
+            aimAtOrigin();
+            difference(first, second, a[0], a[1], a[2], p[size], q[size]);
+            if (dot(a, p[size]) < 0) {
+                return false;
+            }
+            size++;
+            share[size - 1] = 0;
+            if (size == 4 && holdsOrigin()) {
+                return true;
+            }
+            keepNearest();
+            length = approach();
+        }
+        return true;
+    }
+
+    /**
+     * Puts the direction from the simplex to the origin into {@code a}: a triangle's normal, because the nearest point of a large triangle that
+     * passes close by the origin is not known well enough to aim with.
+     */
+    private void aimAtOrigin() {
+        if (size < 3) {
+            a[0] = -v[0];
+            a[1] = -v[1];
+            a[2] = -v[2];
+            return;
+        }
+        double ux = p[1][0] - p[0][0];
+        double uy = p[1][1] - p[0][1];
+        double uz = p[1][2] - p[0][2];
+        double wx = p[2][0] - p[0][0];
+        double wy = p[2][1] - p[0][1];
+        double wz = p[2][2] - p[0][2];
+        a[0] = uy * wz - uz * wy;
+        a[1] = uz * wx - ux * wz;
+        a[2] = ux * wy - uy * wx;
+        if (dot(a, p[0]) > 0) {
+            a[0] = -a[0];
+            a[1] = -a[1];
+            a[2] = -a[2];
+        }
     }
 
     private void separated(double length) {
@@ -82,8 +139,8 @@ public final class Closest {
 
     /** The corner of the difference of both sets in a direction, and the point of the second set there. */
     static void difference(Convex first, Convex second, double dx, double dy, double dz, double[] point, double[] ofSecond) {
-        first.farthest(dx, dy, dz, point);
-        second.farthest(-dx, -dy, -dz, ofSecond);
+        first.support(dx, dy, dz, point);
+        second.support(-dx, -dy, -dz, ofSecond);
         for (int axis = 0; axis < 3; axis++) {
             point[axis] -= ofSecond[axis];
         }

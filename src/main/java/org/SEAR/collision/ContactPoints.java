@@ -3,7 +3,7 @@ package org.SEAR.collision;
 import java.util.Arrays;
 
 /** The points of contact of one pair in one step, and which four of them say most. Not for several threads. */
-public final class Contacts {
+public final class ContactPoints {
     private static final int MOST = 4;
     private static final int FIELDS = 7;
 
@@ -76,7 +76,7 @@ public final class Contacts {
             int best = -1;
             double most = Double.NEGATIVE_INFINITY;
             for (int i = 0; i < count; i++) {
-                double worth = taken == 0 ? -height(i) : room(i, taken) - (height(i) > Patch.SKIN ? 1e6 : 0);
+                double worth = taken == 0 ? -height(i) : room(i, taken) - (height(i) > ManifoldClipper.SKIN ? 1e6 : 0);
                 if (worth > most) {
                     most = worth;
                     best = i;

@@ -6,7 +6,7 @@ import javax.vecmath.Matrix3f;
  * One direction in which an impulse acts on a rigid body at a point: a row of the constraint matrix. Velocities are {vx, vy, vz, wx, wy, wz} of the
  * centre of mass, world frame. Simulation thread.
  */
-public final class Row {
+public final class ConstraintRow {
     private double lx;
     private double ly;
     private double lz;
@@ -22,8 +22,17 @@ public final class Row {
     /** Impulse of this step so far, Ns. */
     public double impulse;
 
-    /** @param d unit direction @param r point relative to the centre of mass, both in the world frame */
-    public void set(double dx, double dy, double dz, double rx, double ry, double rz, double bodyInverseMass, Matrix3f inverseInertia) {
+    /**
+     * Makes it a row of a body.
+     *
+     * @param dx unit direction, likewise dy and dz
+     * @param x where the impulse acts, metres, likewise y and z; all in the world frame
+     */
+    public void set(double dx, double dy, double dz, double x, double y, double z, SolverBody body) {
+        double rx = x - body.centre[0];
+        double ry = y - body.centre[1];
+        double rz = z - body.centre[2];
+        Matrix3f inverseInertia = body.inverseInertia;
         lx = dx;
         ly = dy;
         lz = dz;
@@ -33,8 +42,8 @@ public final class Row {
         ix = inverseInertia.m00 * ax + inverseInertia.m01 * ay + inverseInertia.m02 * az;
         iy = inverseInertia.m10 * ax + inverseInertia.m11 * ay + inverseInertia.m12 * az;
         iz = inverseInertia.m20 * ax + inverseInertia.m21 * ay + inverseInertia.m22 * az;
-        inverseMass = bodyInverseMass;
-        mobility = bodyInverseMass + ax * ix + ay * iy + az * iz;
+        inverseMass = body.inverseMass;
+        mobility = inverseMass + ax * ix + ay * iy + az * iz;
     }
 
     /** Speed of the point along the direction, m/s. */

@@ -2,19 +2,18 @@ package org.SEAR.physics;
 
 import java.util.ArrayList;
 import java.util.List;
-import javax.vecmath.Matrix3f;
-import org.SEAR.collision.Patch;
+import org.SEAR.collision.ManifoldClipper;
 import org.SEAR.geometry.TimeStep;
 
 /**
  * What stands so near to a robot's body that it may be reached within a step: the body comes as far as the surface, not into it. jbullet's own
  * contacts work only from the touch on. Simulation thread.
  */
-public final class Obstacles {
+public final class ApproachConstraints {
     /** How far from the surface it stops, metres: where jbullet's contact has taken over. */
-    private static final double STOP = Patch.SKIN / 2;
+    private static final double STOP = ManifoldClipper.SKIN / 2;
 
-    /** Of all points in a turn of the solver. */
+    /** Of all points in an iteration of the solver. */
     private static final int SWEEPS = 4;
 
     private final List<One> all = new ArrayList<>();
@@ -23,7 +22,7 @@ public final class Obstacles {
 
     /** One point of a surface. */
     private static final class One {
-        final Row row = new Row();
+        final ConstraintRow row = new ConstraintRow();
         Body other;
         double nx;
         double ny;
@@ -57,12 +56,11 @@ public final class Obstacles {
         one.gap = gap;
     }
 
-    /** Makes the rows of a step. @param centre of the robot's mass, world frame */
-    public void prepare(double[] centre, double inverseMass, Matrix3f inverseInertia) {
+    /** Makes the rows of a step. @param body the robot's */
+    public void prepare(SolverBody body) {
         for (int i = 0; i < count; i++) {
             One one = all.get(i);
-            one.row.set(one.nx, one.ny, one.nz, one.x + one.gap * one.nx - centre[0], one.y + one.gap * one.ny - centre[1],
-                one.z + one.gap * one.nz - centre[2], inverseMass, inverseInertia);
+            one.row.set(one.nx, one.ny, one.nz, one.x + one.gap * one.nx, one.y + one.gap * one.ny, one.z + one.gap * one.nz, body);
             one.row.impulse = 0;
             one.allowed = -(one.gap - STOP) / TimeStep.SECONDS;
             one.yielding = one.other.isFixed() ? 0 : 1 / one.other.mass;
@@ -73,7 +71,7 @@ public final class Obstacles {
         }
     }
 
-    /** One turn of the solver. All points take their share at once: one after the other would turn the body. @param v velocities, changed */
+    /** One iteration of the solver. All points take their share at once: one after the other would turn the body. @param v velocities, changed */
     public void solve(double[] v) {
         for (int sweep = 0; sweep < SWEEPS && count > 0; sweep++) {
             int pressed = 0;

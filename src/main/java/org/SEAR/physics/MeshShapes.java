@@ -8,18 +8,18 @@ import com.bulletphysics.util.ObjectArrayList;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import javax.vecmath.Vector3f;
-import org.SEAR.collision.Hull;
+import org.SEAR.collision.ConvexHull;
 import org.SEAR.geometry.Triangles;
 
 /** Collision shapes of triangle meshes. */
-final class Meshes {
+final class MeshShapes {
     /** By how much jbullet's boxes around meshes are larger, metres; contacts come from the triangles themselves. */
     private static final float MARGIN = 5e-4f;
     private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
     private static final int VERTEX_BYTES = 3 * Float.BYTES;
     private static final int TRIANGLE_BYTES = 3 * Integer.BYTES;
 
-    private Meshes() {
+    private MeshShapes() {
     }
 
     /** The triangles themselves, for a body that never moves. */
@@ -43,7 +43,7 @@ final class Meshes {
     }
 
     /** The convex hull, for a body that moves. */
-    static CollisionShape hull(Hull hull) {
+    static CollisionShape hull(ConvexHull hull) {
         double[] points = hull.getCorners();
         ObjectArrayList<Vector3f> corners = new ObjectArrayList<>();
         for (int i = 0; i < points.length; i += 3) {

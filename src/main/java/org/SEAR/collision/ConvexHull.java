@@ -10,9 +10,9 @@ import java.util.Set;
 
 /**
  * The convex hull of points (quickhull, Barber, Dobkin and Huhdanpaa 1996): no point is farther outside of it than {@link #TOLERANCE}, unless that
- * takes too many corners. Points in one plane get a hull as thick as a sheet of card. Immutable.
+ * takes too many corners. Points in one plane get a hull as thick as a sheet of card, 0.5 to 1 mm. Immutable.
  */
-public final class Hull {
+public final class ConvexHull implements ConvexShape {
     /** Metres. */
     static final double TOLERANCE = 1e-4;
     /** More corners than this make contacts slow; the hull is then the best that this many give. */
@@ -30,7 +30,7 @@ public final class Hull {
     private final double volume;
     private final double[] centre = new double[3];
 
-    private Hull(double[] points, List<Face> faces) {
+    private ConvexHull(double[] points, List<Face> faces) {
         Set<Integer> used = new LinkedHashSet<>();
         faces.forEach(face -> {
             used.add(face.a);
@@ -75,12 +75,14 @@ public final class Hull {
     }
 
     /** Cubic metres. */
-    public double getVolume() {
+    @Override
+    public double volume() {
         return volume;
     }
 
     /** Where its mass is if that is spread evenly: {x, y, z}. */
-    public double[] getCentre() {
+    @Override
+    public double[] centre() {
         return centre.clone();
     }
 
@@ -129,12 +131,12 @@ public final class Hull {
     }
 
     /** @param points x, y, z of each, metres; at least one */
-    public static Hull of(double[] points) {
+    public static ConvexHull of(double[] points) {
         int[] start = start(points);
         if (start == null) {
             return of(thickened(points));
         }
-        return new Hull(points, grow(points, start));
+        return new ConvexHull(points, grow(points, start));
     }
 
     /** Six points around each. */
@@ -288,7 +290,7 @@ public final class Hull {
             angles[i] = Math.atan2(x * v[0] + y * v[1] + z * v[2], x * u[0] + y * u[1] + z * u[2]);
         }
         in.sort(Comparator.comparingDouble(i -> angles[i]));
-        int count = Math.min(in.size(), Feature.MOST / 2);
+        int count = Math.min(in.size(), ContactFeature.MOST / 2);
         int[] polygon = new int[count];
         for (int i = 0; i < count; i++) {
             polygon[i] = in.get(i * in.size() / count);
@@ -301,8 +303,8 @@ public final class Hull {
         return corners;
     }
 
-    /** The corner that is farthest in a direction. @param into takes {x, y, z} */
-    public void farthest(double dx, double dy, double dz, double[] into) {
+    @Override
+    public void support(double dx, double dy, double dz, double[] into) {
         int best = 0;
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < corners.length; i += 3) {
@@ -317,8 +319,9 @@ public final class Hull {
         into[2] = corners[best + 2];
     }
 
-    /** The face that looks most in a direction. */
-    public void feature(double dx, double dy, double dz, Feature into) {
+    /** The face that looks most in that direction. */
+    @Override
+    public void feature(double dx, double dy, double dz, ContactFeature into) {
         int best = 0;
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < planes.length; i += 4) {

@@ -1,0 +1,80 @@
+package org.SEAR.collision;
+
+/** A cylinder or cone about the y axis, centred in the origin; a cone's apex is up. Immutable. */
+public final class ConvexRound implements ConvexShape {
+    /** Corners of the polygon that stands for a round face. */
+    private static final int CORNERS = 8;
+    /** A direction closer to the axis than this has no side, sine. */
+    private static final double ON_AXIS = 1e-3;
+
+    private final double bottom;
+    private final double top;
+    private final double half;
+
+    private ConvexRound(double bottom, double top, double half) {
+        this.bottom = bottom;
+        this.top = top;
+        this.half = half;
+    }
+
+    /** A cylinder. @param half of its height, metres */
+    public static ConvexRound cylinder(double radius, double half) {
+        return new ConvexRound(radius, radius, half);
+    }
+
+    /** A cone. @param radius of its base, metres @param half of its height, metres */
+    public static ConvexRound cone(double radius, double half) {
+        return new ConvexRound(radius, 0, half);
+    }
+
+    @Override
+    public void support(double dx, double dy, double dz, double[] into) {
+        double across = Math.sqrt(dx * dx + dz * dz);
+        boolean cone = top == 0;
+        if (cone && dy * 2 * half > across * bottom) {
+            into[0] = 0;
+            into[1] = half;
+            into[2] = 0;
+            return;
+        }
+        into[0] = across > 0 ? bottom * dx / across : 0;
+        into[1] = cone ? -half : Math.copySign(half, dy);
+        into[2] = across > 0 ? bottom * dz / across : 0;
+    }
+
+    /** An end face, as a polygon, or the line along the side. */
+    @Override
+    public void feature(double dx, double dy, double dz, ContactFeature into) {
+        double across = Math.hypot(dx, dz);
+        double slant = Math.hypot(2 * half, bottom - top);
+        double sideways = (across * 2 * half + dy * (bottom - top)) / slant;
+        double end = dy > 0 && top == 0 ? -1 : Math.abs(dy);
+        double ux = across > ON_AXIS ? dx / across : 1;
+        double uz = across > ON_AXIS ? dz / across : 0;
+        if (sideways >= end) {
+            into.add(bottom * ux, -half, bottom * uz);
+            into.add(top * ux, half, top * uz);
+            return;
+        }
+        double radius = dy > 0 ? top : bottom;
+        double y = dy > 0 ? half : -half;
+        for (int i = 0; i < CORNERS; i++) {
+            double angle = 2 * Math.PI * i / CORNERS;
+            double cosine = Math.cos(angle);
+            double sine = Math.sin(angle);
+            into.add(radius * (cosine * ux - sine * uz), y, radius * (sine * ux + cosine * uz));
+        }
+        into.setNormal(0, Math.signum(dy), 0);
+    }
+
+    @Override
+    public double volume() {
+        return 8 * bottom * half * bottom * Math.PI / (top == 0 ? 12 : 4);
+    }
+
+    /** The middle of its height, of a cone too. */
+    @Override
+    public double[] centre() {
+        return new double[3];
+    }
+}

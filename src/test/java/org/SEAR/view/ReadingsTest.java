@@ -8,7 +8,7 @@ import org.SEAR.project.ProjectRule;
 import org.SEAR.sensors.SensorType;
 import org.SEAR.sensors.SensorTypes;
 import org.SEAR.sensors.VectorReading;
-import org.example.Thermometer;
+import org.example.ThermometerSensor;
 import org.junit.Rule;
 import org.junit.Test;
 
@@ -22,7 +22,7 @@ public class ReadingsTest {
     @Test
     public void aNumberHasTheUnitOfItsSensor() {
         assertEquals("-17.3 deg", Readings.words(-17.34, types.unit(new Compass("compass"))));
-        assertEquals("20.5 degC", Readings.words(20.51, types.unit(new Thermometer("thermometer"))));
+        assertEquals("20.5 degC", Readings.words(20.51, new ThermometerSensor.Type().unit()));
         assertEquals("20.5", Readings.words(20.51, ""));
     }
 

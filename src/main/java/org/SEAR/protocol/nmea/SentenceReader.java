@@ -4,8 +4,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
 
 /**
- * Finds NMEA 0183 sentences in a stream of bytes: {@code $GPGGA,...*5F CR LF}. Damaged sentences are counted and left out; reading goes on at the next
- * {@code $}. Any one thread at a time.
+ * Finds NMEA 0183 sentences in a stream of bytes: {@code $GPGGA,...*5F CR LF}. Damaged sentences are counted and left out; reading goes on at the
+ * next {@code $}. Any one thread at a time.
  */
 public final class SentenceReader {
     /** Longest sentence taken: NMEA allows 82, receivers' own sentences are longer. */

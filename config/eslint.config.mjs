@@ -2,7 +2,7 @@
 import js from '@eslint/js'
 
 const browser = ['angular', 'clearInterval', 'clearTimeout', 'console', 'document', 'location', 'navigator', 'setInterval', 'setTimeout', 'window',
-    'FileReader', 'WebSocket', 'Blob', 'URL', 'XMLHttpRequest', 'history', 'confirm', 'atob', 'btoa', 'Uint8Array', '$']
+    'FileReader', 'WebSocket', 'Blob', 'URL', 'XMLHttpRequest', 'history', 'confirm', 'atob', 'btoa', 'Uint8Array', 'localStorage', 'fetch', '$']
 
 export default [
     js.configs.recommended,

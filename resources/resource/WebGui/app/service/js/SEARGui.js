@@ -349,7 +349,7 @@
         if (sensor.type === 'GPS') {
             return fixed(values[0], 7) + '°, ' + fixed(values[1], 7) + '°, ' + fixed(values[2], 2) + NO_BREAK + 'm'
         }
-        var unit = UNITS.hasOwnProperty(sensor.type) ? UNITS[sensor.type] : PLAIN
+        var unit = Object.prototype.hasOwnProperty.call(UNITS, sensor.type) ? UNITS[sensor.type] : PLAIN
         return values.map(function(value) {
             return isNaN(value) ? value : unit === PLAIN ? String(Number(Number(value).toPrecision(PLAIN[1]))) : fixed(value, unit[1])
         }).join(', ') + (unit[0] && unit[0] !== '°' ? NO_BREAK : '') + unit[0]

@@ -76,7 +76,7 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
         var file = $scope.form.file
         msg.sendBlocking('getScriptList').then(function(files) {
             // only scripts in the folder of scripts are listed: of any other file nobody knows whether it is there
-            var inFolder = /^[^\/\\:]+\.py$/.test(file)
+            var inFolder = /^[^/\\:]+\.py$/.test(file)
             if (known[file] || inFolder && files.indexOf(file) < 0) {
                 write(file)
             } else {

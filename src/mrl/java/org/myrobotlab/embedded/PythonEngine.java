@@ -127,7 +127,7 @@ public final class PythonEngine {
      * @param publisher the beginning of the variables' names
      */
     public ScriptResult callBack(String publisher, String function, Object... arguments) {
-        return guarded(() -> {
+        ScriptResult result = guarded(() -> {
             StringBuilder call = new StringBuilder(function).append('(');
             for (int i = 0; i < arguments.length; i++) {
                 String variable = publisher + "_p" + i;
@@ -136,6 +136,8 @@ public final class PythonEngine {
             }
             interpreter.exec(calls.computeIfAbsent(function, unused -> compiled(call.append(')').toString())));
         });
+        callFailed |= result.getTraceback() != null;
+        return result;
     }
 
     /** Not by the interpreter's own compile: that makes it refuse scripts that name their encoding from then on. */

@@ -37,6 +37,10 @@ final class CheckCommand implements Callable<Integer> {
     public Integer call() {
         PrintWriter out = spec.commandLine().getOut();
         PrintWriter err = spec.commandLine().getErr();
+        if (!Files.exists(path)) {
+            err.println("sear check: " + path + " can't be read: there is no such file or folder");
+            return PROBLEMS;
+        }
         try {
             List<String> warnings = Files.isDirectory(path) ? warnings(Project.read(project()))
                 : Bundle.check(path, new PercentProgress("checking", path, err::println), CheckCommand::warnings);

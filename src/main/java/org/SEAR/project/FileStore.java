@@ -14,7 +14,10 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.project.problems.Reasons;
 import org.SEAR.project.xml.Xml;
 
-/** Keeps objects as XML files of the present SEARproject folder. Each file is written beside its place and then moved there: whole or not at all. Any thread; waits while the project is replaced. */
+/**
+ * Keeps objects as XML files of the present SEARproject folder. Each file is written beside its place and then moved there: whole or not at all.
+ * Any thread; waits while the project is replaced.
+ */
 public final class FileStore implements ObjectStore {
     /** Keeps the temporary files of two programs that work on one project apart. */
     private static final long PROCESS = ProcessHandle.current().pid();

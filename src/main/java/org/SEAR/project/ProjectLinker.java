@@ -39,8 +39,8 @@ final class ProjectLinker {
         }
         for (ParsedObject parsed : parts.values()) {
             if (parsed.object instanceof Wheel) {
-                warnings.add(parsed.file + ": " + parsed.object + " is on no robot and is left out; robot.addWheel(wheel) adds it, or a <wheel> in the"
-                    + " robot's file");
+                warnings.add(parsed.file + ": " + parsed.object + " is on no robot and is left out; robot.addWheel(wheel) adds it, or a <wheel> in"
+                    + " the robot's file");
             } else if (!parsed.isBroken() && !(parsed.object instanceof SEARrobot) && !owners.containsKey(parsed)) {
                 warnings.add(parsed.file + ": " + parsed.object + " is not a component of any robot and"
                     + " is left out; robot.addComponent(...) adds it");

@@ -25,7 +25,8 @@ import java.util.stream.Stream;
  * <p>The new project is made ready beside the old one as {@code SEARproject.loading}, then renamed to {@code SEARproject.next}: from then on it
  * counts as soon as {@code SEARproject} is missing. The old one is renamed to {@code SEARproject.backup-N}, then the new one to {@code SEARproject}.
  * An old backup is renamed before it is deleted, so that
- * none is ever half there. A crash between these two is mended by {@link #recover}, which everything that opens a project calls first. The lock keeps two programs apart.
+ * none is ever half there. A crash between these two is mended by {@link #recover}, which everything that opens a project calls
+ * first. The lock keeps two programs apart.
  */
 public final class ProjectSwap implements AutoCloseable {
     private static final String LOADING = ".loading";

@@ -305,7 +305,7 @@ public class SEAR extends Service<SEARConfig> {
         return attempt(() -> works.projects().saveAs(bundle(path).toString(), overwrite));
     }
 
-    /** Replaces the project by a bundle's, or a copy of a project folder, once that is read whole and found valid; the present one is kept as backup. */
+    /** Replaces the project by a bundle's, or a copy of a project folder, once that is read whole and valid; the present one is kept as backup. */
     public void loadProject(String path) {
         attempt(() -> {
             works.projects().load(bundle(path));

@@ -437,6 +437,19 @@ public class SearServiceTest {
     }
 
     @Test
+    public void aRobotIsPlacedTwiceAndAFolderIsLoaded() throws Exception {
+        Path bundle = temporary.getRoot().toPath().resolve("rover.sear");
+        sear.saveProject(bundle.toString());
+        assertEquals("roomba_2", sear.importRobot(bundle.toString(), "roomba"));
+        assertTrue(heard.getStatuses().toString(), heard.awaitStatus("\"ping\" is called \"ping_2\" here"));
+        assertTrue(sear.importEnvironment(bundle.toString()).contains("wall_2"));
+        String backup = sear.newProject();
+        sear.loadProject(backup);
+        assertTrue(Files.exists(folder.resolve("robot/roomba_2.xml")) && Files.exists(folder.resolve("environment/wall_2.xml")));
+        assertFails("robot is \"nobody\"", () -> sear.importRobot(bundle.toString(), "nobody"));
+    }
+
+    @Test
     public void savingAndLoadingALargeProjectTellHowFarTheyAre() throws Exception {
         Path bundle = temporary.getRoot().toPath().resolve("large.sear");
         Files.createDirectories(folder.resolve("assets"));

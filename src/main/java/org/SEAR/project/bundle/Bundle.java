@@ -61,7 +61,8 @@ public final class Bundle {
     }
 
     /**
-     * Loads a bundle, or a copy of a folder, in the place of the project in a folder, once it has been read whole and found valid. The old project becomes a backup beside it
+     * Loads a bundle, or a copy of a folder, in the place of the project in a folder, once it has been read whole and found valid. The
+     * old project becomes a backup beside it
      * ({@code SEARproject.backup-N}; the last ten are kept).
      *
      * @return the new project

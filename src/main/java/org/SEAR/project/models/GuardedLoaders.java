@@ -77,8 +77,9 @@ final class GuardedLoaders {
 
     /** Takes all loaders from a manager that is no longer needed, those that models.cfg names as well. */
     static void unregister(AssetManager manager) {
-        for (Class<? extends AssetLoader> loader : List.of(Mesh.class, Skeleton.class, Binary.class, Blend.class, Gltf.class, Glb.class, OBJLoader.class,
-            MTLLoader.class, MaterialLoader.class, BinLoader.class, J3MLoader.class, ShaderNodeDefinitionLoader.class, GLSLLoader.class,
+        for (Class<? extends AssetLoader> loader : List.of(Mesh.class, Skeleton.class, Binary.class, Blend.class, Gltf.class, Glb.class,
+            OBJLoader.class, MTLLoader.class, MaterialLoader.class, BinLoader.class,
+            J3MLoader.class, ShaderNodeDefinitionLoader.class, GLSLLoader.class,
             Pictures.Guarded.class, Pictures.Unseen.class)) {
             manager.unregisterLoader(loader);
         }

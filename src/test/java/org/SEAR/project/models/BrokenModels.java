@@ -88,7 +88,8 @@ final class BrokenModels {
         put("cycle-of-two.gltf", gltf(nodes, "\"nodes\":[{\"children\":[1]},{\"children\":[0],\"mesh\":0"), "nested without end or too deep");
         put("two-parents.gltf", gltf(nodes, "\"nodes\":[{\"children\":[2,1]},{\"children\":[2]},{\"mesh\":0"),
             "nodes[1].children is 2, legal: a node that has no other parent");
-        put("child-twice.gltf", gltf(nodes, "\"nodes\":[{\"children\":[1,1]},{\"mesh\":0"), "nodes[0].children is 1, legal: a node that has no other");
+        put("child-twice.gltf", gltf(nodes, "\"nodes\":[{\"children\":[1,1]},{\"mesh\":0"),
+            "nodes[0].children is 1, legal: a node that has no other");
         StringBuilder doubling = new StringBuilder("\"nodes\":[");
         StringBuilder deep = new StringBuilder("\"nodes\":[");
         for (int i = 1; i <= 200; i++) {
@@ -132,7 +133,8 @@ final class BrokenModels {
         put("no-meshes.gltf", gltf("\"meshes\"", "\"nothing\""), "nodes[0].mesh is 0, legal: nothing, because there are none");
         put("list.gltf", "[]", "the text is [], legal: a JSON object");
         put("nested.gltf", "[".repeat(100_000), "can't be loaded");
-        put("index-out-of-range.gltf", new String(new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, 2, 0}, new int[] {0, 1, 7}, 0, 0, 0).bytes(".gltf"),
+        put("index-out-of-range.gltf", new String(
+            new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, 2, 0}, new int[] {0, 1, 7}, 0, 0, 0).bytes(".gltf"),
             StandardCharsets.UTF_8), "an index of");
         put("nan.gltf", new String(new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, Float.NaN, 0}, new int[] {0, 1, 2}, 0, 0, 0).bytes(".gltf"),
             StandardCharsets.UTF_8).replace("NaN", "0"), "a coordinate of vertex 2");
@@ -267,8 +269,8 @@ final class BrokenModels {
 
     private static byte[] jpeg() {
         ByteBuffer out = ByteBuffer.allocate(60);
-        out.putShort((short) 0xffd8).putShort((short) 0xffe0).putShort((short) 16).put("JFIF\0".getBytes(StandardCharsets.US_ASCII)).putShort((short) 0x0101)
-            .put((byte) 0).putShort((short) 1).putShort((short) 1).putShort((short) 0);
+        out.putShort((short) 0xffd8).putShort((short) 0xffe0).putShort((short) 16).put("JFIF\0".getBytes(StandardCharsets.US_ASCII))
+            .putShort((short) 0x0101).put((byte) 0).putShort((short) 1).putShort((short) 1).putShort((short) 0);
         out.putShort((short) 0xffc0).putShort((short) 11).put((byte) 8).putShort((short) 65_500).putShort((short) 65_500).put((byte) 1).put((byte) 1)
             .put((byte) 0x11).put((byte) 0);
         out.putShort((short) 0xffda).putShort((short) 8).put((byte) 1).put((byte) 1).put((byte) 0).put((byte) 0).put((byte) 63).put((byte) 0);

@@ -74,7 +74,8 @@ public class BrokenModelsTest {
         List<String> wrong = new ArrayList<>();
         for (Map.Entry<String, byte[]> file : broken.files.entrySet()) {
             asset(file.getKey(), file.getValue());
-            String said = problem("<Box><name>o</name><length>1</length><width>1</width><height>1</height><image>" + file.getKey() + "</image></Box>");
+            String said = problem("<Box><name>o</name><length>1</length><width>1</width><height>1</height><image>"
+                + file.getKey() + "</image></Box>");
             if (!said.contains("image is \"" + file.getKey() + "\"") || !said.contains(broken.messages.get(file.getKey()))) {
                 wrong.add(file.getKey() + ": " + said);
             }
@@ -97,7 +98,8 @@ public class BrokenModelsTest {
         asset("noise.png", new byte[100]);
         asset("cut.png", Arrays.copyOf(BrokenModels.png(2, 2), 20));
         for (String name : new String[] {"noise.png", "cut.png"}) {
-            project.put("environment/o.xml", "<Box><name>o</name><length>1</length><width>1</width><height>1</height><image>" + name + "</image></Box>");
+            project.put("environment/o.xml", "<Box><name>o</name><length>1</length><width>1</width><height>1</height><image>"
+                + name + "</image></Box>");
             String warnings = Project.read(project.folder()).getWarnings().toString();
             assertTrue(warnings, warnings.contains("the picture of Box \"o\" can't be shown (" + name));
         }

@@ -12,6 +12,10 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import org.SEAR.view.link.WorldLink;
+import org.SEAR.view.platform.DisplayCheck;
+import org.SEAR.view.process.Wire;
+import org.SEAR.view.process.WorldState;
 
 /** A window in a process of its own, seen from the simulation's process. Any thread. */
 final class RemoteWindow implements WindowBody {

@@ -3,6 +3,9 @@ package org.SEAR.view;
 import java.io.IOException;
 import java.util.concurrent.atomic.AtomicReference;
 import org.SEAR.simulator.SimulationRunner;
+import org.SEAR.view.link.RunnerLink;
+import org.SEAR.view.link.WorldLink;
+import org.SEAR.view.platform.DisplayCheck;
 
 /**
  * The window that shows a running simulation. It reads snapshots and sends commands on a thread of its own; the simulation neither waits for it

@@ -10,6 +10,11 @@ import java.util.concurrent.TimeUnit;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.SEAR.project.models.ModelLoader;
+import org.SEAR.view.link.WorldLink;
+import org.SEAR.view.platform.EngineVersion;
+import org.SEAR.view.platform.Glfw;
+import org.SEAR.view.platform.NativeMemory;
+import org.SEAR.view.platform.X11Guard;
 
 /** The window itself. Its own thread runs everything but {@link #open}, {@link #close} and {@link #isOpen}. */
 final class WindowApplication extends SimpleApplication implements WindowBody {

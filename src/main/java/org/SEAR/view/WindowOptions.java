@@ -5,6 +5,7 @@ import java.nio.file.Paths;
 import java.util.Objects;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import org.SEAR.view.platform.DisplayCheck;
 
 /** How a {@link SimulatorWindow} is to look and behave. Filled by one thread before the window opens, and not changed afterwards. */
 public final class WindowOptions {

@@ -10,6 +10,8 @@ import java.io.IOException;
 import java.nio.file.Paths;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.view.process.PipeLink;
+import org.SEAR.view.process.Wire;
 
 /**
  * A window in a process of its own. On macOS the first thread of a process must be the window's, and MyRobotLab's is not free; elsewhere this

@@ -7,6 +7,22 @@ import java.nio.file.Path;
 import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
 import org.SEAR.project.models.ModelLoader;
+import org.SEAR.view.hud.Hud;
+import org.SEAR.view.hud.StatusWords;
+import org.SEAR.view.input.Controls;
+import org.SEAR.view.input.Key;
+import org.SEAR.view.input.KeyDrive;
+import org.SEAR.view.input.KeyLayout;
+import org.SEAR.view.link.Moment;
+import org.SEAR.view.link.WorldLink;
+import org.SEAR.view.scene.CameraRig;
+import org.SEAR.view.scene.DebugShapes;
+import org.SEAR.view.scene.Labels;
+import org.SEAR.view.scene.Materials;
+import org.SEAR.view.scene.Playback;
+import org.SEAR.view.scene.SceneBuilder;
+import org.SEAR.view.scene.Surroundings;
+import org.SEAR.view.scene.WorldView;
 
 /** Everything on the window, and what the keys do with it. Window thread only. */
 final class WindowScene {

@@ -1,6 +1,7 @@
 package org.SEAR.view;
 
 import com.jme3.system.AppSettings;
+import org.SEAR.view.link.WorldLink;
 
 /** Keeps the first mention of jMonkeyEngine's classes out of {@link SimulatorWindow}, where a missing jar must not end in an error. */
 final class WindowStart {

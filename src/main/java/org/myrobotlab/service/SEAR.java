@@ -14,9 +14,8 @@ import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.SEARConfig;
 import org.myrobotlab.service.link.PanelFiles;
-import org.myrobotlab.service.sear.Preview;
 import org.myrobotlab.service.sear.SensorReading;
-import org.myrobotlab.service.sear.Works;
+import org.myrobotlab.service.sear.panel.Preview;
 
 /**
  * SEAR, the Simulation Environment for Autonomous Robots, as a MyRobotLab service: starts the world that the objects of {@code org.SEAR.POJOs}

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.SEAR.view.platform.NativeMemory;
 import org.junit.Test;
 import org.junit.runner.RunWith;
 

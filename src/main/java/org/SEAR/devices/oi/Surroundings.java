@@ -25,7 +25,7 @@ final class Surroundings {
     private double ground = Double.POSITIVE_INFINITY;
 
     /** @param wallSignalMax greatest value of packet 27 */
-    Surroundings(RobotHardware hardware, int wallSignalMax) {
+    public Surroundings(RobotHardware hardware, int wallSignalMax) {
         this.hardware = hardware;
         this.wallSignalMax = wallSignalMax;
     }

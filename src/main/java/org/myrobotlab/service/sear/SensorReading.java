@@ -11,7 +11,7 @@ public final class SensorReading {
     /** What the sensor's get...Result call answers: a number, a text "x,y,z", or an array. */
     public final Object value;
 
-    SensorReading(String name, double time, Object value) {
+    public SensorReading(String name, double time, Object value) {
         this.name = name;
         this.time = time;
         this.value = value;

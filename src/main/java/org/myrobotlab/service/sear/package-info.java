@@ -1,5 +1,6 @@
 /**
- * Between the SEAR service and the simulation: the running session, lock-step, exported ports, transfers, readings for panels. May use {@link
- * org.SEAR.view}, {@link org.SEAR.simulator} and below. Callers' threads and the simulation's meet here; each class says which it is for.
+ * What the parts of the SEAR service need of it: whom they tell, and a reading as scripts hear of it. The parts are the packages below, one for each
+ * matter, and all of them may use this one, {@link org.SEAR.simulator} and below. Callers' threads and the simulation's meet in them; each class
+ * says which it is for.
  */
 package org.myrobotlab.service.sear;

@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 
 /** A service that keeps what it is told. */
-final class RecordingHost implements Host {
-    final List<String> warnings = new CopyOnWriteArrayList<>();
-    final List<String> errors = new CopyOnWriteArrayList<>();
-    final List<SensorReading> readings = new CopyOnWriteArrayList<>();
+public final class RecordingHost implements Host {
+    public final List<String> warnings = new CopyOnWriteArrayList<>();
+    public final List<String> errors = new CopyOnWriteArrayList<>();
+    public final List<SensorReading> readings = new CopyOnWriteArrayList<>();
 
     @Override
     public String getName() {

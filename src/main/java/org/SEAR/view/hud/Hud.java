@@ -1,0 +1,153 @@
+package org.SEAR.view.hud;
+
+import com.jme3.font.BitmapFont;
+import com.jme3.math.ColorRGBA;
+import com.jme3.scene.Node;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import org.SEAR.view.input.Key;
+import org.SEAR.view.link.Moment;
+import org.SEAR.view.scene.Materials;
+
+/** The words on the window: numbers of the simulation, warnings, messages, help. Window thread only. */
+public final class Hud {
+    private static final ColorRGBA INK = new ColorRGBA(0.93f, 0.96f, 1, 1);
+    private static final ColorRGBA AMBER = new ColorRGBA(1, 0.80f, 0.30f, 1);
+    private static final float SIZE = 15;
+    private static final float EDGE = 10;
+    /** Panels are drawn no smaller than this share of their size. */
+    private static final float SMALLEST = 0.6f;
+    /** Real seconds between two updates of the numbers: faster can't be read. */
+    private static final float REFRESH = 0.1f;
+    /** Real seconds that a message stays. */
+    private static final float STAY = 5;
+    private static final int MESSAGES = 3;
+
+    private final TextPanel status;
+    private final TextPanel sensors;
+    private final TextPanel warnings;
+    private final TextPanel messages;
+    private final TextPanel help;
+    private final TextPanel hint;
+    private final Deque<String> recent = new ArrayDeque<>();
+    private float sinceRefresh = REFRESH;
+    private float sinceMessage;
+    private boolean helpShown;
+    private String statusWords = "";
+    private String sensorWords = "";
+    private String warningWords = "";
+
+    public Hud(BitmapFont font, Materials materials, Node gui) {
+        status = panel(font, materials, gui, INK);
+        sensors = panel(font, materials, gui, INK);
+        warnings = panel(font, materials, gui, AMBER);
+        messages = panel(font, materials, gui, INK);
+        help = panel(font, materials, gui, INK);
+        hint = panel(font, materials, gui, INK);
+        hint.setText("F1 help");
+    }
+
+    private static TextPanel panel(BitmapFont font, Materials materials, Node gui, ColorRGBA color) {
+        TextPanel panel = new TextPanel(font, materials, color, SIZE);
+        gui.attachChild(panel.node());
+        return panel;
+    }
+
+    /** What the status panel needs besides the moment. */
+    public static final class State {
+        public boolean paused;
+        public double measuredSpeed;
+        public double wantedSpeed;
+        public boolean flying;
+        public boolean scriptDrives;
+        /** Robot that is followed. */
+        public int robot;
+        /** Names of the beam sensors, in the order of their number keys. */
+        public List<String> beamSensors = List.of();
+        /** Which of them are hidden. */
+        public List<String> hidden = List.of();
+    }
+
+    public void update(float frameTime, int width, int height, Moment moment, State state) {
+        sinceRefresh += frameTime;
+        sinceMessage += frameTime;
+        if (sinceMessage > STAY && !recent.isEmpty()) {
+            recent.clear();
+            messages.setText("");
+        }
+        if (sinceRefresh >= REFRESH) {
+            sinceRefresh = 0;
+            statusWords = StatusWords.status(moment, state);
+            sensorWords = StatusWords.sensors(moment, state);
+            warningWords = StatusWords.warnings(moment);
+            status.setText(helpShown ? "" : statusWords);
+            sensors.setText(helpShown ? "" : sensorWords);
+            warnings.setText(helpShown ? "" : warningWords);
+        }
+        place(width, height);
+    }
+
+    /**
+     * Numbers at the top, words at the bottom. Where two panels don't fit beside each other, they get smaller, or else one goes below or above the
+     * other.
+     */
+    private void place(int width, int height) {
+        float fit = Math.min(1, (width - 3 * EDGE) / (status.width() + sensors.width()));
+        boolean beside = fit >= SMALLEST;
+        float scale = beside ? fit : 1;
+        status.node().setLocalScale(scale);
+        sensors.node().setLocalScale(scale);
+        status.place(EDGE, height - EDGE);
+        sensors.place(beside ? width - sensors.width() * scale - EDGE : EDGE, height - EDGE - (beside ? 0 : status.height() + EDGE));
+        warnings.place(EDGE, EDGE + warnings.height());
+        float middle = (width - messages.width()) / 2;
+        boolean clear = warningWords.isEmpty() || EDGE + warnings.width() < middle;
+        messages.place(middle, EDGE + messages.height() + (clear ? 0 : warnings.height() + EDGE));
+        float helpScale = Math.min(1, (height - 2 * EDGE) / help.height());
+        help.node().setLocalScale(helpScale);
+        help.place((width - help.width() * helpScale) / 2, (height + help.height() * helpScale) / 2);
+        hint.place(width - hint.width() - EDGE, EDGE + hint.height());
+    }
+
+    /** Shows a line for some seconds. */
+    public void say(String message) {
+        recent.addLast(message);
+        if (recent.size() > MESSAGES) {
+            recent.removeFirst();
+        }
+        sinceMessage = 0;
+        messages.setText(String.join("\n", recent));
+    }
+
+    public void toggleHelp() {
+        helpShown = !helpShown;
+        help.setText(helpShown ? helpText() : "");
+        hint.setText(helpShown ? "" : "F1 help");
+        sinceRefresh = REFRESH;
+    }
+
+    public boolean isHelpShown() {
+        return helpShown;
+    }
+
+    public String statusText() {
+        return statusWords + "\n" + sensorWords;
+    }
+
+    String warningsText() {
+        return warningWords;
+    }
+
+    public String messagesText() {
+        return messages.text();
+    }
+
+    public static String helpText() {
+        StringBuilder text = new StringBuilder("Keys\n");
+        for (Key key : Key.values()) {
+            text.append(String.format("%s\t%s%n", key.label, key.help));
+        }
+        return text.append("Mouse\tdrag turns the camera, wheel comes nearer").toString().replace("\r", "");
+    }
+}

@@ -1,0 +1,112 @@
+package org.SEAR.view.link;
+
+import com.jme3.math.ColorRGBA;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.SEAR.POJOs.BeamCone;
+import org.SEAR.POJOs.Distance;
+import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.geometry.Pose;
+import org.SEAR.project.Project;
+import org.SEAR.sensors.BeamPattern;
+
+/** The beams of a project's sensors. */
+public final class BeamFans {
+    private static final ColorRGBA DISTANCE_HIT = new ColorRGBA(1, 0.08f, 0.05f, 1);
+    private static final ColorRGBA LIDAR_HIT = new ColorRGBA(1, 0.95f, 0.1f, 1);
+    private static final ColorRGBA LIDAR_BEAM = new ColorRGBA(1, 0.12f, 0.08f, 1);
+    private static final float DISTANCE_RADIUS = 0.03f;
+    private static final float LIDAR_RADIUS = 0.018f;
+    /** Share of a step that a spread may fall short of a whole number of steps. */
+    private static final double ROUNDING = 1e-9;
+    private static final float BYTE = 255f;
+    /** More lines than this for a sensor are a blot, and a machine without graphics card spends most of a picture's time on them. */
+    private static final int MOST_LINES = 240;
+
+    private BeamFans() {
+    }
+
+    /** In the order of the robots and their components. */
+    public static List<BeamFan> of(Project project) {
+        List<BeamFan> fans = new ArrayList<>();
+        List<SEARrobot> robots = project.getRobots();
+        for (int robot = 0; robot < robots.size(); robot++) {
+            for (SearObject part : robots.get(robot).getComponents()) {
+                if (part instanceof Distance) {
+                    fans.add(cones((Distance) part, robot));
+                } else if (part instanceof LIDAR) {
+                    fans.add(plane((LIDAR) part, robot));
+                }
+            }
+        }
+        return fans;
+    }
+
+    private static Pose mount(SearObject part) {
+        return Pose.ofDegrees(part.getX(), part.getY(), part.getZ(), part.getRx(), part.getRy(), part.getRz());
+    }
+
+    private static BeamFan cones(Distance sensor, int robot) {
+        BeamPattern pattern = BeamPattern.of(sensor.getCones());
+        int count = pattern.size();
+        float[] directions = new float[3 * count];
+        float[] ranges = new float[count];
+        float[] colors = new float[3 * count];
+        for (int i = 0; i < count; i++) {
+            directions[3 * i] = (float) pattern.getX(i);
+            directions[3 * i + 1] = (float) pattern.getY(i);
+            directions[3 * i + 2] = (float) pattern.getZ(i);
+            ranges[i] = (float) pattern.getRange(i);
+            int color = pattern.getColor(i);
+            colors[3 * i] = (color >> 16 & 0xff) / BYTE;
+            colors[3 * i + 1] = (color >> 8 & 0xff) / BYTE;
+            colors[3 * i + 2] = (color & 0xff) / BYTE;
+        }
+        return new BeamFan(sensor.getName(), robot, mount(sensor), directions, ranges, colors, lines(sensor.getCones(), count),
+            DISTANCE_HIT, DISTANCE_RADIUS, false);
+    }
+
+    private static BeamFan plane(LIDAR lidar, int robot) {
+        int count = (int) Math.floor(lidar.getSpread() / lidar.getResolution() + ROUNDING) + 1;
+        float[] directions = new float[3 * count];
+        float[] ranges = new float[count];
+        float[] colors = new float[3 * count];
+        for (int i = 0; i < count; i++) {
+            double angle = Math.toRadians(i * lidar.getResolution() - lidar.getSpread() / 2);
+            directions[3 * i] = (float) Math.sin(angle);
+            directions[3 * i + 2] = (float) Math.cos(angle);
+            ranges[i] = (float) lidar.getRange();
+            colors[3 * i] = LIDAR_BEAM.r;
+            colors[3 * i + 1] = LIDAR_BEAM.g;
+            colors[3 * i + 2] = LIDAR_BEAM.b;
+        }
+        return new BeamFan(lidar.getName(), robot, mount(lidar), directions, ranges, colors, everyNth(count, stride(count)),
+            LIDAR_HIT, LIDAR_RADIUS, true);
+    }
+
+    private static int stride(int count) {
+        return (count + MOST_LINES - 1) / MOST_LINES;
+    }
+
+    private static int[] everyNth(int count, int stride) {
+        return IntStream.range(0, count).filter(beam -> beam % stride == 0).toArray();
+    }
+
+    /** Of each cone the first line and every nth after it; cone by cone turned by one line, so that they fill each other's gaps. */
+    private static int[] lines(List<BeamCone> cones, int count) {
+        int stride = stride(count);
+        IntStream.Builder chosen = IntStream.builder();
+        int first = 0;
+        for (int cone = 0; cone < cones.size(); cone++) {
+            int size = cones.get(cone).getLines();
+            for (int i = 0; i < size; i += stride) {
+                chosen.add(first + (i + cone) % size);
+            }
+            first += size;
+        }
+        return chosen.build().toArray();
+    }
+}

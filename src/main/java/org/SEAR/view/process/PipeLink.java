@@ -1,0 +1,130 @@
+package org.SEAR.view.process;
+
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.util.List;
+import org.SEAR.project.Project;
+import org.SEAR.view.link.BeamFan;
+import org.SEAR.view.link.BeamFans;
+import org.SEAR.view.link.Moment;
+import org.SEAR.view.link.WorldLink;
+
+/** The world of another process: its states come in, commands go out. In the window's process. */
+public final class PipeLink implements WorldLink {
+    private final Project project;
+    private final DataOutputStream out;
+    private final List<BeamFan> beams;
+    private volatile WorldState state;
+
+    private interface Content {
+        void write() throws IOException;
+    }
+
+    public PipeLink(Project project, DataOutputStream out) {
+        this.project = project;
+        this.out = out;
+        beams = BeamFans.of(project);
+    }
+
+    /** Takes states until there are no more. */
+    public void receive(DataInputStream in) throws IOException {
+        while (true) {
+            state = WorldState.read(in);
+        }
+    }
+
+    private void send(int what, Content content) {
+        synchronized (out) {
+            try {
+                out.writeByte(what);
+                content.write();
+                out.flush();
+            } catch (IOException e) {
+                throw new IllegalStateException("the simulation's process is gone", e);
+            }
+        }
+    }
+
+    public void say(int what, String words) {
+        send(what, () -> out.writeUTF(words));
+    }
+
+    public void say(int what) {
+        send(what, () -> { });
+    }
+
+    @Override
+    public Project project() {
+        return project;
+    }
+
+    @Override
+    public List<BeamFan> beams() {
+        return beams;
+    }
+
+    @Override
+    public Moment moment() {
+        return state == null ? null : state.moment;
+    }
+
+    @Override
+    public boolean isPaused() {
+        return state.paused;
+    }
+
+    @Override
+    public double measuredSpeed() {
+        return state.measuredSpeed;
+    }
+
+    @Override
+    public double wantedSpeed() {
+        return state.wantedSpeed;
+    }
+
+    @Override
+    public boolean scriptDrives() {
+        return state.scriptDrives;
+    }
+
+    @Override
+    public void setPaused(boolean paused) {
+        send(Wire.PAUSE, () -> out.writeBoolean(paused));
+    }
+
+    @Override
+    public void setSpeed(double factor) {
+        send(Wire.SPEED, () -> out.writeDouble(factor));
+    }
+
+    @Override
+    public void singleStep() {
+        say(Wire.STEP);
+    }
+
+    @Override
+    public void drive(int robot, double speed, double radius) {
+        send(Wire.DRIVE, () -> {
+            out.writeInt(robot);
+            out.writeDouble(speed);
+            out.writeDouble(radius);
+        });
+    }
+
+    @Override
+    public void reset() {
+        say(Wire.RESET);
+    }
+
+    @Override
+    public void wantContacts(boolean on) {
+        send(Wire.CONTACTS, () -> out.writeBoolean(on));
+    }
+
+    @Override
+    public void close() {
+        // the other end sees this process end
+    }
+}

@@ -1,0 +1,166 @@
+package org.SEAR.view.scene;
+
+import com.jme3.collision.CollisionResults;
+import com.jme3.math.FastMath;
+import com.jme3.math.Ray;
+import com.jme3.math.Vector3f;
+import com.jme3.renderer.Camera;
+import com.jme3.scene.Spatial;
+import java.util.List;
+
+/**
+ * Where the camera is: by default behind the robot and turning with it, as flycam where the user puts it. Angles in radians; yaw is counter-clockwise
+ * from above, 0 looks along +z; pitch is downwards. Window thread only.
+ */
+public final class CameraRig {
+    private static final float FIELD_OF_VIEW = 50;
+    private static final float NEAR = 0.05f;
+    private static final float FAR = 400;
+    private static final float NEAREST = 0.4f;
+    private static final float FARTHEST = 80;
+    private static final float STEEPEST = 1.5f;
+    /** Radians a pixel of mouse movement. */
+    private static final float MOUSE = 0.005f;
+    /** Metres a second. */
+    private static final float FLY_SPEED = 2;
+    private static final float FAST = 4;
+    /** Seconds in which the follow camera makes up for most of a turn of the robot. */
+    private static final float LAG = 0.5f;
+    private static final float ZOOM = 1.15f;
+
+    /** Metres that the camera keeps from a wall. */
+    private static final float WALL = 0.12f;
+
+    private final Camera camera;
+    private final CollisionResults hits = new CollisionResults();
+    private boolean flying;
+    private boolean fast;
+    private final Vector3f flight = new Vector3f();
+    private final Vector3f place = new Vector3f();
+    private float yaw;
+    private float pitch;
+    private float robotYaw = Float.NaN;
+    private float orbitYaw;
+    private float orbitPitch = 0.45f;
+    private float distance = 2.6f;
+
+    public CameraRig(Camera camera) {
+        this.camera = camera;
+        reshape();
+    }
+
+    /** The window has another size. */
+    public void reshape() {
+        camera.setFrustumPerspective(FIELD_OF_VIEW, (float) camera.getWidth() / camera.getHeight(), NEAR, FAR);
+    }
+
+    public boolean isFlying() {
+        return flying;
+    }
+
+    /** Between following the robot and flying on from here. */
+    public void toggle() {
+        flying = !flying;
+        place.set(camera.getLocation());
+    }
+
+    /** Puts the flycam there. @param newYaw radians, likewise newPitch */
+    public void fly(Vector3f newPlace, float newYaw, float newPitch) {
+        flying = true;
+        place.set(newPlace);
+        yaw = newYaw;
+        pitch = newPitch;
+    }
+
+    /** Puts the follow camera there. @param newDistance metres @param newYaw radians off the robot's back, likewise newPitch */
+    public void orbit(float newDistance, float newYaw, float newPitch) {
+        flying = false;
+        distance = newDistance;
+        orbitYaw = newYaw;
+        orbitPitch = newPitch;
+        robotYaw = Float.NaN;
+    }
+
+    /** Starts or ends a flight: right, up, forward, each -1, 0 or 1, added to what is going on. */
+    public void steer(float right, float up, float forward) {
+        flight.addLocal(right, up, forward);
+    }
+
+    public void setFast(boolean on) {
+        fast = on;
+    }
+
+    /** The mouse was dragged, pixels to the right and up. */
+    public void drag(float right, float up) {
+        if (flying) {
+            yaw -= right * MOUSE;
+            pitch = FastMath.clamp(pitch - up * MOUSE, -STEEPEST, STEEPEST);
+        } else {
+            orbitYaw -= right * MOUSE;
+            orbitPitch = FastMath.clamp(orbitPitch - up * MOUSE, -0.2f, STEEPEST);
+        }
+    }
+
+    /** The wheel was turned by so many notches, + to come nearer. */
+    public void zoom(float notches) {
+        if (flying) {
+            place.addLocal(direction().multLocal(notches * distance / FAST));
+        } else {
+            distance = FastMath.clamp(distance * FastMath.pow(ZOOM, -notches), NEAREST, FARTHEST);
+        }
+    }
+
+    /**
+     * Moves the camera on.
+     *
+     * @param target of the follow camera
+     * @param heading direction in which it looks
+     * @param obstacles what the follow camera stays in front of
+     */
+    public void update(float frameTime, Vector3f target, Vector3f heading, List<? extends Spatial> obstacles) {
+        if (flying) {
+            Vector3f ahead = direction();
+            Vector3f right = ahead.cross(Vector3f.UNIT_Y).normalizeLocal();
+            float way = frameTime * FLY_SPEED * (fast ? FAST : 1);
+            place.addLocal(right.multLocal(flight.x * way)).addLocal(0, flight.y * way, 0).addLocal(ahead.mult(flight.z * way));
+        } else {
+            turnAfter(heading, frameTime);
+            yaw = robotYaw + orbitYaw;
+            pitch = orbitPitch;
+            Vector3f back = direction().negateLocal();
+            place.set(target).addLocal(back.mult(sight(target, back, obstacles)));
+        }
+        camera.setLocation(place);
+        camera.lookAtDirection(direction(), Vector3f.UNIT_Y);
+    }
+
+    /** How far back the camera may go from its target without a wall coming between. */
+    private float sight(Vector3f target, Vector3f back, List<? extends Spatial> obstacles) {
+        Ray ray = new Ray(target, back);
+        ray.setLimit(distance);
+        float free = distance;
+        for (Spatial obstacle : obstacles) {
+            hits.clear();
+            if (obstacle.collideWith(ray, hits) > 0 && hits.getClosestCollision().getDistance() < free) {
+                free = Math.max(NEAREST, hits.getClosestCollision().getDistance() - WALL);
+            }
+        }
+        return free;
+    }
+
+    private void turnAfter(Vector3f heading, float frameTime) {
+        boolean level = heading != null && heading.x * heading.x + heading.z * heading.z > FastMath.ZERO_TOLERANCE;
+        float wanted = level ? FastMath.atan2(heading.x, heading.z) : 0;
+        if (Float.isNaN(robotYaw)) {
+            robotYaw = wanted;
+        } else if (level) {
+            float error = FastMath.normalize(wanted - robotYaw, -FastMath.PI, FastMath.PI);
+            robotYaw = FastMath.normalize(robotYaw + error * Math.min(1, frameTime / LAG), -FastMath.PI, FastMath.PI);
+        }
+    }
+
+    private Vector3f direction() {
+        float level = FastMath.cos(pitch);
+        return new Vector3f(FastMath.sin(yaw) * level, -FastMath.sin(pitch), FastMath.cos(yaw) * level);
+    }
+}

@@ -1,0 +1,127 @@
+package org.SEAR.view.scene;
+
+import com.jme3.font.BitmapFont;
+import com.jme3.font.BitmapText;
+import com.jme3.math.ColorRGBA;
+import com.jme3.math.Vector3f;
+import com.jme3.renderer.Camera;
+import com.jme3.scene.Geometry;
+import com.jme3.scene.Node;
+import com.jme3.scene.Spatial.CullHint;
+import com.jme3.scene.shape.Quad;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Names with live values, written at points of the world. Window thread only. */
+public final class Labels {
+    private static final float SIZE = 14;
+    private static final float LIFT = 20;
+    private static final float LINE = 18;
+    private static final ColorRGBA INK = new ColorRGBA(1, 1, 0.85f, 1);
+    private static final ColorRGBA GROUND = new ColorRGBA(0.05f, 0.07f, 0.10f, 0.5f);
+    private static final float MARGIN = 4;
+    private final BitmapFont font;
+    private final Materials materials;
+    private final Node node = new Node("labels");
+    private final Map<String, Label> labels = new LinkedHashMap<>();
+    /** Left, bottom, right edge of each label placed in this picture. */
+    private final List<float[]> taken = new ArrayList<>();
+    private boolean shown = true;
+    private boolean covered;
+
+    /** Ink on a dark translucent ground, so that it can be read among beams. */
+    private final class Label {
+        final Node place = new Node("label");
+        final BitmapText ink = new BitmapText(font);
+        final Geometry ground = new Geometry("ground", new Quad(1, 1));
+
+        Label() {
+            ink.setSize(SIZE);
+            ink.setColor(INK);
+            ground.setMaterial(materials.flat(GROUND));
+            place.attachChild(ground);
+            place.attachChild(ink);
+        }
+
+        void write(String words) {
+            ink.setText(words);
+            ground.setLocalScale(ink.getLineWidth() + 2 * MARGIN, LINE, 1);
+            ground.setLocalTranslation(-MARGIN, -LINE, -0.5f);
+        }
+    }
+
+    public Labels(BitmapFont font, Materials materials, Node gui) {
+        this.font = font;
+        this.materials = materials;
+        gui.attachChild(node);
+    }
+
+    public void toggle() {
+        shown = !shown;
+        show();
+    }
+
+    /** Whether a panel lies where the labels are. */
+    public void setCovered(boolean on) {
+        covered = on;
+        show();
+    }
+
+    private void show() {
+        node.setCullHint(shown && !covered ? CullHint.Never : CullHint.Always);
+    }
+
+    boolean isShown() {
+        return shown;
+    }
+
+    /** Words of a label; null when there is none or it is hidden. */
+    public String text(String name) {
+        Label label = labels.get(name);
+        return label == null || !shown || label.place.getLocalCullHint() == CullHint.Always ? null : label.ink.getText();
+    }
+
+    /** Begins a new picture: places are free again. */
+    void begin() {
+        taken.clear();
+    }
+
+    /** Writes words at a point, above what is there; hides them while the point is behind the camera. @param words null to hide */
+    void put(String name, String words, Vector3f point, Camera camera) {
+        Label label = labels.computeIfAbsent(name, key -> {
+            Label made = new Label();
+            node.attachChild(made.place);
+            return made;
+        });
+        Vector3f pixel = camera.getScreenCoordinates(point);
+        boolean visible = words != null && pixel.z < 1;
+        label.place.setCullHint(visible ? CullHint.Never : CullHint.Always);
+        if (visible) {
+            if (!words.equals(label.ink.getText())) {
+                label.write(words);
+            }
+            float width = label.ink.getLineWidth();
+            float left = Math.round(pixel.x - width / 2);
+            float top = free(left - MARGIN, left + width + MARGIN, Math.round(pixel.y + LIFT));
+            label.place.setLocalTranslation(left, top, -2);
+        }
+    }
+
+    /** The lowest free height at or above the wanted one. */
+    private float free(float left, float right, float wanted) {
+        float bottom = wanted;
+        for (boolean clash = true; clash;) {
+            clash = false;
+            for (float[] other : taken) {
+                if (left < other[2] && right > other[0] && Math.abs(bottom - other[1]) < LINE) {
+                    bottom = other[1] + LINE;
+                    clash = true;
+                }
+            }
+        }
+        taken.add(new float[] {left, bottom, right});
+        return bottom;
+    }
+}

@@ -1,0 +1,98 @@
+package org.SEAR.view.scene;
+
+import com.jme3.asset.AssetManager;
+import com.jme3.asset.AssetNotFoundException;
+import com.jme3.asset.AssetLoadException;
+import com.jme3.asset.TextureKey;
+import com.jme3.material.MatParam;
+import com.jme3.material.Material;
+import com.jme3.material.RenderState.BlendMode;
+import com.jme3.math.ColorRGBA;
+import com.jme3.scene.Geometry;
+import com.jme3.scene.Spatial;
+import com.jme3.texture.Texture;
+import com.jme3.texture.Texture.WrapMode;
+import java.util.function.Consumer;
+
+/** What surfaces look like. Window thread only. */
+public final class Materials {
+    private static final ColorRGBA PLAIN = new ColorRGBA(0.72f, 0.72f, 0.70f, 1);
+    private final AssetManager assets;
+    private final Consumer<String> warnings;
+
+    public Materials(AssetManager assets, Consumer<String> warnings) {
+        this.assets = assets;
+        this.warnings = warnings;
+    }
+
+    /** Lit, wrapped in a picture below the assets folder; plain grey, with a warning, where that can't be read. */
+    Material picture(String image) {
+        Material material = lit(PLAIN);
+        if (image != null && !image.isEmpty()) {
+            try {
+                Texture texture = assets.loadTexture(new TextureKey(image, true));
+                texture.setWrap(WrapMode.Repeat);
+                material = lit(ColorRGBA.White);
+                material.setTexture("DiffuseMap", texture);
+            } catch (AssetNotFoundException | AssetLoadException e) {
+                warnings.accept("the picture " + image + " can't be shown (" + e.getMessage() + "); put a readable one into assets");
+            }
+        }
+        return material;
+    }
+
+    /**
+     * Lit, of one colour. By the corner: under a sun that is infinitely far away a flat side looks the same as by the pixel, and software OpenGL
+     * needs a tenth less time.
+     */
+    Material lit(ColorRGBA color) {
+        Material material = new Material(assets, "Common/MatDefs/Light/Lighting.j3md");
+        material.setBoolean("UseMaterialColors", true);
+        material.setBoolean("VertexLighting", true);
+        material.setColor("Diffuse", color);
+        material.setColor("Ambient", color);
+        return material;
+    }
+
+    /** Not lit, coloured corner by corner; may be seen through. */
+    Material lines() {
+        Material material = new Material(assets, "Common/MatDefs/Misc/Unshaded.j3md");
+        material.setBoolean("VertexColor", true);
+        material.getAdditionalRenderState().setBlendMode(BlendMode.Alpha);
+        material.getAdditionalRenderState().setDepthWrite(false);
+        return material;
+    }
+
+    /** Not lit, of one colour. */
+    public Material flat(ColorRGBA color) {
+        Material material = new Material(assets, "Common/MatDefs/Misc/Unshaded.j3md");
+        material.setColor("Color", color);
+        if (color.a < 1) {
+            material.getAdditionalRenderState().setBlendMode(BlendMode.Alpha);
+        }
+        return material;
+    }
+
+    /** Replaces physically based materials, which need light probes, by plainly lit ones of the same colour and picture. */
+    void simplify(Spatial model) {
+        model.depthFirstTraversal(spatial -> {
+            if (spatial instanceof Geometry) {
+                Geometry geometry = (Geometry) spatial;
+                if (geometry.getMaterial().getMaterialDef().getAssetName().endsWith("PBRLighting.j3md")) {
+                    geometry.setMaterial(simplified(geometry.getMaterial()));
+                }
+            }
+        });
+    }
+
+    private Material simplified(Material physical) {
+        MatParam color = physical.getParam("BaseColor");
+        Material material = lit(color == null ? ColorRGBA.White : (ColorRGBA) color.getValue());
+        MatParam map = physical.getParam("BaseColorMap");
+        if (map != null) {
+            material.setTexture("DiffuseMap", (Texture) map.getValue());
+        }
+        material.getAdditionalRenderState().setFaceCullMode(physical.getAdditionalRenderState().getFaceCullMode());
+        return material;
+    }
+}

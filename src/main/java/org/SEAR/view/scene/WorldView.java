@@ -1,0 +1,156 @@
+package org.SEAR.view.scene;
+
+import com.jme3.math.Quaternion;
+import com.jme3.math.Vector3f;
+import com.jme3.renderer.Camera;
+import com.jme3.scene.Node;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Wheel;
+import org.SEAR.project.Project;
+import org.SEAR.view.link.BeamFan;
+import org.SEAR.view.link.Moment;
+
+/** The scene of a project: its objects, robots and beams, put where the playback says. Window thread only. */
+public final class WorldView {
+    private static final float LABEL_HEIGHT = 0.12f;
+    private final Node root = new Node("world");
+    private final List<Node> environment = new ArrayList<>();
+    private final List<Node> robots = new ArrayList<>();
+    private final List<List<Node>> wheels = new ArrayList<>();
+    private final List<BeamView> beams = new ArrayList<>();
+    private final Vector3f place = new Vector3f();
+    private final Quaternion turn = new Quaternion();
+    private boolean beamsShown = true;
+    private final List<BeamView> hidden = new ArrayList<>();
+
+    public WorldView(Project project, SceneBuilder builder, List<BeamFan> fans, Materials materials) {
+        for (SearObject object : project.getEnvironment()) {
+            environment.add(attach(root, builder.object(object)));
+        }
+        for (SEARrobot robot : project.getRobots()) {
+            Node node = attach(root, builder.robot(robot));
+            robots.add(node);
+            List<Node> turning = new ArrayList<>();
+            for (Wheel wheel : robot.getWheels()) {
+                turning.add(attach(node, builder.object(wheel)));
+            }
+            wheels.add(turning);
+        }
+        for (BeamFan fan : fans) {
+            BeamView view = new BeamView(fan, materials);
+            robots.get(fan.robot).attachChild(view.node());
+            beams.add(view);
+        }
+    }
+
+    private static Node attach(Node parent, Node child) {
+        parent.attachChild(child);
+        return child;
+    }
+
+    public Node root() {
+        return root;
+    }
+
+    public Node robot(int index) {
+        return robots.get(index);
+    }
+
+    public Node wheel(int robot, int wheel) {
+        return wheels.get(robot).get(wheel);
+    }
+
+    public List<Node> robots() {
+        return robots;
+    }
+
+    public List<Node> environment() {
+        return environment;
+    }
+
+    public List<BeamView> beams() {
+        return beams;
+    }
+
+    /** Puts everything where it is now. */
+    public void update(Playback playback) {
+        Moment shown = playback.shown();
+        for (int i = 0; i < Math.min(environment.size(), shown.environment.size()); i++) {
+            playback.environment(i, place, turn);
+            move(environment.get(i));
+        }
+        for (int i = 0; i < Math.min(robots.size(), shown.robots.size()); i++) {
+            playback.robot(i, place, turn);
+            move(robots.get(i));
+            for (int j = 0; j < Math.min(wheels.get(i).size(), shown.robots.get(i).wheels.size()); j++) {
+                playback.wheel(i, j, place, turn);
+                move(wheels.get(i).get(j));
+            }
+        }
+        for (BeamView beam : beams) {
+            if (beam.isVisible()) {
+                beam.update(shown.beams.get(beam.fan().sensor));
+            }
+        }
+    }
+
+    /** Things at rest are left alone, so that jMonkeyEngine needn't compute their bounds again. */
+    private void move(Node node) {
+        if (!node.getLocalTranslation().equals(place)) {
+            node.setLocalTranslation(place);
+        }
+        if (!node.getLocalRotation().equals(turn)) {
+            node.setLocalRotation(turn);
+        }
+    }
+
+    public void label(Labels labels, Moment moment, Camera camera) {
+        labels.begin();
+        for (BeamView beam : beams) {
+            String value = moment.values.get(beam.fan().sensor);
+            Vector3f point = beam.node().localToWorld(new Vector3f(0, LABEL_HEIGHT, 0), null);
+            labels.put(beam.fan().sensor, beam.isVisible() && value != null ? beam.fan().sensor + "  " + value : null, point, camera);
+        }
+    }
+
+    public boolean areBeamsShown() {
+        return beamsShown;
+    }
+
+    /** Shows or hides the beams of all sensors; those hidden one by one stay hidden. */
+    public void toggleBeams() {
+        beamsShown = !beamsShown;
+        show();
+    }
+
+    /** Shows or hides one sensor's beams. @return what happened, in words */
+    public String toggleBeam(int number) {
+        if (number < 0 || number >= beams.size()) {
+            return "there is no beam sensor " + (number + 1) + "; there are " + beams.size();
+        }
+        BeamView beam = beams.get(number);
+        if (!hidden.remove(beam)) {
+            hidden.add(beam);
+        }
+        show();
+        return beam.fan().sensor + (hidden.contains(beam) ? ": beams hidden" : ": beams shown");
+    }
+
+    private void show() {
+        for (BeamView beam : beams) {
+            beam.setVisible(beamsShown && !hidden.contains(beam));
+        }
+    }
+
+    public List<String> beamSensors() {
+        return beams.stream().map(beam -> beam.fan().sensor).collect(Collectors.toList());
+    }
+
+    public List<String> hiddenSensors() {
+        return beams.stream().filter(beam -> !beam.isVisible()).map(beam -> beam.fan().sensor).collect(Collectors.toList());
+    }
+}

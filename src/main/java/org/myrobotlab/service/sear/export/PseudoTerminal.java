@@ -1,0 +1,283 @@
+package org.myrobotlab.service.sear.export;
+
+import com.sun.jna.Library;
+import com.sun.jna.Memory;
+import com.sun.jna.Native;
+import com.sun.jna.NativeLong;
+import com.sun.jna.Platform;
+import com.sun.jna.Pointer;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Arrays;
+import java.util.function.Consumer;
+import java.util.function.IntConsumer;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A pseudo-terminal in raw mode, which any program opens like a serial port; programs may come and go. What comes while none has it open is gone, and
+ * what a program did not read is gone when it closes, as on a real port. Linux and macOS; macOS forgets the settings of a terminal that nobody has
+ * open, so there a side of its own is kept open, and a program may get up to 4 kB of old bytes.
+ */
+final class PseudoTerminal implements OuterEnd {
+    private static final Logger log = LoggerFactory.getLogger(PseudoTerminal.class);
+    private static final int READ_WRITE = 2;
+    private static final int NO_CONTROLLING_TERMINAL = Platform.isMac() ? 0x20000 : 0x100;
+    private static final int NOT_BLOCKING = Platform.isMac() ? 0x4 : 0x800;
+    private static final int SET_FLAGS = 4;
+    private static final int NOW = 0;
+    private static final int FLUSH_INPUT = Platform.isMac() ? 1 : 0;
+    private static final int TERMIOS_SIZE = 256;
+    private static final int BUFFER = 4096;
+    private static final int POLL_MILLIS = 100;
+    /** How often a terminal that nobody has open is looked at. */
+    private static final int CLOSED_MILLIS = 10;
+    private static final short POLL_IN = 1;
+    private static final short POLL_HANG_UP = 0x10;
+    private static final int EVENTS_AT = Integer.BYTES;
+    private static final int FOUND_AT = Integer.BYTES + Short.BYTES;
+    private static final int NONE = -1;
+    /** Linux's codes of baud rates (asm-generic/termbits.h). macOS uses the numbers themselves. */
+    private static final int[][] LINUX_BAUDS = {{300, 0x7}, {600, 0x8}, {1200, 0x9}, {2400, 0xB}, {4800, 0xC}, {9600, 0xD}, {19200, 0xE},
+        {38400, 0xF}, {57600, 0x1001}, {115200, 0x1002}, {230400, 0x1003}, {460800, 0x1004}, {500000, 0x1005}, {1000000, 0x1008}};
+    /** Linux's TCGETS2, whose termios2 has the rate as a number, those without a code (14400, 28800) too. */
+    private static final long GET_TERMIOS_2 = 0x802C542AL;
+    private static final int OUTPUT_SPEED = 40;
+
+    private final String port;
+    private final C c;
+    private final int master;
+    /** macOS: the side kept open; {@link #NONE} elsewhere. */
+    private final int slave;
+    private final String path;
+    private final Path link;
+    private final Memory writeDescriptor = new Memory(Long.BYTES);
+    private volatile boolean open = true;
+    private boolean unread;
+    private Thread reader;
+
+    /** What is used of the C library. */
+    interface C extends Library {
+        int posix_openpt(int flags);
+
+        int grantpt(int fd);
+
+        int unlockpt(int fd);
+
+        String ptsname(int fd);
+
+        int open(String path, int flags);
+
+        int close(int fd);
+
+        NativeLong read(int fd, byte[] buffer, NativeLong count);
+
+        NativeLong write(int fd, byte[] buffer, NativeLong count);
+
+        int fcntl(int fd, int command, int value);
+
+        int poll(Pointer descriptors, NativeLong count, int millis);
+
+        int tcgetattr(int fd, Pointer termios);
+
+        int tcsetattr(int fd, int when, Pointer termios);
+
+        int ioctl(int fd, NativeLong request, Pointer argument);
+
+        void cfmakeraw(Pointer termios);
+
+        NativeLong cfgetospeed(Pointer termios);
+
+        int cfsetspeed(Pointer termios, NativeLong speed);
+
+        int tcflush(int fd, int what);
+    }
+
+    private PseudoTerminal(String port, C c, int master, int slave, String path, Path link) {
+        this.port = port;
+        this.c = c;
+        this.master = master;
+        this.slave = slave;
+        this.path = path;
+        this.link = link;
+    }
+
+    /** @param link symbolic link to make, or null @param baud the rate it starts with, 0 for the system's */
+    static PseudoTerminal open(String port, String link, int baud) throws IOException {
+        if (!Platform.isLinux() && !Platform.isMac()) {
+            throw new IOException("this system has no pseudo-terminals: use exportTcp(\"" + port + "\", 0)");
+        }
+        C c;
+        try {
+            c = Native.load("c", C.class);
+        } catch (LinkageError e) {
+            throw new IOException("pseudo-terminals need JNA (jna-5.19.1.jar in libraries/jar): use exportTcp, or install it", e);
+        }
+        int master = c.posix_openpt(READ_WRITE | NO_CONTROLLING_TERMINAL);
+        if (master < 0 || c.grantpt(master) != 0 || c.unlockpt(master) != 0) {
+            closeIfOpen(c, master);
+            throw new IOException("the system gave no pseudo-terminal (error " + Native.getLastError() + ")");
+        }
+        String path = c.ptsname(master);
+        int slave = c.open(path, READ_WRITE | NO_CONTROLLING_TERMINAL);
+        if (slave < 0 || c.fcntl(master, SET_FLAGS, NOT_BLOCKING) != 0) {
+            closeIfOpen(c, slave);
+            closeIfOpen(c, master);
+            throw new IOException("the pseudo-terminal " + path + " can't be opened (error " + Native.getLastError() + ")");
+        }
+        makeRaw(c, slave, baud);
+        int kept = Platform.isMac() ? slave : NONE;
+        if (kept == NONE) {
+            c.close(slave);
+        }
+        try {
+            return new PseudoTerminal(port, c, master, kept, path, makeLink(link, path));
+        } catch (IOException | RuntimeException e) {
+            closeIfOpen(c, kept);
+            closeIfOpen(c, master);
+            throw e;
+        }
+    }
+
+    private static void closeIfOpen(C c, int fd) {
+        if (fd >= 0) {
+            c.close(fd);
+        }
+    }
+
+    private static void makeRaw(C c, int slave, int baud) {
+        Memory termios = new Memory(TERMIOS_SIZE);
+        c.tcgetattr(slave, termios);
+        c.cfmakeraw(termios);
+        if (baud > 0 && codeOf(baud) > 0) {
+            c.cfsetspeed(termios, new NativeLong(codeOf(baud)));
+        }
+        c.tcsetattr(slave, NOW, termios);
+    }
+
+    private static int codeOf(int baud) {
+        return Platform.isMac() ? baud : translated(baud, 0, 1);
+    }
+
+    private static Path makeLink(String link, String path) throws IOException {
+        if (link == null) {
+            return null;
+        }
+        Path made = Paths.get(link).toAbsolutePath();
+        if (Files.exists(made, java.nio.file.LinkOption.NOFOLLOW_LINKS) && !Files.isSymbolicLink(made)) {
+            throw new IOException(made + " exists and is no symbolic link: choose another name");
+        }
+        Files.deleteIfExists(made);
+        return Files.createSymbolicLink(made, Paths.get(path));
+    }
+
+    /** The path for programs to open. */
+    String getPath() {
+        return link == null ? path : link.toString();
+    }
+
+    @Override
+    public void start(Consumer<byte[]> bytes, IntConsumer baud) {
+        reader = new Thread(() -> read(bytes, baud), "pseudo-terminal of " + port);
+        reader.setDaemon(true);
+        reader.start();
+    }
+
+    private void read(Consumer<byte[]> bytes, IntConsumer baud) {
+        Memory descriptor = new Memory(Long.BYTES);
+        Memory termios = new Memory(TERMIOS_SIZE);
+        byte[] buffer = new byte[BUFFER];
+        int lastBaud = currentBaud(termios);
+        while (open) {
+            int found = poll(descriptor, POLL_MILLIS);
+            int newBaud = currentBaud(termios);
+            if (newBaud != lastBaud && newBaud > 0) {
+                lastBaud = newBaud;
+                baud.accept(newBaud);
+            }
+            int count = (found & POLL_IN) != 0 && open ? c.read(master, buffer, new NativeLong(buffer.length)).intValue() : 0;
+            if (count > 0) {
+                bytes.accept(Arrays.copyOf(buffer, count));
+            } else if ((found & POLL_HANG_UP) != 0 && open) {
+                forgetUnread();
+                c.poll(null, new NativeLong(0), CLOSED_MILLIS);
+            }
+        }
+    }
+
+    /** What there is at the master, {@link #POLL_IN} and {@link #POLL_HANG_UP}; the latter while no program has the terminal open. */
+    private int poll(Memory descriptor, int millis) {
+        descriptor.setInt(0, master);
+        descriptor.setShort(EVENTS_AT, POLL_IN);
+        descriptor.setShort(FOUND_AT, (short) 0);
+        return c.poll(descriptor, new NativeLong(1), millis) > 0 ? descriptor.getShort(FOUND_AT) : 0;
+    }
+
+    /** The last program has closed the terminal: what it did not read is not for the next one. */
+    private synchronized void forgetUnread() {
+        int side = open && unread ? c.open(path, READ_WRITE | NO_CONTROLLING_TERMINAL) : NONE;
+        if (side >= 0) {
+            c.tcflush(side, FLUSH_INPUT);
+            c.close(side);
+            unread = false;
+        }
+    }
+
+    /** 0 for a rate that the system doesn't tell, and while a program hangs up. */
+    private int currentBaud(Pointer termios) {
+        if (Platform.isLinux() && c.ioctl(master, new NativeLong(GET_TERMIOS_2, true), termios) == 0) {
+            return termios.getInt(OUTPUT_SPEED);
+        }
+        c.tcgetattr(Platform.isMac() ? slave : master, termios);
+        int code = c.cfgetospeed(termios).intValue();
+        return Platform.isMac() ? code : translated(code, 1, 0);
+    }
+
+    private static int translated(int value, int from, int to) {
+        return Arrays.stream(LINUX_BAUDS).filter(known -> known[from] == value).mapToInt(known -> known[to]).findFirst().orElse(0);
+    }
+
+    @Override
+    public synchronized void write(byte[] bytes) {
+        if (open && (poll(writeDescriptor, 0) & POLL_HANG_UP) != 0) {
+            return;
+        }
+        for (int done = 0; open && done < bytes.length;) {
+            byte[] rest = Arrays.copyOfRange(bytes, done, bytes.length);
+            int written = c.write(master, rest, new NativeLong(rest.length)).intValue();
+            if (written > 0) {
+                unread = true;
+                done += written;
+            } else {
+                log.debug("nobody reads {}: bytes are thrown away", path);
+                if (slave != NONE) {
+                    c.tcflush(slave, FLUSH_INPUT);
+                }
+                done = bytes.length;
+            }
+        }
+    }
+
+    @Override
+    public void close() {
+        open = false;
+        try {
+            if (reader != null) {
+                reader.join(10L * POLL_MILLIS);
+            }
+            if (link != null) {
+                Files.deleteIfExists(link);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } catch (IOException e) {
+            log.warn("link {} was not removed: {}", link, e.toString());
+        }
+        synchronized (this) {
+            closeIfOpen(c, slave);
+            c.close(master);
+        }
+    }
+}

@@ -1,0 +1,56 @@
+package org.myrobotlab.service.sear.files;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.SEAR.project.problems.ProjectException;
+
+/** The example bundles inside the jar, by paths such as {@code examples/office.sear}, which hold in every working folder. Any thread. */
+final class Examples {
+    private static final String FOLDER = "examples/";
+    private static final String IN_JAR = "/resource/SEAR/";
+    /** A name on each line, written by the build. */
+    private static final String LIST = "/org/SEAR/examples.txt";
+
+    /** What is done with a bundle's file. */
+    public interface Work {
+        /** @throws ProjectException with every problem of the bundle */
+        void on(Path bundle) throws IOException, ProjectException;
+    }
+
+    private Examples() {
+    }
+
+    /** Paths of all. */
+    static List<String> paths() throws IOException {
+        List<String> paths = new ArrayList<>();
+        try (InputStream in = Examples.class.getResourceAsStream(LIST)) {
+            if (in != null) {
+                for (String name : new String(in.readAllBytes(), StandardCharsets.UTF_8).split("\n")) {
+                    paths.add(FOLDER + name);
+                }
+            }
+        }
+        return paths;
+    }
+
+    /** Gives an example to somebody as a file. @return whether there is one of that path */
+    static boolean with(Path path, Work work) throws IOException, ProjectException {
+        String name = path.toString().replace('\\', '/');
+        if (!paths().contains(name)) {
+            return false;
+        }
+        Path file = Files.createTempFile("sear", ".sear");
+        try (InputStream in = Examples.class.getResourceAsStream(IN_JAR + name.substring(FOLDER.length()))) {
+            Files.write(file, in.readAllBytes());
+            work.on(file);
+        } finally {
+            Files.deleteIfExists(file);
+        }
+        return true;
+    }
+}

@@ -1,0 +1,190 @@
+package org.myrobotlab.service.sear.files;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.SEAR.project.bundle.Bundle;
+import org.SEAR.project.bundle.PercentProgress;
+import org.SEAR.project.problems.ProjectException;
+import org.myrobotlab.service.sear.Host;
+import org.myrobotlab.service.sear.run.Control;
+
+/** The project folder and the templates in the jar. Any thread. */
+public final class Projects {
+    private static final List<String> TEMPLATES = Arrays.asList("controller.py", "userCode.py");
+    private static final String DEFAULT_FOLDER = "SEARproject";
+    private static final String ENDING = ".sear";
+
+    private final Control control;
+    private final Host host;
+
+    /** @param host hears how far saving and loading are; in its resources examples may lie */
+    public Projects(Control control, Host host) {
+        this.control = control;
+        this.host = host;
+    }
+
+    /**
+     * Paths of the example bundles, ordered by name: from {@code examples} in the working folder, else from MyRobotLab's resources of SEAR, else from
+     * the jar, so that those that come with SEAR are there in every folder.
+     */
+    public List<String> examples() throws IOException {
+        Map<String, String> found = new TreeMap<>();
+        for (Path folder : Arrays.asList(Paths.get("examples"), Paths.get(host.getResourceRoot(), "SEAR"))) {
+            if (Files.isDirectory(folder)) {
+                try (DirectoryStream<Path> bundles = Files.newDirectoryStream(folder, "*.sear")) {
+                    bundles.forEach(bundle -> found.putIfAbsent(bundle.getFileName().toString(), bundle.toString()));
+                }
+            }
+        }
+        Examples.paths().forEach(path -> found.putIfAbsent(path.substring(path.lastIndexOf('/') + 1), path));
+        return new ArrayList<>(found.values());
+    }
+
+    /** {@code SEARproject} in the working folder, or what the system property {@code sear.project} says, as the objects have it. */
+    public static Path folder() {
+        return Paths.get(System.getProperty("sear.project", DEFAULT_FOLDER)).toAbsolutePath().normalize();
+    }
+
+    /** Puts the present project aside. @return where it is now; null if there was none */
+    public synchronized Path startAnew() throws IOException {
+        refuseWhileRunning("newProject");
+        return Bundle.newProject(folder());
+    }
+
+    /** Looks at the project while {@link #load} and {@link #startAnew} wait: some systems rename no folder whose files are being read. */
+    public synchronized <T> T undisturbed(Supplier<T> look) {
+        return look.get();
+    }
+
+    /** Refuses to take the project away from under a running simulation. */
+    public void refuseWhileRunning(String what) {
+        if (control.isRunning()) {
+            throw new IllegalStateException(what + " needs the simulation to be stopped: stopSimulation() first");
+        }
+    }
+
+    /** Saves the project as a bundle. @param file gets the ending .sear, if it has it not; its folder must be there */
+    public void save(Path file) throws IOException, ProjectException {
+        if (!Files.isDirectory(folder())) {
+            throw new IOException("there is no project folder " + folder() + ": create some objects first (org.SEAR.POJOs)");
+        }
+        Path bundle = Paths.get(withEnding(file.toString()));
+        Path parent = bundle.toAbsolutePath().normalize().getParent();
+        if (parent == null || !Files.isDirectory(parent)) {
+            throw new IOException(bundle + " can't be saved, there is no folder " + parent + ": make it, or choose another");
+        }
+        Bundle.save(folder(), bundle, new PercentProgress("saving", bundle, host::progress));
+    }
+
+    /**
+     * Saves the project for a panel, which asks its user before a file is overwritten.
+     *
+     * @param overwrite whether a file of that name may be overwritten
+     * @return {@code {"asked": path, "path": with the ending, "saved": whether it is, "free": where there is no file yet, null if it is saved}}
+     */
+    public synchronized Map<String, Object> saveAs(String path, boolean overwrite) throws IOException, ProjectException {
+        String named = withEnding(path);
+        boolean saved = overwrite || Files.notExists(Paths.get(named));
+        if (saved) {
+            save(Paths.get(named));
+        }
+        Map<String, Object> answer = new LinkedHashMap<>();
+        answer.put("asked", path);
+        answer.put("path", named);
+        answer.put("saved", saved);
+        answer.put("free", saved ? null : free(named));
+        return answer;
+    }
+
+    private static String free(String path) {
+        String stem = path.substring(0, path.length() - ENDING.length());
+        for (int i = 2;; i++) {
+            String other = stem + "-" + i + ENDING;
+            if (Files.notExists(Paths.get(other))) {
+                return other;
+            }
+        }
+    }
+
+    private static String withEnding(String path) {
+        return path.toLowerCase(Locale.ROOT).endsWith(ENDING) ? path : path + ENDING;
+    }
+
+    /** Replaces the project by a bundle's, once that is read whole and found valid. @param file may be an example's path that is not on the disk */
+    public synchronized void load(Path file) throws IOException, ProjectException {
+        refuseWhileRunning("loadProject");
+        Path ended = Paths.get(withEnding(file.toString()));
+        if (!Files.exists(file) && Files.isRegularFile(ended)) {
+            load(ended);
+        } else if (Files.isRegularFile(file) || Files.isDirectory(file)) {
+            Bundle.load(file, folder(), new PercentProgress("loading", file, host::progress));
+        } else if (!Examples.with(file, bundle -> Bundle.load(bundle, folder()))) {
+            throw new IOException("there is no file or folder " + file.toAbsolutePath());
+        }
+    }
+
+    /** Adds a robot of a bundle or folder to the project. @param robot its name there; null or empty if it is the only one @return its name here */
+    public synchronized String importRobot(Path file, String robot) throws IOException, ProjectException {
+        refuseWhileRunning("importRobot");
+        Map<String, String> renamed = Bundle.importRobot(file, folder(), robot);
+        tell(renamed);
+        return renamed.values().iterator().next();
+    }
+
+    /** Adds the environment of a bundle or folder to the project. @return the names of the objects here */
+    public synchronized List<String> importEnvironment(Path file) throws IOException, ProjectException {
+        refuseWhileRunning("importEnvironment");
+        Map<String, String> renamed = Bundle.importEnvironment(file, folder());
+        tell(renamed);
+        return new ArrayList<>(renamed.values());
+    }
+
+    private void tell(Map<String, String> renamed) {
+        renamed.forEach((old, now) -> {
+            if (!old.equals(now)) {
+                host.progress("\"" + old + "\" is called \"" + now + "\" here, because that name was taken");
+            }
+        });
+    }
+
+    /** Copies a template into a folder. @return the copy @throws IOException if that exists already */
+    public Path copyTemplate(String name, String folder) throws IOException {
+        if (!TEMPLATES.contains(name)) {
+            throw new IllegalArgumentException("there is no template \"" + name + "\"; there are " + TEMPLATES);
+        }
+        if (folder == null) {
+            throw new IllegalArgumentException("the folder is missing (None), legal: the path of a folder, such as \"SEARproject\"");
+        }
+        Path copy = Paths.get(folder).resolve(name);
+        if (Files.exists(copy)) {
+            throw new IOException(copy + " exists already: delete or rename it to get a fresh one");
+        }
+        try (InputStream in = Projects.class.getResourceAsStream("/templates/" + name)) {
+            if (in == null) {
+                throw new IOException("this sear.jar lacks templates/" + name);
+            }
+            Files.createDirectories(copy.toAbsolutePath().getParent());
+            Path temporary = copy.resolveSibling("." + name + ".tmp");
+            try {
+                Files.copy(in, temporary, StandardCopyOption.REPLACE_EXISTING);
+                Files.move(temporary, copy);
+            } finally {
+                Files.deleteIfExists(temporary);
+            }
+        }
+        return copy;
+    }
+}

@@ -1,0 +1,136 @@
+package org.myrobotlab.service.sear.files;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * Bundles on their way to and from a panel in a browser, in parts small enough for MyRobotLab's messages (1 MiB). One upload and one download at a
+ * time; beginning another forgets the former. Any thread.
+ */
+public final class Transfers {
+    /** Bytes of a part that is sent to a panel. */
+    static final int PART = 192 * 1024;
+    /** Bytes of the greatest bundle that panels may send. */
+    static final int GREATEST = 256 * 1024 * 1024;
+    private static final String DOWNLOAD = "project.sear";
+    /** Characters; file systems take 255 bytes. */
+    private static final int LONGEST_NAME = 60;
+
+    private final Work save;
+    private final Work load;
+    private ByteArrayOutputStream upload = new ByteArrayOutputStream();
+    private int expected;
+    private byte[] download = {};
+
+    /** Something that is done with a bundle's file. */
+    public interface Work {
+        /** @throws Exception that says why it could not be done */
+        void on(Path bundle) throws Exception;
+    }
+
+    /** @param save writes the project as a bundle @param load replaces the project by a bundle */
+    public Transfers(Work save, Work load) {
+        this.save = save;
+        this.load = load;
+    }
+
+    /**
+     * Takes the next part of a bundle; with the last one the project is replaced by it.
+     *
+     * @param name as the user's computer calls the file
+     * @param index from 0, in order
+     * @param count how many parts there are
+     * @param base64 the part
+     * @return whether that was the last part
+     */
+    public synchronized boolean receive(String name, int index, int count, String base64) throws Exception {
+        if (index == 0) {
+            upload = new ByteArrayOutputStream();
+            expected = 0;
+        }
+        if (index != expected || index >= count) {
+            throw new IllegalArgumentException("part " + index + " of " + count + " of " + name + " came out of order, expected " + expected
+                + ": upload the file again");
+        }
+        byte[] part = decoded(name, base64);
+        if (upload.size() + (long) part.length > GREATEST) {
+            upload = new ByteArrayOutputStream();
+            throw new IllegalArgumentException(name + " is larger than " + GREATEST + " bytes: copy it into MyRobotLab's folder and open its path");
+        }
+        upload.write(part, 0, part.length);
+        expected++;
+        if (expected < count) {
+            return false;
+        }
+        byte[] whole = upload.toByteArray();
+        upload = new ByteArrayOutputStream();
+        withFile(fileName(name), file -> {
+            Files.write(file, whole);
+            load.on(file);
+        });
+        return true;
+    }
+
+    /** What the user's computer calls a file, without what a name can't have here: errors and progress are told under it. */
+    private static String fileName(String name) {
+        String last = name == null ? "" : name.replaceAll(".*[/\\\\]", "").replaceAll("[\\p{Cntrl}:*?\"<>|]", "_").trim();
+        return last.replace(".", "").isEmpty() ? DOWNLOAD : last.substring(Math.max(0, last.length() - LONGEST_NAME));
+    }
+
+    private static byte[] decoded(String name, String base64) {
+        try {
+            return Base64.getDecoder().decode(base64);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException(name + " was damaged on its way (" + e.getMessage() + "): upload the file again", e);
+        }
+    }
+
+    /**
+     * A part of the project's bundle; the bundle is made when the first part is asked for.
+     *
+     * @return {@code {"index", "count", "data"}}, data in base64
+     */
+    public synchronized Map<String, Object> part(int index) throws Exception {
+        if (index == 0) {
+            withFile(DOWNLOAD, file -> {
+                Files.deleteIfExists(file);
+                save.on(file);
+                download = Files.readAllBytes(file);
+            });
+        }
+        int count = Math.max(1, (download.length + PART - 1) / PART);
+        if (index < 0 || index >= count) {
+            throw new IllegalArgumentException("part is " + index + ", legal: 0 to " + (count - 1));
+        }
+        Map<String, Object> part = new LinkedHashMap<>();
+        part.put("index", index);
+        part.put("count", count);
+        part.put("data", Base64.getEncoder().encodeToString(
+            Arrays.copyOfRange(download, index * PART, Math.min(download.length, (index + 1) * PART))));
+        return part;
+    }
+
+    private static void withFile(String name, Work work) throws Exception {
+        Path folder = Files.createTempDirectory("sear");
+        Path file = folder.resolve(name);
+        try {
+            work.on(file);
+        } finally {
+            Files.deleteIfExists(file);
+            deleteEmpty(folder);
+        }
+    }
+
+    private static void deleteEmpty(Path folder) throws IOException {
+        String[] left = folder.toFile().list();
+        if (left == null || left.length == 0) {
+            Files.delete(folder);
+        }
+    }
+}

@@ -1,0 +1,128 @@
+package org.myrobotlab.service.sear.readings;
+
+import java.util.Map;
+import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import org.SEAR.POJOs.ScriptText;
+import org.myrobotlab.serial.PortClock;
+import org.myrobotlab.service.sear.Host;
+import org.myrobotlab.service.sear.SensorReading;
+import org.myrobotlab.service.sear.run.Control;
+import org.myrobotlab.service.sear.run.SimulationSession;
+
+/**
+ * Publishes readings and the state of the world again and again while a simulation runs: readings by simulated time, the state for panels by the
+ * computer's. In lock-step readings are published by the thread that advances time. Any thread.
+ */
+public final class Publisher {
+    private static final long LOOK_MILLIS = 10;
+    private static final long STATE_MILLIS = 100;
+    private static final double HIGHEST_RATE = 60;
+
+    private final Control control;
+    private final Readings readings;
+    private final Host host;
+    private volatile String lastFailure = "";
+    private final Map<String, Subscription> subscriptions = new ConcurrentSkipListMap<>();
+    private final ScheduledExecutorService timer = Executors.newSingleThreadScheduledExecutor(work -> {
+        Thread thread = new Thread(work, "SEAR publisher");
+        thread.setDaemon(true);
+        return thread;
+    });
+
+    private static final class Subscription {
+        private final double period;
+        private double next;
+
+        Subscription(double period) {
+            this.period = period;
+        }
+    }
+
+    /** Starts looking for what is due. */
+    public Publisher(Host host, Control control, Readings readings) {
+        this.host = host;
+        this.control = control;
+        this.readings = readings;
+        timer.scheduleWithFixedDelay(() -> guarded(this::look), LOOK_MILLIS, LOOK_MILLIS, TimeUnit.MILLISECONDS);
+        timer.scheduleWithFixedDelay(() -> guarded(() -> {
+            SimulationSession session = control.sessionOrNull();
+            if (session != null) {
+                session.tellWarnings();
+                host.state();
+            }
+        }), STATE_MILLIS, STATE_MILLIS, TimeUnit.MILLISECONDS);
+    }
+
+    private void guarded(Runnable work) {
+        try {
+            work.run();
+        } catch (RuntimeException e) {
+            if (control.isRunning() && !e.toString().equals(lastFailure)) {
+                lastFailure = e.toString();
+                host.error("publishing failed: " + lastFailure);
+            }
+        }
+    }
+
+    /** @param rate a second of simulated time, above 0 to 60 */
+    public void start(String name, double rate) {
+        String sensor = ScriptText.of(name);
+        if (!(rate > 0 && rate <= HIGHEST_RATE)) {
+            throw new IllegalArgumentException("rate is " + rate + ", legal: above 0 to " + HIGHEST_RATE + " readings a second");
+        }
+        if (!readings.names().contains(sensor)) {
+            throw new IllegalArgumentException("there is no sensor \"" + sensor + "\"; there are " + readings.names());
+        }
+        subscriptions.put(sensor, new Subscription(1 / rate));
+    }
+
+    /** Ends {@link #start}. */
+    public void stop(String sensor) {
+        subscriptions.remove(ScriptText.of(sensor));
+    }
+
+    private void look() {
+        if (!PortClock.current().isLockStep()) {
+            publishDue();
+        }
+    }
+
+    /** Publishes the readings whose time has come; the stepping thread calls it in lock-step. @return whether there were any */
+    public boolean publishDue() {
+        SimulationSession session = subscriptions.isEmpty() ? null : control.sessionOrNull();
+        if (session == null) {
+            return false;
+        }
+        double now = session.time();
+        boolean published = false;
+        for (Map.Entry<String, Subscription> entry : subscriptions.entrySet()) {
+            Subscription subscription = entry.getValue();
+            if (now >= subscription.next || now < subscription.next - subscription.period) {
+                subscription.next = now + subscription.period;
+                publish(entry.getKey(), now);
+                published = true;
+            }
+        }
+        return published;
+    }
+
+    private void publish(String sensor, double now) {
+        try {
+            host.reading(new SensorReading(sensor, now, readings.any(sensor)));
+        } catch (IllegalArgumentException e) {
+            subscriptions.remove(sensor);
+            host.warn("readings are no longer published: " + e.getMessage());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Ends all publishing. */
+    public void close() {
+        timer.shutdownNow();
+        subscriptions.clear();
+    }
+}

@@ -1,0 +1,123 @@
+package org.myrobotlab.service.sear.run;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import org.SEAR.project.problems.ProjectException;
+import org.myrobotlab.service.sear.Host;
+
+/** Starts and ends the simulation of one SEAR service; there is one simulation in the whole program at a time. Any thread. */
+public final class Control {
+    private static Control running;
+
+    private final Host host;
+    private final Supplier<Path> folder;
+    private volatile SimulationSession session;
+    private Double speed;
+    private Boolean lockStep;
+    private BooleanSupplier stepListener = () -> false;
+
+    /** @param folder of the project, asked for each time */
+    public Control(Host host, Supplier<Path> folder) {
+        this.host = host;
+        this.folder = folder;
+    }
+
+    /**
+     * Starts the project's world.
+     *
+     * @throws ProjectException with every problem of the project
+     * @throws IOException if the folder is missing or a port can't be had
+     */
+    public void start(boolean debugShapes) throws ProjectException, IOException {
+        synchronized (Control.class) {
+            if (running != null && running.isRunning()) {
+                throw new IllegalStateException(running == this ? "the simulation runs already: stopSimulation() first"
+                    : "service " + running.host.getName() + " runs a simulation: stop that first");
+            }
+            stop();
+            Libraries.check();
+            Path project = folder.get();
+            if (!Files.isDirectory(project)) {
+                throw new IOException("there is no project folder " + project.toAbsolutePath()
+                    + ": create some objects first (org.SEAR.POJOs), or loadProject(\"file.sear\")");
+            }
+            session = SimulationSession.start(project, settings(), debugShapes, host, stepListener);
+            running = this;
+        }
+    }
+
+    private RunSettings settings() {
+        RunSettings fromSystem = RunSettings.fromSystem();
+        boolean stepped = lockStep == null ? fromSystem.lockStep : lockStep;
+        double defaultSpeed = stepped ? Double.POSITIVE_INFINITY : fromSystem.speed;
+        return new RunSettings(fromSystem.headless, speed == null ? defaultSpeed : speed, stepped, fromSystem.seed);
+    }
+
+    /** Called after each step of lock-step, on the thread that advances time; answers whether it has published something. Before the first start. */
+    public void setStepListener(BooleanSupplier listener) {
+        stepListener = listener;
+    }
+
+    /** Ends the simulation. Does nothing if none runs. */
+    public void stop() {
+        synchronized (Control.class) {
+            if (session != null) {
+                session.stop();
+                session = null;
+            }
+            if (running == this) {
+                running = null;
+            }
+        }
+    }
+
+    /** Whether a world exists. */
+    public boolean isRunning() {
+        SimulationSession present = session;
+        return present != null && present.isRunning();
+    }
+
+    /** The running simulation. @throws IllegalStateException if there is none */
+    public SimulationSession session() {
+        SimulationSession present = session;
+        if (present == null || !present.isRunning()) {
+            throw new IllegalStateException("no simulation runs: startSimulation() first");
+        }
+        return present;
+    }
+
+    /** The running simulation; null if there is none. */
+    public SimulationSession sessionOrNull() {
+        SimulationSession present = session;
+        return present != null && present.isRunning() ? present : null;
+    }
+
+    /** The present session, even one that begins or ends; null if there is none. */
+    public SimulationSession anySession() {
+        return session;
+    }
+
+    /** Speed of this and the next simulations. @param factor simulated seconds a second; infinity = as fast as possible */
+    public void setSpeed(double factor) {
+        speed = RunSettings.checkedSpeed(factor);
+        if (isRunning()) {
+            session().setSpeed(factor);
+        }
+    }
+
+    /** Lock-step of this and the next simulations. */
+    public void setLockStep(boolean on) throws InterruptedException {
+        lockStep = on;
+        if (isRunning()) {
+            session().setLockStep(on);
+        }
+    }
+
+    /** The project's folder. */
+    public Path getFolder() {
+        return folder.get();
+    }
+}

@@ -1,0 +1,60 @@
+package org.myrobotlab.service.sear.run;
+
+/**
+ * How simulations are to run, from the system properties that the command line sets: {@code sear.headless} (true or false), {@code sear.speed}
+ * (simulated seconds a second, or {@code max}: lock-step, as fast as possible) and {@code sear.seed} (a whole number). Immutable.
+ */
+public final class RunSettings {
+    /** Seed unless another is given. */
+    public static final long DEFAULT_SEED = 1;
+
+    private static final String MAX = "max";
+
+    /** No window, even where there is a display. */
+    public final boolean headless;
+    /** Simulated seconds a second; infinity = as fast as possible. */
+    public final double speed;
+    /** Whether time advances only inside simSleep and step. */
+    public final boolean lockStep;
+    /** Of all random numbers. */
+    public final long seed;
+
+    RunSettings(boolean headless, double speed, boolean lockStep, long seed) {
+        this.headless = headless;
+        this.speed = speed;
+        this.lockStep = lockStep;
+        this.seed = seed;
+    }
+
+    /** Reads the properties. @throws IllegalArgumentException that names property, value and what is legal */
+    public static RunSettings fromSystem() {
+        String speed = System.getProperty("sear.speed", "1");
+        boolean max = MAX.equals(speed);
+        return new RunSettings(Boolean.getBoolean("sear.headless"), max ? Double.POSITIVE_INFINITY : factor(speed), max, seed());
+    }
+
+    private static double factor(String text) {
+        try {
+            return checkedSpeed(Double.parseDouble(text));
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException("sear.speed is \"" + text + "\", legal: a number above 0, or max", e);
+        }
+    }
+
+    private static long seed() {
+        String text = System.getProperty("sear.seed", String.valueOf(DEFAULT_SEED));
+        try {
+            return Long.parseLong(text);
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException("sear.seed is \"" + text + "\", legal: a whole number", e);
+        }
+    }
+
+    /** @return the factor @throws IllegalArgumentException that says what is legal */
+    public static double checkedSpeed(double factor) {
+        if (!(factor > 0)) {
+            throw new IllegalArgumentException("speed is " + factor + ", legal: above 0 (1 = real time, float('inf') = as fast as possible)");
+        }
+        return factor;
+    }
+}

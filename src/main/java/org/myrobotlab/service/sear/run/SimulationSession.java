@@ -1,0 +1,485 @@
+package org.myrobotlab.service.sear.run;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+import org.SEAR.devices.SerialLine;
+import org.SEAR.project.problems.ProjectException;
+import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.SimulationRunner;
+import org.myrobotlab.service.sear.Host;
+import org.myrobotlab.service.sear.lockstep.Callers;
+import org.myrobotlab.service.sear.lockstep.PortQuiet;
+
+/**
+ * One running simulation: its thread, its ports, its clock. Any thread.
+ *
+ * <p>Locks: {@code stepping} is held while lock-step advances time, and nothing else is waited for under it but ports and the simulation thread.
+ */
+public final class SimulationSession {
+    private static final long LOOK_AFTER_THREAD = 200;
+    private static final long READER_PATIENCE = TimeUnit.MILLISECONDS.toNanos(50);
+    private static final long READER_LOOK = TimeUnit.MICROSECONDS.toNanos(100);
+    private static final long LOOK_AFTER_SLEEPERS = 1;
+    private static final long SCRIPT_DRIVES = TimeUnit.SECONDS.toNanos(1);
+    /** By which sums of steps may miss the time that was asked for, s. */
+    private static final double ROUNDING = Simulation.STEP / 1000;
+    private static final long THREAD_END = TimeUnit.SECONDS.toMillis(10);
+
+    private final Host host;
+    private final BooleanSupplier stepListener;
+    private final Simulation simulation;
+    private final SimulationRunner runner;
+    private final Thread thread;
+    private final List<UartLine> lines = new CopyOnWriteArrayList<>();
+    private final Window window = new Window();
+    private final Pace pace;
+    private final PortQuiet quiet;
+    private final Object stepping = new Object();
+    /** Where sleepers wait for the end of a pause. */
+    private final Object pauseEnds = new Object();
+    private volatile SimulationClock clock;
+    private volatile boolean lockStep;
+    private volatile boolean paused;
+    private volatile boolean ended;
+    private boolean stopped;
+    private volatile Throwable failure;
+    /** Up to where the script has slept: {@link SimulationRunner#getAdvancedTime} without rounding to steps. */
+    private volatile double scriptTime;
+    private final Callers callers = new Callers();
+    private final Set<String> told = new HashSet<>();
+    private final MemoryWatch memoryWatch = new MemoryWatch(this::outOfMemory);
+    private volatile boolean driven;
+    private volatile long lastDriven;
+
+    private SimulationSession(Simulation simulation, RunSettings settings, Host host, BooleanSupplier stepListener) {
+        this.host = host;
+        this.stepListener = stepListener;
+        this.simulation = simulation;
+        runner = new SimulationRunner(simulation);
+        lockStep = settings.lockStep;
+        pace = new Pace(settings.speed);
+        clock = new SimulationClock(simulation, lockStep);
+        quiet = new PortQuiet(host, callers);
+        thread = new Thread(this::run, "SEAR simulation");
+        thread.setDaemon(true);
+    }
+
+    /**
+     * Reads the project and starts its world.
+     *
+     * @param stepListener called after each step of lock-step, on the thread that advances time; answers whether it has published something
+     * @throws ProjectException with every problem of the project
+     * @throws IOException if a port can't be had; nothing is left behind
+     */
+    public static SimulationSession start(Path folder, RunSettings settings, boolean debugShapes, Host host,
+            BooleanSupplier stepListener) throws ProjectException, IOException {
+        SimulationSession session = new SimulationSession(Simulation.load(folder, settings.seed), settings, host, stepListener);
+        try {
+            session.open(settings, debugShapes);
+            return session;
+        } catch (IOException | RuntimeException | LinkageError e) {
+            session.stop();
+            throw e;
+        }
+    }
+
+    private void open(RunSettings settings, boolean debugShapes) throws IOException {
+        clock.install();
+        memoryWatch.open();
+        for (SerialLine line : simulation.getLines()) {
+            UartLine uart = new UartLine(line, host);
+            lines.add(uart);
+            uart.open(clock);
+        }
+        runner.setSpeed(lockStep ? Double.POSITIVE_INFINITY : settings.speed);
+        runner.setPaused(true);
+        runner.addStepListener(this::waitForReaders);
+        thread.start();
+        quiet.greet();
+        if (!settings.headless) {
+            window.open(runner, debugShapes, this::isScriptDriving, host); // takes seconds, which nobody is to miss
+        }
+        runner.setPaused(lockStep);
+        tellWarnings();
+    }
+
+    /** On the simulation thread after each step: "as fast as possible" is as fast as bytes are taken. Questions are answered at least each 50 ms. */
+    private void waitForReaders() {
+        if (lockStep || !Double.isInfinite(pace.getSpeed())) {
+            return;
+        }
+        long end = System.nanoTime() + READER_PATIENCE;
+        while (lines.stream().anyMatch(UartLine::isBehind) && System.nanoTime() < end) {
+            LockSupport.parkNanos(READER_LOOK);
+        }
+    }
+
+    private void run() {
+        try {
+            runner.run();
+        } catch (RuntimeException | Error e) {
+            failure = e;
+        } finally {
+            ended = true;
+            wakeSleepers();
+        }
+        if (failure != null) {
+            closeLines();
+            host.error(describe(failure));
+        }
+    }
+
+    private String describe(Throwable reason) {
+        String what = reason instanceof OutOfMemoryError
+            ? "the simulation has ended at " + time() + " s because Java ran out of memory (" + reason.getMessage()
+                + "): start Java with more (-Xmx), or make the world smaller"
+            : "the simulation broke down at " + time() + " s: " + reason;
+        return what + "; its ports are closed";
+    }
+
+    /** Memory ran out on another thread of this program: whatever that thread was to do is not done, so the simulation ends, too. */
+    private void outOfMemory(OutOfMemoryError reason) {
+        if (!ended) {
+            failure = reason;
+            runner.stop();
+        }
+    }
+
+    private void closeLines() {
+        synchronized (lines) {
+            lines.forEach(UartLine::close);
+            lines.clear();
+        }
+    }
+
+    /** Ends the simulation and takes its ports, services, window and thread away. Again: does nothing. */
+    public synchronized void stop() {
+        if (stopped) {
+            return;
+        }
+        stopped = true;
+        try {
+            window.close();
+        } finally {
+            endWorld();
+        }
+    }
+
+    private void endWorld() {
+        if (thread.isAlive()) {
+            runner.stop();
+            joinThread();
+        }
+        ended = true;
+        clock.uninstall();
+        wakeSleepers();
+        memoryWatch.close();
+        closeLines();
+        simulation.close();
+    }
+
+    private void joinThread() {
+        try {
+            thread.join(THREAD_END);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Whether the world exists; true while paused. */
+    public boolean isRunning() {
+        return !ended;
+    }
+
+    /** The world. */
+    public Simulation getSimulation() {
+        return simulation;
+    }
+
+    /** The line whose device end has a Serial service of that name; null if there is none. */
+    UartLine lineOf(String serviceName) {
+        for (UartLine line : lines) {
+            if (line.getServiceName().equals(serviceName)) {
+                return line;
+            }
+        }
+        return null;
+    }
+
+    /** Brings bytes from a device's Serial service to the device. @return whether the service belongs to one of the lines */
+    public boolean toDevice(String serviceName, byte[] bytes) {
+        UartLine line = lineOf(serviceName);
+        if (line != null) {
+            if (line.isDrive()) {
+                scriptDrives();
+            }
+            line.toDevice(bytes);
+        }
+        return line != null;
+    }
+
+    /** A script has told a robot to move: for a while the window's keys leave it alone. */
+    public void scriptDrives() {
+        lastDriven = System.nanoTime();
+        driven = true;
+    }
+
+    private boolean isScriptDriving() {
+        return driven && System.nanoTime() - lastDriven < SCRIPT_DRIVES;
+    }
+
+    /** Simulated seconds. */
+    public double time() {
+        return simulation.snapshot().time;
+    }
+
+    /** Answers a question on the simulation thread, between two steps. */
+    public <T> T ask(Function<Simulation, T> question) throws InterruptedException {
+        Future<T> answer = simulation.ask(question);
+        while (true) {
+            try {
+                return answer.get(LOOK_AFTER_THREAD, TimeUnit.MILLISECONDS);
+            } catch (TimeoutException e) {
+                checkRunning();
+            } catch (ExecutionException e) {
+                throw unwrapped(e);
+            }
+        }
+    }
+
+    private static RuntimeException unwrapped(ExecutionException e) {
+        Throwable cause = e.getCause();
+        if (cause instanceof IllegalArgumentException) {
+            return new IllegalArgumentException(cause.getMessage(), cause);
+        }
+        return new IllegalStateException(cause.getMessage() == null ? cause.toString() : cause.getMessage(), cause);
+    }
+
+    private void checkRunning() {
+        if (ended || runner.isEnded()) {
+            throw new IllegalStateException(failure == null ? "the simulation was stopped" : "the simulation broke down: " + failure, failure);
+        }
+    }
+
+    /** Waits so long in simulated time, whether it is reset meanwhile or not; in lock-step it makes that time pass. */
+    public void simSleep(double seconds) throws InterruptedException {
+        if (!(seconds >= 0) || Double.isInfinite(seconds)) {
+            throw new IllegalArgumentException("simSleep of " + seconds + " s, legal: 0 or more");
+        }
+        if (lockStep) {
+            sleepInLockStep(seconds);
+        } else {
+            runner.sleep(seconds);
+        }
+        checkRunning();
+        tellWarnings();
+    }
+
+    private void sleepInLockStep(double seconds) throws InterruptedException {
+        double start = runner.getAdvancedTime();
+        double base = scriptTime <= start && scriptTime > start - Simulation.STEP ? scriptTime : start;
+        double target = base + seconds;
+        scriptTime = target;
+        pace.begin(start);
+        whileSleeping(target - ROUNDING, () -> {
+            synchronized (stepping) {
+                quiet.settle();
+            }
+            while (runner.getAdvancedTime() < target - ROUNDING) {
+                awaitResume(target - ROUNDING);
+                stepIfBefore(target - ROUNDING);
+                pace.await(runner.getAdvancedTime());
+            }
+        });
+    }
+
+    /** Does what waits for time, or makes it pass; afterwards the caller, which may be a callback, goes on: the next step waits for it. */
+    private void whileSleeping(double target, Callers.Work work) throws InterruptedException {
+        try {
+            callers.whileSleeping(target, work);
+        } finally {
+            quiet.disturb();
+        }
+    }
+
+    private void stepIfBefore(double target) throws InterruptedException {
+        checkRunning();
+        synchronized (stepping) {
+            if (runner.getAdvancedTime() < target) {
+                oneStep();
+            }
+        }
+    }
+
+    /**
+     * One step of lock-step: what was sent before it has arrived, and what it sends is handed over. Whoever else has waited for this moment, as a
+     * callback that sleeps, goes on first, until it waits again or ends.
+     */
+    private void oneStep() throws InterruptedException {
+        quiet.settle();
+        runner.advance(1);
+        quiet.settle();
+        clock.tick();
+        if (stepListener.getAsBoolean()) {
+            quiet.disturb();
+        }
+        quiet.settle();
+        while (callers.othersAreDue(runner.getAdvancedTime()) && !ended) {
+            quiet.disturb();
+            stepping.wait(LOOK_AFTER_SLEEPERS);
+        }
+        quiet.settle();
+    }
+
+    private void awaitResume(double target) throws InterruptedException {
+        synchronized (pauseEnds) {
+            while (paused && !ended && runner.getAdvancedTime() < target) {
+                pauseEnds.wait(LOOK_AFTER_THREAD);
+            }
+        }
+    }
+
+    private void wakeSleepers() {
+        synchronized (pauseEnds) {
+            pauseEnds.notifyAll();
+        }
+        clock.wake();
+    }
+
+    /** Advances by so many steps; pauses a simulation whose time runs by itself. */
+    public void step(long steps) throws InterruptedException {
+        if (steps < 1) {
+            throw new IllegalArgumentException("step(" + steps + "), legal: 1 or more");
+        }
+        if (!lockStep && !paused) {
+            pause();
+        }
+        double target = runner.getAdvancedTime() + steps * Simulation.STEP - ROUNDING;
+        whileSleeping(target, () -> {
+            while (runner.getAdvancedTime() < target) {
+                stepIfBefore(target);
+            }
+        });
+        checkRunning();
+        tellWarnings();
+    }
+
+    /** Time stands still until {@link #resume}; the step in hand has ended when this returns. */
+    public void pause() throws InterruptedException {
+        paused = true;
+        runner.setPaused(true);
+        ask(world -> true);
+    }
+
+    /** Ends {@link #pause}. */
+    public void resume() {
+        paused = false;
+        runner.setPaused(lockStep);
+        wakeSleepers();
+    }
+
+    /** Whether {@link #pause} holds. */
+    public boolean isPaused() {
+        return paused;
+    }
+
+    /** Everything back to the start. */
+    public void reset() throws InterruptedException {
+        whileSleeping(Double.POSITIVE_INFINITY, this::toTheStart);
+    }
+
+    private void toTheStart() throws InterruptedException {
+        synchronized (stepping) {
+            quiet.settle();
+            ask(world -> {
+                world.reset();
+                return true;
+            });
+            forgetWarnings();
+            scriptTime = runner.getAdvancedTime();
+            SimulationClock fresh = new SimulationClock(simulation, lockStep);
+            clock.moveTickersTo(fresh);
+            fresh.install();
+            clock.wake();
+            clock = fresh;
+            quiet.settle();
+        }
+    }
+
+    /** Simulated seconds a second; infinity = as fast as possible. */
+    public void setSpeed(double factor) {
+        pace.setSpeed(factor);
+        if (!lockStep) {
+            runner.setSpeed(factor);
+        }
+    }
+
+    /** Whether time advances only inside {@link #simSleep} and {@link #step}. */
+    public void setLockStep(boolean on) throws InterruptedException {
+        whileSleeping(Double.POSITIVE_INFINITY, () -> changeLockStep(on));
+    }
+
+    private void changeLockStep(boolean on) {
+        synchronized (stepping) {
+            lockStep = on;
+            if (on) {
+                runner.setPaused(true);
+                runner.setSpeed(Double.POSITIVE_INFINITY);
+            } else {
+                runner.setSpeed(pace.getSpeed());
+                runner.setPaused(paused);
+            }
+            clock.setLockStep(on);
+        }
+    }
+
+    /** See {@link #setLockStep}. */
+    public boolean isLockStep() {
+        return lockStep;
+    }
+
+    /** Simulated seconds a second as they were asked for; infinity = as fast as possible. */
+    public double getWantedSpeed() {
+        return pace.getSpeed();
+    }
+
+    /** Simulated seconds a second as measured lately. */
+    public double getMeasuredSpeed() {
+        return runner.getMeasuredSpeed();
+    }
+
+    /** After a reset: what happens again is told again; what is odd from the start has been told. */
+    private void forgetWarnings() {
+        synchronized (told) {
+            told.retainAll(simulation.snapshot().warnings);
+        }
+    }
+
+    /** Publishes what the simulation has warned of since the last time. */
+    public void tellWarnings() {
+        synchronized (told) {
+            for (String warning : simulation.snapshot().warnings) {
+                if (told.add(warning)) {
+                    host.warn(warning);
+                }
+            }
+        }
+    }
+
+    @Override
+    public String toString() {
+        return String.format(Locale.ROOT, "simulation at %.3f s", time());
+    }
+}

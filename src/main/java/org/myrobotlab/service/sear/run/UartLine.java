@@ -1,0 +1,189 @@
+package org.myrobotlab.service.sear.run;
+
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.concurrent.TimeUnit;
+import org.SEAR.devices.Repeats;
+import org.SEAR.devices.SerialLine;
+import org.myrobotlab.framework.interfaces.ServiceInterface;
+import org.myrobotlab.serial.Backlog;
+import org.myrobotlab.serial.PortClock;
+import org.myrobotlab.serial.SerialDeviceFactory;
+import org.myrobotlab.serial.VirtualSerialPort;
+import org.myrobotlab.service.Runtime;
+import org.myrobotlab.service.Serial;
+import org.myrobotlab.service.interfaces.SerialDataListener;
+import org.myrobotlab.service.link.FindsBaudRate;
+import org.myrobotlab.service.sear.Host;
+
+/**
+ * The way between the user's port and a simulated device: two virtual ports with a null-modem cable, at whose device end one of MyRobotLab's
+ * Serial services sits. What the user sends comes to SEAR as that service's publishBytes messages; what the device sends goes out through the
+ * same service. The line keeps the baud rate, so the ports don't.
+ */
+final class UartLine {
+    private static final long PATIENCE = TimeUnit.SECONDS.toMillis(5);
+    /** As long the simulation thread waits for MyRobotLab's messages to go out. */
+    private static final long OUTBOX_PATIENCE = TimeUnit.MILLISECONDS.toNanos(50);
+    /** So many bytes may wait for the user's port's reader before a simulation that runs as fast as possible waits: as in a driver. */
+    private static final int MOST_PENDING = 4096;
+    private static final String DRIVE = "Dynamics";
+    private static final String CALLBACK = "onUartBytes";
+    private static final String PUBLISHER = "publishBytes";
+
+    private final SerialLine line;
+    private final String serviceName;
+    private final Host host;
+    private final VirtualSerialPort uart;
+    private final VirtualSerialPort user;
+    private final Repeats repeats = new Repeats();
+    private Serial serial;
+    private long given;
+    private boolean complained;
+
+    UartLine(SerialLine line, Host host) {
+        this.line = line;
+        this.host = host;
+        serviceName = serviceName(line);
+        uart = new VirtualSerialPort(line.getUartPort());
+        user = new VirtualSerialPort(line.getUserPort());
+    }
+
+    /** {@code myLidar_LIDARsimulator_Serial_Service}: the dissertation's name, by which SEAR finds the sensor that bytes are for. */
+    static String serviceName(SerialLine line) {
+        String kind = DRIVE.equals(line.getObjectType()) ? "ROBOT" : line.getObjectType();
+        return line.getObjectName() + "_" + kind + "simulator_Serial_Service";
+    }
+
+    /** Makes ports, cable and service. @throws IOException if a port or the service can't be had */
+    void open(PortClock clock) throws IOException {
+        VirtualSerialPort.makeNullModem(uart, user);
+        String owner = line.getObjectType() + " " + line.getObjectName() + " of the running simulation";
+        for (VirtualSerialPort port : new VirtualSerialPort[] {uart, user}) {
+            port.setPaced(false);
+            port.setClock(clock);
+            SerialDeviceFactory.add(port);
+            port.setOwner(owner);
+        }
+        uart.setWayOut("it is the simulated device's own end, connect to " + user.getName());
+        uart.setHandedHook(this::awaitDevice);
+        user.setBaudListener(this::hostBaud);
+        user.setBeyond(line::getWaiting);
+        ServiceInterface started = Runtime.start(serviceName, "Serial");
+        if (!(started instanceof Serial)) {
+            throw new IOException("a service named " + serviceName + " exists already and is no Serial service: release it first");
+        }
+        serial = (Serial) started;
+        leaveOutOfSavedConfigurations();
+        serial.connect(uart.getName());
+        serial.addListener(PUBLISHER, host.getName(), CALLBACK);
+        line.setSink(this::toUser);
+    }
+
+    /** A saved configuration starts the services that the Runtime's names: this one belongs to the simulation, not to the user. */
+    private void leaveOutOfSavedConfigurations() {
+        Runtime.getInstance().getConfig().remove(serviceName);
+    }
+
+    private void hostBaud(int baud) {
+        line.setHostBaud(baud);
+        if (user.getListeners().stream().anyMatch(FindsBaudRate.class::isInstance)) {
+            return;
+        }
+        if (baud != 0 && baud != line.getDeviceBaud()) {
+            String text;
+            synchronized (repeats) {
+                text = repeats.count("baud", line.getObjectType() + " " + line.getObjectName() + " talks at " + line.getDeviceBaud()
+                    + " baud, but port " + user.getName() + " was set to " + baud + ": they won't understand each other");
+            }
+            if (text != null) {
+                host.warn(text);
+            }
+        }
+    }
+
+    /** The simulation thread brings bytes from the device. Whoever has closed the UART, as MyRobotLab does when it ends, wants none of them. */
+    private void toUser(byte[] bytes) {
+        try {
+            for (int at = 0; at < bytes.length && uart.isOpen(); at += Backlog.PIECE) {
+                Backlog.await(serial, OUTBOX_PATIENCE);
+                serial.write(Arrays.copyOfRange(bytes, at, Math.min(bytes.length, at + Backlog.PIECE)));
+            }
+        } catch (Exception e) {
+            if (uart.isOpen()) {
+                complain("bytes from " + line.getObjectName() + " did not reach port " + user.getName() + ": " + e);
+            }
+        }
+    }
+
+    /** MyRobotLab's message brings bytes from the user. */
+    void toDevice(byte[] bytes) {
+        line.write(bytes);
+        synchronized (this) {
+            given += bytes.length;
+            notifyAll();
+        }
+    }
+
+    /** On the UART's reader thread, after each piece: the next follows when this one has made its way through MyRobotLab's message queues. */
+    private synchronized void awaitDevice(long handed) {
+        long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(PATIENCE);
+        try {
+            while (given < handed && System.nanoTime() < end) {
+                wait(PATIENCE);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        if (given < handed && uart.isOpen()) {
+            complain((handed - given) + " bytes written to port " + user.getName() + " did not come through MyRobotLab's messages");
+            given = handed;
+        }
+    }
+
+    private void complain(String message) {
+        if (!complained) {
+            complained = true;
+            host.warn(message);
+        }
+    }
+
+    /** Whether bytes come faster than MyRobotLab and whoever has the user's port take them. */
+    boolean isBehind() {
+        return Backlog.isLong(serial) || user.getPending() > MOST_PENDING;
+    }
+
+    /** Whether a robot's drive sits here. */
+    boolean isDrive() {
+        return DRIVE.equals(line.getObjectType());
+    }
+
+    /** Name of the Serial service at the device's end. */
+    String getServiceName() {
+        return serviceName;
+    }
+
+    VirtualSerialPort getUserPort() {
+        return user;
+    }
+
+    /** Takes service and ports away; whoever is connected to the user's port is disconnected. */
+    void close() {
+        for (SerialDataListener listener : user.getListeners()) {
+            if (listener instanceof Serial && user.getName().equals(((Serial) listener).getPortName())) {
+                ((Serial) listener).disconnect();
+            }
+        }
+        if (serial != null) {
+            serial.removeListener(PUBLISHER, host.getName(), CALLBACK);
+            serial.disconnect();
+            Runtime.releaseService(serviceName);
+        }
+        for (VirtualSerialPort port : new VirtualSerialPort[] {uart, user}) {
+            if (port.getOwner() != null) {
+                port.setOwner(null);
+                SerialDeviceFactory.remove(port);
+            }
+        }
+    }
+}

@@ -1,0 +1,355 @@
+package org.myrobotlab.service.sear.export;
+
+import static org.junit.Assert.assertArrayEquals;
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+import static org.junit.Assert.fail;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.RandomAccessFile;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.Random;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.junit.After;
+import org.junit.Assume;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.serial.SerialDeviceFactory;
+import org.myrobotlab.serial.VirtualSerialPort;
+import org.myrobotlab.service.interfaces.SerialDataListener;
+import org.myrobotlab.service.sear.RecordingHost;
+import org.myrobotlab.service.sear.run.Control;
+
+/** Any program of the computer can open a virtual port, and come and go. */
+public class ExportsTest {
+    private static final long PATIENCE = TimeUnit.SECONDS.toNanos(60);
+
+    @Rule
+    public final TemporaryFolder temporary = new TemporaryFolder();
+
+    private final RecordingHost host = new RecordingHost();
+    private final Exports exports = new Exports(host, new Control(host, () -> null));
+    private final VirtualSerialPort device = new VirtualSerialPort("/dev/test_uart");
+    private final VirtualSerialPort user = new VirtualSerialPort("/dev/test_user");
+    private final ByteArrayOutputStream received = new ByteArrayOutputStream();
+
+    @Before
+    public void plugIn() throws IOException {
+        VirtualSerialPort.makeNullModem(device, user);
+        device.setPaced(false);
+        SerialDeviceFactory.add(device);
+        SerialDeviceFactory.add(user);
+        device.open();
+        device.listen(new BytesListener(bytes -> {
+            synchronized (received) {
+                received.write(bytes, 0, bytes.length);
+                received.notifyAll();
+            }
+        }));
+    }
+
+    @After
+    public void unplug() {
+        exports.close();
+        SerialDeviceFactory.remove(device);
+        SerialDeviceFactory.remove(user);
+    }
+
+    private byte[] awaitDevice(int count) throws InterruptedException {
+        long end = System.nanoTime() + PATIENCE;
+        synchronized (received) {
+            while (received.size() < count && System.nanoTime() < end) {
+                received.wait(50);
+            }
+            return received.toByteArray();
+        }
+    }
+
+    private static byte[] all() {
+        byte[] bytes = new byte[256];
+        for (int i = 0; i < bytes.length; i++) {
+            bytes[i] = (byte) i;
+        }
+        return bytes;
+    }
+
+    @Test
+    public void aPseudoTerminalPassesEveryByteValueBothWays() throws Exception {
+        String path = exports.terminal("/dev/test_user", null);
+        try (RandomAccessFile client = new RandomAccessFile(path, "rw")) {
+            client.write(all());
+            assertArrayEquals(all(), awaitDevice(256));
+            device.write(all());
+            byte[] read = new byte[256];
+            client.readFully(read);
+            assertArrayEquals(all(), read);
+        }
+    }
+
+    @Test
+    public void aProgramMayCloseThePseudoTerminalAndOpenItAgain() throws Exception {
+        String path = exports.terminal("/dev/test_user", null);
+        for (int round = 1; round <= 3; round++) {
+            try (RandomAccessFile client = new RandomAccessFile(path, "rw")) {
+                client.write(round);
+                assertEquals(round, awaitDevice(round).length);
+                device.write(round);
+                assertEquals(round, client.read());
+            }
+        }
+        assertTrue(host.errors.isEmpty());
+    }
+
+    @Test
+    public void aDeviceThatTalksToNobodyIsNotHeldUp() throws Exception {
+        exports.terminal("/dev/test_user", null);
+        for (int i = 0; i < 1000; i++) {
+            device.write(all());
+        }
+        assertTrue(user.awaitHanded(TimeUnit.SECONDS.toMillis(20)));
+    }
+
+    @Test
+    public void whatCameWhileNobodyHadThePseudoTerminalOpenIsGone() throws Exception {
+        Assume.assumeTrue("macOS needs a side kept open", System.getProperty("os.name").equals("Linux"));
+        String path = exports.terminal("/dev/test_user", null);
+        for (int round = 1; round <= 3; round++) {
+            for (int i = 0; i < 100; i++) {
+                device.write(new byte[] {99});
+            }
+            assertTrue(user.awaitHanded(TimeUnit.SECONDS.toMillis(20)));
+            try (RandomAccessFile client = new RandomAccessFile(path, "rw")) {
+                client.write(round);
+                awaitDevice(round);
+                device.write(round);
+                assertEquals("round " + round, round, client.read());
+                device.write(all());
+                assertTrue("left unread", user.awaitHanded(TimeUnit.SECONDS.toMillis(20)));
+            }
+            awaitClosed(path);
+        }
+    }
+
+    /** Until the export has noticed that the program has gone: what is written is then thrown away, and so is what was unread. */
+    private void awaitClosed(String path) throws Exception {
+        long end = System.nanoTime() + PATIENCE;
+        int waiting = 1;
+        while (waiting > 0 && System.nanoTime() < end) {
+            Process count = new ProcessBuilder("python3", "-c", "import fcntl, os, struct, sys, termios\n"
+                + "fd = os.open(sys.argv[1], os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)\n"
+                + "print(struct.unpack('i', fcntl.ioctl(fd, termios.FIONREAD, b'0000'))[0])\n", path).start();
+            waiting = Integer.parseInt(new String(count.getInputStream().readAllBytes(), StandardCharsets.US_ASCII).trim());
+        }
+        assertEquals("bytes for the next program", 0, waiting);
+    }
+
+    @Test
+    public void theSettingsOfAPseudoTerminalSurviveThatNobodyHasItOpen() throws Exception {
+        int[] baud = new int[1];
+        user.setBaudListener(rate -> {
+            synchronized (baud) {
+                baud[0] = rate;
+                baud.notifyAll();
+            }
+        });
+        String path = exports.terminal("/dev/test_user", null);
+        assertEquals(0, new ProcessBuilder("stty", "-F", path, "19200").inheritIO().start().waitFor());
+        awaitBaud(19200, baud);
+        Process told = new ProcessBuilder("stty", "-F", path, "-a").start();
+        String settings = new String(told.getInputStream().readAllBytes(), StandardCharsets.US_ASCII);
+        assertTrue(settings, settings.contains("speed 19200 baud") && settings.contains("-echo ") && settings.contains("-icanon"));
+    }
+
+    @Test
+    public void aProgramThatWritesFasterThanTheDeviceTakesIsHeldUpAndLosesNothing() throws Exception {
+        CountDownLatch go = new CountDownLatch(1);
+        device.close();
+        device.open();
+        device.listen(new BytesListener(bytes -> {
+            try {
+                go.await();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+            synchronized (received) {
+                received.write(bytes, 0, bytes.length);
+                received.notifyAll();
+            }
+        }));
+        byte[] flood = new byte[64 * 1024];
+        new Random(5).nextBytes(flood);
+        int number = exports.tcp("/dev/test_user", 0);
+        try (Socket client = new Socket(InetAddress.getLoopbackAddress(), number)) {
+            client.getOutputStream().write(flood);
+            long end = System.nanoTime() + PATIENCE;
+            while (device.getPending() < VirtualSerialPort.BUFFER && System.nanoTime() < end) {
+                assertTrue(device.getPending() <= VirtualSerialPort.BUFFER);
+                synchronized (received) {
+                    received.wait(10);
+                }
+            }
+            assertEquals("a full buffer", VirtualSerialPort.BUFFER, device.getPending());
+            go.countDown();
+            assertArrayEquals(flood, awaitDevice(flood.length));
+        }
+    }
+
+    @Test
+    public void aWriterWhoseExportIsClosedIsNotHeldUp() throws Exception {
+        CountDownLatch never = new CountDownLatch(1);
+        device.close();
+        device.open();
+        device.listen(new BytesListener(bytes -> {
+            try {
+                never.await();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }));
+        int number = exports.tcp("/dev/test_user", 0);
+        try (Socket client = new Socket(InetAddress.getLoopbackAddress(), number)) {
+            client.getOutputStream().write(new byte[3 * VirtualSerialPort.BUFFER]);
+            long end = System.nanoTime() + PATIENCE;
+            while (device.getPending() < VirtualSerialPort.BUFFER && System.nanoTime() < end) {
+                synchronized (received) {
+                    received.wait(10);
+                }
+            }
+            exports.close();
+            assertEquals("the server ends", -1, client.getInputStream().read());
+        } finally {
+            never.countDown();
+        }
+    }
+
+    @Test
+    public void aLinkGivesItAStableNameAndGoesAway() throws Exception {
+        Path link = temporary.getRoot().toPath().resolve("roomba");
+        assertEquals(link.toString(), exports.terminal("/dev/test_user", link.toString()));
+        assertTrue(Files.isSymbolicLink(link));
+        exports.close();
+        assertFalse(Files.exists(link, LinkOption.NOFOLLOW_LINKS));
+    }
+
+    @Test
+    public void anOrdinaryFileIsNoPlaceForALink() throws Exception {
+        Path file = temporary.newFile("precious").toPath();
+        try {
+            exports.terminal("/dev/test_user", file.toString());
+            fail("overwrote a file");
+        } catch (IOException e) {
+            assertTrue(e.getMessage(), e.getMessage().contains("is no symbolic link"));
+        }
+        assertTrue(Files.isRegularFile(file));
+    }
+
+    @Test
+    public void theRateThatAProgramSetsReachesThePort() throws Exception {
+        int[] baud = new int[1];
+        user.setBaudListener(rate -> {
+            synchronized (baud) {
+                baud[0] = rate;
+                baud.notifyAll();
+            }
+        });
+        String path = exports.terminal("/dev/test_user", null);
+        assertEquals(0, new ProcessBuilder("stty", "-F", path, "19200").inheritIO().start().waitFor());
+        awaitBaud(19200, baud);
+        assertEquals(0, new ProcessBuilder("stty", "-F", path, "300").inheritIO().start().waitFor());
+        awaitBaud(300, baud);
+    }
+
+    private static void awaitBaud(int expected, int[] baud) throws InterruptedException {
+        long end = System.nanoTime() + PATIENCE;
+        synchronized (baud) {
+            while (baud[0] != expected && System.nanoTime() < end) {
+                baud.wait(50);
+            }
+            assertEquals(expected, baud[0]);
+        }
+    }
+
+    /** Command 129 of a Create offers 14400 and 28800 baud, for which Linux has no code; programs set them by ioctl TCSETS2, as pyserial does. */
+    @Test
+    public void aRateForWhichTheSystemHasNoCodeReachesThePort() throws Exception {
+        Assume.assumeTrue("TCSETS2 is Linux's", System.getProperty("os.name").equals("Linux"));
+        int[] baud = new int[1];
+        user.setBaudListener(rate -> {
+            synchronized (baud) {
+                baud[0] = rate;
+                baud.notifyAll();
+            }
+        });
+        String set = "import fcntl, os, struct, sys\n"
+            + "fd = os.open(sys.argv[1], os.O_RDWR | os.O_NOCTTY)\n"
+            + "termios2 = bytearray(44)\n"
+            + "fcntl.ioctl(fd, 0x802C542A, termios2)\n"
+            + "struct.pack_into('I', termios2, 8, struct.unpack_from('I', termios2, 8)[0] & ~0x100F | 0x1000)\n"
+            + "struct.pack_into('II', termios2, 36, 14400, 14400)\n"
+            + "fcntl.ioctl(fd, 0x402C542B, termios2)\n";
+        String path = exports.terminal("/dev/test_user", null);
+        assertEquals(0, new ProcessBuilder("python3", "-c", set, path).inheritIO().start().waitFor());
+        awaitBaud(14400, baud);
+    }
+
+    @Test
+    public void aTcpPortPassesBytesBothWaysAndTakesTheNextProgram() throws Exception {
+        int number = exports.tcp("/dev/test_user", 0);
+        for (int round = 1; round <= 2; round++) {
+            try (Socket client = new Socket(InetAddress.getLoopbackAddress(), number)) {
+                client.getOutputStream().write(("round " + round).getBytes(StandardCharsets.US_ASCII));
+                assertEquals(7 * round, awaitDevice(7 * round).length);
+                device.write(all());
+                InputStream in = client.getInputStream();
+                assertArrayEquals(all(), in.readNBytes(256));
+            }
+        }
+    }
+
+    @Test
+    public void terminalAndTcpShareAPort() throws Exception {
+        String path = exports.terminal("/dev/test_user", null);
+        int number = exports.tcp("/dev/test_user", 0);
+        try (RandomAccessFile terminal = new RandomAccessFile(path, "rw"); Socket socket = new Socket(InetAddress.getLoopbackAddress(), number)) {
+            socket.getOutputStream().write(1);
+            awaitDevice(1);
+            terminal.write(2);
+            assertArrayEquals(new byte[] {1, 2}, awaitDevice(2));
+        }
+    }
+
+    @Test
+    public void aPortThatIsNotThereIsAnswerdWithThoseThatAre() throws Exception {
+        try {
+            exports.terminal("/dev/nowhere", null);
+            fail("exported nothing");
+        } catch (IOException e) {
+            assertTrue(e.getMessage(), e.getMessage().contains("no virtual port \"/dev/nowhere\""));
+            assertTrue(e.getMessage(), e.getMessage().contains("/dev/test_user"));
+        }
+    }
+
+    @Test
+    public void aPortInUseIsNotExported() throws Exception {
+        SerialDataListener other = new BytesListener(bytes -> { });
+        user.open();
+        user.listen(other);
+        try {
+            exports.tcp("/dev/test_user", 0);
+            fail("two owners");
+        } catch (IOException e) {
+            assertTrue(e.getMessage(), e.getMessage().contains("in use within MyRobotLab"));
+        }
+    }
+}

@@ -1,0 +1,77 @@
+package org.myrobotlab.service.sear.files;
+
+import static org.junit.Assert.assertArrayEquals;
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.file.Files;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.Map;
+import java.util.Random;
+import org.junit.Test;
+
+/** Bundles in parts, to and from a panel. */
+public class TransfersTest {
+    private final byte[] bundle = new byte[2 * Transfers.PART + 17];
+    private byte[] loaded;
+    private final Transfers transfers = new Transfers(file -> Files.write(file, bundle), file -> loaded = Files.readAllBytes(file));
+
+    public TransfersTest() {
+        new Random(1).nextBytes(bundle);
+    }
+
+    @Test
+    public void aDownloadInPartsIsTheBundle() throws Exception {
+        ByteArrayOutputStream whole = new ByteArrayOutputStream();
+        int count = 1;
+        for (int i = 0; i < count; i++) {
+            Map<String, Object> part = transfers.part(i);
+            count = (Integer) part.get("count");
+            whole.write(Base64.getDecoder().decode((String) part.get("data")));
+        }
+        assertEquals(3, count);
+        assertArrayEquals(bundle, whole.toByteArray());
+    }
+
+    @Test
+    public void anUploadInPartsIsLoadedWithTheLast() throws Exception {
+        assertFalse(transfers.receive("my.sear", 0, 2, base64(0, 1000)));
+        assertTrue(transfers.receive("my.sear", 1, 2, base64(1000, 1500)));
+        assertArrayEquals(Arrays.copyOf(bundle, 1500), loaded);
+    }
+
+    @Test
+    public void partsOutOfOrderAreRefusedAndABeginningForgetsTheFormer() throws Exception {
+        transfers.receive("my.sear", 0, 3, base64(0, 10));
+        assertRefused("came out of order, expected 1", () -> transfers.receive("my.sear", 2, 3, base64(0, 10)));
+        assertTrue(transfers.receive("other.sear", 0, 1, base64(0, 5)));
+        assertEquals(5, loaded.length);
+    }
+
+    @Test
+    public void damagedPartsAreRefused() {
+        assertRefused("was damaged on its way", () -> transfers.receive("my.sear", 0, 1, "?"));
+        assertRefused("part is 3, legal: 0 to 0", () -> transfers.part(3));
+    }
+
+    private String base64(int from, int to) {
+        return Base64.getEncoder().encodeToString(Arrays.copyOfRange(bundle, from, to));
+    }
+
+    private interface Call {
+        void run() throws Exception;
+    }
+
+    private static void assertRefused(String message, Call call) {
+        try {
+            call.run();
+        } catch (Exception e) {
+            assertTrue(e.getMessage(), e.getMessage().contains(message));
+            return;
+        }
+        throw new AssertionError("was not refused: " + message);
+    }
+}

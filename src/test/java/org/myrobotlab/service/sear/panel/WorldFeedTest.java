@@ -1,0 +1,115 @@
+package org.myrobotlab.service.sear.panel;
+
+import static org.junit.Assert.assertArrayEquals;
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.project.problems.ProjectException;
+import org.SEAR.simulator.Simulation;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+
+/** What panels are told of a running world: everything once, then what has changed. */
+public class WorldFeedTest {
+    private static final ObjectMapper JSON = new ObjectMapper();
+    /** Bytes of a message about a world in which nothing moves, however large that is. */
+    private static final int SMALL = 300;
+    private static final int MANY = 1500;
+    /** As many of them rest by friction, the others are fixed. */
+    private static final int MOVABLE = 200;
+    private static final int STEPS_BETWEEN = 6;
+    @Rule
+    public final TemporaryFolder temporary = new TemporaryFolder();
+    private final WorldFeed feed = new WorldFeed();
+
+    /** A floor with boxes that rest, and one box that falls from a metre above it. */
+    private Simulation world(int boxes) throws IOException, ProjectException {
+        Path folder = temporary.newFolder().toPath();
+        Path environment = Files.createDirectories(folder.resolve("environment"));
+        Files.writeString(environment.resolve("floor.xml"), "<Floor><name>floor</name><length>200</length><width>200</width></Floor>");
+        Files.writeString(environment.resolve("faller.xml"), box("faller", 0.2, -5, 1, -5, 1));
+        for (int i = 0; i < boxes; i++) {
+            Files.writeString(environment.resolve("box" + i + ".xml"), box("box" + i, 0.3, i % 40, 0.15, i / 40, i < MOVABLE ? 1 : 0));
+        }
+        return Simulation.load(folder, 1);
+    }
+
+    private static String box(String name, double edge, double x, double y, double z, double mass) {
+        return "<Box><name>" + name + "</name><length>" + edge + "</length><width>" + edge + "</width><height>" + edge + "</height><mass>" + mass
+            + "</mass><x>" + x + "</x><y>" + y + "</y><z>" + z + "</z></Box>";
+    }
+
+    private static int bytes(Map<String, Object> message) throws JsonProcessingException {
+        return JSON.writeValueAsBytes(message).length;
+    }
+
+    private static void step(Simulation world, int steps) {
+        for (int i = 0; i < steps; i++) {
+            world.step();
+        }
+    }
+
+    private Map<String, Object> resting(Simulation world) {
+        step(world, 180);
+        feed.next(world);
+        step(world, STEPS_BETWEEN);
+        return feed.next(world);
+    }
+
+    @Test
+    public void whatRestsIsSentOnceHoweverMuchThereIs() throws Exception {
+        try (Simulation few = world(1); Simulation many = world(MANY)) {
+            assertEquals(MANY + 2, ((List<?>) feed.next(many).get("objects")).size());
+            Map<String, Object> large = resting(many);
+            assertFalse(large.containsKey("objects"));
+            assertTrue("bytes: " + bytes(large), bytes(large) < SMALL);
+            feed.forget();
+            feed.next(few);
+            assertEquals("it does not depend on the number of things", bytes(resting(few)), bytes(large), 10);
+        }
+    }
+
+    @Test
+    public void whatMovesIsSentByItsPlace() throws Exception {
+        try (Simulation world = world(3)) {
+            Map<String, Object> whole = feed.next(world);
+            int faller = world.getProject().getEnvironment().stream().map(SearObject::getName).collect(Collectors.toList()).indexOf("faller");
+            assertEquals("faller", WorldState.list(whole, "objects").get(faller).get("name"));
+            step(world, STEPS_BETWEEN);
+            Map<String, Object> message = feed.next(world);
+            Map<?, ?> objects = (Map<?, ?>) ((Map<?, ?>) message.get("changes")).get("objects");
+            assertEquals(List.of(faller), List.copyOf(objects.keySet()));
+            double[] pose = (double[]) ((Map<?, ?>) objects.get(faller)).get("pose");
+            assertTrue("it falls: " + pose[1], pose[1] < 1);
+            assertArrayEquals("a page that comes now gets it too", pose, (double[]) WorldState.list(feed.whole(world), "objects").get(faller)
+                .get("pose"), 0);
+        }
+    }
+
+    @Test
+    public void messagesAreNumberedAndAResetBeginsWithTheWhole() throws Exception {
+        try (Simulation world = world(1); Simulation other = world(2)) {
+            assertEquals(1L, feed.next(world).get("number"));
+            step(world, STEPS_BETWEEN);
+            assertEquals(2L, feed.next(world).get("number"));
+            assertEquals("a question for the whole counts nothing", 2L, feed.whole(world).get("number"));
+            assertTrue(feed.next(world).containsKey("changes"));
+            world.reset();
+            Map<String, Object> again = feed.next(world);
+            assertEquals(4L, again.get("number"));
+            assertEquals(3, ((List<?>) again.get("objects")).size());
+            assertEquals("another world", 4, ((List<?>) feed.next(other).get("objects")).size());
+        }
+    }
+}

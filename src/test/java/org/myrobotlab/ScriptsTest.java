@@ -25,7 +25,11 @@ public class ScriptsTest {
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();
 
-    /** Runs a script in the folder of this test. @return what it printed */
+    /**
+     * Runs a script in the folder of this test.
+     *
+     * @return what it printed
+     */
     private String run(String script) throws IOException, InterruptedException {
         File folder = temporary.getRoot();
         File output = new File(folder, script.replace('/', '_') + ".txt");

@@ -36,7 +36,11 @@ final class MrlRun {
         this.err = err;
     }
 
-    /** Starts Python and the tabs. @return Python; null if it can't be */
+    /**
+     * Starts Python and the tabs.
+     *
+     * @return Python; null if it can't be
+     */
     private Python start() {
         Shutdown.then(shutdown::countDown);
         java.lang.Runtime.getRuntime().addShutdownHook(new Thread(MrlRun::release, "release"));

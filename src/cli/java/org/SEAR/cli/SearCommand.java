@@ -18,15 +18,15 @@ import picocli.CommandLine.Spec;
 /** {@code sear SCRIPT.py [options]}, and the other commands of the program. */
 @Command(name = "sear", mixinStandardHelpOptions = true, versionProvider = Version.class,
     subcommands = {CheckCommand.class, SensorsCommand.class, InstallCommand.class, AutoComplete.GenerateCompletion.class},
-    description = "Runs a Python script in a small MyRobotLab with SEAR in it, or opens a project in the tabs, and in the browser where there is one. "
-        + "The project of a script is the folder SEARproject in the present folder.",
+    description = "Runs a Python script in a small MyRobotLab with SEAR in it, or opens a project in the tabs, and in the browser where there is one."
+        + " The project of a script is the folder SEARproject in the present folder.",
     footer = "Exit status: 0 when the script ends, 1 when it raises, 2 when the command makes no sense.")
 public final class SearCommand implements Callable<Integer> {
-    @Parameters(index = "0", paramLabel = "SCRIPT.py|PROJECT", arity = "0..1", description = "A script, Python 2.7 as MyRobotLab has it (Jython); or a "
-        + "bundle (.sear) or a folder, whose project is opened in the tabs. Without it the tabs open on the project of the present folder.")
+    @Parameters(index = "0", paramLabel = "SCRIPT.py|PROJECT", arity = "0..1", description = "A script, Python 2.7 as MyRobotLab has it (Jython); or"
+        + " a bundle (.sear) or a folder, whose project is opened in the tabs. Without it the tabs open on the project of the present folder.")
     private Path script;
-    @Parameters(index = "1..*", paramLabel = "ARGUMENT", arity = "0..*", description = "What the script finds in sys.argv; put -- before the first one "
-        + "if one looks like an option or a command.")
+    @Parameters(index = "1..*", paramLabel = "ARGUMENT", arity = "0..*", description = "What the script finds in sys.argv; put -- before the first"
+        + " one if one looks like an option or a command.")
     private List<String> arguments = List.of();
     @Option(names = "--headless", description = "Open no window.")
     private boolean headless;

@@ -57,7 +57,11 @@ final class Room {
         }
     }
 
-    /** Puts a box of nine numbers into the present project. @param mass kg, 0 fixes it */
+    /**
+     * Puts a box of nine numbers into the present project.
+     *
+     * @param mass kg, 0 fixes it
+     */
     static void add(String name, double[] b, double mass) {
         new Box(name, b[0], b[2], b[1], mass, b[3], b[4], b[5], b[6], b[7], b[8]);
     }

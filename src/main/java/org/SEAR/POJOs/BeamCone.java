@@ -29,7 +29,12 @@ public class BeamCone {
     protected BeamCone() {
     }
 
-    /** An orange cone of 36 lines. @param halfAngle degrees, 0 to 90 @param range metres */
+    /**
+     * An orange cone of 36 lines.
+     *
+     * @param halfAngle degrees, 0 to 90
+     * @param range metres
+     */
     public BeamCone(double halfAngle, double range) {
         this(halfAngle, range, DEFAULT_COLOR);
     }

@@ -19,7 +19,11 @@ public class Box extends Shape {
         this(name, length, width, height, 0);
     }
 
-    /** With its centre in the origin and the default picture of a cardboard box. @param mass kg, 0 fixes it in place */
+    /**
+     * With its centre in the origin and the default picture of a cardboard box.
+     *
+     * @param mass kg, 0 fixes it in place
+     */
     public Box(String name, double length, double width, double height, double mass) {
         this(name, length, width, height, mass, null);
     }

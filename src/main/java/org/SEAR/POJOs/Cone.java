@@ -17,7 +17,11 @@ public class Cone extends Shape {
         this(name, radius, height, 0);
     }
 
-    /** With its centre in the origin and the default picture of a traffic cone. @param mass kg, 0 fixes it in place */
+    /**
+     * With its centre in the origin and the default picture of a traffic cone.
+     *
+     * @param mass kg, 0 fixes it in place
+     */
     public Cone(String name, double radius, double height, double mass) {
         this(name, radius, height, mass, null);
     }

@@ -17,7 +17,11 @@ public class Cylinder extends Shape {
         this(name, radius, height, 0);
     }
 
-    /** With its centre in the origin and the default picture of a recycling bin. @param mass kg, 0 fixes it in place */
+    /**
+     * With its centre in the origin and the default picture of a recycling bin.
+     *
+     * @param mass kg, 0 fixes it in place
+     */
     public Cylinder(String name, double radius, double height, double mass) {
         this(name, radius, height, mass, null);
     }

@@ -45,7 +45,12 @@ public class Distance extends SensorObject {
         created(Distance.class);
     }
 
-    /** A single cone of 36 lines. @param halfAngle degrees @param range metres */
+    /**
+     * A single cone of 36 lines.
+     *
+     * @param halfAngle degrees
+     * @param range metres
+     */
     public Distance(String name, double halfAngle, double range) {
         this(name, Collections.singletonList(new BeamCone(halfAngle, range)));
     }

@@ -37,7 +37,11 @@ public class Dynamics extends SearObject implements SerialObject {
     protected Dynamics() {
     }
 
-    /** With the suspension of the dissertation's Roomba, at the origin. @param mass kg */
+    /**
+     * With the suspension of the dissertation's Roomba, at the origin.
+     *
+     * @param mass kg
+     */
     public Dynamics(String name, double mass) {
         this(name, mass, 0, 0, 0, 0, 0, 0);
     }
@@ -52,7 +56,12 @@ public class Dynamics extends SearObject implements SerialObject {
         this(name, mass, stiffness, compression, damping, maxSuspensionForce, restLength, 0, 0, 0, 0, 0, 0);
     }
 
-    /** With everything. @param maxSuspensionForce N @param restLength metres */
+    /**
+     * With everything.
+     *
+     * @param maxSuspensionForce N
+     * @param restLength metres
+     */
     public Dynamics(String name, double mass, double stiffness, double compression, double damping, double maxSuspensionForce,
             double restLength, double x, double y, double z, double rx, double ry, double rz) {
         super(name);
@@ -121,7 +130,10 @@ public class Dynamics extends SearObject implements SerialObject {
         return model;
     }
 
-    /** @param uart the device's end @param user the end that the user opens */
+    /**
+     * @param uart the device's end
+     * @param user the end that the user opens
+     */
     public void setPorts(String uart, String user) {
         checkPorts(uart, user);
         uartPort = uart;

@@ -3,6 +3,10 @@ package org.SEAR.POJOs;
 /** Takes what is wrong with an object beyond the legal range of a single parameter. */
 @FunctionalInterface
 public interface Faults {
-    /** @param element the parameter to change @param value what it is @param legal what would be right, in words */
+    /**
+     * @param element the parameter to change
+     * @param value what it is
+     * @param legal what would be right, in words
+     */
     void add(String element, Object value, String legal);
 }

@@ -29,12 +29,21 @@ public class GPS extends SensorObject implements SerialObject {
     protected GPS() {
     }
 
-    /** @param latitude degrees @param altitude metres @param longitude degrees */
+    /**
+     * @param latitude degrees
+     * @param altitude metres
+     * @param longitude degrees
+     */
     public GPS(String name, double latitude, double altitude, double longitude) {
         this(name, latitude, altitude, longitude, 0, 0, 0);
     }
 
-    /** With ports. @param uart the device's end @param user the end that the user opens */
+    /**
+     * With ports.
+     *
+     * @param uart the device's end
+     * @param user the end that the user opens
+     */
     public GPS(String name, double latitude, double altitude, double longitude, String uart, String user) {
         super(name);
         this.latitude = latitude + 0.0;
@@ -96,7 +105,10 @@ public class GPS extends SensorObject implements SerialObject {
         return rate;
     }
 
-    /** @param uart the device's end @param user the end that the user opens */
+    /**
+     * @param uart the device's end
+     * @param user the end that the user opens
+     */
     public void setPorts(String uart, String user) {
         checkPorts(uart, user);
         uartPort = uart;

@@ -34,7 +34,11 @@ public class LIDAR extends SensorObject implements SerialObject {
         created(LIDAR.class);
     }
 
-    /** @param range m @param spread degrees @param resolution degrees */
+    /**
+     * @param range m
+     * @param spread degrees
+     * @param resolution degrees
+     */
     public LIDAR(String name, double range, double spread, double resolution) {
         this(name, range, spread, resolution, 0, 0, 0, 0, 0, 0);
     }
@@ -103,7 +107,10 @@ public class LIDAR extends SensorObject implements SerialObject {
         return seesOwnRobot;
     }
 
-    /** @param uart the device's end @param user the end that the user opens */
+    /**
+     * @param uart the device's end
+     * @param user the end that the user opens
+     */
     public void setPorts(String uart, String user) {
         checkPorts(uart, user);
         uartPort = uart;

@@ -15,7 +15,11 @@ public class Model extends Shape {
     protected Model() {
     }
 
-    /** Fixed in place, mass 0. @param path below assets */
+    /**
+     * Fixed in place, mass 0.
+     *
+     * @param path below assets
+     */
     public Model(String name, String path) {
         this(name, path, 0);
     }
@@ -25,7 +29,11 @@ public class Model extends Shape {
         this(name, path, mass, 0, 0, 0, 0, 0, 0);
     }
 
-    /** With its own picture instead of the textures that the model names. @param image path below assets */
+    /**
+     * With its own picture instead of the textures that the model names.
+     *
+     * @param image path below assets
+     */
     public Model(String name, String path, double mass, String image) {
         this(name, path, mass, image, 0, 0, 0, 0, 0, 0);
     }
@@ -66,7 +74,11 @@ public class Model extends Shape {
         return terrain;
     }
 
-    /** Makes it the terrain: fixed, its centre is the world's origin. @throws IllegalArgumentException if it has a mass */
+    /**
+     * Makes it the terrain: fixed, its centre is the world's origin.
+     *
+     * @throws IllegalArgumentException if it has a mass
+     */
     public void setTerrain(boolean on) {
         if (on && getMass() != 0) {
             throw new IllegalArgumentException(label() + ": mass is " + Parameter.format(getMass()) + ", legal: 0 kg for a terrain");

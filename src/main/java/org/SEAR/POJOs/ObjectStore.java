@@ -8,10 +8,18 @@ import java.util.List;
  * {@link java.util.ServiceLoader}. Any thread.
  */
 public interface ObjectStore {
-    /** Writes an object's file, whole or not at all. @param part whether it goes to {@code robot/} instead of {@code environment/} */
+    /**
+     * Writes an object's file, whole or not at all.
+     *
+     * @param part whether it goes to {@code robot/} instead of {@code environment/}
+     */
     void write(SearObject object, boolean part) throws IOException;
 
-    /** Removes the file of an object if there is one. @param part whether it lies in {@code robot/} */
+    /**
+     * Removes the file of an object if there is one.
+     *
+     * @param part whether it lies in {@code robot/}
+     */
     void remove(String name, boolean part) throws IOException;
 
     /**

@@ -66,7 +66,11 @@ public final class ParameterTable {
         return null;
     }
 
-    /** The parameter of an element. @throws IllegalArgumentException if the class has none of that name */
+    /**
+     * The parameter of an element.
+     *
+     * @throws IllegalArgumentException if the class has none of that name
+     */
     Parameter get(String element) {
         Parameter parameter = find(element);
         if (parameter == null) {

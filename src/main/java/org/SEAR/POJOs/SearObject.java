@@ -85,7 +85,11 @@ public abstract class SearObject {
         checked("userPort", user);
     }
 
-    /** Writes the file again. @throws UncheckedIOException if it can't be written; the old file is whole then */
+    /**
+     * Writes the file again.
+     *
+     * @throws UncheckedIOException if it can't be written; the old file is whole then
+     */
     protected final void changed() {
         if (life != Life.LIVE) {
             return;
@@ -107,25 +111,41 @@ public abstract class SearObject {
         return robot != null;
     }
 
-    /** A value that may be assigned. @throws IllegalArgumentException that names object, parameter, value and legal range */
+    /**
+     * A value that may be assigned.
+     *
+     * @throws IllegalArgumentException that names object, parameter, value and legal range
+     */
     protected final double checked(String parameter, double value) {
         check(parameter, value);
         return value + 0.0;
     }
 
-    /** A value that may be assigned. @throws IllegalArgumentException that names object, parameter, value and legal values */
+    /**
+     * A value that may be assigned.
+     *
+     * @throws IllegalArgumentException that names object, parameter, value and legal values
+     */
     protected final int checked(String parameter, int value) {
         check(parameter, value);
         return value;
     }
 
-    /** A value that may be assigned. @throws IllegalArgumentException that names object, parameter, value and legal form */
+    /**
+     * A value that may be assigned.
+     *
+     * @throws IllegalArgumentException that names object, parameter, value and legal form
+     */
     protected final String checked(String parameter, String value) {
         check(parameter, value);
         return value;
     }
 
-    /** A value that may be assigned. @throws IllegalStateException if the object was read from a file */
+    /**
+     * A value that may be assigned.
+     *
+     * @throws IllegalStateException if the object was read from a file
+     */
     protected final boolean checked(String parameter, boolean value) {
         check(parameter, value);
         return value;

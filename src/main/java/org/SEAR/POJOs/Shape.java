@@ -89,7 +89,11 @@ public abstract class Shape extends SearObject {
         changed();
     }
 
-    /** Wraps a picture around it. @param newImage path below assets; null for the default picture */
+    /**
+     * Wraps a picture around it.
+     *
+     * @param newImage path below assets; null for the default picture
+     */
     public void setImage(String newImage) {
         image = checked("image", newImage);
         changed();
@@ -101,7 +105,11 @@ public abstract class Shape extends SearObject {
         changed();
     }
 
-    /** Stretches the object along its own axes. @param sx factor, 0.0001 to 10000 */
+    /**
+     * Stretches the object along its own axes.
+     *
+     * @param sx factor, 0.0001 to 10000
+     */
     public void scale(double sx, double sy, double sz) {
         double checkedX = checked("scaleX", sx);
         double checkedY = checked("scaleY", sy);
@@ -111,7 +119,11 @@ public abstract class Shape extends SearObject {
         changed();
     }
 
-    /** Stretches the object along all axes. @param factor 0.0001 to 10000 */
+    /**
+     * Stretches the object along all axes.
+     *
+     * @param factor 0.0001 to 10000
+     */
     public void scale(double factor) {
         scale(factor, factor, factor);
     }

@@ -76,7 +76,11 @@ public enum TextRule {
 
     abstract boolean allows(String text);
 
-    /** Whether a text is legal. @param text not null */
+    /**
+     * Whether a text is legal.
+     *
+     * @param text not null
+     */
     public boolean isLegal(String text) {
         return text.length() <= MAX_LENGTH && !LINE_BREAKS.matcher(text).find() && wellFormed(text) && allows(text);
     }

@@ -39,7 +39,11 @@ public class Wheel extends Shape {
         this(name, radius, width, type, null, x, y, z);
     }
 
-    /** With everything. @param image path below assets; null for the default picture */
+    /**
+     * With everything.
+     *
+     * @param image path below assets; null for the default picture
+     */
     public Wheel(String name, double radius, double width, int type, String image, double x, double y, double z) {
         super(name, 0);
         this.radius = radius;

@@ -15,7 +15,11 @@ public final class ContactPoints {
         count = 0;
     }
 
-    /** @param nx direction from B to A @param x on B, world frame @param height of A above it, metres */
+    /**
+     * @param nx direction from B to A
+     * @param x on B, world frame
+     * @param height of A above it, metres
+     */
     void add(double nx, double ny, double nz, double x, double y, double z, double height) {
         if (FIELDS * (count + 1) > found.length) {
             found = Arrays.copyOf(found, 2 * found.length);
@@ -69,7 +73,11 @@ public final class ContactPoints {
         return chosen[i];
     }
 
-    /** The lowest, and those farthest from the ones chosen so far; what touches goes before what does not. @return how many */
+    /**
+     * The lowest, and those farthest from the ones chosen so far; what touches goes before what does not.
+     *
+     * @return how many
+     */
     public int choose() {
         int taken = 0;
         while (taken < Math.min(MOST, count)) {

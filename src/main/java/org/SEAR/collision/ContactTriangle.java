@@ -14,7 +14,11 @@ public final class ContactTriangle implements Convex {
     private double lowest;
     private double highest;
 
-    /** @param corners in the mesh's frame @param place of that frame @return false if it has no area */
+    /**
+     * @param corners in the mesh's frame
+     * @param place of that frame
+     * @return false if it has no area
+     */
     public boolean set(Vector3f[] corners, Placement place) {
         for (int i = 0; i < 3; i++) {
             place.transform(corners[i].x, corners[i].y, corners[i].z, at, 3 * i);

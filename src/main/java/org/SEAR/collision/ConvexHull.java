@@ -53,7 +53,11 @@ public final class ConvexHull implements ConvexShape {
         volume = weigh(points, faces);
     }
 
-    /** Adds up the tetrahedra between the first point and each face. @return cubic metres */
+    /**
+     * Adds up the tetrahedra between the first point and each face.
+     *
+     * @return cubic metres
+     */
     private double weigh(double[] p, List<Face> faces) {
         int first = faces.get(0).a;
         double sum = 0;

@@ -17,12 +17,21 @@ public final class ConvexRound implements ConvexShape {
         this.half = half;
     }
 
-    /** A cylinder. @param half of its height, metres */
+    /**
+     * A cylinder.
+     *
+     * @param half of its height, metres
+     */
     public static ConvexRound cylinder(double radius, double half) {
         return new ConvexRound(radius, radius, half);
     }
 
-    /** A cone. @param radius of its base, metres @param half of its height, metres */
+    /**
+     * A cone.
+     *
+     * @param radius of its base, metres
+     * @param half of its height, metres
+     */
     public static ConvexRound cone(double radius, double half) {
         return new ConvexRound(radius, 0, half);
     }

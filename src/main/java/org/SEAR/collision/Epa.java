@@ -48,7 +48,11 @@ final class Epa {
         }
     }
 
-    /** @param p the corners where the search for the distance ended @param q their points of the second set @param into takes the answer */
+    /**
+     * @param p the corners where the search for the distance ended
+     * @param q their points of the second set
+     * @param into takes the answer
+     */
     boolean measure(Convex first, Convex second, double[][] p, double[][] q, int size, GjkDistance into) {
         corners.clear();
         faces.clear();
@@ -93,7 +97,11 @@ final class Epa {
         return corner;
     }
 
-    /** Makes it four corners with room between them. @return false if both sets together are flat */
+    /**
+     * Makes it four corners with room between them.
+     *
+     * @return false if both sets together are flat
+     */
     private boolean fill(Convex first, Convex second) {
         while (corners.size() < 4) {
             Corner best = null;
@@ -143,7 +151,11 @@ final class Epa {
         return nearest;
     }
 
-    /** Takes a corner in: the faces that it sees give way to those between it and their rim. @return false if it sees none */
+    /**
+     * Takes a corner in: the faces that it sees give way to those between it and their rim.
+     *
+     * @return false if it sees none
+     */
     private boolean grow(Corner far, double[] inside) {
         rim.clear();
         int kept = 0;

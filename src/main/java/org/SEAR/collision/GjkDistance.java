@@ -146,7 +146,11 @@ public final class GjkDistance {
         }
     }
 
-    /** The point of the simplex that is nearest to the origin. @return how far it is */
+    /**
+     * The point of the simplex that is nearest to the origin.
+     *
+     * @return how far it is
+     */
     private double approach() {
         for (int axis = 0; axis < 3; axis++) {
             v[axis] = 0;
@@ -223,7 +227,11 @@ public final class GjkDistance {
         }
     }
 
-    /** Takes an edge if the foot of the perpendicular lies in it and is nearer. @return the square of the least distance so far */
+    /**
+     * Takes an edge if the foot of the perpendicular lies in it and is nearer.
+     *
+     * @return the square of the least distance so far
+     */
     private double edge(int i, int j, double least) {
         double ex = p[j][0] - p[i][0];
         double ey = p[j][1] - p[i][1];

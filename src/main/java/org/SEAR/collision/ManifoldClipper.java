@@ -21,14 +21,23 @@ public final class ManifoldClipper {
     public final ContactFeature ofB = new ContactFeature();
     private final int[] chosen = new int[CORNERS];
 
-    /** Adds the points of contact. @param nearest from B to A */
+    /**
+     * Adds the points of contact.
+     *
+     * @param nearest from B to A
+     */
     public void find(GjkDistance nearest, ContactPoints into) {
         if (!faces(nearest.nx, nearest.ny, nearest.nz, into)) {
             into.add(nearest.nx, nearest.ny, nearest.nz, nearest.onB[0], nearest.onB[1], nearest.onB[2], nearest.distance);
         }
     }
 
-    /** Adds the corners of what both share. @param nx direction from B to A @return whether there is such a patch */
+    /**
+     * Adds the corners of what both share.
+     *
+     * @param nx direction from B to A
+     * @return whether there is such a patch
+     */
     public boolean faces(double nx, double ny, double nz, ContactPoints into) {
         double alongA = ofA.flat ? -(nx * ofA.nx + ny * ofA.ny + nz * ofA.nz) : 0;
         double alongB = ofB.flat ? nx * ofB.nx + ny * ofB.ny + nz * ofB.nz : 0;

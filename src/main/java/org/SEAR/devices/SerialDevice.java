@@ -8,7 +8,12 @@ public interface SerialDevice {
     /** The speed the device's UART is set to, bits a second. */
     int getBaud();
 
-    /** A byte has arrived whole. @param value 0 to 255 @param time when its stop bit ended */
+    /**
+     * A byte has arrived whole.
+     *
+     * @param value 0 to 255
+     * @param time when its stop bit ended
+     */
     void receive(int value, double time);
 
     /** A byte came at another speed than the device's: a framing error. */

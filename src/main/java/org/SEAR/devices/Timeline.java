@@ -10,7 +10,11 @@ public final class Timeline {
     private final PriorityQueue<Entry> entries = new PriorityQueue<>();
     private long count;
 
-    /** Runs {@code action} with its time when {@link #runUntil} gets there. @param time simulated seconds */
+    /**
+     * Runs {@code action} with its time when {@link #runUntil} gets there.
+     *
+     * @param time simulated seconds
+     */
     public void at(double time, DoubleConsumer action) {
         entries.add(new Entry(time, count++, action));
     }

@@ -56,7 +56,11 @@ public final class ApproachConstraints {
         one.gap = gap;
     }
 
-    /** Makes the rows of a step. @param body the robot's */
+    /**
+     * Makes the rows of a step.
+     *
+     * @param body the robot's
+     */
     public void prepare(SolverBody body) {
         for (int i = 0; i < count; i++) {
             One one = all.get(i);
@@ -71,7 +75,11 @@ public final class ApproachConstraints {
         }
     }
 
-    /** One iteration of the solver. All points take their share at once: one after the other would turn the body. @param v velocities, changed */
+    /**
+     * One iteration of the solver. All points take their share at once: one after the other would turn the body.
+     *
+     * @param v velocities, changed
+     */
     public void solve(double[] v) {
         for (int sweep = 0; sweep < SWEEPS && count > 0; sweep++) {
             int pressed = 0;
@@ -97,7 +105,12 @@ public final class ApproachConstraints {
         return all.get(i).other;
     }
 
-    /** What it took to stop there, if that can move. @param impulse takes {x, y, z}, Ns @param at takes the point */
+    /**
+     * What it took to stop there, if that can move.
+     *
+     * @param impulse takes {x, y, z}, Ns
+     * @param at takes the point
+     */
     public boolean reaction(int i, double[] impulse, double[] at) {
         One one = all.get(i);
         if (one.other.isFixed() || one.row.impulse == 0) {

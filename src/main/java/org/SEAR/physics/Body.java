@@ -62,7 +62,10 @@ public final class Body {
     private final Vector3f high = new Vector3f();
     private final Vector3f position = new Vector3f();
 
-    /** @param mass kg, 0 = fixed @param centre of mass in the body's frame */
+    /**
+     * @param mass kg, 0 = fixed
+     * @param centre of mass in the body's frame
+     */
     public Body(String name, double mass, List<Solid> solids, Pose[] places, double[] centre, Pose start) {
         this.name = name;
         this.mass = mass;
@@ -117,7 +120,11 @@ public final class Body {
         into.z = from.origin.z;
     }
 
-    /** Puts its first solids into the scenes; the others only collide. @param visible whether beams see each */
+    /**
+     * Puts its first solids into the scenes; the others only collide.
+     *
+     * @param visible whether beams see each
+     */
     public void addTo(Scenes scenes, List<Boolean> visible, int owner, int count) {
         shapes = new int[count];
         for (int i = 0; i < count; i++) {
@@ -211,7 +218,11 @@ public final class Body {
         into[5] = high.z;
     }
 
-    /** Velocity of a point of the body, m/s, everything in the world frame. @param into takes {x, y, z} */
+    /**
+     * Velocity of a point of the body, m/s, everything in the world frame.
+     *
+     * @param into takes {x, y, z}
+     */
     public void velocityAt(double x, double y, double z, double[] into) {
         rigid.getCenterOfMassPosition(low);
         double rx = x - low.x;
@@ -224,7 +235,11 @@ public final class Body {
         into[2] = low.z + high.x * ry - high.y * rx;
     }
 
-    /** Angular velocity in the world frame, rad/s. @param into takes {x, y, z} */
+    /**
+     * Angular velocity in the world frame, rad/s.
+     *
+     * @param into takes {x, y, z}
+     */
     public void angularVelocity(double[] into) {
         rigid.getAngularVelocity(high);
         into[0] = high.x;
@@ -238,7 +253,13 @@ public final class Body {
         approach = new ApproachConstraints();
     }
 
-    /** Says that something stands near a robot's body. @param nx from there to the body, world frame @param x of its surface @param gap metres */
+    /**
+     * Says that something stands near a robot's body.
+     *
+     * @param nx from there to the body, world frame
+     * @param x of its surface
+     * @param gap metres
+     */
     void near(Body other, double nx, double ny, double nz, double x, double y, double z, double gap) {
         if (approach != null) {
             approach.add(other, nx, ny, nz, x, y, z, gap);
@@ -277,7 +298,11 @@ public final class Body {
         rigid.applyImpulse(low, high);
     }
 
-    /** Velocities of its centre of mass, world frame. @param v takes {vx, vy, vz, wx, wy, wz}, m/s and rad/s */
+    /**
+     * Velocities of its centre of mass, world frame.
+     *
+     * @param v takes {vx, vy, vz, wx, wy, wz}, m/s and rad/s
+     */
     public void velocities(double[] v) {
         rigid.getLinearVelocity(low);
         rigid.getAngularVelocity(high);

@@ -37,7 +37,10 @@ public final class PhysicsWorld {
 
     /** Takes the contacts of a step. */
     public interface Touches {
-        /** @param at the contact in the world @param normal of the surface of {@code b}, towards {@code a} */
+        /**
+         * @param at the contact in the world
+         * @param normal of the surface of {@code b}, towards {@code a}
+         */
         void touch(Body a, Body b, Vector3f at, Vector3f normal);
     }
 

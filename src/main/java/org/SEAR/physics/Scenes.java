@@ -21,7 +21,11 @@ public final class Scenes {
         ground = invisible ? new BeamScene() : beams;
     }
 
-    /** Adds a solid of a body. @return its number */
+    /**
+     * Adds a solid of a body.
+     *
+     * @return its number
+     */
     public int add(Body body, Solid solid, boolean visible, int owner) {
         int shape = solid.addTo(beams, owner);
         if (ground != beams) {

@@ -71,7 +71,11 @@ public final class Solid {
         this.scaleZ = sz;
     }
 
-    /** The geometry of an object; null for an object without (a sensor). @throws ProjectException if a model can't be loaded */
+    /**
+     * The geometry of an object; null for an object without (a sensor).
+     *
+     * @throws ProjectException if a model can't be loaded
+     */
     public static Solid of(SearObject object, Project project) throws ProjectException {
         if (!(object instanceof Shape)) {
             return null;
@@ -104,12 +108,20 @@ public final class Solid {
         return object instanceof Model ? model((Model) object, project) : null;
     }
 
-    /** A box. @param halfX metres */
+    /**
+     * A box.
+     *
+     * @param halfX metres
+     */
     public static Solid box(double halfX, double halfY, double halfZ, Pose offset) {
         return new Solid(Kind.BOX, halfX, halfY, halfZ, offset);
     }
 
-    /** A cylinder with its axle along x. @param radius metres */
+    /**
+     * A cylinder with its axle along x.
+     *
+     * @param radius metres
+     */
     public static Solid wheel(double radius, double halfWidth, Pose pose) {
         return new Solid(Kind.CYLINDER, radius, halfWidth, radius, pose.times(AXLE_ALONG_X));
     }
@@ -179,7 +191,11 @@ public final class Solid {
             .toArray(double[][]::new);
     }
 
-    /** Adds it to what beams meet. @return its number there */
+    /**
+     * Adds it to what beams meet.
+     *
+     * @return its number there
+     */
     int addTo(BeamScene scene, int owner) {
         switch (kind) {
             case BOX:
@@ -193,7 +209,11 @@ public final class Solid {
         }
     }
 
-    /** A new collision shape. @param moving whether the body it is for can move: a mesh then becomes its convex hull */
+    /**
+     * A new collision shape.
+     *
+     * @param moving whether the body it is for can move: a mesh then becomes its convex hull
+     */
     CollisionShape collision(boolean moving) {
         Vector3f half = new Vector3f((float) halfX, (float) halfY, (float) halfZ);
         CollisionShape shape;
@@ -259,7 +279,12 @@ public final class Solid {
         return mesh;
     }
 
-    /** A corner of the mesh. @param place of the solid's frame @param into takes {x, y, z} there */
+    /**
+     * A corner of the mesh.
+     *
+     * @param place of the solid's frame
+     * @param into takes {x, y, z} there
+     */
     void corner(int vertex, Pose place, double[] into) {
         double[] at = place.transform(mesh.vertices[vertex * 3] * scaleX, mesh.vertices[vertex * 3 + 1] * scaleY,
             mesh.vertices[vertex * 3 + 2] * scaleZ);

@@ -39,7 +39,11 @@ public final class ObjectDocs {
     private ObjectDocs() {
     }
 
-    /** Writes the page. @param args the file */
+    /**
+     * Writes the page.
+     *
+     * @param args the file
+     */
     public static void main(String[] args) throws IOException {
         Files.write(Paths.get(args[0]), page().getBytes(StandardCharsets.UTF_8));
     }

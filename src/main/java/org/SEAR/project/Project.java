@@ -23,7 +23,11 @@ public final class Project {
         this.assets = new Assets(folder.resolve(ProjectFolder.ASSETS));
     }
 
-    /** Reads and validates a folder. @throws ProjectException with every problem found */
+    /**
+     * Reads and validates a folder.
+     *
+     * @throws ProjectException with every problem found
+     */
     public static Project read(Path folder) throws ProjectException {
         return new ProjectReader(folder).read();
     }

@@ -144,7 +144,11 @@ public final class ProjectSwap implements AutoCloseable {
         return Files.createDirectory(beside(folder, LOADING));
     }
 
-    /** Puts the staged project in the place of the present one. @return where the old one went; null if there was none */
+    /**
+     * Puts the staged project in the place of the present one.
+     *
+     * @return where the old one went; null if there was none
+     */
     public Path putInPlace() throws IOException {
         Path next = beside(folder, NEXT);
         Files.move(beside(folder, LOADING), next, StandardCopyOption.ATOMIC_MOVE);
@@ -153,7 +157,11 @@ public final class ProjectSwap implements AutoCloseable {
         return backup;
     }
 
-    /** Renames the present project to a backup. @return the backup; null if there was no project */
+    /**
+     * Renames the present project to a backup.
+     *
+     * @return the backup; null if there was no project
+     */
     public Path retire() throws IOException {
         if (!Files.isDirectory(folder)) {
             return null;

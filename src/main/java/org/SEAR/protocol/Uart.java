@@ -8,12 +8,21 @@ public final class Uart {
     private Uart() {
     }
 
-    /** Seconds that so many bytes take. @param baud bits a second, above 0 */
+    /**
+     * Seconds that so many bytes take.
+     *
+     * @param baud bits a second, above 0
+     */
     public static double seconds(int bytes, double baud) {
         return bytes * BITS_PER_BYTE / baud;
     }
 
-    /** Bytes that fit through the line in a time. @param seconds 0 or more @param baud bits a second, above 0 */
+    /**
+     * Bytes that fit through the line in a time.
+     *
+     * @param seconds 0 or more
+     * @param baud bits a second, above 0
+     */
     public static double bytes(double seconds, double baud) {
         return baud / BITS_PER_BYTE * seconds;
     }

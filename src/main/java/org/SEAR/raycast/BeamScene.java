@@ -41,17 +41,30 @@ public final class BeamScene {
         return CASTERS.get();
     }
 
-    /** Adds a box with its centre in the origin. @return the shape's number, counted from 0 @param halfX metres */
+    /**
+     * Adds a box with its centre in the origin.
+     *
+     * @return the shape's number, counted from 0
+     * @param halfX metres
+     */
     public int addBox(double halfX, double halfY, double halfZ, int owner) {
         return add(Shapes.BOX, owner, null, halfX, halfY, halfZ);
     }
 
-    /** Adds a solid cylinder about the y axis, centred in the origin. @param radius metres */
+    /**
+     * Adds a solid cylinder about the y axis, centred in the origin.
+     *
+     * @param radius metres
+     */
     public int addCylinder(double radius, double halfHeight, int owner) {
         return add(Shapes.ROUND, owner, null, radius, 0, halfHeight);
     }
 
-    /** Adds a solid cone about the y axis, apex at +halfHeight, base at -halfHeight. @param radius of the base, metres */
+    /**
+     * Adds a solid cone about the y axis, apex at +halfHeight, base at -halfHeight.
+     *
+     * @param radius of the base, metres
+     */
     public int addCone(double radius, double halfHeight, int owner) {
         return add(Shapes.ROUND, owner, null, radius / 2, -radius / (2 * halfHeight), halfHeight);
     }

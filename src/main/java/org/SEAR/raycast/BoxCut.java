@@ -116,7 +116,11 @@ final class BoxCut {
         face2 = f;
     }
 
-    /** Brings the ends of an edge into order. @return false when it is seen end-on */
+    /**
+     * Brings the ends of an edge into order.
+     *
+     * @return false when it is seen end-on
+     */
     boolean turn(int edge) {
         int next = edge + 1 == size ? 0 : edge + 1;
         double turn = vz[edge] * vx[next] - vx[edge] * vz[next];
@@ -129,7 +133,11 @@ final class BoxCut {
         return turn != 0;
     }
 
-    /** Computes the line of an edge. @return false where the edge is on the far side, unless all are seen from inside */
+    /**
+     * Computes the line of an edge.
+     *
+     * @return false where the edge is on the far side, unless all are seen from inside
+     */
     boolean line(double[] fan, int edge) {
         int axis = face[edge] >> 1;
         double gap = (face[edge] & 1) == 0 ? -half[axis] - fan[axis] : half[axis] - fan[axis];

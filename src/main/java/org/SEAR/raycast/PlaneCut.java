@@ -44,7 +44,11 @@ final class PlaneCut {
     private double slackX;
     private double slackZ;
 
-    /** To be called once the coefficients are set. @param tree whose nodes will be asked for */
+    /**
+     * To be called once the coefficients are set.
+     *
+     * @param tree whose nodes will be asked for
+     */
     void ready(Tree tree) {
         reachHa = Math.abs(ha) / 2;
         reachHb = Math.abs(hb) / 2;

@@ -43,7 +43,11 @@ final class Tree {
         data[node * STRIDE + COUNT] = Float.intBitsToFloat(count);
     }
 
-    /** Recomputes the bounds of an inner node from its children. @return whether they changed */
+    /**
+     * Recomputes the bounds of an inner node from its children.
+     *
+     * @return whether they changed
+     */
     boolean refit(int node) {
         int at = node * STRIDE;
         int left = link(node) * STRIDE;

@@ -76,7 +76,11 @@ final class TreeBuilder {
         split(children + 1, middle, to, depth + 1);
     }
 
-    /** Orders the items into two sides. @return where the right side begins, or -1 when a leaf is better */
+    /**
+     * Orders the items into two sides.
+     *
+     * @return where the right side begins, or -1 when a leaf is better
+     */
     private int chooseSplit(int node, int from, int to, int depth) {
         int n = to - from;
         empty(centres, 0);

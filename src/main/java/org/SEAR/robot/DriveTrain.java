@@ -77,7 +77,11 @@ public final class DriveTrain implements Drive {
         return Math.min(RAMP, TIPPING_SHARE * PhysicsWorld.GRAVITY * room / Math.max(mass[1] - lowest, NO_TRACK));
     }
 
-    /** Shares out the motor force and the grip. @return distance of the left from the right driven wheels, metres */
+    /**
+     * Shares out the motor force and the grip.
+     *
+     * @return distance of the left from the right driven wheels, metres
+     */
     private double equip() {
         double widest = 0;
         double front = Double.NEGATIVE_INFINITY;

@@ -106,7 +106,10 @@ public final class RaycastWheel {
         return object.isDriven();
     }
 
-    /** @param force greatest force of the wheel's motor, N; 0 for an idler @param sideways coefficient of friction across */
+    /**
+     * @param force greatest force of the wheel's motor, N; 0 for an idler
+     * @param sideways coefficient of friction across
+     */
     void equip(double force, double sideways) {
         motorImpulse = force * TimeStep.SECONDS;
         sideGrip = sideways;
@@ -155,7 +158,12 @@ public final class RaycastWheel {
         wz = from[2] - ahead.nz * reach;
     }
 
-    /** Looks for ground. @param body the robot's frame @param owner whose parts are not ground */
+    /**
+     * Looks for ground.
+     *
+     * @param body the robot's frame
+     * @param owner whose parts are not ground
+     */
     void look(Scenes scenes, Pose body, int owner, double[] up) {
         double sx = x;
         double sy = y + radius;
@@ -256,7 +264,11 @@ public final class RaycastWheel {
         slide.add(v, -(slide.speed(v) - groundSlide) / slide.mobility, -hold, hold);
     }
 
-    /** One iteration of the solver. @param v velocities of the centre of mass, changed */
+    /**
+     * One iteration of the solver.
+     *
+     * @param v velocities of the centre of mass, changed
+     */
     void solve(double[] v) {
         if (obstacle != null) {
             solveObstacle(v);
@@ -279,7 +291,11 @@ public final class RaycastWheel {
         }
     }
 
-    /** Turns the wheel by what it rolled in this step. @param v velocities of the centre of mass after it */
+    /**
+     * Turns the wheel by what it rolled in this step.
+     *
+     * @param v velocities of the centre of mass after it
+     */
     void roll(double[] v) {
         double speed = target;
         load = 0;
@@ -318,7 +334,12 @@ public final class RaycastWheel {
         return true;
     }
 
-    /** Gives the ground, if it can move, what it takes to carry the wheel. @param impulse takes {x, y, z}, Ns @param at takes the point */
+    /**
+     * Gives the ground, if it can move, what it takes to carry the wheel.
+     *
+     * @param impulse takes {x, y, z}, Ns
+     * @param at takes the point
+     */
     boolean reaction(double[] impulse, double[] at) {
         if (!grounded || under.isFixed()) {
             return false;
@@ -333,7 +354,11 @@ public final class RaycastWheel {
         return true;
     }
 
-    /** Velocity of the ground under the wheel, m/s. @param into takes {x, y, z} */
+    /**
+     * Velocity of the ground under the wheel, m/s.
+     *
+     * @param into takes {x, y, z}
+     */
     private void speedOfGround(double[] into) {
         into[0] = 0;
         into[1] = 0;

@@ -67,7 +67,10 @@ public final class RobotBuilder {
         body.setRobot();
     }
 
-    /** @param warnings takes what the user should know @throws ProjectException if it can't be a robot of a world */
+    /**
+     * @param warnings takes what the user should know
+     * @throws ProjectException if it can't be a robot of a world
+     */
     public static RobotBuilder of(SEARrobot robot, Project project, List<String> warnings) throws ProjectException {
         return new RobotBuilder(robot, project, warnings);
     }

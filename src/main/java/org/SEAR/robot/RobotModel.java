@@ -120,7 +120,11 @@ public final class RobotModel implements Robot, RobotHardware {
         }
     }
 
-    /** Something touches the body. @param normal of the surface that touches, vertical part decides whether it is an obstacle */
+    /**
+     * Something touches the body.
+     *
+     * @param normal of the surface that touches, vertical part decides whether it is an obstacle
+     */
     public void touch(Vector3f at, Vector3f normal) {
         if (Math.abs(normal.y) > LEVEL) {
             return;

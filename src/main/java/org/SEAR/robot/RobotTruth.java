@@ -48,7 +48,11 @@ public final class RobotTruth implements Truth {
         Arrays.fill(angular, 0);
     }
 
-    /** Takes over the state after a step. @param awake whether the robot may have moved */
+    /**
+     * Takes over the state after a step.
+     *
+     * @param awake whether the robot may have moved
+     */
     public void update(long newStep, boolean awake) {
         step = newStep;
         if (!awake) {

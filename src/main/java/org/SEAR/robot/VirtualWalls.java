@@ -23,7 +23,11 @@ public final class VirtualWalls {
         }
     }
 
-    /** Whether a point is in a beam. @param x world frame, metres */
+    /**
+     * Whether a point is in a beam.
+     *
+     * @param x world frame, metres
+     */
     boolean reach(double x, double y, double z) {
         for (int i = 0; i < walls.size(); i++) {
             Pose wall = walls.get(i).getPose();

@@ -15,7 +15,10 @@ public final class CounterRandom {
 
     private final long key;
 
-    /** @param seed of the simulation @param name of whoever owns these numbers */
+    /**
+     * @param seed of the simulation
+     * @param name of whoever owns these numbers
+     */
     public CounterRandom(long seed, String name) {
         long state = mix(seed + GOLDEN);
         for (int i = 0; i < name.length(); i++) {
@@ -24,7 +27,12 @@ public final class CounterRandom {
         this.key = state;
     }
 
-    /** 64 random bits. @param stream what they are for @param index which of the numbers of this step and stream */
+    /**
+     * 64 random bits.
+     *
+     * @param stream what they are for
+     * @param index which of the numbers of this step and stream
+     */
     public long bits(long step, int stream, int index) {
         long state = mix(key + GOLDEN * (step + 1));
         return mix(state + GOLDEN * (((long) stream << 32) + index + 1));

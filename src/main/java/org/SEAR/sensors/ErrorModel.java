@@ -61,7 +61,11 @@ public final class ErrorModel {
         java.util.Arrays.fill(drift, 0);
     }
 
-    /** Whether a value is missing. @param sample which of the step's values (a beam, an axis; 0 if all of a reading drop out together) */
+    /**
+     * Whether a value is missing.
+     *
+     * @param sample which of the step's values (a beam, an axis; 0 if all of a reading drop out together)
+     */
     public boolean drops(long step, int sample) {
         return noise != null && noise.getDropout() > 0 && random.uniform(step, DROPOUT, sample) < noise.getDropout();
     }

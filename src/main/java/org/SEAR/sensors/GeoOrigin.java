@@ -16,7 +16,11 @@ public final class GeoOrigin {
     private final double altitude;
     private final double longitude;
 
-    /** @param latitude degrees, + north @param altitude metres @param longitude degrees, + east */
+    /**
+     * @param latitude degrees, + north
+     * @param altitude metres
+     * @param longitude degrees, + east
+     */
     public GeoOrigin(double latitude, double altitude, double longitude) {
         this.latitude = latitude;
         this.altitude = altitude;

@@ -35,7 +35,11 @@ public final class LidarScan {
         return ranges.length;
     }
 
-    /** Metres along a beam, +infinity where nothing was hit. @param beam 0 (rightmost) to size() - 1 */
+    /**
+     * Metres along a beam, +infinity where nothing was hit.
+     *
+     * @param beam 0 (rightmost) to size() - 1
+     */
     public double range(int beam) {
         return ranges[beam];
     }

@@ -70,7 +70,11 @@ public final class MagneticModel {
         }
     }
 
-    /** Reads a file in NOAA's COF form. @throws FormatException that names line and what is wrong */
+    /**
+     * Reads a file in NOAA's COF form.
+     *
+     * @throws FormatException that names line and what is wrong
+     */
     public static MagneticModel read(Path file) throws FormatException {
         try (BufferedReader in = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
             return parse(in);
@@ -152,7 +156,11 @@ public final class MagneticModel {
         return name;
     }
 
-    /** Whether the model was made for the year. @param decimalYear for example 2026.5 */
+    /**
+     * Whether the model was made for the year.
+     *
+     * @param decimalYear for example 2026.5
+     */
     public boolean covers(double decimalYear) {
         return decimalYear >= epoch && decimalYear <= epoch + YEARS_VALID;
     }

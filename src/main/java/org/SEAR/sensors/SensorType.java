@@ -18,6 +18,10 @@ public interface SensorType {
         return "";
     }
 
-    /** A sensor for the object. @param seed of the simulation, from which the sensor derives its own random numbers */
+    /**
+     * A sensor for the object.
+     *
+     * @param seed of the simulation, from which the sensor derives its own random numbers
+     */
     Sensor<?> create(SearObject parameters, long seed);
 }

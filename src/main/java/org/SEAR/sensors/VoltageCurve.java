@@ -17,7 +17,11 @@ final class VoltageCurve {
         volts = points.stream().mapToDouble(VoltagePoint::getVolts).toArray();
     }
 
-    /** Volts; NaN without a curve. @param distance metres, +infinity if nothing is there */
+    /**
+     * Volts; NaN without a curve.
+     *
+     * @param distance metres, +infinity if nothing is there
+     */
     double at(double distance) {
         if (volts.length == 0) {
             return Double.NaN;

@@ -8,12 +8,21 @@ final class Window {
     private int next;
     private int filled;
 
-    /** Steps that a window of 1 / bandwidth takes, at least one. @param bandwidth Hz @param stepLength seconds */
+    /**
+     * Steps that a window of 1 / bandwidth takes, at least one.
+     *
+     * @param bandwidth Hz
+     * @param stepLength seconds
+     */
     static int steps(double bandwidth, double stepLength) {
         return (int) Math.max(1, Math.round(1 / (bandwidth * stepLength)));
     }
 
-    /** Takes a value. @param steps length of the window, always the same between two {@link #clear} */
+    /**
+     * Takes a value.
+     *
+     * @param steps length of the window, always the same between two {@link #clear}
+     */
     void add(int steps, double x, double y, double z) {
         if (values.length != 3 * steps) {
             values = new double[3 * steps];

@@ -112,14 +112,22 @@ final class Instruments {
         }
     }
 
-    /** Devices phase. @param end of the step */
+    /**
+     * Devices phase.
+     *
+     * @param end of the step
+     */
     void run(double end) {
         for (int i = 0; i < ports.size(); i++) {
             ports.get(i).getCable().run(end);
         }
     }
 
-    /** Outputs phase. @param end of the step */
+    /**
+     * Outputs phase.
+     *
+     * @param end of the step
+     */
     void deliver(double end) {
         for (int i = 0; i < ports.size(); i++) {
             Port port = ports.get(i);

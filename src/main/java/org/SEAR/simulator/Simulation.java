@@ -66,7 +66,11 @@ public final class Simulation implements AutoCloseable {
         return of(project, seed, EPOCH);
     }
 
-    /** Builds the world of a project. @param epochMillis UTC of simulated time 0, milliseconds since 1970 */
+    /**
+     * Builds the world of a project.
+     *
+     * @param epochMillis UTC of simulated time 0, milliseconds since 1970
+     */
     public static Simulation of(Project project, long seed, long epochMillis) throws ProjectException {
         return new Simulation(project, seed, epochMillis);
     }
@@ -192,12 +196,20 @@ public final class Simulation implements AutoCloseable {
         return world.getCorners(object);
     }
 
-    /** A sensor by name. @throws IllegalArgumentException that names the sensors there are. Simulation thread. */
+    /**
+     * A sensor by name.
+     *
+     * @throws IllegalArgumentException that names the sensors there are. Simulation thread.
+     */
     public Sensor<?> getSensor(String name) {
         return instruments.sensor(name);
     }
 
-    /** The present reading of a sensor. Simulation thread. @throws IllegalArgumentException that names the sensors there are */
+    /**
+     * The present reading of a sensor. Simulation thread.
+     *
+     * @throws IllegalArgumentException that names the sensors there are
+     */
     public Object read(String sensorName) {
         return instruments.read(sensorName);
     }
@@ -225,7 +237,11 @@ public final class Simulation implements AutoCloseable {
         snapshot = observer.look(step);
     }
 
-    /** Snapshots carry fresh readings and status lines every so many steps. Simulation thread. @param steps 1 or more, default 2 */
+    /**
+     * Snapshots carry fresh readings and status lines every so many steps. Simulation thread.
+     *
+     * @param steps 1 or more, default 2
+     */
     void setDisplayInterval(int steps) {
         observer.setInterval(steps);
     }

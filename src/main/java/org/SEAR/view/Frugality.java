@@ -13,7 +13,11 @@ final class Frugality {
     private int frames;
     private float rate = Float.NaN;
 
-    /** Counts a picture. @return whether the last trial showed too few */
+    /**
+     * Counts a picture.
+     *
+     * @return whether the last trial showed too few
+     */
     boolean count(float frameTime) {
         time += frameTime;
         if (time < 0) {

@@ -30,7 +30,10 @@ final class Screenshots implements SceneProcessor {
     private boolean wanted;
     private Path named;
 
-    /** @param writer writes the files @param tell takes the news, on the writer's thread */
+    /**
+     * @param writer writes the files
+     * @param tell takes the news, on the writer's thread
+     */
     Screenshots(Path folder, ExecutorService writer, Consumer<String> tell) {
         this.folder = folder;
         this.writer = writer;

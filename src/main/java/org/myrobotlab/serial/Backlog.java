@@ -18,7 +18,11 @@ public final class Backlog {
     private Backlog() {
     }
 
-    /** Whether a service has more messages on their way out than a piece may be added to. @param listener a service, or anything else: false */
+    /**
+     * Whether a service has more messages on their way out than a piece may be added to.
+     *
+     * @param listener a service, or anything else: false
+     */
     public static boolean isLong(Object listener) {
         return listener instanceof ServiceInterface && ((ServiceInterface) listener).getOutbox().isRunning()
             && ((ServiceInterface) listener).getOutbox().size() > MOST_MESSAGES;

@@ -17,7 +17,11 @@ final class ByteQueue {
         bursts.add(new Burst(bytes, null, 0, 0));
     }
 
-    /** Bytes that follow one another over the line. @param byteTime seconds a byte */
+    /**
+     * Bytes that follow one another over the line.
+     *
+     * @param byteTime seconds a byte
+     */
     void add(byte[] bytes, PortClock clock, double byteTime) {
         double now = clock.now();
         double start = clock == lineClock && lineFreeAt > now ? lineFreeAt : now;

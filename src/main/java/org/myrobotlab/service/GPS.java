@@ -70,7 +70,11 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         }
     }
 
-    /** Connects at the configured baud rate, 38400 unless set. @throws IOException that says what is wrong */
+    /**
+     * Connects at the configured baud rate, 38400 unless set.
+     *
+     * @throws IOException that says what is wrong
+     */
     public void connect(String port) throws IOException {
         connect(port, config.baud);
     }

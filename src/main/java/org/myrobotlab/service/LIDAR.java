@@ -59,7 +59,11 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
         }
     }
 
-    /** Connects at the configured baud rate, 9600 unless set: the device's own after power-on. @throws IOException that says what is wrong */
+    /**
+     * Connects at the configured baud rate, 9600 unless set: the device's own after power-on.
+     *
+     * @throws IOException that says what is wrong
+     */
     public void connect(String port) throws IOException {
         connect(port, config.baud);
     }
@@ -142,7 +146,8 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
     /**
      * Sets the width of the fan and the angle between its beams, degrees.
      *
-     * @param spread 100 or 180 @param resolution 1, 0.5 or (with 100) 0.25
+     * @param spread 100 or 180
+     * @param resolution 1, 0.5 or (with 100) 0.25
      */
     public void setScanMode(int spread, double resolution) {
         ready().setVariant(spread, resolution);

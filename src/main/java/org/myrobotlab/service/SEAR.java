@@ -159,7 +159,12 @@ public class SEAR extends Service<SEARConfig> {
 
     // ---- driving and reading ---------------------------------------------------------------------------------------
 
-    /** Drives the first robot. @param speed m/s, + forward @param radius metres, + to the left; infinity = straight, 0 = in place to the left */
+    /**
+     * Drives the first robot.
+     *
+     * @param speed m/s, + forward
+     * @param radius metres, + to the left; infinity = straight, 0 = in place to the left
+     */
     public void drive(double speed, double radius) {
         drive(null, speed, radius);
     }
@@ -227,7 +232,11 @@ public class SEAR extends Service<SEARConfig> {
 
     // ---- publishing ------------------------------------------------------------------------------------------------
 
-    /** Publishes a sensor's readings again and again, for those who subscribe to publishReading. @param rate readings a simulated second, to 60 */
+    /**
+     * Publishes a sensor's readings again and again, for those who subscribe to publishReading.
+     *
+     * @param rate readings a simulated second, to 60
+     */
     public void startPublishing(String sensor, double rate) {
         attempt(() -> {
             works.publisher().start(sensor, rate);
@@ -286,7 +295,11 @@ public class SEAR extends Service<SEARConfig> {
 
     // ---- projects and ports ----------------------------------------------------------------------------------------
 
-    /** Begins an empty project; the present one is kept. @return where it was put; null if there was none */
+    /**
+     * Begins an empty project; the present one is kept.
+     *
+     * @return where it was put; null if there was none
+     */
     public String newProject() {
         return attempt(() -> text(works.projects().startAnew()));
     }
@@ -323,7 +336,11 @@ public class SEAR extends Service<SEARConfig> {
         return attempt(() -> works.projects().importRobot(bundle(path), name == null ? null : ScriptText.of(name)));
     }
 
-    /** Adds the environment of a bundle or project folder to the present project, as {@link #importRobot} a robot. @return the objects' names here */
+    /**
+     * Adds the environment of a bundle or project folder to the present project, as {@link #importRobot} a robot.
+     *
+     * @return the objects' names here
+     */
     public List<String> importEnvironment(String path) {
         return attempt(() -> works.projects().importEnvironment(bundle(path)));
     }
@@ -350,22 +367,38 @@ public class SEAR extends Service<SEARConfig> {
         return attempt(() -> works.projects().examples());
     }
 
-    /** Copies a template, {@code controller.py} or {@code userCode.py}, into a folder. @return the copy's path */
+    /**
+     * Copies a template, {@code controller.py} or {@code userCode.py}, into a folder.
+     *
+     * @return the copy's path
+     */
     public String copyTemplate(String name, String folder) {
         return attempt(() -> text(works.projects().copyTemplate(name, folder)));
     }
 
-    /** Lets any program on this computer open a virtual port, as a pseudo-terminal (Linux, macOS). @return the path to open */
+    /**
+     * Lets any program on this computer open a virtual port, as a pseudo-terminal (Linux, macOS).
+     *
+     * @return the path to open
+     */
     public String exportPort(String userPort) {
         return exportPort(userPort, null);
     }
 
-    /** @param link path of a symbolic link that is to lead to the pseudo-terminal, so that its name stays the same @return the path to open */
+    /**
+     * @param link path of a symbolic link that is to lead to the pseudo-terminal, so that its name stays the same
+     * @return the path to open
+     */
     public String exportPort(String userPort, String link) {
         return attempt(() -> works.exports().terminal(userPort, link));
     }
 
-    /** The same as a TCP server on the loopback address, raw bytes, on every system. @param number TCP port, 0 for any free one @return the number */
+    /**
+     * The same as a TCP server on the loopback address, raw bytes, on every system.
+     *
+     * @param number TCP port, 0 for any free one
+     * @return the number
+     */
     public int exportTcp(String userPort, int number) {
         return attempt(() -> works.exports().tcp(userPort, number));
     }

@@ -41,7 +41,11 @@ final class Works {
         control.setStepListener(publisher::publishDue);
     }
 
-    /** Takes a message that lock-step has sent behind others and waits for. @return whether it is one */
+    /**
+     * Takes a message that lock-step has sent behind others and waits for.
+     *
+     * @return whether it is one
+     */
     public static boolean isFence(Message message) {
         boolean is = Fence.CALLBACK.equals(message.method) && message.data != null && message.data[0] instanceof FencePass;
         if (is) {
@@ -86,7 +90,11 @@ final class Works {
         return session == null ? WorldFeed.nothing() : session.ask(world -> feed.whole(world, session));
     }
 
-    /** The world as it would start, for panels while nothing runs; nothing while a simulation does. @param known the stamp of the one they have */
+    /**
+     * The world as it would start, for panels while nothing runs; nothing while a simulation does.
+     *
+     * @param known the stamp of the one they have
+     */
     public Map<String, Object> preview(String known) {
         if (control.isRunning()) {
             return Collections.emptyMap();

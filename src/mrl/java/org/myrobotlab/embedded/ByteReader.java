@@ -27,7 +27,10 @@ public final class ByteReader {
         return timeoutMs;
     }
 
-    /** @return 0 to 255. @throws IOException when the time-out ends */
+    /**
+     * @return 0 to 255.
+     * @throws IOException when the time-out ends
+     */
     public int read() throws IOException, InterruptedException {
         Integer value = next();
         if (value == null) {

@@ -16,7 +16,11 @@ public final class Configs {
     private Configs() {
     }
 
-    /** What is written for a service; null if there is no file. @throws IllegalArgumentException if the file is no configuration */
+    /**
+     * What is written for a service; null if there is no file.
+     *
+     * @throws IllegalArgumentException if the file is no configuration
+     */
     public static ServiceConfig read(String set, String name) {
         Path file = file(set, name);
         if (!Files.isRegularFile(file)) {

@@ -12,7 +12,10 @@ public final class ConsoleStream extends OutputStream {
     private final Consumer<String> lines;
     private final ByteArrayOutputStream line = new ByteArrayOutputStream();
 
-    /** @param console gets each byte; @param lines gets each line with its line end */
+    /**
+     * @param console gets each byte
+     * @param lines gets each line with its line end
+     */
     public ConsoleStream(OutputStream console, Consumer<String> lines) {
         this.console = console;
         this.lines = lines;

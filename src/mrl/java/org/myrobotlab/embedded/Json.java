@@ -64,7 +64,11 @@ public final class Json {
         }
     }
 
-    /** Turns what was read as plain JSON into an object of a type. @throws IllegalArgumentException if it doesn't fit */
+    /**
+     * Turns what was read as plain JSON into an object of a type.
+     *
+     * @throws IllegalArgumentException if it doesn't fit
+     */
     public static Object convert(Object value, java.lang.reflect.Type type) {
         return MAPPER.convertValue(value, MAPPER.constructType(type));
     }

@@ -43,12 +43,20 @@ public abstract class MessagedService extends PublishingService implements Broad
         }
     }
 
-    /** Sees each message first. @return false if it was dealt with. An exception ends the service's thread. */
+    /**
+     * Sees each message first.
+     *
+     * @return false if it was dealt with. An exception ends the service's thread.
+     */
     public boolean preRoutingHook(Message msg) {
         return true;
     }
 
-    /** Sees each message before it is carried out. @return false if it was dealt with. An exception ends the service's thread. */
+    /**
+     * Sees each message before it is carried out.
+     *
+     * @return false if it was dealt with. An exception ends the service's thread.
+     */
     public boolean preProcessHook(Message msg) {
         return true;
     }

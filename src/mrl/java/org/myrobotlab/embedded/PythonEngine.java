@@ -42,7 +42,10 @@ public final class PythonEngine {
     /** Calls of the script's functions, compiled when they came first, by bare name. */
     private final Map<String, PyCode> calls = new ConcurrentHashMap<>();
 
-    /** @param out where scripts print to; @param err where errors go */
+    /**
+     * @param out where scripts print to
+     * @param err where errors go
+     */
     public PythonEngine(String name, OutputStream out, OutputStream err) {
         this.name = name;
         initialize();
@@ -68,7 +71,11 @@ public final class PythonEngine {
         return ENGINES.get(serviceName);
     }
 
-    /** Runs a file; its folder is where it imports from. @throws IOException if it can't be read */
+    /**
+     * Runs a file; its folder is where it imports from.
+     *
+     * @throws IOException if it can't be read
+     */
     public ScriptResult runFile(String file) throws IOException {
         Path path = Paths.get(file).toAbsolutePath();
         byte[] code = Files.readAllBytes(path);
@@ -180,7 +187,11 @@ public final class PythonEngine {
         }
     }
 
-    /** Breaks off all that runs, with a KeyboardInterrupt. @return whether anything ran */
+    /**
+     * Breaks off all that runs, with a KeyboardInterrupt.
+     *
+     * @return whether anything ran
+     */
     public boolean interrupt() {
         synchronized (running) {
             running.forEach((thread, run) -> {

@@ -22,7 +22,11 @@ public final class Registry {
         services.put(service.getFullName(), service);
     }
 
-    /** Takes a service out. @return whether it was there */
+    /**
+     * Takes a service out.
+     *
+     * @return whether it was there
+     */
     public synchronized boolean remove(String fullName) {
         return services.remove(fullName) != null;
     }

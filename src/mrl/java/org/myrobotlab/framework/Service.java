@@ -35,7 +35,10 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
     protected boolean ready = true;
     private volatile boolean running;
 
-    /** @param name unlike that of any other service; @param id of this process */
+    /**
+     * @param name unlike that of any other service
+     * @param id of this process
+     */
     @SuppressWarnings("unchecked")
     public Service(String name, String id) {
         super(name, id);

@@ -131,13 +131,21 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
 
     // ---- running ------------------------------------------------------------------------------------------------------
 
-    /** Runs code and waits for its end. @return whether it ended well; if not, an error status has the traceback */
+    /**
+     * Runs code and waits for its end.
+     *
+     * @return whether it ended well; if not, an error status has the traceback
+     */
     @Override
     public boolean exec(String code) {
         return exec(code, true);
     }
 
-    /** Runs code. @return whether it ended well, or without blocking, whether it was started */
+    /**
+     * Runs code.
+     *
+     * @return whether it ended well, or without blocking, whether it was started
+     */
     public boolean exec(String code, boolean blocking) {
         if (!blocking) {
             startThread(() -> exec(code));
@@ -151,7 +159,11 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         }
     }
 
-    /** Runs a file and waits for its end. @return whether it ended well; if not, an error status has the traceback */
+    /**
+     * Runs a file and waits for its end.
+     *
+     * @return whether it ended well; if not, an error status has the traceback
+     */
     public boolean execFile(String file) throws IOException {
         return execFile(file, true);
     }
@@ -214,7 +226,11 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         return result.getExitCode() == 0 && !result.isStopped();
     }
 
-    /** Breaks off the script and all callbacks. @return whether anything ran */
+    /**
+     * Breaks off the script and all callbacks.
+     *
+     * @return whether anything ran
+     */
     public boolean stop() {
         callbacks.clear();
         return engine != null && engine.interrupt();
@@ -284,7 +300,11 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
 
     // ---- the editor ---------------------------------------------------------------------------------------------------
 
-    /** Opens a script in the editor. @throws IOException if there is no such file */
+    /**
+     * Opens a script in the editor.
+     *
+     * @throws IOException if there is no such file
+     */
     public void openScript(String file) throws IOException {
         Path path = resolve(file);
         openedScripts.remove(file);
@@ -314,7 +334,11 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         broadcastState();
     }
 
-    /** Writes a script, as a whole or not at all. @throws IOException if its folder is missing */
+    /**
+     * Writes a script, as a whole or not at all.
+     *
+     * @throws IOException if its folder is missing
+     */
     public void saveScript(String file, String code) throws IOException {
         Path path = resolve(file);
         Path part = path.resolveSibling(path.getFileName() + ".part");

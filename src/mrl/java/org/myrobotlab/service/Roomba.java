@@ -102,7 +102,11 @@ public class Roomba extends Service<RoombaConfig> {
         return chosen != null && chosen.isConnected();
     }
 
-    /** Closes the port. @return whether it was open */
+    /**
+     * Closes the port.
+     *
+     * @return whether it was open
+     */
     public boolean disconnect() {
         boolean was = connected();
         if (was) {
@@ -215,18 +219,29 @@ public class Roomba extends Service<RoombaConfig> {
         command(MOTORS, on ? ALL_MOTORS : 0);
     }
 
-    /** Asks for all sensors. @return false: the answer is left to whoever listens to the port */
+    /**
+     * Asks for all sensors.
+     *
+     * @return false: the answer is left to whoever listens to the port
+     */
     public boolean updateSensors() {
         return updateSensors(NO_SENSORS);
     }
 
-    /** Asks for a packet. @return false: the answer is left to whoever listens to the port */
+    /**
+     * Asks for a packet.
+     *
+     * @return false: the answer is left to whoever listens to the port
+     */
     public boolean updateSensors(int packet) {
         command(SENSORS, packet);
         return false;
     }
 
-    /** @param powerColor 0 green to 255 red; @param powerIntensity 0 to 255 */
+    /**
+     * @param powerColor 0 green to 255 red
+     * @param powerIntensity 0 to 255
+     */
     public void setLEDs(boolean statusGreen, boolean statusRed, boolean spot, boolean clean, boolean max, boolean dirt, int powerColor,
         int powerIntensity) {
         int bits = (statusGreen ? LED_STATUS_GREEN : 0) | (statusRed ? LED_STATUS_RED : 0) | (spot ? LED_SPOT : 0) | (clean ? LED_CLEAN : 0)
@@ -234,7 +249,10 @@ public class Roomba extends Service<RoombaConfig> {
         command(LEDS, bits, powerColor, powerIntensity);
     }
 
-    /** @param note 31 to 127 as in MIDI; @param duration in 1/64 s */
+    /**
+     * @param note 31 to 127 as in MIDI
+     * @param duration in 1/64 s
+     */
     public void playNote(int note, int duration) {
         command(SONG, NOTE_SONG, 1, note, duration);
         command(PLAY, NOTE_SONG);
@@ -242,7 +260,10 @@ public class Roomba extends Service<RoombaConfig> {
 
     // ---- driving ------------------------------------------------------------------------------------------------------
 
-    /** @param velocity mm/s, -500 to 500; @param radius mm, to the left; 1 turns left in place, -1 right, 0x8000 straight on */
+    /**
+     * @param velocity mm/s, -500 to 500
+     * @param radius mm, to the left; 1 turns left in place, -1 right, 0x8000 straight on
+     */
     public void drive(int velocity, int radius) {
         command(DRIVE, velocity >> Byte.SIZE, velocity, radius >> Byte.SIZE, radius);
     }

@@ -105,7 +105,11 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         return create(name, null);
     }
 
-    /** Makes a service; one of that name that exists already is answered instead. @return null if it can't be made; an error status says why */
+    /**
+     * Makes a service; one of that name that exists already is answered instead.
+     *
+     * @return null if it can't be made; an error status says why
+     */
     public static ServiceInterface create(String name, String type) {
         synchronized (LOCK) {
             ServiceInterface existing = getService(name);
@@ -384,7 +388,11 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         Configs.write(configName, CodecUtils.getShortName(name), config);
     }
 
-    /** Writes the configurations of all services, the Runtime's with their names too. @return whether all could be written */
+    /**
+     * Writes the configurations of all services, the Runtime's with their names too.
+     *
+     * @return whether all could be written
+     */
     public static boolean saveConfig(String set) {
         return getInstance().saveService(set, null, null);
     }

@@ -16,9 +16,8 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.myrobotlab.codec.CodecUtils;
-import org.myrobotlab.embedded.ByteReader;
 import org.myrobotlab.embedded.ByteRecord;
-import org.myrobotlab.framework.Service;
+import org.myrobotlab.embedded.ReadingService;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.logging.LoggerFactory;
 import org.myrobotlab.serial.Port;
@@ -29,7 +28,6 @@ import org.myrobotlab.serial.SerialControl;
 import org.myrobotlab.service.config.SerialConfig;
 import org.myrobotlab.service.interfaces.PortConnector;
 import org.myrobotlab.service.interfaces.PortPublisher;
-import org.myrobotlab.service.interfaces.QueueSource;
 import org.myrobotlab.service.interfaces.RecordControl;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 import org.myrobotlab.service.interfaces.SerialDevice;
@@ -39,8 +37,7 @@ import org.slf4j.Logger;
  * Opens a serial port, real or virtual, by its name. What comes in goes to the byte listeners at once, on the port's reader thread, and is published
  * byte by byte (publishRX, 0 to 255) and piece by piece (publishBytes). Any thread.
  */
-public class Serial extends Service<SerialConfig> implements SerialControl, QueueSource, SerialDataListener, RecordControl, SerialDevice,
-    PortPublisher, PortConnector {
+public class Serial extends ReadingService implements SerialControl, SerialDataListener, RecordControl, SerialDevice, PortPublisher, PortConnector {
     public static final Integer BAUD_2400 = 2400;
     public static final Integer BAUD_4800 = 4800;
     public static final Integer BAUD_9600 = 9600;
@@ -70,11 +67,9 @@ public class Serial extends Service<SerialConfig> implements SerialControl, Queu
     volatile String portName;
     transient volatile Port port;
     final transient Map<String, Port> connectedPorts = new ConcurrentHashMap<>();
-    final transient BlockingQueue<Integer> blockingRX = new LinkedBlockingQueue<>();
     transient Map<String, SerialDataListener> listeners = new ConcurrentHashMap<>();
     private final transient ByteRecord recordRx = new ByteRecord(this::error);
     private final transient ByteRecord recordTx = new ByteRecord(this::error);
-    private final transient ByteReader reader = new ByteReader(blockingRX, this::error);
 
     public Serial(String name, String id) {
         super(name, id);
@@ -156,7 +151,11 @@ public class Serial extends Service<SerialConfig> implements SerialControl, Queu
         }
     }
 
-    /** Uses a port that exists. @param listener gets the bytes, too; may be null */
+    /**
+     * Uses a port that exists.
+     *
+     * @param listener gets the bytes, too; may be null
+     */
     public Port connectPort(Port newPort, SerialDataListener listener) throws IOException {
         if (listener != null) {
             listeners.put(listener.getName(), listener);
@@ -290,7 +289,11 @@ public class Serial extends Service<SerialConfig> implements SerialControl, Queu
         return connectVirtualUart(null, myPort, uartPort);
     }
 
-    /** Makes two virtual ports joined by a null-modem cable. @return the service at the end {@code uartPort} */
+    /**
+     * Makes two virtual ports joined by a null-modem cable.
+     *
+     * @return the service at the end {@code uartPort}
+     */
     public static Serial connectVirtualUart(Serial uart, String myPort, String uartPort) throws IOException {
         BlockingQueue<Integer> left = new LinkedBlockingQueue<>();
         BlockingQueue<Integer> right = new LinkedBlockingQueue<>();
@@ -493,82 +496,12 @@ public class Serial extends Service<SerialConfig> implements SerialControl, Queu
         log.debug("{}: every write goes out at once", getName());
     }
 
-    // ---- reading ------------------------------------------------------------------------------------------------------
-
-    @Override
-    public synchronized int read() throws IOException, InterruptedException {
-        return reader.read();
-    }
-
-    /** Waits for as many bytes as the array holds. */
-    public synchronized int read(byte[] data) throws IOException, InterruptedException {
-        for (int i = 0; i < data.length; i++) {
-            data[i] = (byte) reader.read();
-        }
-        return data.length;
-    }
-
-    /** Waits for that many bytes; fewer if the time-out ends before. */
-    public synchronized byte[] read(int length) throws InterruptedException {
-        return reader.read(length);
-    }
-
-    /** All that has come in. */
-    public synchronized byte[] readBytes() throws IOException, InterruptedException {
-        return reader.read(available());
-    }
-
-    public byte[] readLine() throws InterruptedException {
-        return readLine('\n');
-    }
-
-    public byte[] readLine(char delimiter) throws InterruptedException {
-        return reader.readTo(delimiter);
-    }
-
-    public String readString() throws InterruptedException {
-        return readString('\n');
-    }
-
-    public String readString(char delimiter) throws InterruptedException {
-        return new String(readLine(delimiter), StandardCharsets.UTF_8);
-    }
-
-    public String readString(int length) throws InterruptedException {
-        return new String(read(length), StandardCharsets.UTF_8);
-    }
-
-    @Override
-    public int available() {
-        return blockingRX.size();
-    }
-
-    @Override
-    public void clear() {
-        blockingRX.clear();
-    }
-
-    @Override
-    public BlockingQueue<?> getQueue() {
-        return blockingRX;
-    }
-
     public int getRXCount() {
         return rxCount;
     }
 
     public void setBufferSize(int size) {
         BUFFER_SIZE = size;
-    }
-
-    /** Milliseconds that a read waits; 0 without end. */
-    @Override
-    public void setTimeout(int timeoutMs) {
-        reader.setTimeout(timeoutMs);
-    }
-
-    public int getTimeout() {
-        return reader.getTimeout();
     }
 
     // ---- recording ----------------------------------------------------------------------------------------------------

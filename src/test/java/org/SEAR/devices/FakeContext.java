@@ -40,7 +40,11 @@ public final class FakeContext implements DeviceContext {
         }
     }
 
-    /** Host to device. @param hex for example {@code "02 00 01 00 31 15 12"} */
+    /**
+     * Host to device.
+     *
+     * @param hex for example {@code "02 00 01 00 31 15 12"}
+     */
     public void host(String hex) {
         host(Bytes.ints(hex));
     }

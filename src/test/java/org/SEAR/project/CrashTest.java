@@ -77,7 +77,11 @@ public class CrashTest {
         return process;
     }
 
-    /** Kills processes that work in one folder. @return how often the first project was there then */
+    /**
+     * Kills processes that work in one folder.
+     *
+     * @return how often the first project was there then
+     */
     private static int kill(Path root, long seed, Map<String, String> a, Map<String, String> b) throws Exception {
         Path folder = root.resolve("SEARproject");
         Random random = new Random(seed);

@@ -17,7 +17,11 @@ public final class ExampleMaker {
     private ExampleMaker() {
     }
 
-    /** Makes all examples. @param args the folder of the scripts */
+    /**
+     * Makes all examples.
+     *
+     * @param args the folder of the scripts
+     */
     public static void main(String[] args) throws IOException, ProjectException {
         Path folder = Paths.get(args[0]);
         for (Path script : scripts(folder)) {

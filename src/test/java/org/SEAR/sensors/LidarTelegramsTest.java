@@ -177,7 +177,11 @@ public class LidarTelegramsTest {
         robot.addComponent(lidar);
     }
 
-    /** Sends a request and answers the reply telegram without its ACK. @param length of the reply telegram in bytes */
+    /**
+     * Sends a request and answers the reply telegram without its ACK.
+     *
+     * @param length of the reply telegram in bytes
+     */
     private byte[] ask(Simulation simulation, SerialLine line, String request, int length) {
         received.reset();
         String[] hex = request.split(" ");

@@ -51,7 +51,11 @@ public class SensorIndependenceTest {
         return String.valueOf(reading);
     }
 
-    /** All readings of a drive by sensor name. @param every how many steps lie between two readings */
+    /**
+     * All readings of a drive by sensor name.
+     *
+     * @param every how many steps lie between two readings
+     */
     private static Map<String, String> run(List<Sensor<?>> sensors, int every) {
         ScriptedTruth truth = new ScriptedTruth();
         truth.earth = new Earth(new GeoOrigin(35, 200, -80), MagneticModel.standard());

@@ -140,7 +140,11 @@ public class BlockedRobotTest {
         assertTrue(what, hardware.isBumpedLeft() || hardware.isBumpedRight());
     }
 
-    /** How far the robot's only part is from the obstacle; negative if they overlap. @param finest step of the search, radians */
+    /**
+     * How far the robot's only part is from the obstacle; negative if they overlap.
+     *
+     * @param finest step of the search, radians
+     */
     private static double between(Body robot, Body obstacle, double finest) {
         double best = Double.NEGATIVE_INFINITY;
         double yaw = 0;

@@ -64,7 +64,11 @@ public class SerialDeterminismTest {
         return heard;
     }
 
-    /** Runs the scripted bytes. @return what came out of each port */
+    /**
+     * Runs the scripted bytes.
+     *
+     * @return what came out of each port
+     */
     private static int[] run(Simulation simulation) {
         List<ByteArrayOutputStream> heard = listen(simulation);
         for (int step = 0; step < STEPS; step++) {

@@ -99,7 +99,10 @@ public class StepWorkTest {
         allocates("driving with a LIDAR read at each step", circling(), 361 * Double.BYTES, 2800);
     }
 
-    /** @param scan bytes of the scan that is read after each step, 0 = none is read @param most bytes a step besides */
+    /**
+     * @param scan bytes of the scan that is read after each step, 0 = none is read
+     * @param most bytes a step besides
+     */
     private static void allocates(String what, Simulation simulation, long scan, long most) {
         com.sun.management.ThreadMXBean threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
         long id = Thread.currentThread().getId();

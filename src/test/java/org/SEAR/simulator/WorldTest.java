@@ -9,7 +9,6 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Floor;
-import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.devices.RobotHardware;

@@ -10,7 +10,11 @@ final class Examples {
     private Examples() {
     }
 
-    /** Unpacks an example. @return its SEARproject folder */
+    /**
+     * Unpacks an example.
+     *
+     * @return its SEARproject folder
+     */
     static Path folder(String name) throws Exception {
         Path folder = Files.createTempDirectory("example").resolve("SEARproject");
         Bundle.load(Paths.get(System.getProperty("sear.root", "."), "examples", name + ".sear"), folder);

@@ -92,7 +92,11 @@ public class LoopClockTest {
             - THREADS.getThreadCpuTime(view.world.thread.getId());
     }
 
-    /** Runs at real time. @return the processor time of each step, ns */
+    /**
+     * Runs at real time.
+     *
+     * @return the processor time of each step, ns
+     */
     private static long[] steps(Simulation simulation, int count) {
         long[] times = new long[count];
         long due = System.nanoTime();

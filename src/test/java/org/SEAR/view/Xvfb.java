@@ -16,7 +16,11 @@ final class Xvfb implements AutoCloseable {
     private final Process server;
     private final String display;
 
-    /** Starts a server on a display number that is free. @param more options for it */
+    /**
+     * Starts a server on a display number that is free.
+     *
+     * @param more options for it
+     */
     Xvfb(String... more) throws IOException {
         List<String> command = new ArrayList<>(Arrays.asList("Xvfb", "-displayfd", "1", "-screen", "0", SCREEN, "-nolisten", "tcp", "-noreset"));
         command.addAll(Arrays.asList(more));
@@ -33,7 +37,11 @@ final class Xvfb implements AutoCloseable {
         return display;
     }
 
-    /** A Java process with this process's class path that shows its windows on a display. @param display null for none */
+    /**
+     * A Java process with this process's class path that shows its windows on a display.
+     *
+     * @param display null for none
+     */
     static ProcessBuilder java(String display, List<String> options, String main, String... arguments) {
         List<String> command = new ArrayList<>();
         command.add(System.getProperty("java.home") + File.separator + "bin" + File.separator + "java");

@@ -53,7 +53,11 @@ final class Accessibility {
     private Accessibility() {
     }
 
-    /** Looks at all that is visible in a panel now, in both themes. @throws AssertionError that lists what is wrong */
+    /**
+     * Looks at all that is visible in a panel now, in both themes.
+     *
+     * @throws AssertionError that lists what is wrong
+     */
     static void check(Browser browser, String panel) {
         for (String theme : new String[] {"dark", "light"}) {
             browser.setTheme(theme);

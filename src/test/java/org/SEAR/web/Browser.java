@@ -53,7 +53,10 @@ public final class Browser implements AutoCloseable {
     private final Path profile;
     private final List<String> expected = new ArrayList<>();
 
-    /** @param width of its window in pixels @param height of its window in pixels */
+    /**
+     * @param width of its window in pixels
+     * @param height of its window in pixels
+     */
     public Browser(int width, int height) throws IOException {
         String binary = program(BROWSERS);
         String driverProgram = program(DRIVERS);
@@ -111,12 +114,20 @@ public final class Browser implements AutoCloseable {
 
     // ---- elements ------------------------------------------------------------------------------------------------------
 
-    /** Waits for a condition. @param what is waited for, for the message */
+    /**
+     * Waits for a condition.
+     *
+     * @param what is waited for, for the message
+     */
     public void until(String what, BooleanSupplier condition) {
         value(what, () -> condition.getAsBoolean() ? Boolean.TRUE : null);
     }
 
-    /** Waits until something is there. @param supplier answers null as long as it is not */
+    /**
+     * Waits until something is there.
+     *
+     * @param supplier answers null as long as it is not
+     */
     public <T> T value(String what, Supplier<T> supplier) {
         try {
             return new WebDriverWait(driver, LIMIT, LOOK).ignoring(StaleElementReferenceException.class, NoSuchElementException.class)
@@ -184,7 +195,11 @@ public final class Browser implements AutoCloseable {
         });
     }
 
-    /** Runs JavaScript in the page. @return what it returns: a number (Long or Double), text, Boolean, List, Map or null */
+    /**
+     * Runs JavaScript in the page.
+     *
+     * @return what it returns: a number (Long or Double), text, Boolean, List, Map or null
+     */
     public Object script(String code, Object... arguments) {
         return driver.executeScript(code, arguments);
     }
@@ -199,19 +214,31 @@ public final class Browser implements AutoCloseable {
         return ((Number) Objects.requireNonNull(scope(css, expression), expression)).doubleValue();
     }
 
-    /** Whether pages are to be light or dark, as the browser's user has set it. @param theme "light" or "dark" */
+    /**
+     * Whether pages are to be light or dark, as the browser's user has set it.
+     *
+     * @param theme "light" or "dark"
+     */
     public void setTheme(String theme) {
         driver.executeCdpCommand("Emulation.setEmulatedMedia", Map.of("features", List.of(Map.of("name", "prefers-color-scheme", "value", theme))));
     }
 
-    /** Makes the page narrower than a window can be, as a telephone's; 0 for the window's own width. @param width pixels */
+    /**
+     * Makes the page narrower than a window can be, as a telephone's; 0 for the window's own width.
+     *
+     * @param width pixels
+     */
     public void setPageWidth(int width) {
         driver.executeCdpCommand("Emulation.setDeviceMetricsOverride", Map.of("width", width, "height", 0, "deviceScaleFactor", 0, "mobile", false));
     }
 
     // ---- what went wrong -----------------------------------------------------------------------------------------------
 
-    /** Errors of the console that this test brings about on purpose. @param part of their text */
+    /**
+     * Errors of the console that this test brings about on purpose.
+     *
+     * @param part of their text
+     */
     public void expectErrors(String part) {
         expected.add(part);
     }

@@ -35,7 +35,11 @@ public final class MyRobotLab implements AutoCloseable {
     private Process process;
     private int port;
 
-    /** Starts it; returns when the script has ended. @param script Jython code that starts services */
+    /**
+     * Starts it; returns when the script has ended.
+     *
+     * @param script Jython code that starts services
+     */
     public MyRobotLab(String script) throws IOException, InterruptedException {
         folder = Files.createTempDirectory("sear-web").toRealPath();
         Files.writeString(folder.resolve("start.py"), "# coding: utf-8\n" + script + "\nopen('" + STARTED + "', 'w').close()\n");
@@ -90,7 +94,11 @@ public final class MyRobotLab implements AutoCloseable {
         return "'" + example(name).toString().replace("\\", "\\\\") + "'";
     }
 
-    /** Calls a method of a service and waits for its answer. @throws AssertionError with what it says, if it fails */
+    /**
+     * Calls a method of a service and waits for its answer.
+     *
+     * @throws AssertionError with what it says, if it fails
+     */
     public JsonNode call(String service, String method, Object... arguments) {
         URI uri = URI.create(url() + "api/service/" + service + "/" + method);
         try {
@@ -108,7 +116,11 @@ public final class MyRobotLab implements AutoCloseable {
         }
     }
 
-    /** Runs Jython code in it and waits for its end. @throws AssertionError if it raises */
+    /**
+     * Runs Jython code in it and waits for its end.
+     *
+     * @throws AssertionError if it raises
+     */
     public void run(String code) {
         if (!call("python", "exec", code).asBoolean()) {
             throw new AssertionError("this raised:\n" + code + "\n" + log());

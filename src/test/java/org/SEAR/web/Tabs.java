@@ -74,7 +74,11 @@ public final class Tabs extends ExternalResource {
         other.see("mrl-panel[name='" + service + "'] > *");
     }
 
-    /** A rule for each test. @param service whose tab is shown at the start */
+    /**
+     * A rule for each test.
+     *
+     * @param service whose tab is shown at the start
+     */
     public TestRule page(String service) {
         return (test, description) -> new Statement() {
             @Override

@@ -37,7 +37,11 @@ public class Heard extends Service<ServiceConfig> {
         keep(states, CodecUtils.toJson(state));
     }
 
-    /** Waits for a state with this text. @return whether it came */
+    /**
+     * Waits for a state with this text.
+     *
+     * @return whether it came
+     */
     public boolean awaitState(String part) throws InterruptedException {
         return await(states, part);
     }
@@ -60,7 +64,11 @@ public class Heard extends Service<ServiceConfig> {
         }
     }
 
-    /** Waits for a status with this text. @return whether it came */
+    /**
+     * Waits for a status with this text.
+     *
+     * @return whether it came
+     */
     public boolean awaitStatus(String part) throws InterruptedException {
         return await(statuses, part);
     }

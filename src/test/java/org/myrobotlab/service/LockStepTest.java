@@ -91,7 +91,11 @@ public class LockStepTest {
         assertEquals(bytesOfARun(), bytesOfARun());
     }
 
-    /** Pauses and resets while a script sleeps for two seconds. @param lockStep whether only the sleep advances time */
+    /**
+     * Pauses and resets while a script sleeps for two seconds.
+     *
+     * @param lockStep whether only the sleep advances time
+     */
     private void resetWhileAScriptSleeps(boolean lockStep, double speed) throws Exception {
         SEAR sear = (SEAR) Runtime.start("sear", "SEAR");
         sear.startSimulation();

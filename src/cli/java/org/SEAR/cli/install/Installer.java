@@ -212,7 +212,11 @@ public final class Installer {
         }
     }
 
-    /** Changes a file that MRL owns; the receipt keeps what it was before the first installation. @param untouched how it is without us */
+    /**
+     * Changes a file that MRL owns; the receipt keeps what it was before the first installation.
+     *
+     * @param untouched how it is without us
+     */
     private void change(Plan plan, Receipt receipt, String path, byte[] now, byte[] untouched, byte[] then) throws IOException {
         boolean oursSoFar = old != null && Receipt.hash(now).equals(old.changed.get(path));
         byte[] original = oursSoFar ? old.original(path) : untouched;
@@ -224,7 +228,11 @@ public final class Installer {
         receipt.keepOriginal(path, original);
     }
 
-    /** What taking the plug-in out would do. @param plugin this distribution's plug-in folder, whose panels the services may have copied */
+    /**
+     * What taking the plug-in out would do.
+     *
+     * @param plugin this distribution's plug-in folder, whose panels the services may have copied
+     */
     public Plan remove(Path plugin) throws InstallException, IOException {
         if (old == null) {
             throw new InstallException("SEAR is not installed in " + mrl.root() + ": there is no " + RECEIPT + ".");

@@ -35,7 +35,11 @@ final class Journal {
     /** Whether all new files are in their places. */
     public boolean done;
 
-    /** Undoes or finishes what a killed call has begun. @return what was done, null if no call was killed */
+    /**
+     * Undoes or finishes what a killed call has begun.
+     *
+     * @return what was done, null if no call was killed
+     */
     static String recover(Path root) throws IOException, InstallException {
         Files.deleteIfExists(root.resolve(FILE + STAGED));
         if (!isPending(root)) {
@@ -90,7 +94,11 @@ final class Journal {
         deleteEmpty(root, folders);
     }
 
-    /** Deletes what was kept. @return what another program holds open, and therefore stays beside the new file, where nothing reads it */
+    /**
+     * Deletes what was kept.
+     *
+     * @return what another program holds open, and therefore stays beside the new file, where nothing reads it
+     */
     List<Path> finish(Path root) throws IOException {
         List<Path> leftovers = new ArrayList<>();
         for (String path : changed) {

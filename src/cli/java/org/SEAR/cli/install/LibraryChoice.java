@@ -37,14 +37,22 @@ final class LibraryChoice {
     private final boolean replaceEngine;
     private String olderEngine;
 
-    /** @param old what is installed, or null; @param replaceEngine whether a jMonkeyEngine too old for the window makes room for ours */
+    /**
+     * @param old what is installed, or null
+     * @param replaceEngine whether a jMonkeyEngine too old for the window makes room for ours
+     */
     LibraryChoice(MrlFolder mrl, Receipt old, boolean replaceEngine) {
         this.mrl = mrl;
         this.old = old;
         this.replaceEngine = replaceEngine;
     }
 
-    /** Plans and says what becomes of each library. @param files takes the bytes to write, by path; @param receipt takes what is replaced */
+    /**
+     * Plans and says what becomes of each library.
+     *
+     * @param files takes the bytes to write, by path
+     * @param receipt takes what is replaced
+     */
     void choose(Payload payload, Plan plan, Map<String, byte[]> files, Receipt receipt) throws IOException, InstallException {
         Set<String> there = jarsOfMrl();
         Set<String> own = mrl.ownEntries();
@@ -127,7 +135,11 @@ final class LibraryChoice {
         return olderEngine;
     }
 
-    /** Plans to put back what was replaced. @param receipt of the installation that is taken out */
+    /**
+     * Plans to put back what was replaced.
+     *
+     * @param receipt of the installation that is taken out
+     */
     static void putBack(MrlFolder mrl, Receipt receipt, Plan plan) throws IOException {
         for (Map.Entry<String, String> jar : receipt.replaced.entrySet()) {
             Path kept = mrl.root().resolve(REPLACED + jar.getKey());

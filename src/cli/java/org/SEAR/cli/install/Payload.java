@@ -53,7 +53,11 @@ final class Payload {
         return jars;
     }
 
-    /** Whether MyRobotLab's own jar has the library in it. @param ownEntries names of that jar's entries */
+    /**
+     * Whether MyRobotLab's own jar has the library in it.
+     *
+     * @param ownEntries names of that jar's entries
+     */
     static boolean isInside(Path library, Set<String> ownEntries) throws IOException {
         try (ZipFile jar = new ZipFile(library.toFile())) {
             return jar.stream().map(ZipEntry::getName).filter(name -> name.endsWith(".class") && !name.contains("-info"))

@@ -32,7 +32,11 @@ final class Plan {
         this.root = root;
     }
 
-    /** Lets a file have these bytes. @param path relative to the root, with '/' */
+    /**
+     * Lets a file have these bytes.
+     *
+     * @param path relative to the root, with '/'
+     */
     void write(String path, byte[] bytes) throws IOException {
         Path file = root.resolve(path);
         if (!Files.exists(file)) {
@@ -106,7 +110,11 @@ final class Plan {
         return touched;
     }
 
-    /** Does it. @throws IOException after everything was put back as it was; what could not be put back is among its suppressed exceptions */
+    /**
+     * Does it.
+     *
+     * @throws IOException after everything was put back as it was; what could not be put back is among its suppressed exceptions
+     */
     void apply() throws IOException {
         Journal journal = journal();
         for (String path : journal.changed) {
@@ -167,7 +175,11 @@ final class Plan {
         beforeStep = action;
     }
 
-    /** Folders to delete in the end, where they are empty then. @param folders relative to the root */
+    /**
+     * Folders to delete in the end, where they are empty then.
+     *
+     * @param folders relative to the root
+     */
     void deleteEmptied(Set<String> folders) {
         emptied.addAll(folders);
     }

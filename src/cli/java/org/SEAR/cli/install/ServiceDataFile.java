@@ -32,7 +32,11 @@ final class ServiceDataFile {
         }
     }
 
-    /** Adds or renews a service's entry, and its place in each category. @return whether anything changed */
+    /**
+     * Adds or renews a service's entry, and its place in each category.
+     *
+     * @return whether anything changed
+     */
     boolean add(String simpleName, String description, String... categories) {
         ObjectNode before = root.deepCopy();
         ObjectNode types = (ObjectNode) root.get("serviceTypes");
@@ -74,7 +78,11 @@ final class ServiceDataFile {
         return false;
     }
 
-    /** Takes a service out of the picker again. @return whether it was there */
+    /**
+     * Takes a service out of the picker again.
+     *
+     * @return whether it was there
+     */
     boolean remove(String simpleName) {
         String type = PACKAGE + simpleName;
         boolean there = ((ObjectNode) root.get("serviceTypes")).remove(type) != null;

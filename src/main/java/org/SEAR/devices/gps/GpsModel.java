@@ -25,7 +25,11 @@ public enum GpsModel {
         this.greeting = greeting;
     }
 
-    /** The model of that name; FV-M8 and FV-M11 are MT3301. @throws IllegalArgumentException that names the models there are */
+    /**
+     * The model of that name; FV-M8 and FV-M11 are MT3301.
+     *
+     * @throws IllegalArgumentException that names the models there are
+     */
     public static GpsModel of(String name) {
         String plain = name.replaceAll("[^A-Za-z0-9]", "");
         if (plain.equalsIgnoreCase("FVM8") || plain.equalsIgnoreCase("FVM11")) {

@@ -35,7 +35,11 @@ public final class Mt3301 implements SerialDevice {
     private double switchAt;
     private double heardAt;
 
-    /** @param baud bits a second at power-on @param rate fixes a second at power-on @param timeToFix seconds without a fix after power-on */
+    /**
+     * @param baud bits a second at power-on
+     * @param rate fixes a second at power-on
+     * @param timeToFix seconds without a fix after power-on
+     */
     public Mt3301(GpsModel model, int baud, double rate, double timeToFix, DeviceContext context) {
         int millis = (int) Math.round(MILLIS / rate);
         if (!isPeriod(model, millis)) {
@@ -161,7 +165,11 @@ public final class Mt3301 implements SerialDevice {
         switchBaud(time);
     }
 
-    /** Milliseconds from fix to fix. @return whether the model can do that */
+    /**
+     * Milliseconds from fix to fix.
+     *
+     * @return whether the model can do that
+     */
     boolean setPeriod(int millis, double time) {
         if (!isPeriod(model, millis)) {
             return false;

@@ -31,7 +31,10 @@ final class OutputRates {
         every[GSV] = MAX;
     }
 
-    /** @param fields as they stand in PMTK314 @return whether they are legal: 19 numbers from 0 to 5 */
+    /**
+     * @param fields as they stand in PMTK314
+     * @return whether they are legal: 19 numbers from 0 to 5
+     */
     boolean set(int[] fields) {
         if (fields.length != FIELDS || Arrays.stream(fields).anyMatch(value -> value < 0 || value > MAX)) {
             return false;

@@ -50,7 +50,11 @@ final class PmtkCommands {
         }
     }
 
-    /** Questions. @return whether it was one */
+    /**
+     * Questions.
+     *
+     * @return whether it was one
+     */
     private boolean answer(Pmtk command, double time) {
         switch (command) {
             case QUERY_FIX_INTERVAL:

@@ -25,7 +25,10 @@ final class Sentences {
     private final GpsFix fix;
     private final ZonedDateTime time;
 
-    /** @param fix null for none @param millis UTC since 1970 */
+    /**
+     * @param fix null for none
+     * @param millis UTC since 1970
+     */
     Sentences(GpsModel model, GpsFix fix, long millis) {
         this.model = model;
         this.fix = fix;

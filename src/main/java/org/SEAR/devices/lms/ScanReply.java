@@ -31,7 +31,11 @@ final class ScanReply {
         this.beyond = new int[variant.getValues()];
     }
 
-    /** Takes a scan of the variant's fan. @return whether that was the last one */
+    /**
+     * Takes a scan of the variant's fan.
+     *
+     * @return whether that was the last one
+     */
     boolean add(LidarScan scan) {
         double limit = (configuration.getMode().getBeyondRange() - 1.0) / configuration.getUnitsPerMetre();
         for (int i = 0; i < sums.length; i++) {
@@ -50,7 +54,8 @@ final class ScanReply {
      * Command, values and status.
      *
      * @param partial which partial scan, from 0; looked at only by that kind
-     * @param scanIndex and @param telegramIndex appended if the configuration asks for them
+     * @param scanIndex and
+     * @param telegramIndex appended if the configuration asks for them
      */
     byte[] toBytes(int partial, int scanIndex, int telegramIndex, int status) {
         Payload payload;

@@ -24,7 +24,11 @@ final class Timing {
     private Timing() {
     }
 
-    /** The end of the first scan that ends at or after {@code time}. @param scanTime seconds */
+    /**
+     * The end of the first scan that ends at or after {@code time}.
+     *
+     * @param scanTime seconds
+     */
     static double scanEnd(double time, double scanTime) {
         return Math.ceil(time / scanTime - SLACK) * scanTime;
     }

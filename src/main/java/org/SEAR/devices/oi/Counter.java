@@ -4,7 +4,11 @@ package org.SEAR.devices.oi;
 final class Counter {
     private double base;
 
-    /** The units since the last reading. @param total since start */
+    /**
+     * The units since the last reading.
+     *
+     * @param total since start
+     */
     int read(double total) {
         long units = Math.round(total - base);
         if (units > Short.MAX_VALUE || units < Short.MIN_VALUE) {

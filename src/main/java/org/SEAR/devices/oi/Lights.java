@@ -9,7 +9,11 @@ public final class Lights {
     private int outputs;
     private final char[] digits = {' ', ' ', ' ', ' '};
 
-    /** Commands 138, 139, 144, 147, 162 to 164. @return whether it was one of these */
+    /**
+     * Commands 138, 139, 144, 147, 162 to 164.
+     *
+     * @return whether it was one of these
+     */
     boolean set(Opcode opcode, int[] a) {
         switch (opcode) {
             case LEDS:

@@ -25,7 +25,11 @@ public enum OiModel {
         this.caster = caster;
     }
 
-    /** The model of that name. @throws IllegalArgumentException that names the models there are */
+    /**
+     * The model of that name.
+     *
+     * @throws IllegalArgumentException that names the models there are
+     */
     public static OiModel of(String name) {
         for (OiModel model : values()) {
             if (model.name.equals(name)) {

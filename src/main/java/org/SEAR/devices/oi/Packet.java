@@ -92,12 +92,20 @@ public enum Packet {
         return packets;
     }
 
-    /** The packet of a number, or those of a group, in the order in which they are sent; none for other numbers. @param number 0 to 255 */
+    /**
+     * The packet of a number, or those of a group, in the order in which they are sent; none for other numbers.
+     *
+     * @param number 0 to 255
+     */
     static Packet[] of(int number) {
         return BY_NUMBER[number];
     }
 
-    /** Number of data bytes of a packet or group; 0 for none such. @param number 0 to 255 */
+    /**
+     * Number of data bytes of a packet or group; 0 for none such.
+     *
+     * @param number 0 to 255
+     */
     public static int size(int number) {
         int sum = 0;
         for (Packet packet : BY_NUMBER[number]) {

@@ -46,7 +46,10 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
     private long beats;
     private double lastCommand;
 
-    /** @param baud at power-on, bits a second @param headerSummed whether the checksum of a stream covers its header byte */
+    /**
+     * @param baud at power-on, bits a second
+     * @param headerSummed whether the checksum of a stream covers its header byte
+     */
     public Roomba(OiModel model, int baud, boolean headerSummed, DeviceContext context) {
         this.model = model;
         this.powerOnBaud = baud;
@@ -227,7 +230,11 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
         switchBaud(time);
     }
 
-    /** Motors, lights, songs. @return whether it was one of these and possible */
+    /**
+     * Motors, lights, songs.
+     *
+     * @return whether it was one of these and possible
+     */
     private boolean act(Opcode opcode, int[] a, double time) {
         switch (opcode) {
             case DRIVE:
@@ -262,7 +269,11 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
         }
     }
 
-    /** Sensors, streams, scripts. @return whether it was one of these and possible */
+    /**
+     * Sensors, streams, scripts.
+     *
+     * @return whether it was one of these and possible
+     */
     private boolean tell(Opcode opcode, int[] a, int count, double time) {
         switch (opcode) {
             case SENSORS:

@@ -22,7 +22,11 @@ final class Script {
         this.roomba = roomba;
     }
 
-    /** Command 152. @return whether it fits */
+    /**
+     * Command 152.
+     *
+     * @return whether it fits
+     */
     boolean define(int[] arguments) {
         if (arguments[0] > MAX_BYTES) {
             return false;
@@ -57,7 +61,11 @@ final class Script {
         return waiting != null || next >= 0;
     }
 
-    /** Commands 155 to 158. @return whether it is possible */
+    /**
+     * Commands 155 to 158.
+     *
+     * @return whether it is possible
+     */
     boolean await(Opcode wait, int[] arguments, double time) {
         if (wait == Opcode.WAIT_TIME) {
             until = time + arguments[0] * WAIT_UNIT;

@@ -13,7 +13,11 @@ final class Songs {
         durations = new double[count];
     }
 
-    /** Command 140: number, count, then note and duration for each. @return whether there is room for such a song */
+    /**
+     * Command 140: number, count, then note and duration for each.
+     *
+     * @return whether there is room for such a song
+     */
     boolean define(int[] arguments) {
         int notes = arguments[1];
         if (arguments[0] >= durations.length || notes == 0 || notes > MAX_NOTES) {
@@ -27,7 +31,11 @@ final class Songs {
         return true;
     }
 
-    /** Command 141; a song that sounds is not disturbed. @return whether there is such a song */
+    /**
+     * Command 141; a song that sounds is not disturbed.
+     *
+     * @return whether there is such a song
+     */
     boolean play(int song, double time) {
         if (song >= durations.length || durations[song] == 0) {
             return false;

@@ -108,7 +108,11 @@ public final class Bundle {
         return add(file, folder, (source, to) -> to.robot(find(source, robot, file)));
     }
 
-    /** Adds all of the environment of a bundle or folder to a project, as {@link #importRobot} does a robot. @return new names by the old ones */
+    /**
+     * Adds all of the environment of a bundle or folder to a project, as {@link #importRobot} does a robot.
+     *
+     * @return new names by the old ones
+     */
     public static Map<String, String> importEnvironment(Path file, Path folder) throws IOException, ProjectException {
         return add(file, folder, (source, to) -> to.environment());
     }
@@ -149,7 +153,10 @@ public final class Bundle {
 
     /** What somebody wants to see of a project that was found valid. */
     public interface Look {
-        /** @return warnings, empty if there are none @throws ProjectException with everything that is wrong */
+        /**
+         * @return warnings, empty if there are none
+         * @throws ProjectException with everything that is wrong
+         */
         List<String> at(Project project) throws ProjectException;
     }
 
@@ -174,7 +181,11 @@ public final class Bundle {
         }
     }
 
-    /** Starts with no project at all; the present one becomes a backup beside it. @return the backup; null if there was no project */
+    /**
+     * Starts with no project at all; the present one becomes a backup beside it.
+     *
+     * @return the backup; null if there was no project
+     */
     public static Path newProject(Path folder) throws IOException {
         try (ProjectSwap swap = ProjectSwap.lock(folder.toAbsolutePath().normalize())) {
             return swap.retire();

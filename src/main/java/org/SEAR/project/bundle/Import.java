@@ -61,7 +61,11 @@ final class Import {
         }
     }
 
-    /** All of the environment. @return new names by the old ones */
+    /**
+     * All of the environment.
+     *
+     * @return new names by the old ones
+     */
     Map<String, String> environment() throws IOException {
         Map<String, String> renamed = new LinkedHashMap<>();
         reserve(source.getEnvironment(), renamed);
@@ -72,7 +76,11 @@ final class Import {
         return renamed;
     }
 
-    /** A robot with all its parts. @return new names by the old ones; the robot's is the first */
+    /**
+     * A robot with all its parts.
+     *
+     * @return new names by the old ones; the robot's is the first
+     */
     Map<String, String> robot(SEARrobot robot) throws IOException {
         List<SearObject> all = new ArrayList<>();
         all.add(robot);
@@ -133,7 +141,11 @@ final class Import {
         return Files.isRegularFile(source.getAssets().getFolder().resolve(path));
     }
 
-    /** Copies all assets: to the same paths if nothing else is there, else all of them to a new folder. @return what comes before their paths then */
+    /**
+     * Copies all assets: to the same paths if nothing else is there, else all of them to a new folder.
+     *
+     * @return what comes before their paths then
+     */
     private String copyAssets() throws IOException {
         Path from = source.getAssets().getFolder();
         Path to = target.resolve(ProjectFolder.ASSETS);

@@ -18,7 +18,10 @@ public final class PercentProgress implements Progress {
     private final Consumer<String> listener;
     private long told;
 
-    /** @param what is done, for example "loading" @param listener called on the thread that saves or loads */
+    /**
+     * @param what is done, for example "loading"
+     * @param listener called on the thread that saves or loads
+     */
     public PercentProgress(String what, Path bundle, Consumer<String> listener) {
         this.what = what + " " + bundle.getFileName();
         this.listener = listener;

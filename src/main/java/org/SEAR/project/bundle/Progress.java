@@ -6,6 +6,10 @@ public interface Progress {
     /** Tells nobody. */
     Progress NONE = (file, done, total) -> { };
 
-    /** @param file path inside the project @param done bytes so far @param total bytes of the whole project */
+    /**
+     * @param file path inside the project
+     * @param done bytes so far
+     * @param total bytes of the whole project
+     */
     void at(String file, long done, long total);
 }

@@ -31,12 +31,21 @@ public final class Assets {
         return folder;
     }
 
-    /** Whether there is such an asset. @param path as written in an object */
+    /**
+     * Whether there is such an asset.
+     *
+     * @param path as written in an object
+     */
     public boolean has(String path) {
         return Files.isRegularFile(folder.resolve(normal(path))) || Assets.class.getClassLoader().getResource(SHIPPED + normal(path)) != null;
     }
 
-    /** Bytes of an asset. @param path as written in an object @throws FileNotFoundException if there is none */
+    /**
+     * Bytes of an asset.
+     *
+     * @param path as written in an object
+     * @throws FileNotFoundException if there is none
+     */
     long size(String path) throws IOException {
         Path file = folder.resolve(normal(path));
         if (Files.isRegularFile(file)) {
@@ -60,7 +69,12 @@ public final class Assets {
         }
     }
 
-    /** The bytes of an asset. @param path as written in an object @throws FileNotFoundException that says where it should be */
+    /**
+     * The bytes of an asset.
+     *
+     * @param path as written in an object
+     * @throws FileNotFoundException that says where it should be
+     */
     public InputStream open(String path) throws IOException {
         Path file = folder.resolve(normal(path));
         if (Files.isRegularFile(file)) {

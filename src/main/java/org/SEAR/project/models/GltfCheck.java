@@ -19,7 +19,10 @@ final class GltfCheck {
 
     /** How long a buffer's file is. */
     interface Files {
-        /** @return bytes @throws IOException if there is no such file */
+        /**
+         * @return bytes
+         * @throws IOException if there is no such file
+         */
         long size(String uri) throws IOException;
     }
 

@@ -61,7 +61,11 @@ final class GuardedLoaders {
     private GuardedLoaders() {
     }
 
-    /** Puts them in the place of the unguarded ones. @param pixels whether anybody will look at the pictures */
+    /**
+     * Puts them in the place of the unguarded ones.
+     *
+     * @param pixels whether anybody will look at the pictures
+     */
     static void register(AssetManager manager, boolean pixels) {
         manager.unregisterLoader(SceneLoader.class);
         manager.unregisterLoader(GltfLoader.class);

@@ -24,13 +24,22 @@ final class ModelLimits {
     private ModelLimits() {
     }
 
-    /** Says what is wrong with a model's file. @param what the field of the file @param legal what would have been right */
+    /**
+     * Says what is wrong with a model's file.
+     *
+     * @param what the field of the file
+     * @param legal what would have been right
+     */
     static IOException wrong(String file, String what, Object value, String legal) {
         String text = String.valueOf(value);
         return new IOException(file + ": " + what + " is " + (text.length() > 80 ? text.substring(0, 80) + "..." : text) + ", legal: " + legal);
     }
 
-    /** Refuses a value outside of a range. @throws IOException that names it */
+    /**
+     * Refuses a value outside of a range.
+     *
+     * @throws IOException that names it
+     */
     static void range(String file, String what, long value, long low, long high) throws IOException {
         if (value < low || value > high) {
             throw wrong(file, what, value, low + " to " + high);

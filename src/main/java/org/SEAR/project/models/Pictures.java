@@ -23,7 +23,11 @@ final class Pictures {
     private Pictures() {
     }
 
-    /** Puts the guarded loaders in the place of the others. @param pixels whether anybody will look at the pictures */
+    /**
+     * Puts the guarded loaders in the place of the others.
+     *
+     * @param pixels whether anybody will look at the pictures
+     */
     static void register(AssetManager manager, boolean pixels) {
         manager.unregisterLoader(PFMLoader.class);
         manager.unregisterLoader(KTXLoader.class);

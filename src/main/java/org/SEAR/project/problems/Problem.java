@@ -8,7 +8,12 @@ public final class Problem {
     public final String value;
     public final String legal;
 
-    /** @param file relative to the project @param line from 1, 0 if unknown @param field may be empty @param legal what would have been right */
+    /**
+     * @param file relative to the project
+     * @param line from 1, 0 if unknown
+     * @param field may be empty
+     * @param legal what would have been right
+     */
     public Problem(String file, int line, String field, String value, String legal) {
         this.file = file;
         this.line = line;

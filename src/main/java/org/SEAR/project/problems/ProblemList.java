@@ -50,7 +50,11 @@ public final class ProblemList {
         return problems.stream().map(Problem::toString).collect(Collectors.joining("; "));
     }
 
-    /** Does nothing if nothing is wrong. @throws ProjectException with all of them */
+    /**
+     * Does nothing if nothing is wrong.
+     *
+     * @throws ProjectException with all of them
+     */
     public void throwIfAny() throws ProjectException {
         if (!problems.isEmpty()) {
             throw new ProjectException(problems);

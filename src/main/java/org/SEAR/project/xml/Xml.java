@@ -120,7 +120,11 @@ public final class Xml {
         }
     }
 
-    /** As {@link #read}, of bytes. @return null if they could not be read; {@code problems} say why */
+    /**
+     * As {@link #read}, of bytes.
+     *
+     * @return null if they could not be read; {@code problems} say why
+     */
     public static ParsedObject parse(byte[] bytes, String name, Map<String, ? extends Class<?>> classes, ProblemList problems) {
         String text;
         try {

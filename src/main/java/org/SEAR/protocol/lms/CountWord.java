@@ -23,12 +23,23 @@ public final class CountWord {
         return new CountWord(word);
     }
 
-    /** A whole scan. @param count 0 to 1023 @param unit see {@link Configuration#getUnit} */
+    /**
+     * A whole scan.
+     *
+     * @param count 0 to 1023
+     * @param unit see {@link Configuration#getUnit}
+     */
     public static CountWord whole(int count, int unit) {
         return new CountWord(count | unit << UNIT_SHIFT);
     }
 
-    /** A partial scan. @param count 0 to 1023 @param unit see {@link Configuration#getUnit} @param quarter 0 to 3, quarters of a degree */
+    /**
+     * A partial scan.
+     *
+     * @param count 0 to 1023
+     * @param unit see {@link Configuration#getUnit}
+     * @param quarter 0 to 3, quarters of a degree
+     */
     public static CountWord partial(int count, int unit, int quarter) {
         return new CountWord(count | unit << UNIT_SHIFT | PARTIAL | quarter << QUARTER_SHIFT);
     }

@@ -55,7 +55,12 @@ public enum MeasuringMode {
         return getNothingHit() - OVERFLOWS;
     }
 
-    /** The value for a distance. @param metres +infinity where nothing was hit @param unitsPerMetre 1000 or 100 */
+    /**
+     * The value for a distance.
+     *
+     * @param metres +infinity where nothing was hit
+     * @param unitsPerMetre 1000 or 100
+     */
     public int encode(double metres, int unitsPerMetre) {
         if (Double.isInfinite(metres) || Double.isNaN(metres)) {
             return getNothingHit();

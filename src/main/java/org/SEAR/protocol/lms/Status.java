@@ -34,7 +34,11 @@ public final class Status {
         this.telegram = telegram;
     }
 
-    /** Reads a telegram. @throws IllegalArgumentException if it is too short */
+    /**
+     * Reads a telegram.
+     *
+     * @throws IllegalArgumentException if it is too short
+     */
     public static Status of(Telegram telegram) {
         if (telegram.size() < SIZE) {
             throw new IllegalArgumentException("status of " + telegram.size() + " bytes");

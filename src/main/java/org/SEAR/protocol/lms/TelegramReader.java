@@ -13,11 +13,19 @@ public final class TelegramReader {
         /** A whole telegram with the right checksum. */
         void onTelegram(Telegram telegram);
 
-        /** A byte that belongs to no telegram: a bare ACK or NAK, or garbage. @param value 0 to 255 */
+        /**
+         * A byte that belongs to no telegram: a bare ACK or NAK, or garbage.
+         *
+         * @param value 0 to 255
+         */
         default void onStray(int value) {
         }
 
-        /** A whole telegram with a wrong checksum; of those that its bytes hold in turn nothing is told. @param bytes from STX to checksum */
+        /**
+         * A whole telegram with a wrong checksum; of those that its bytes hold in turn nothing is told.
+         *
+         * @param bytes from STX to checksum
+         */
         default void onWrongChecksum(byte[] bytes) {
         }
     }
@@ -35,7 +43,11 @@ public final class TelegramReader {
         this.listener = listener;
     }
 
-    /** Takes the next byte. @param value its lowest eight bits count */
+    /**
+     * Takes the next byte.
+     *
+     * @param value its lowest eight bits count
+     */
     public void accept(int value) {
         buffer[size++] = (byte) value;
         parse();

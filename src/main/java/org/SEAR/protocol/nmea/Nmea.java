@@ -20,7 +20,11 @@ public final class Nmea {
         return "$" + body + "*" + String.format(Locale.ROOT, "%02X", checksum(body)) + "\r\n";
     }
 
-    /** The body of a line with the right checksum; null otherwise. @param line without CR LF */
+    /**
+     * The body of a line with the right checksum; null otherwise.
+     *
+     * @param line without CR LF
+     */
     public static String body(String line) {
         int star = line.length() - CHECKSUM_SIZE;
         if (star < 1 || line.charAt(0) != '$' || line.charAt(star) != '*') {

@@ -28,7 +28,11 @@ public final class SentenceReader {
         }
     }
 
-    /** Takes the next byte. @param value its lowest eight bits count */
+    /**
+     * Takes the next byte.
+     *
+     * @param value its lowest eight bits count
+     */
     public void accept(int value) {
         if (value == '$') {
             damaged += filled > 0 ? 1 : 0;

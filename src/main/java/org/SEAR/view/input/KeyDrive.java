@@ -10,7 +10,11 @@ public final class KeyDrive {
     private Key last = Key.STOP;
     private double speed;
 
-    /** Obeys a key. @return whether it is one that drives */
+    /**
+     * Obeys a key.
+     *
+     * @return whether it is one that drives
+     */
     public boolean press(Key key) {
         switch (key) {
             case FORWARD:

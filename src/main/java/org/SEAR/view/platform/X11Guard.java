@@ -45,7 +45,11 @@ public final class X11Guard {
     private X11Guard() {
     }
 
-    /** Guards the display of the window that is open now. Does nothing where there is no X11. @param lost called when the connection is lost */
+    /**
+     * Guards the display of the window that is open now. Does nothing where there is no X11.
+     *
+     * @param lost called when the connection is lost
+     */
     public static void install(Runnable lost) {
         if (!Platform.isX11()) {
             return;

@@ -34,7 +34,11 @@ public final class Wire {
     private Wire() {
     }
 
-    /** Obeys a command for the world. @return false for a byte that is none */
+    /**
+     * Obeys a command for the world.
+     *
+     * @return false for a byte that is none
+     */
     public static boolean obey(int what, DataInputStream in, WorldLink world) throws IOException {
         switch (what) {
             case PAUSE:

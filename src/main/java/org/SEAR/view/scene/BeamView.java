@@ -94,7 +94,11 @@ public final class BeamView {
         return node.localToWorld(nearest, null);
     }
 
-    /** Draws a reading. @param lengths metres, infinite where nothing was hit; null for no reading, which draws beams in full length */
+    /**
+     * Draws a reading.
+     *
+     * @param lengths metres, infinite where nothing was hit; null for no reading, which draws beams in full length
+     */
     void update(double[] lengths) {
         if (lengths == shown && shown != null) {
             return;

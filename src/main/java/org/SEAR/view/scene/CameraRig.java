@@ -64,7 +64,11 @@ public final class CameraRig {
         place.set(camera.getLocation());
     }
 
-    /** Puts the flycam there. @param newYaw radians, likewise newPitch */
+    /**
+     * Puts the flycam there.
+     *
+     * @param newYaw radians, likewise newPitch
+     */
     public void fly(Vector3f newPlace, float newYaw, float newPitch) {
         flying = true;
         place.set(newPlace);
@@ -72,7 +76,12 @@ public final class CameraRig {
         pitch = newPitch;
     }
 
-    /** Puts the follow camera there. @param newDistance metres @param newYaw radians off the robot's back, likewise newPitch */
+    /**
+     * Puts the follow camera there.
+     *
+     * @param newDistance metres
+     * @param newYaw radians off the robot's back, likewise newPitch
+     */
     public void orbit(float newDistance, float newYaw, float newPitch) {
         flying = false;
         distance = newDistance;

@@ -88,7 +88,11 @@ public final class Labels {
         taken.clear();
     }
 
-    /** Writes words at a point, above what is there; hides them while the point is behind the camera. @param words null to hide */
+    /**
+     * Writes words at a point, above what is there; hides them while the point is behind the camera.
+     *
+     * @param words null to hide
+     */
     void put(String name, String words, Vector3f point, Camera camera) {
         Label label = labels.computeIfAbsent(name, key -> {
             Label made = new Label();

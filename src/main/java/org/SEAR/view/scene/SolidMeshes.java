@@ -22,7 +22,11 @@ final class SolidMeshes {
         return mesh.build();
     }
 
-    /** Apex at +height/2, base at -height/2. @param radius of the base, metres */
+    /**
+     * Apex at +height/2, base at -height/2.
+     *
+     * @param radius of the base, metres
+     */
     static Mesh cone(float radius, float height) {
         Builder mesh = new Builder();
         mesh.side(radius, 0, height);

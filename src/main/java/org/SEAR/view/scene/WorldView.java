@@ -127,7 +127,11 @@ public final class WorldView {
         show();
     }
 
-    /** Shows or hides one sensor's beams. @return what happened, in words */
+    /**
+     * Shows or hides one sensor's beams.
+     *
+     * @return what happened, in words
+     */
     public String toggleBeam(int number) {
         if (number < 0 || number >= beams.size()) {
             return "there is no beam sensor " + (number + 1) + "; there are " + beams.size();

@@ -38,7 +38,10 @@ public final class LmsDevice {
 
         void streaming(boolean on);
 
-        /** @param spread degrees from first to last beam @param resolution degrees between beams */
+        /**
+         * @param spread degrees from first to last beam
+         * @param resolution degrees between beams
+         */
         void scanMode(double spread, double resolution);
 
         void unit(boolean millimetres);
@@ -146,7 +149,11 @@ public final class LmsDevice {
         });
     }
 
-    /** Sets the fan. @throws IllegalArgumentException that names the legal pairs */
+    /**
+     * Sets the fan.
+     *
+     * @throws IllegalArgumentException that names the legal pairs
+     */
     public void setVariant(int spread, double newResolution) {
         Variant variant = Variant.ofDegrees(spread, newResolution);
         if (variant == null) {

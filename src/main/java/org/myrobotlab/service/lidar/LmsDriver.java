@@ -55,7 +55,11 @@ final class LmsDriver implements TelegramReader.Listener {
         this.scans = scans;
     }
 
-    /** Queues a request. @throws IllegalStateException if the device is far behind */
+    /**
+     * Queues a request.
+     *
+     * @throws IllegalStateException if the device is far behind
+     */
     synchronized void ask(LmsRequest request) {
         if (waiting.size() >= MOST_WAITING) {
             throw new IllegalStateException(MOST_WAITING + " requests wait for the LIDAR's answer already, " + request.name

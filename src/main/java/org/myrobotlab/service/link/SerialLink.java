@@ -46,7 +46,11 @@ public final class SerialLink {
         this.lost = lost;
     }
 
-    /** Opens a port; a connection to another is closed first. @throws IOException that says what is wrong and which ports there are */
+    /**
+     * Opens a port; a connection to another is closed first.
+     *
+     * @throws IOException that says what is wrong and which ports there are
+     */
     public synchronized void connect(String port, int newBaud) throws IOException {
         if (port == null || port.trim().isEmpty()) {
             throw new IOException("no port given; there are " + known());
@@ -149,7 +153,11 @@ public final class SerialLink {
         return clock.now();
     }
 
-    /** Sends bytes. @throws IllegalStateException if the port is closed or broken */
+    /**
+     * Sends bytes.
+     *
+     * @throws IllegalStateException if the port is closed or broken
+     */
     public void write(byte[] bytes) {
         if (portName == null) {
             throw new IllegalStateException(driver.getName() + " is not connected: call connect(port) first");

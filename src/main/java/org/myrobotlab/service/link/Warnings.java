@@ -8,7 +8,11 @@ public final class Warnings {
     private Warnings() {
     }
 
-    /** Publishes a warning status of a service. @param format as of {@link String#format} */
+    /**
+     * Publishes a warning status of a service.
+     *
+     * @param format as of {@link String#format}
+     */
     public static void publish(Service<?> service, String format, Object... args) {
         Status status = Status.warn(format, args);
         status.name = service.getName();

@@ -38,7 +38,11 @@ final class Calls {
         return thread;
     }
 
-    /** Takes one of the places for calls. @return whether there was one; then {@link #leave} must follow */
+    /**
+     * Takes one of the places for calls.
+     *
+     * @return whether there was one; then {@link #leave} must follow
+     */
     boolean enter() {
         return free.tryAcquire();
     }

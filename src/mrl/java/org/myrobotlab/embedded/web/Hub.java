@@ -45,7 +45,11 @@ public final class Hub {
         this.listener = listener;
     }
 
-    /** A page has come. @param calls where what it calls runs */
+    /**
+     * A page has come.
+     *
+     * @param calls where what it calls runs
+     */
     void connect(WebSocketChannel channel, Calls calls) {
         Client client = new Client(channel);
         if (clients.size() >= MOST_PAGES) {

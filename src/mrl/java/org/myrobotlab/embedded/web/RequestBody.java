@@ -30,7 +30,11 @@ final class RequestBody {
         this.taker = taker;
     }
 
-    /** On a connection's own thread. @param taker gets the text, on that thread */
+    /**
+     * On a connection's own thread.
+     *
+     * @param taker gets the text, on that thread
+     */
     static void receive(HttpServerExchange exchange, BiConsumer<HttpServerExchange, String> taker) {
         RequestBody body = new RequestBody(taker);
         if (exchange.getRequestContentLength() > LONGEST) {

@@ -27,7 +27,11 @@ final class TextReader implements ChannelListener<StreamSourceFrameChannel> {
         this.taker = taker;
     }
 
-    /** Reads what is there and comes in. @param longest bytes; a longer text closes the web socket */
+    /**
+     * Reads what is there and comes in.
+     *
+     * @param longest bytes; a longer text closes the web socket
+     */
     static void read(StreamSourceFrameChannel text, int longest, Consumer<String> taker) {
         TextReader reader = new TextReader(longest, taker);
         text.getReadSetter().set(reader);

@@ -35,7 +35,11 @@ public final class Token {
         return current;
     }
 
-    /** From now on servers that start ask for a token. @return that */
+    /**
+     * From now on servers that start ask for a token.
+     *
+     * @return that
+     */
     public static Token require() {
         byte[] bytes = new byte[BYTES];
         new SecureRandom().nextBytes(bytes);

@@ -45,7 +45,10 @@ public final class WebServer {
     private final Undertow server;
     private final int port;
 
-    /** @param folders on the disk that panels come from; the first that has a file wins. @throws IOException if the port is taken */
+    /**
+     * @param folders on the disk that panels come from; the first that has a file wins.
+     * @throws IOException if the port is taken
+     */
     public WebServer(int port, List<String> folders, Hub hub) throws IOException {
         this.port = port;
         HttpHandler files = classPath("resource", classPath("resource/WebGui/app", pages()));

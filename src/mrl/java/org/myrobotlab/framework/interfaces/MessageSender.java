@@ -17,9 +17,17 @@ public interface MessageSender extends NameProvider, SimpleMessageSender {
     /** Sends and waits for the answer. */
     Object sendBlocking(String name, String method, Object... data) throws InterruptedException, TimeoutException;
 
-    /** Sends and waits for the answer. @param timeout milliseconds; null waits without end */
+    /**
+     * Sends and waits for the answer.
+     *
+     * @param timeout milliseconds; null waits without end
+     */
     Object sendBlocking(String name, Integer timeout, String method, Object... data) throws InterruptedException, TimeoutException;
 
-    /** Sends and waits for the answer. @param timeout milliseconds; null waits without end */
+    /**
+     * Sends and waits for the answer.
+     *
+     * @param timeout milliseconds; null waits without end
+     */
     Object sendBlocking(Message msg, Integer timeout) throws InterruptedException, TimeoutException;
 }

@@ -55,7 +55,11 @@ public interface ServiceInterface extends ServiceQueue, LoggingSink, NameTypePro
     /** Sets its number in the order of creation. */
     void setOrder(int order);
 
-    /** What it is for. @throws RuntimeException if its type has no meta data */
+    /**
+     * What it is for.
+     *
+     * @throws RuntimeException if its type has no meta data
+     */
     String getDescription();
 
     /** Data of its type. */

@@ -27,7 +27,11 @@ public class JournalTest extends LaidOutMrl {
         Plan plan() throws Exception;
     }
 
-    /** Kills before the first step, the second, ..., until one goes through; each time the tree is as before or as after. @return after */
+    /**
+     * Kills before the first step, the second, ..., until one goes through; each time the tree is as before or as after.
+     *
+     * @return after
+     */
     private Map<String, String> killEverywhere(Planning planning) throws Exception {
         Map<String, String> before = tree();
         Map<Integer, Map<String, String>> states = new TreeMap<>();

@@ -85,7 +85,11 @@ final class BlendFile {
         return file.scene(file.meshBlock(corners, polygons), place);
     }
 
-    /** The same object, but its mesh is in another file. @param path of that file, as Blender writes it */
+    /**
+     * The same object, but its mesh is in another file.
+     *
+     * @param path of that file, as Blender writes it
+     */
     static byte[] linked(String path) {
         BlendFile file = new BlendFile();
         Block library = file.block("LI", "Library", 1).name("LIother");

@@ -32,7 +32,11 @@ final class ModelFiles {
         this.place = place;
     }
 
-    /** Writes {@code assets/m.ENDING} into a project. @return the path for {@code Model} */
+    /**
+     * Writes {@code assets/m.ENDING} into a project.
+     *
+     * @return the path for {@code Model}
+     */
     String put(ProjectRule project, String ending) throws IOException {
         Path assets = project.folder().resolve("assets");
         Files.createDirectories(assets);

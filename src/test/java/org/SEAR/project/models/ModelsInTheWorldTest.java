@@ -112,7 +112,11 @@ public class ModelsInTheWorldTest {
         return nearest;
     }
 
-    /** Compares each beam with the triangles; beams that pass an edge within a tenth of a degree may do either. @return beams that hit */
+    /**
+     * Compares each beam with the triangles; beams that pass an edge within a tenth of a degree may do either.
+     *
+     * @return beams that hit
+     */
     private static int assertSeen(String what, LidarScan scan, double[] corners, int[] triangles, double... eye) {
         int hits = 0;
         for (int i = 0; i < scan.size(); i++) {
@@ -160,7 +164,11 @@ public class ModelsInTheWorldTest {
         }
     }
 
-    /** Drives against something in front. @return where the point of the robot that is foremost is then */
+    /**
+     * Drives against something in front.
+     *
+     * @return where the point of the robot that is foremost is then
+     */
     private double stopped(double[]... points) throws Exception {
         try (Simulation simulation = Simulation.load(project.folder(), 1)) {
             Robot robot = simulation.getRobots().get(0);

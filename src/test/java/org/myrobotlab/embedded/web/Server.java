@@ -79,7 +79,11 @@ final class Server extends ExternalResource {
         return head.append(all).append(all.isEmpty() ? "" : "\r\n").toString();
     }
 
-    /** Sends a request and answers the status code. @param request method and address, as "GET /" */
+    /**
+     * Sends a request and answers the status code.
+     *
+     * @param request method and address, as "GET /"
+     */
     int status(String request, String body, String... headers) throws IOException {
         try (Socket socket = connect()) {
             byte[] bytes = body.getBytes(StandardCharsets.UTF_8);
@@ -95,7 +99,11 @@ final class Server extends ExternalResource {
         return socket;
     }
 
-    /** Opens a web socket. @return the connection after the server's answer, or null if it is refused */
+    /**
+     * Opens a web socket.
+     *
+     * @return the connection after the server's answer, or null if it is refused
+     */
     Socket webSocket(String path, String... headers) throws IOException {
         Socket socket = connect();
         send(socket, head("GET " + path, headers) + "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
@@ -120,7 +128,11 @@ final class Server extends ExternalResource {
         socket.getOutputStream().write(text.getBytes(StandardCharsets.UTF_8));
     }
 
-    /** The bytes of a frame, masked with zeros. @param first FIN and kind, as 0x81 for a whole text */
+    /**
+     * The bytes of a frame, masked with zeros.
+     *
+     * @param first FIN and kind, as 0x81 for a whole text
+     */
     static byte[] frame(int first, byte... data) {
         ByteArrayOutputStream frame = new ByteArrayOutputStream();
         frame.write(first);

@@ -101,7 +101,11 @@ public class SturdyServerTest {
         othersAreServed();
     }
 
-    /** Fragments of a message that never ends. @return how many megabytes the server took */
+    /**
+     * Fragments of a message that never ends.
+     *
+     * @return how many megabytes the server took
+     */
     private int megabytesTaken(int first) throws IOException {
         byte[] part = new byte[MEGABYTE];
         Arrays.fill(part, (byte) ' ');

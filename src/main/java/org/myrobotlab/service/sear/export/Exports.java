@@ -36,7 +36,12 @@ public final class Exports {
         return terminal.getPath();
     }
 
-    /** Makes a TCP server on the loopback address for a port: raw bytes. @param number of the TCP port, 0 for any free one @return the number */
+    /**
+     * Makes a TCP server on the loopback address for a port: raw bytes.
+     *
+     * @param number of the TCP port, 0 for any free one
+     * @return the number
+     */
     public synchronized int tcp(String port, int number) throws IOException {
         PortBridge bridge = bridge(port);
         TcpEnd server = TcpEnd.open(port, number);

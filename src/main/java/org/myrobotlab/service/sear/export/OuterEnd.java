@@ -5,7 +5,12 @@ import java.util.function.IntConsumer;
 
 /** Where a program outside MyRobotLab comes in to a port. */
 interface OuterEnd {
-    /** Starts taking bytes. @param bytes gets what the program sends @param baud gets the rate the program sets, where one can be set */
+    /**
+     * Starts taking bytes.
+     *
+     * @param bytes gets what the program sends
+     * @param baud gets the rate the program sets, where one can be set
+     */
     void start(Consumer<byte[]> bytes, IntConsumer baud);
 
     /** Bytes for the program; lost if nobody reads them. Never waits. */

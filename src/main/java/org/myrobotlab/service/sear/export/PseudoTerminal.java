@@ -104,7 +104,10 @@ final class PseudoTerminal implements OuterEnd {
         this.link = link;
     }
 
-    /** @param link symbolic link to make, or null @param baud the rate it starts with, 0 for the system's */
+    /**
+     * @param link symbolic link to make, or null
+     * @param baud the rate it starts with, 0 for the system's
+     */
     static PseudoTerminal open(String port, String link, int baud) throws IOException {
         if (!Platform.isLinux() && !Platform.isMac()) {
             throw new IOException("this system has no pseudo-terminals: use exportTcp(\"" + port + "\", 0)");

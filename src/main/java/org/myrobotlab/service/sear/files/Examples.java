@@ -38,7 +38,11 @@ final class Examples {
         return paths;
     }
 
-    /** Gives an example to somebody as a file. @return whether there is one of that path */
+    /**
+     * Gives an example to somebody as a file.
+     *
+     * @return whether there is one of that path
+     */
     static boolean with(Path path, Work work) throws IOException, ProjectException {
         String name = path.toString().replace('\\', '/');
         if (!paths().contains(name)) {

@@ -58,7 +58,11 @@ public final class Projects {
         return Paths.get(System.getProperty("sear.project", DEFAULT_FOLDER)).toAbsolutePath().normalize();
     }
 
-    /** Puts the present project aside. @return where it is now; null if there was none */
+    /**
+     * Puts the present project aside.
+     *
+     * @return where it is now; null if there was none
+     */
     public synchronized Path startAnew() throws IOException {
         refuseWhileRunning("newProject");
         return Bundle.newProject(folder());
@@ -76,7 +80,11 @@ public final class Projects {
         }
     }
 
-    /** Saves the project as a bundle. @param file gets the ending .sear, if it has it not; its folder must be there */
+    /**
+     * Saves the project as a bundle.
+     *
+     * @param file gets the ending .sear, if it has it not; its folder must be there
+     */
     public void save(Path file) throws IOException, ProjectException {
         if (!Files.isDirectory(folder())) {
             throw new IOException("there is no project folder " + folder() + ": create some objects first (org.SEAR.POJOs)");
@@ -123,7 +131,11 @@ public final class Projects {
         return path.toLowerCase(Locale.ROOT).endsWith(ENDING) ? path : path + ENDING;
     }
 
-    /** Replaces the project by a bundle's, once that is read whole and found valid. @param file may be an example's path that is not on the disk */
+    /**
+     * Replaces the project by a bundle's, once that is read whole and found valid.
+     *
+     * @param file may be an example's path that is not on the disk
+     */
     public synchronized void load(Path file) throws IOException, ProjectException {
         refuseWhileRunning("loadProject");
         Path ended = Paths.get(withEnding(file.toString()));
@@ -136,7 +148,12 @@ public final class Projects {
         }
     }
 
-    /** Adds a robot of a bundle or folder to the project. @param robot its name there; null or empty if it is the only one @return its name here */
+    /**
+     * Adds a robot of a bundle or folder to the project.
+     *
+     * @param robot its name there; null or empty if it is the only one
+     * @return its name here
+     */
     public synchronized String importRobot(Path file, String robot) throws IOException, ProjectException {
         refuseWhileRunning("importRobot");
         Map<String, String> renamed = Bundle.importRobot(file, folder(), robot);
@@ -144,7 +161,11 @@ public final class Projects {
         return renamed.values().iterator().next();
     }
 
-    /** Adds the environment of a bundle or folder to the project. @return the names of the objects here */
+    /**
+     * Adds the environment of a bundle or folder to the project.
+     *
+     * @return the names of the objects here
+     */
     public synchronized List<String> importEnvironment(Path file) throws IOException, ProjectException {
         refuseWhileRunning("importEnvironment");
         Map<String, String> renamed = Bundle.importEnvironment(file, folder());
@@ -160,7 +181,12 @@ public final class Projects {
         });
     }
 
-    /** Copies a template into a folder. @return the copy @throws IOException if that exists already */
+    /**
+     * Copies a template into a folder.
+     *
+     * @return the copy
+     * @throws IOException if that exists already
+     */
     public Path copyTemplate(String name, String folder) throws IOException {
         if (!TEMPLATES.contains(name)) {
             throw new IllegalArgumentException("there is no template \"" + name + "\"; there are " + TEMPLATES);

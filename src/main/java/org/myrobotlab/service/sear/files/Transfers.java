@@ -34,7 +34,10 @@ public final class Transfers {
         void on(Path bundle) throws Exception;
     }
 
-    /** @param save writes the project as a bundle @param load replaces the project by a bundle */
+    /**
+     * @param save writes the project as a bundle
+     * @param load replaces the project by a bundle
+     */
     public Transfers(Work save, Work load) {
         this.save = save;
         this.load = load;

@@ -34,7 +34,11 @@ public final class Callers {
         return sleeping.containsKey(thread);
     }
 
-    /** Whether another thread than the present one has waited long enough and is about to go on. @param now simulated seconds */
+    /**
+     * Whether another thread than the present one has waited long enough and is about to go on.
+     *
+     * @param now simulated seconds
+     */
     public boolean othersAreDue(double now) {
         return sleeping.entrySet().stream().anyMatch(one -> one.getKey() != Thread.currentThread() && one.getValue() <= now);
     }

@@ -90,7 +90,11 @@ public final class Publisher {
         }
     }
 
-    /** Publishes the readings whose time has come; the stepping thread calls it in lock-step. @return whether there were any */
+    /**
+     * Publishes the readings whose time has come; the stepping thread calls it in lock-step.
+     *
+     * @return whether there were any
+     */
     public boolean publishDue() {
         SimulationSession session = subscriptions.isEmpty() ? null : control.sessionOrNull();
         if (session == null) {

@@ -129,7 +129,12 @@ public final class Readings {
         });
     }
 
-    /** Drives a robot, the first if the name is null. @param speed m/s @param radius metres, + left, infinite = straight, 0 = in place */
+    /**
+     * Drives a robot, the first if the name is null.
+     *
+     * @param speed m/s
+     * @param radius metres, + left, infinite = straight, 0 = in place
+     */
     public void drive(String robot, double speed, double radius) throws InterruptedException {
         if (Double.isNaN(speed) || Double.isInfinite(speed) || Double.isNaN(radius)) {
             throw new IllegalArgumentException("drive(" + speed + ", " + radius + "), legal: a speed in m/s, and a radius in m, 0 or infinity");
@@ -147,7 +152,11 @@ public final class Readings {
         return control.session().getSimulation().getSensorNames();
     }
 
-    /** A robot by name, or the first. @throws IllegalArgumentException that names the robots there are */
+    /**
+     * A robot by name, or the first.
+     *
+     * @throws IllegalArgumentException that names the robots there are
+     */
     static Robot robot(Simulation world, String asked) {
         String name = ScriptText.of(asked);
         for (Robot robot : world.getRobots()) {

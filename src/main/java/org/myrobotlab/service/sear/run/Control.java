@@ -80,7 +80,11 @@ public final class Control {
         return present != null && present.isRunning();
     }
 
-    /** The running simulation. @throws IllegalStateException if there is none */
+    /**
+     * The running simulation.
+     *
+     * @throws IllegalStateException if there is none
+     */
     public SimulationSession session() {
         SimulationSession present = session;
         if (present == null || !present.isRunning()) {
@@ -100,7 +104,11 @@ public final class Control {
         return session;
     }
 
-    /** Speed of this and the next simulations. @param factor simulated seconds a second; infinity = as fast as possible */
+    /**
+     * Speed of this and the next simulations.
+     *
+     * @param factor simulated seconds a second; infinity = as fast as possible
+     */
     public void setSpeed(double factor) {
         speed = RunSettings.checkedSpeed(factor);
         if (isRunning()) {

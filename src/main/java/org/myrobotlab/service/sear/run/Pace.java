@@ -25,7 +25,11 @@ final class Pace {
         return speed;
     }
 
-    /** From here on time is kept. @param time simulated seconds */
+    /**
+     * From here on time is kept.
+     *
+     * @param time simulated seconds
+     */
     synchronized void begin(double time) {
         startTime = time;
         startNanos = System.nanoTime();

@@ -26,7 +26,11 @@ public final class RunSettings {
         this.seed = seed;
     }
 
-    /** Reads the properties. @throws IllegalArgumentException that names property, value and what is legal */
+    /**
+     * Reads the properties.
+     *
+     * @throws IllegalArgumentException that names property, value and what is legal
+     */
     public static RunSettings fromSystem() {
         String speed = System.getProperty("sear.speed", "1");
         boolean max = MAX.equals(speed);
@@ -50,7 +54,10 @@ public final class RunSettings {
         }
     }
 
-    /** @return the factor @throws IllegalArgumentException that says what is legal */
+    /**
+     * @return the factor
+     * @throws IllegalArgumentException that says what is legal
+     */
     public static double checkedSpeed(double factor) {
         if (!(factor > 0)) {
             throw new IllegalArgumentException("speed is " + factor + ", legal: above 0 (1 = real time, float('inf') = as fast as possible)");

@@ -218,7 +218,11 @@ public final class SimulationSession {
         return null;
     }
 
-    /** Brings bytes from a device's Serial service to the device. @return whether the service belongs to one of the lines */
+    /**
+     * Brings bytes from a device's Serial service to the device.
+     *
+     * @return whether the service belongs to one of the lines
+     */
     public boolean toDevice(String serviceName, byte[] bytes) {
         UartLine line = lineOf(serviceName);
         if (line != null) {

@@ -55,7 +55,11 @@ final class UartLine {
         return line.getObjectName() + "_" + kind + "simulator_Serial_Service";
     }
 
-    /** Makes ports, cable and service. @throws IOException if a port or the service can't be had */
+    /**
+     * Makes ports, cable and service.
+     *
+     * @throws IOException if a port or the service can't be had
+     */
     void open(PortClock clock) throws IOException {
         VirtualSerialPort.makeNullModem(uart, user);
         String owner = line.getObjectType() + " " + line.getObjectName() + " of the running simulation";

@@ -30,7 +30,11 @@ public class MetaData implements Serializable {
         simpleName = name.endsWith("Meta") ? name.substring(0, name.length() - "Meta".length()) : name;
     }
 
-    /** The data of a type, given with or without package. @throws IllegalArgumentException if there is none */
+    /**
+     * The data of a type, given with or without package.
+     *
+     * @throws IllegalArgumentException if there is none
+     */
     public static MetaData get(String type) {
         String simple = type.substring(type.lastIndexOf('.') + 1);
         try {

@@ -1,0 +1,86 @@
+package org.myrobotlab.embedded;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import org.myrobotlab.framework.Service;
+import org.myrobotlab.service.config.SerialConfig;
+import org.myrobotlab.service.interfaces.QueueSource;
+
+/** How Serial's bytes are read: they wait in a queue, and a read waits for them. Any thread; reads are served one after another. */
+public abstract class ReadingService extends Service<SerialConfig> implements QueueSource {
+    private static final long serialVersionUID = 1L;
+
+    /** What has come in and was not read yet, each 0 to 255. */
+    protected final transient BlockingQueue<Integer> blockingRX = new LinkedBlockingQueue<>();
+    private final transient ByteReader reader = new ByteReader(blockingRX, this::error);
+
+    protected ReadingService(String name, String id) {
+        super(name, id);
+    }
+
+    public synchronized int read() throws IOException, InterruptedException {
+        return reader.read();
+    }
+
+    /** Waits for as many bytes as the array holds. */
+    public synchronized int read(byte[] data) throws IOException, InterruptedException {
+        for (int i = 0; i < data.length; i++) {
+            data[i] = (byte) reader.read();
+        }
+        return data.length;
+    }
+
+    /** Waits for that many bytes; fewer if the time-out ends before. */
+    public synchronized byte[] read(int length) throws InterruptedException {
+        return reader.read(length);
+    }
+
+    /** All that has come in. */
+    public synchronized byte[] readBytes() throws IOException, InterruptedException {
+        return reader.read(available());
+    }
+
+    public byte[] readLine() throws InterruptedException {
+        return readLine('\n');
+    }
+
+    public byte[] readLine(char delimiter) throws InterruptedException {
+        return reader.readTo(delimiter);
+    }
+
+    public String readString() throws InterruptedException {
+        return readString('\n');
+    }
+
+    public String readString(char delimiter) throws InterruptedException {
+        return new String(readLine(delimiter), StandardCharsets.UTF_8);
+    }
+
+    public String readString(int length) throws InterruptedException {
+        return new String(read(length), StandardCharsets.UTF_8);
+    }
+
+    public int available() {
+        return blockingRX.size();
+    }
+
+    public void clear() {
+        blockingRX.clear();
+    }
+
+    @Override
+    public BlockingQueue<?> getQueue() {
+        return blockingRX;
+    }
+
+    /** Milliseconds that a read waits; 0 without end. */
+    public void setTimeout(int timeoutMs) {
+        reader.setTimeout(timeoutMs);
+    }
+
+    public int getTimeout() {
+        return reader.getTimeout();
+    }
+}

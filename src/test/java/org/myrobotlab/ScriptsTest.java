@@ -85,7 +85,7 @@ public class ScriptsTest {
         while (longitudes.find()) {
             last = Double.parseDouble(longitudes.group(1));
         }
-        assertEquals("metres driven east", 0.6, (first - last) / 60 * DEGREE_LENGTH, 0.3);
+        assertEquals("metres driven west, where the start pose looks", 0.6, (last - first) / 60 * DEGREE_LENGTH, 0.3);
     }
 
     @Test

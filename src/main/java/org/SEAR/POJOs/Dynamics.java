@@ -2,7 +2,7 @@ package org.SEAR.POJOs;
 
 /** Mass, suspension and start pose of a robot, and its serial port, which speaks the Roomba protocol. The pose counts from the robot's own. */
 @Described("mass, suspension and start pose of a robot (in the world, or from where the robot was moved to), and its serial port, which speaks the"
-    + " Roomba protocol")
+    + " Roomba protocol. A start pose that lies on its back is set upright and turned by 180 degrees, with a warning")
 public class Dynamics extends SearObject implements SerialObject {
     private static final double STIFFNESS = 60;
     private static final double COMPRESSION = 0.3;

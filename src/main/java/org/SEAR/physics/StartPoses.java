@@ -17,18 +17,6 @@ public final class StartPoses {
     private StartPoses() {
     }
 
-    /** The pose, or if it stands upside down, the same place and heading on its wheels. */
-    public static Pose upright(String robot, Pose pose, List<String> warnings) {
-        double[] up = pose.rotate(0, 1, 0);
-        if (up[1] >= 0) {
-            return pose;
-        }
-        double[] ahead = pose.rotate(0, 0, 1);
-        double half = Math.atan2(ahead[0], ahead[2]) / 2;
-        warnings.add("robot " + robot + " would start upside down; it was set on its wheels with the same heading");
-        return new Pose(pose.x, pose.y, pose.z, 0, Math.sin(half), 0, Math.cos(half));
-    }
-
     /** Lifts everything with mass out of everything fixed. */
     public static void lift(List<Body> bodies, List<String> warnings) {
         for (Body body : bodies) {

@@ -14,7 +14,6 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.Scenes;
 import org.SEAR.physics.Solid;
-import org.SEAR.physics.StartPoses;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
@@ -62,7 +61,7 @@ public final class RobotBuilder {
         for (int i = 0; i < all.length; i++) {
             all[i] = places.get(i).times(solids.get(i).offset);
         }
-        Pose start = StartPoses.upright(robot.getName(), place(robot).times(place(dynamics)), warnings);
+        Pose start = StartPose.of(robot, dynamics, warnings);
         body = new Body(robot.getName(), dynamics.getMass(), solids, all, centre, start);
         body.setRobot();
     }

@@ -1,5 +1,6 @@
 package org.SEAR.simulator;
 
+import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
@@ -149,17 +150,28 @@ public class TouchingTest {
         assertEquals("something never sleeps", 0, simulation.getWorld().getPhysics().getBusyBodies());
     }
 
-    @Test
-    public void aRobotUpsideDownIsSetOnItsWheels() throws Exception {
+    /** Where the robot looks at its start: {x, z} of its forward axis. */
+    private double[] aheadOf(double[] robotDegrees, double[] dynamicsDegrees) throws Exception {
         new Floor("floor", 50, 50);
         SEARrobot robot = Worlds.roomba("roomba", 1, 2, 0);
-        robot.getComponents().stream().filter(part -> part instanceof Dynamics).forEach(part -> part.rotate(0, 0, 180));
+        robot.rotate(robotDegrees[0], robotDegrees[1], robotDegrees[2]);
+        robot.getComponents().stream().filter(part -> part instanceof Dynamics)
+            .forEach(part -> part.rotate(dynamicsDegrees[0], dynamicsDegrees[1], dynamicsDegrees[2]));
         Simulation simulation = Worlds.start(project);
+        assertTrue(simulation.snapshot().warnings.toString(), simulation.snapshot().warnings.toString().contains("upside down"));
         Worlds.run(simulation, 1);
         Pose pose = simulation.getPose("roomba");
         assertEquals(1, pose.rotate(0, 1, 0)[1], 0.01);
-        assertEquals(1, pose.rotate(0, 0, 1)[2], 0.01);
-        assertTrue(simulation.snapshot().warnings.toString().contains("upside down"));
+        double[] ahead = pose.rotate(0, 0, 1);
+        return new double[] {ahead[0], ahead[2]};
+    }
+
+    @Test
+    public void aRobotUpsideDownIsSetUprightAndTurned() throws Exception {
+        assertArrayEquals(new double[] {0, -1}, aheadOf(new double[3], new double[] {0, 0, 180}), 0.01);
+        assertArrayEquals("about either axis", new double[] {0, -1}, aheadOf(new double[3], new double[] {180, 0, 0}), 0.01);
+        assertArrayEquals("its heading is kept", new double[] {-1, 0}, aheadOf(new double[3], new double[] {0, 90, 180}), 0.01);
+        assertArrayEquals("the robot itself", new double[] {0, -1}, aheadOf(new double[] {0, 0, 180}, new double[3]), 0.01);
     }
 
     @Test

@@ -230,6 +230,11 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         return tokens;
     }
 
+    /** The same as {@link #publishGGAData}, under the name that the dissertation's Listing 8 has. */
+    public String[] publishGGADData(String[] tokens) {
+        return tokens;
+    }
+
     /** [latitude, longitude, altitude]: decimal degrees, + north and east, and metres. */
     public double[] publishGPS(double[] position) {
         return position;
@@ -305,6 +310,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
             }
         }
         invoke("publishGGAData", (Object) received.tokens);
+        invoke("publishGGADData", (Object) received.tokens);
         if (received.hasFix()) {
             invoke("publishGPS", new double[] {received.latitude, received.longitude, received.altitude});
         }

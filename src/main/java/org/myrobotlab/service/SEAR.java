@@ -16,6 +16,7 @@ import org.myrobotlab.service.config.SEARConfig;
 import org.myrobotlab.service.link.PanelFiles;
 import org.myrobotlab.service.sear.SensorReading;
 import org.myrobotlab.service.sear.panel.Preview;
+import org.myrobotlab.service.sear.run.SimulationSession;
 
 /**
  * SEAR, the Simulation Environment for Autonomous Robots, as a MyRobotLab service: starts the world that the objects of {@code org.SEAR.POJOs}
@@ -137,6 +138,12 @@ public class SEAR extends Service<SEARConfig> {
             works.control().setLockStep(on);
             return null;
         });
+    }
+
+    /** Whether a simulation runs whose time advances only inside {@link #simSleep} and {@link #step}. */
+    public boolean isLockStep() {
+        SimulationSession session = works == null ? null : works.control().sessionOrNull();
+        return session != null && session.isLockStep();
     }
 
     /** Whether a simulation runs (a paused one too). */

@@ -26,11 +26,16 @@ import org.python.core.PySystemState;
 import org.python.core.ThreadState;
 import org.python.core.TraceFunction;
 import org.python.util.PythonInterpreter;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * One Python interpreter. Scripts and callbacks share its variables; each runs on the thread of whoever calls. Any thread.
  */
 public final class PythonEngine {
+    private static final Logger LOG = LoggerFactory.getLogger(PythonEngine.class);
+    /** Whose classes scripts import all at once. */
+    private static final String OBJECTS = "org.SEAR.POJOs";
     private static final Map<String, PythonEngine> ENGINES = new ConcurrentHashMap<>();
 
     private final String name;
@@ -64,6 +69,11 @@ public final class PythonEngine {
         settings.setProperty("python.console.encoding", "UTF-8");
         Options.importSite = false;
         PySystemState.initialize(System.getProperties(), settings, new String[] {""});
+        try {
+            PySystemState.add_package(OBJECTS, String.join(",", PackageClasses.of(OBJECTS, PythonEngine.class.getClassLoader())));
+        } catch (IOException e) {
+            LOG.warn("\"from {} import *\" finds nothing: {}", OBJECTS, e.toString());
+        }
     }
 
     /** The interpreter of a running Python service; null if there is none of that name. */

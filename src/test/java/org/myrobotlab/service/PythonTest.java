@@ -182,4 +182,34 @@ public class PythonTest {
         python.closeScript("sub/a.py");
         assertTrue(python.openedScripts.isEmpty());
     }
+
+    @Test
+    public void allObjectsAreImportedAtOnce() {
+        assertTrue(python.exec("from org.SEAR.POJOs import Cone\nfrom org.SEAR.POJOs import *\nimport org.SEAR.POJOs.Floor\n"
+            + "assert str(Box) == \"<type 'org.SEAR.POJOs.Box'>\"\nassert Cone and SEARrobot and org.SEAR.POJOs.Floor\n"));
+    }
+
+    @Test
+    public void theModuleTimeIsWhole() {
+        assertTrue(python.exec("from time import *\nimport time, java\nstart = java.lang.System.nanoTime()\ntime.sleep(0.05)\nsleep(0.05)\n"
+            + "assert java.lang.System.nanoTime() - start > 90e6\nassert clock and strftime('%Y', gmtime(0)) == '1970' and timezone == time.timezone"));
+    }
+
+    @Test
+    public void inLockStepEverySleepOfMyRobotLabLetsSimulatedTimePass() {
+        System.setProperty("sear.headless", "true");
+        TestWorld.build(folder.getRoot().toPath());
+        try {
+            assertTrue(python.exec(String.join("\n", "import time", "from time import sleep as nap", "sear = Runtime.start('sear', 'SEAR')",
+                "sear.setLockStep(True)", "sear.startSimulation()", "def passed(work):", "    start = sear.getTime()", "    work()",
+                "    return sear.getTime() - start", "assert abs(passed(lambda: sleep(2)) - 2) < 0.02", "assert abs(passed(lambda: nap(1)) - 1) < 0.02",
+                "assert abs(passed(lambda: time.sleep(0.5)) - 0.5) < 0.02", "roomba = Runtime.start('roomba', 'Roomba')",
+                "roomba.connect('" + TestWorld.ROOMBA_PORT + "')", "roomba.startup()", "roomba.control()",
+                "assert abs(passed(lambda: roomba.sleep(1000)) - 1) < 0.02", "assert abs(passed(lambda: roomba.goForward(500)) - 2.5) < 0.02",
+                "assert abs(sear.getPose('roomba')[2] - 0.5) < 0.02, list(sear.getPose('roomba'))", "assert passed(lambda: roomba.spin(90)) > 0.5",
+                "sear.stopSimulation()", "")));
+        } finally {
+            System.clearProperty("sear.project");
+        }
+    }
 }

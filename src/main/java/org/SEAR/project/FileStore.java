@@ -73,11 +73,11 @@ public final class FileStore implements ObjectStore {
 
     @Override
     public Beam beam(String name) {
-        return new Beams(ProjectFolder.present()).get(name);
+        return new BeamLibrary(ProjectFolder.present()).get(name);
     }
 
     @Override
     public List<String> beamNames() {
-        return new Beams(ProjectFolder.present()).names();
+        return new BeamLibrary(ProjectFolder.present()).names();
     }
 }

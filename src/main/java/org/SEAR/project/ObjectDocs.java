@@ -57,7 +57,7 @@ public final class ObjectDocs {
             section(out, type, ParameterTable.of(SearObject.class).names());
         }
         out.append("\n## Named beams\n\n| beam | other names | farthest | nearest | what it is |\n|---|---|---|---|---|\n");
-        for (Beam beam : Beams.comeWithSear()) {
+        for (Beam beam : BeamLibrary.comeWithSear()) {
             double farthest = beam.getCones().stream().mapToDouble(BeamCone::getRange).max().orElse(0);
             out.append("| ").append(beam.getName()).append(" | ").append(String.join(", ", beam.getAliases())).append(" | ")
                 .append(Parameter.format(farthest)).append(" m | ").append(Parameter.format(beam.getMinRange())).append(" m | ")

@@ -140,7 +140,7 @@ final class ProjectReader {
     }
 
     private void linkBeams(Map<String, ParsedObject> parts) {
-        Beams beams = new Beams(folder);
+        BeamLibrary beams = new BeamLibrary(folder);
         Map<String, Beam> own = beams.own(problems);
         for (ParsedObject parsed : parts.values()) {
             if (parsed.object instanceof Distance && ((Distance) parsed.object).getBeam() != null) {

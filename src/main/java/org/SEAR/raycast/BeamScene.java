@@ -21,7 +21,7 @@ public final class BeamScene {
     private static final ThreadLocal<Casters> CASTERS = ThreadLocal.withInitial(Casters::new);
 
     private final Shapes shapes = new Shapes();
-    private final ShapeTree tree = new ShapeTree(shapes);
+    private final ShapeBvh tree = new ShapeBvh(shapes);
     private double[] poses = new double[16 * POSE];
     private boolean[] seen = new boolean[16];
     private boolean[] changed = new boolean[16];

@@ -9,8 +9,8 @@ final class BundleCaster {
     private static final double SLACK = 1e-9;
 
     private final RayCaster rays;
-    private final int[] stack = new int[Tree.MAX_DEPTH];
-    private final double[] stackNear = new double[Tree.MAX_DEPTH];
+    private final int[] stack = new int[Bvh.MAX_DEPTH];
+    private final double[] stackNear = new double[Bvh.MAX_DEPTH];
     private double axisX;
     private double axisY;
     private double axisZ;
@@ -29,7 +29,7 @@ final class BundleCaster {
      * @param directions unit vectors, x, y and z of each beam
      * @param ranges of the beams, metres
      */
-    double cast(Shapes shapes, Tree tree, double ox, double oy, double oz, double[] directions, double[] ranges, int ignored) {
+    double cast(Shapes shapes, Bvh tree, double ox, double oy, double oz, double[] directions, double[] ranges, int ignored) {
         best = Double.POSITIVE_INFINITY;
         line = -1;
         enclose(directions, ranges.length);
@@ -53,15 +53,15 @@ final class BundleCaster {
             if (count > 0) {
                 for (int i = tree.link(node); i < tree.link(node) + count; i++) {
                     if (shapes.isSeen(tree.items[i], ignored)) {
-                        test(shapes, tree.items[i], tree.data, node * Tree.STRIDE, ox, oy, oz, directions, ranges);
+                        test(shapes, tree.items[i], tree.data, node * Bvh.STRIDE, ox, oy, oz, directions, ranges);
                     }
                 }
                 continue;
             }
             int left = tree.link(node);
-            double nearLeft = isBeside(tree.data, left * Tree.STRIDE, ox, oy, oz) ? -1 : distance(tree.data, left * Tree.STRIDE, ox, oy, oz);
-            double nearRight = isBeside(tree.data, (left + 1) * Tree.STRIDE, ox, oy, oz) ? -1
-                : distance(tree.data, (left + 1) * Tree.STRIDE, ox, oy, oz);
+            double nearLeft = isBeside(tree.data, left * Bvh.STRIDE, ox, oy, oz) ? -1 : distance(tree.data, left * Bvh.STRIDE, ox, oy, oz);
+            double nearRight = isBeside(tree.data, (left + 1) * Bvh.STRIDE, ox, oy, oz) ? -1
+                : distance(tree.data, (left + 1) * Bvh.STRIDE, ox, oy, oz);
             boolean leftLast = nearLeft >= nearRight;
             depth = push(depth, leftLast ? left : left + 1, leftLast ? nearLeft : nearRight);
             depth = push(depth, leftLast ? left + 1 : left, leftLast ? nearRight : nearLeft);

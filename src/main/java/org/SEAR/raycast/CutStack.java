@@ -3,20 +3,20 @@ package org.SEAR.raycast;
 /** Nodes that a fan still has to visit, each with the rectangle of its part of the plane, the nearest on top. */
 final class CutStack {
     private static final int STRIDE = 5;
-    private final int[] nodes = new int[Tree.MAX_DEPTH];
-    private final double[] parts = new double[Tree.MAX_DEPTH * STRIDE];
+    private final int[] nodes = new int[Bvh.MAX_DEPTH];
+    private final double[] parts = new double[Bvh.MAX_DEPTH * STRIDE];
     private int size;
 
     /** Starts with the root, if the plane meets it. */
-    void start(Tree tree, PlaneCut cut, double reachSquared) {
+    void start(Bvh tree, PlaneCut cut, double reachSquared) {
         size = 0;
         if (tree.size() > 0) {
             push(tree, 0, cut, reachSquared);
         }
     }
 
-    private double push(Tree tree, int node, PlaneCut cut, double reachSquared) {
-        if (!cut.meets(tree.data, node * Tree.STRIDE)) {
+    private double push(Bvh tree, int node, PlaneCut cut, double reachSquared) {
+        if (!cut.meets(tree.data, node * Bvh.STRIDE)) {
             return -1;
         }
         double distance = cut.distanceSquared();
@@ -34,7 +34,7 @@ final class CutStack {
     }
 
     /** Adds those children of an inner node that the plane meets within reach. */
-    void pushChildren(Tree tree, int node, PlaneCut cut, double reachSquared) {
+    void pushChildren(Bvh tree, int node, PlaneCut cut, double reachSquared) {
         int children = tree.link(node);
         double right = push(tree, children + 1, cut, reachSquared);
         double left = push(tree, children, cut, reachSquared);

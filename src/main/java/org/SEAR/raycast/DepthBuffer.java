@@ -6,10 +6,10 @@ package org.SEAR.raycast;
  */
 final class DepthBuffer {
     private static final int TABLES = 4;
-    private final Beams[] tables = new Beams[TABLES];
+    private final FanDirections[] tables = new FanDirections[TABLES];
     private int nextTable;
 
-    Beams beams;
+    FanDirections beams;
     double[] inverse = new double[0];
     int[] shape = new int[0];
 
@@ -26,13 +26,13 @@ final class DepthBuffer {
         }
     }
 
-    private Beams table(double startAngle, double step, int count) {
-        for (Beams known : tables) {
+    private FanDirections table(double startAngle, double step, int count) {
+        for (FanDirections known : tables) {
             if (known != null && known.is(startAngle, step, count)) {
                 return known;
             }
         }
-        Beams made = new Beams(startAngle, step, count);
+        FanDirections made = new FanDirections(startAngle, step, count);
         tables[nextTable] = made;
         nextTable = (nextTable + 1) % TABLES;
         return made;
@@ -90,7 +90,7 @@ final class DepthBuffer {
         double enough = 1 / Math.sqrt(distanceSquared) * (1 + 1e-12);
         int from = beams.from(right);
         int to = beams.to(left);
-        if (Beams.inOneGo(right, left)) {
+        if (FanDirections.inOneGo(right, left)) {
             return open(from, to, enough);
         }
         return open(from, beams.count - 1, enough) || open(0, to, enough);

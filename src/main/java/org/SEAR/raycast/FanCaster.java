@@ -31,7 +31,7 @@ final class FanCaster {
         this.rays = rays;
     }
 
-    void cast(Shapes scene, Tree tree, Pose pose, double start, double step, int count, double maxRange, int ignored, double[] ranges, int[] hits) {
+    void cast(Shapes scene, Bvh tree, Pose pose, double start, double step, int count, double maxRange, int ignored, double[] ranges, int[] hits) {
         shapes = scene;
         ox = pose.x;
         oy = pose.y;
@@ -55,7 +55,7 @@ final class FanCaster {
         }
     }
 
-    private double single(Tree tree, int beam, double maxRange, int ignored) {
+    private double single(Bvh tree, int beam, double maxRange, int ignored) {
         double x = depth.beams.x[beam];
         double z = depth.beams.z[beam];
         hit.shape = -1;
@@ -65,7 +65,7 @@ final class FanCaster {
         return t;
     }
 
-    private void scene(Tree tree, int ignored) {
+    private void scene(Bvh tree, int ignored) {
         world.xa = axes[0];
         world.xb = axes[3];
         world.xc = axes[6];
@@ -155,7 +155,7 @@ final class FanCaster {
             return;
         }
         boxCut.cut(own, r, height, r);
-        Beams beams = depth.beams;
+        FanDirections beams = depth.beams;
         for (int e = 0; e < boxCut.size; e++) {
             if (!boxCut.turn(e) || !boxCut.line(own, e)) {
                 continue;
@@ -194,7 +194,7 @@ final class FanCaster {
         cut.zc = own[11] * sz;
         cut.zd = -(own[0] * own[9] + own[1] * own[10] + own[2] * own[11]);
         Mesh mesh = shapes.mesh[number];
-        Tree tree = mesh.tree;
+        Bvh tree = mesh.tree;
         cut.ready(tree);
         meshStack.start(tree, cut, reachSquared);
         for (int node = meshStack.pop(depth); node >= 0; node = meshStack.pop(depth)) {

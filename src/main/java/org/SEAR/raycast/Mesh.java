@@ -14,24 +14,24 @@ final class Mesh {
     private static final double EDGE_ON = 1e-24;
     private static final Map<Triangles, Mesh> KNOWN = new WeakHashMap<>();
 
-    final Tree tree;
+    final Bvh tree;
     /** Nine floats a triangle, in the order of the tree: x, y, z of its three corners. */
     final float[] corners;
 
     /** Bounds are rounded outward: the slab test leaves out a beam that runs within a box's side, so none may. */
     private Mesh(Triangles triangles) {
         int n = triangles.size();
-        float[] boxes = new float[n * Tree.BOUNDS];
+        float[] boxes = new float[n * Bvh.BOUNDS];
         for (int i = 0; i < n; i++) {
             for (int k = 0; k < 3; k++) {
                 float a = triangles.vertices[3 * triangles.indices[3 * i] + k];
                 float b = triangles.vertices[3 * triangles.indices[3 * i + 1] + k];
                 float c = triangles.vertices[3 * triangles.indices[3 * i + 2] + k];
-                boxes[i * Tree.BOUNDS + k] = Math.nextDown(Math.min(a, Math.min(b, c)));
-                boxes[i * Tree.BOUNDS + k + 3] = Math.nextUp(Math.max(a, Math.max(b, c)));
+                boxes[i * Bvh.BOUNDS + k] = Math.nextDown(Math.min(a, Math.min(b, c)));
+                boxes[i * Bvh.BOUNDS + k + 3] = Math.nextUp(Math.max(a, Math.max(b, c)));
             }
         }
-        Tree built = TreeBuilder.build(boxes, LEAF_SIZE);
+        Bvh built = BvhBuilder.build(boxes, LEAF_SIZE);
         corners = new float[9 * n];
         for (int i = 0; i < n; i++) {
             for (int corner = 0; corner < 3; corner++) {
@@ -39,7 +39,7 @@ final class Mesh {
                 System.arraycopy(triangles.vertices, 3 * vertex, corners, 9 * i + 3 * corner, 3);
             }
         }
-        tree = new Tree(built.data, new int[0]);
+        tree = new Bvh(built.data, new int[0]);
     }
 
     /** The mesh of these triangles, built when it is asked for the first time. */

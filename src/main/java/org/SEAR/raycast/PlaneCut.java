@@ -49,7 +49,7 @@ final class PlaneCut {
      *
      * @param tree whose nodes will be asked for
      */
-    void ready(Tree tree) {
+    void ready(Bvh tree) {
         reachHa = Math.abs(ha) / 2;
         reachHb = Math.abs(hb) / 2;
         reachHc = Math.abs(hc) / 2;

@@ -8,8 +8,8 @@ final class RayCaster {
     long triangles;
 
     /** Ways through the hierarchies of the scene and of a mesh in it. */
-    private final RayWalk scene = new RayWalk();
-    private final RayWalk inside = new RayWalk();
+    private final RayTraversal scene = new RayTraversal();
+    private final RayTraversal inside = new RayTraversal();
     private final double[] point = new double[3];
     /** The triangle that the last successful {@link #mesh} met. */
     private int triangle;
@@ -20,7 +20,7 @@ final class RayCaster {
     }
 
     /** Nearest distance of a beam over all shapes that the owner sees; the lower shape number wins a tie. */
-    double cast(Shapes shapes, Tree tree, double ox, double oy, double oz, double dx, double dy, double dz, double maxRange, int ignored, Hit hit) {
+    double cast(Shapes shapes, Bvh tree, double ox, double oy, double oz, double dx, double dy, double dz, double maxRange, int ignored, Hit hit) {
         double best = Double.POSITIVE_INFINITY;
         int found = -1;
         double limit = maxRange;
@@ -74,7 +74,7 @@ final class RayCaster {
     }
 
     private double mesh(Mesh mesh, double ox, double oy, double oz, double dx, double dy, double dz, double maxRange) {
-        Tree tree = mesh.tree;
+        Bvh tree = mesh.tree;
         double best = Double.POSITIVE_INFINITY;
         double limit = maxRange;
         inside.start(tree, ox, oy, oz, dx, dy, dz);

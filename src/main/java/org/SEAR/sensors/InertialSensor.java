@@ -7,7 +7,7 @@ abstract class InertialSensor extends Sensor<VectorReading> {
     private static final int AXES = 3;
 
     private final double bandwidth;
-    private final Window window = new Window();
+    private final MovingAverage window = new MovingAverage();
 
     /** @param bandwidth Hz; from half the simulation's rate upwards the window is a single step */
     InertialSensor(SearObject parameters, double bandwidth, long seed) {
@@ -17,7 +17,7 @@ abstract class InertialSensor extends Sensor<VectorReading> {
 
     /** Puts the value of the last step into the window, along the sensor's axes. */
     final void add(Truth truth, double x, double y, double z) {
-        window.add(Window.steps(bandwidth, truth.stepLength()), x, y, z);
+        window.add(MovingAverage.steps(bandwidth, truth.stepLength()), x, y, z);
     }
 
     @Override

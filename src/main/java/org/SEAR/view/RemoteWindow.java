@@ -14,8 +14,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.SEAR.view.link.WorldLink;
 import org.SEAR.view.platform.DisplayCheck;
-import org.SEAR.view.process.Wire;
-import org.SEAR.view.process.WorldState;
+import org.SEAR.view.process.StateMessage;
+import org.SEAR.view.process.WindowProtocol;
 
 /** A window in a process of its own, seen from the simulation's process. Any thread. */
 final class RemoteWindow implements WindowBody {
@@ -76,8 +76,8 @@ final class RemoteWindow implements WindowBody {
     private void feed() {
         try (DataOutputStream out = new DataOutputStream(new BufferedOutputStream(process.getOutputStream()))) {
             while (process.isAlive() && !closing) {
-                if (world.moment() != null) {
-                    WorldState.of(world).write(out);
+                if (world.sceneState() != null) {
+                    StateMessage.of(world).write(out);
                     out.flush();
                 }
                 LockSupport.parkNanos(FEED_PERIOD);
@@ -100,24 +100,24 @@ final class RemoteWindow implements WindowBody {
 
     private void hear(int what, DataInputStream in) throws IOException {
         switch (what) {
-            case Wire.OPENED:
+            case WindowProtocol.OPENED:
                 open = true;
                 settled.countDown();
                 break;
-            case Wire.PROBLEM:
+            case WindowProtocol.PROBLEM:
                 problem = in.readUTF();
                 settled.countDown();
                 break;
-            case Wire.WARNING:
+            case WindowProtocol.WARNING:
                 options.getWarnings().accept(in.readUTF());
                 break;
-            case Wire.CLOSED:
+            case WindowProtocol.CLOSED:
                 open = false;
                 world.close();
                 start(options.getOnClosed(), "SEAR window closed");
                 break;
             default:
-                if (!Wire.obey(what, in, world)) {
+                if (!WindowProtocol.obey(what, in, world)) {
                     throw new IOException("the window's process sent " + what + ", which means nothing");
                 }
                 break;

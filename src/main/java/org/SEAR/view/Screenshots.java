@@ -1,7 +1,7 @@
 package org.SEAR.view;
 
-import com.jme3.profile.AppProfiler;
 import com.jme3.post.SceneProcessor;
+import com.jme3.profile.AppProfiler;
 import com.jme3.renderer.Camera;
 import com.jme3.renderer.RenderManager;
 import com.jme3.renderer.ViewPort;

@@ -11,12 +11,12 @@ import java.nio.file.Paths;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.view.process.PipeLink;
-import org.SEAR.view.process.Wire;
+import org.SEAR.view.process.WindowProtocol;
 
 /**
  * A window in a process of its own. On macOS the first thread of a process must be the window's, and MyRobotLab's is not free; elsewhere this
- * keeps a broken graphics driver away from MyRobotLab. States come in on standard input, {@link Wire} goes out on standard output; it ends when its
- * input ends.
+ * keeps a broken graphics driver away from MyRobotLab. States come in on standard input, {@link WindowProtocol} goes out on standard output; it ends
+ * when its input ends.
  */
 public final class WindowProcess {
     private WindowProcess() {
@@ -29,17 +29,17 @@ public final class WindowProcess {
         PipeLink world = new PipeLink(Project.read(Paths.get(arguments[0])), out);
         WindowOptions options = new WindowOptions().setTitle(arguments[1])
             .setSize(Integer.parseInt(arguments[2]), Integer.parseInt(arguments[3])).setDebugShapes(Boolean.parseBoolean(arguments[4]))
-            .setScreenshotFolder(Paths.get(arguments[5])).setWarnings(warning -> world.say(Wire.WARNING, warning))
+            .setScreenshotFolder(Paths.get(arguments[5])).setWarnings(warning -> world.say(WindowProtocol.WARNING, warning))
             .setOnClosed(() -> {
-                world.say(Wire.CLOSED);
+                world.say(WindowProtocol.CLOSED);
                 Runtime.getRuntime().halt(0);
             });
         Thread receiver = new Thread(() -> receive(world), "SEAR window feed");
         receiver.setDaemon(true);
         receiver.start();
-        WindowBody window = WindowStart.open(world, options, () -> world.say(Wire.OPENED));
+        WindowBody window = WindowStart.open(world, options, () -> world.say(WindowProtocol.OPENED));
         if (window.problem() != null) {
-            world.say(Wire.PROBLEM, window.problem());
+            world.say(WindowProtocol.PROBLEM, window.problem());
         }
     }
 

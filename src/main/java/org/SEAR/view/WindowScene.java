@@ -8,20 +8,20 @@ import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
 import org.SEAR.project.models.ModelLoader;
 import org.SEAR.view.hud.Hud;
-import org.SEAR.view.hud.StatusWords;
+import org.SEAR.view.hud.StatusText;
 import org.SEAR.view.input.Controls;
 import org.SEAR.view.input.Key;
 import org.SEAR.view.input.KeyDrive;
 import org.SEAR.view.input.KeyLayout;
-import org.SEAR.view.link.Moment;
+import org.SEAR.view.link.SceneState;
 import org.SEAR.view.link.WorldLink;
 import org.SEAR.view.scene.CameraRig;
 import org.SEAR.view.scene.DebugShapes;
 import org.SEAR.view.scene.Labels;
+import org.SEAR.view.scene.Lighting;
 import org.SEAR.view.scene.Materials;
-import org.SEAR.view.scene.Playback;
 import org.SEAR.view.scene.SceneBuilder;
-import org.SEAR.view.scene.Surroundings;
+import org.SEAR.view.scene.SceneInterpolator;
 import org.SEAR.view.scene.WorldView;
 
 /** Everything on the window, and what the keys do with it. Window thread only. */
@@ -31,8 +31,8 @@ final class WindowScene {
     private static final float LOOK_UP = 0.1f;
 
     private final WorldLink link;
-    private final Playback playback = new Playback();
-    private final Surroundings surroundings;
+    private final SceneInterpolator interpolator = new SceneInterpolator();
+    private final Lighting lighting;
     private final WorldView world;
     private final DebugShapes shapes;
     private final CameraRig camera;
@@ -40,7 +40,7 @@ final class WindowScene {
     private final Labels labels;
     private final Hud hud;
     private final Screenshots screenshots;
-    private final Frugality frugality = new Frugality();
+    private final FrameRateMonitor frameRate = new FrameRateMonitor();
     private final KeyDrive drive = new KeyDrive();
     private final Hud.State state = new Hud.State();
     private final WindowApplication window;
@@ -54,7 +54,7 @@ final class WindowScene {
         BitmapFont font = window.getAssetManager().loadFont("Interface/Fonts/Default.fnt");
         Materials materials = new Materials(window.getAssetManager(), options.getWarnings());
         SceneBuilder builder = new SceneBuilder(new ModelLoader(link.project().getAssets()), materials, options.getWarnings());
-        surroundings = new Surroundings(window.getAssetManager(), window.getRootNode(), window.getViewPort());
+        lighting = new Lighting(window.getAssetManager(), window.getRootNode(), window.getViewPort());
         world = new WorldView(link.project(), builder, link.beams(), materials);
         window.getRootNode().attachChild(world.root());
         shapes = new DebugShapes(link.project(), world, materials);
@@ -70,10 +70,10 @@ final class WindowScene {
         state.beamSensors = world.beamSensors();
     }
 
-    /** Draws the newest moment; does nothing while there is none. */
+    /** Draws the newest state; does nothing while there is none. */
     void update(float frameTime) {
-        Moment moment = link.moment();
-        if (moment == null) {
+        SceneState sceneState = link.sceneState();
+        if (sceneState == null) {
             return;
         }
         state.paused = link.isPaused();
@@ -83,17 +83,17 @@ final class WindowScene {
         state.flying = camera.isFlying();
         state.robot = robot;
         state.hidden = world.hiddenSensors();
-        playback.advance(moment, state.paused ? 0 : state.measuredSpeed, frameTime);
-        world.update(playback);
-        shapes.update(playback.newest());
+        interpolator.advance(sceneState, state.paused ? 0 : state.measuredSpeed, frameTime);
+        world.update(interpolator);
+        shapes.update(interpolator.newest());
         look(frameTime);
-        surroundings.follow(window.getCamera());
-        if (frugality.count(frameTime) && surroundings.hasShadows()) {
-            surroundings.setShadows(false);
+        lighting.follow(window.getCamera());
+        if (frameRate.count(frameTime) && lighting.hasShadows()) {
+            lighting.setShadows(false);
             hud.say("this machine draws slowly: no shadows from now on");
         }
-        world.label(labels, playback.newest(), window.getCamera());
-        hud.update(frameTime, window.getCamera().getWidth(), window.getCamera().getHeight(), playback.newest(), state);
+        world.label(labels, interpolator.newest(), window.getCamera());
+        hud.update(frameTime, window.getCamera().getWidth(), window.getCamera().getHeight(), interpolator.newest(), state);
     }
 
     private void look(float frameTime) {
@@ -107,7 +107,7 @@ final class WindowScene {
 
     /** Whether there has been something to draw. */
     boolean hasPicture() {
-        return playback.newest() != null;
+        return interpolator.newest() != null;
     }
 
     void reshape() {
@@ -202,7 +202,7 @@ final class WindowScene {
         }
         double wanted = SPEEDS[Math.max(0, Math.min(SPEEDS.length - 1, at + up))];
         link.setSpeed(wanted);
-        hud.say("speed " + StatusWords.factor(wanted));
+        hud.say("speed " + StatusText.factor(wanted));
     }
 
     private void nextRobot() {
@@ -237,11 +237,11 @@ final class WindowScene {
         return shapes;
     }
 
-    Frugality frugality() {
-        return frugality;
+    FrameRateMonitor frameRate() {
+        return frameRate;
     }
 
-    Surroundings surroundings() {
-        return surroundings;
+    Lighting lighting() {
+        return lighting;
     }
 }

@@ -42,7 +42,7 @@ public class SEAR extends Service<SEARConfig> {
         PanelFiles.install(SEAR.class);
     }
 
-    private transient Works works;
+    private transient SearParts parts;
     private boolean simulating;
     private boolean paused;
 
@@ -54,9 +54,9 @@ public class SEAR extends Service<SEARConfig> {
     @Override
     public synchronized void startService() {
         super.startService();
-        if (works == null) {
+        if (parts == null) {
             try {
-                works = new Works(new SearHost(this));
+                parts = new SearParts(new SearHost(this));
             } catch (LinkageError e) {
                 error("%s", missing(e));
             }
@@ -73,7 +73,7 @@ public class SEAR extends Service<SEARConfig> {
     /** @param debugShapes whether the window shows collision shapes, contact points and wheel rays */
     public void startSimulation(boolean debugShapes) {
         attempt(() -> {
-            works.control().start(debugShapes);
+            parts.control().start(debugShapes);
             return null;
         });
         changed();
@@ -82,8 +82,8 @@ public class SEAR extends Service<SEARConfig> {
     /** Ends the simulation; ports, window and thread go away. */
     public void stopSimulation() {
         attempt(() -> {
-            works.control().session();
-            works.stop();
+            parts.control().session();
+            parts.stop();
             return null;
         });
         changed();
@@ -92,7 +92,7 @@ public class SEAR extends Service<SEARConfig> {
     /** Time stands still until {@link #resume}. */
     public void pause() {
         attempt(() -> {
-            works.control().session().pause();
+            parts.control().session().pause();
             return null;
         });
         changed();
@@ -101,7 +101,7 @@ public class SEAR extends Service<SEARConfig> {
     /** Ends {@link #pause}. */
     public void resume() {
         attempt(() -> {
-            works.control().session().resume();
+            parts.control().session().resume();
             return null;
         });
         changed();
@@ -110,7 +110,7 @@ public class SEAR extends Service<SEARConfig> {
     /** Advances by so many steps of 1/60 s; pauses a simulation whose time runs by itself. */
     public void step(int n) {
         attempt(() -> {
-            works.control().session().step(n);
+            parts.control().session().step(n);
             return null;
         });
         changed();
@@ -119,7 +119,7 @@ public class SEAR extends Service<SEARConfig> {
     /** Everything back to the start, as a fresh start with the same seed. */
     public void reset() {
         attempt(() -> {
-            works.control().session().reset();
+            parts.control().session().reset();
             return null;
         });
     }
@@ -127,7 +127,7 @@ public class SEAR extends Service<SEARConfig> {
     /** @param factor simulated seconds a second, above 0; 1 = real time, infinity = as fast as possible; holds for later simulations too */
     public void setSpeed(double factor) {
         attempt(() -> {
-            works.control().setSpeed(factor);
+            parts.control().setSpeed(factor);
             return null;
         });
     }
@@ -135,31 +135,31 @@ public class SEAR extends Service<SEARConfig> {
     /** Whether simulated time advances only inside {@link #simSleep} and {@link #step}; holds for later simulations too. */
     public void setLockStep(boolean on) {
         attempt(() -> {
-            works.control().setLockStep(on);
+            parts.control().setLockStep(on);
             return null;
         });
     }
 
     /** Whether a simulation runs whose time advances only inside {@link #simSleep} and {@link #step}. */
     public boolean isLockStep() {
-        SimulationSession session = works == null ? null : works.control().sessionOrNull();
+        SimulationSession session = parts == null ? null : parts.control().sessionOrNull();
         return session != null && session.isLockStep();
     }
 
     /** Whether a simulation runs (a paused one too). */
     public boolean isSimulating() {
-        return works != null && works.control().isRunning();
+        return parts != null && parts.control().isRunning();
     }
 
     /** Simulated seconds since start or reset. */
     public double getTime() {
-        return attempt(() -> works.control().session().time());
+        return attempt(() -> parts.control().session().time());
     }
 
     /** Waits so many simulated seconds; in lock-step it makes them pass. */
     public void simSleep(double seconds) {
         attempt(() -> {
-            works.control().session().simSleep(seconds);
+            parts.control().session().simSleep(seconds);
             return null;
         });
     }
@@ -179,29 +179,29 @@ public class SEAR extends Service<SEARConfig> {
     /** Drives a robot by name. */
     public void drive(String robot, double speed, double radius) {
         attempt(() -> {
-            works.readings().drive(robot, speed, radius);
+            parts.readings().drive(robot, speed, radius);
             return null;
         });
     }
 
     /** Metres to the nearest hit of a distance sensor; its range where nothing was hit. */
     public double getDistanceResult(String name) {
-        return attempt(() -> works.readings().distance(name));
+        return attempt(() -> parts.readings().distance(name));
     }
 
     /** "x,y,z" of an accelerometer, m/s^2, body axes. */
     public String getAccelResult(String name) {
-        return attempt(() -> works.readings().acceleration(name));
+        return attempt(() -> parts.readings().acceleration(name));
     }
 
     /** "x,y,z" of a gyroscope, rad/s, body axes. */
     public String getGyroResult(String name) {
-        return attempt(() -> works.readings().rates(name));
+        return attempt(() -> parts.readings().rates(name));
     }
 
     /** Degrees of a compass, clockwise from north, (-180, 180]. */
     public double getCompassResult(String name) {
-        return attempt(() -> works.readings().heading(name));
+        return attempt(() -> parts.readings().heading(name));
     }
 
     /**
@@ -214,27 +214,27 @@ public class SEAR extends Service<SEARConfig> {
 
     /** The same of a robot by name. */
     public double getOdomResult(String robot) {
-        return attempt(() -> works.readings().odometer(robot));
+        return attempt(() -> parts.readings().odometer(robot));
     }
 
     /** Metres of a LIDAR's beams, right to left; its range where nothing was hit. */
     public float[] getLidarResult(String name) {
-        return attempt(() -> works.readings().scan(name));
+        return attempt(() -> parts.readings().scan(name));
     }
 
     /** [latitude, longitude, altitude] of a GPS sensor: degrees, degrees, metres. */
     public double[] getGpsResult(String name) {
-        return attempt(() -> works.readings().position(name));
+        return attempt(() -> parts.readings().position(name));
     }
 
     /** [x, y, z, rx, ry, rz] in the world of a robot, part, sensor or object: metres and degrees. */
     public double[] getPose(String name) {
-        return attempt(() -> works.readings().pose(name));
+        return attempt(() -> parts.readings().pose(name));
     }
 
     /** Names of all sensors. */
     public List<String> getSensorNames() {
-        return attempt(() -> works.readings().names());
+        return attempt(() -> parts.readings().names());
     }
 
     // ---- publishing ------------------------------------------------------------------------------------------------
@@ -246,7 +246,7 @@ public class SEAR extends Service<SEARConfig> {
      */
     public void startPublishing(String sensor, double rate) {
         attempt(() -> {
-            works.publisher().start(sensor, rate);
+            parts.publisher().start(sensor, rate);
             return null;
         });
     }
@@ -254,7 +254,7 @@ public class SEAR extends Service<SEARConfig> {
     /** Ends {@link #startPublishing}. */
     public void stopPublishing(String sensor) {
         attempt(() -> {
-            works.publisher().stop(sensor);
+            parts.publisher().stop(sensor);
             return null;
         });
     }
@@ -269,12 +269,12 @@ public class SEAR extends Service<SEARConfig> {
      * {@code WorldFeed}.
      */
     public Map<String, Object> publishSimulation() {
-        return attempt(works::nextState);
+        return attempt(parts::nextState);
     }
 
     /** The whole world as it is now, for a panel that opens while it runs. */
     public Map<String, Object> getWorld() {
-        return attempt(works::wholeState);
+        return attempt(parts::wholeState);
     }
 
     /**
@@ -284,7 +284,7 @@ public class SEAR extends Service<SEARConfig> {
      */
     public Map<String, Object> getPreview(String known) {
         try {
-            return works == null ? Collections.emptyMap() : works.preview(known);
+            return parts == null ? Collections.emptyMap() : parts.preview(known);
         } catch (LinkageError e) {
             return Preview.none(missing(e));
         }
@@ -292,7 +292,7 @@ public class SEAR extends Service<SEARConfig> {
 
     /** What is wrong with the project, for panels; empty if nothing. */
     public List<Problem> getProblems() {
-        return attempt(works::problems);
+        return attempt(parts::problems);
     }
 
     /** Tells panels why a project could not be started or loaded. */
@@ -308,26 +308,26 @@ public class SEAR extends Service<SEARConfig> {
      * @return where it was put; null if there was none
      */
     public String newProject() {
-        return attempt(() -> text(works.projects().startAnew()));
+        return attempt(() -> text(parts.projects().startAnew()));
     }
 
     /** Saves the project as a bundle, for example {@code "robot.sear"}; the ending .sear may be left out. A file of that name is replaced. */
     public void saveProject(String path) {
         attempt(() -> {
-            works.projects().save(bundle(path));
+            parts.projects().save(bundle(path));
             return null;
         });
     }
 
     /** The same for a panel: a file of that name is only replaced if that is asked for; the answer's form stands at {@code Projects}. */
     public Map<String, Object> saveProjectAs(String path, boolean overwrite) {
-        return attempt(() -> works.projects().saveAs(bundle(path).toString(), overwrite));
+        return attempt(() -> parts.projects().saveAs(bundle(path).toString(), overwrite));
     }
 
     /** Replaces the project by a bundle's, or a copy of a project folder, once that is read whole and valid; the present one is kept as backup. */
     public void loadProject(String path) {
         attempt(() -> {
-            works.projects().load(bundle(path));
+            parts.projects().load(bundle(path));
             return null;
         });
     }
@@ -340,7 +340,7 @@ public class SEAR extends Service<SEARConfig> {
      * @return its name here
      */
     public String importRobot(String path, String name) {
-        return attempt(() -> works.projects().importRobot(bundle(path), name == null ? null : ScriptText.of(name)));
+        return attempt(() -> parts.projects().importRobot(bundle(path), name == null ? null : ScriptText.of(name)));
     }
 
     /**
@@ -349,12 +349,12 @@ public class SEAR extends Service<SEARConfig> {
      * @return the objects' names here
      */
     public List<String> importEnvironment(String path) {
-        return attempt(() -> works.projects().importEnvironment(bundle(path)));
+        return attempt(() -> parts.projects().importEnvironment(bundle(path)));
     }
 
     /** Takes a part of a bundle from a panel, base64; the last part loads the project and publishes publishUploaded. */
     public void uploadProject(String name, int index, int count, String data) {
-        if (attempt(() -> works.transfers().receive(name, index, count, data))) {
+        if (attempt(() -> parts.transfers().receive(name, index, count, data))) {
             invoke("publishUploaded", "loaded " + name);
         }
     }
@@ -366,12 +366,12 @@ public class SEAR extends Service<SEARConfig> {
 
     /** A part of the project's bundle for a panel: index, count, data in base64; part 0 makes the bundle. */
     public Map<String, Object> getBundle(int index) {
-        return attempt(() -> works.transfers().part(index));
+        return attempt(() -> parts.transfers().part(index));
     }
 
     /** Paths of example projects, for panels. */
     public List<String> getExamples() {
-        return attempt(() -> works.projects().examples());
+        return attempt(() -> parts.projects().examples());
     }
 
     /**
@@ -380,7 +380,7 @@ public class SEAR extends Service<SEARConfig> {
      * @return the copy's path
      */
     public String copyTemplate(String name, String folder) {
-        return attempt(() -> text(works.projects().copyTemplate(name, folder)));
+        return attempt(() -> text(parts.projects().copyTemplate(name, folder)));
     }
 
     /**
@@ -397,7 +397,7 @@ public class SEAR extends Service<SEARConfig> {
      * @return the path to open
      */
     public String exportPort(String userPort, String link) {
-        return attempt(() -> works.exports().terminal(userPort, link));
+        return attempt(() -> parts.exports().terminal(userPort, link));
     }
 
     /**
@@ -407,7 +407,7 @@ public class SEAR extends Service<SEARConfig> {
      * @return the number
      */
     public int exportTcp(String userPort, int number) {
-        return attempt(() -> works.exports().tcp(userPort, number));
+        return attempt(() -> parts.exports().tcp(userPort, number));
     }
 
     private static Path bundle(String path) {
@@ -426,7 +426,7 @@ public class SEAR extends Service<SEARConfig> {
     /** Bytes of a device's Serial service go straight to the device, and lock-step hears at once what it waits for; all else takes its usual way. */
     @Override
     public void in(Message message) {
-        if (!toDevice(message) && !Works.isFence(message)) {
+        if (!toDevice(message) && !SearParts.isFence(message)) {
             super.in(message);
         }
     }
@@ -434,7 +434,7 @@ public class SEAR extends Service<SEARConfig> {
     /** Where a MyRobotLab brings messages another way than {@link #in}. */
     @Override
     public boolean preProcessHook(Message message) {
-        return !toDevice(message) && !Works.isFence(message) && super.preProcessHook(message);
+        return !toDevice(message) && !SearParts.isFence(message) && super.preProcessHook(message);
     }
 
     private boolean toDevice(Message message) {
@@ -442,8 +442,8 @@ public class SEAR extends Service<SEARConfig> {
             return false;
         }
         try {
-            if (works != null && message.data != null && message.data.length == 1 && message.data[0] instanceof byte[]) {
-                works.toDevice(message.getSrcName(), (byte[]) message.data[0]);
+            if (parts != null && message.data != null && message.data.length == 1 && message.data[0] instanceof byte[]) {
+                parts.toDevice(message.getSrcName(), (byte[]) message.data[0]);
             }
         } catch (RuntimeException e) {
             log.error("bytes from {} did not reach their device", message.sender, e);
@@ -454,7 +454,7 @@ public class SEAR extends Service<SEARConfig> {
     /** The simulation has changed its state. */
     void changed() {
         simulating = isSimulating();
-        paused = simulating && works.control().session().isPaused();
+        paused = simulating && parts.control().session().isPaused();
         broadcastState();
     }
 
@@ -465,7 +465,7 @@ public class SEAR extends Service<SEARConfig> {
 
     private <T> T attempt(Callable<T> work) {
         try {
-            if (works == null) {
+            if (parts == null) {
                 throw new IllegalStateException(getName() + " is not started: Runtime.start(\"" + getName() + "\", \"SEAR\")");
             }
             return work.call();
@@ -509,8 +509,8 @@ public class SEAR extends Service<SEARConfig> {
     }
 
     private void shutDown() {
-        Works present = works;
-        works = null;
+        SearParts present = parts;
+        parts = null;
         simulating = false;
         if (present != null) {
             present.close();

@@ -154,7 +154,7 @@ final class RandomProjects {
                 lidar.LMS(random.nextInt(2));
                 return lidar;
             case 6:
-                List<String> beams = new Beams(ProjectFolder.present()).names();
+                List<String> beams = new BeamLibrary(ProjectFolder.present()).names();
                 return new Distance(name(), beams.get(random.nextInt(beams.size())));
             default:
                 return new Distance(name(), cones());

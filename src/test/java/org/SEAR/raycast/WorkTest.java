@@ -141,7 +141,7 @@ public class WorkTest {
     }
 
     /** The sum of the depths of all items: how often the builder had an item in its hands. */
-    private static long depths(Tree tree, int node, int depth) {
+    private static long depths(Bvh tree, int node, int depth) {
         if (tree.count(node) > 0) {
             return (long) depth * tree.count(node);
         }

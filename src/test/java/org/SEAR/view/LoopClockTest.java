@@ -50,7 +50,7 @@ public class LoopClockTest {
         try (Views view = new Views(Examples.folder(EXAMPLE), new WindowOptions())) {
             view.press("u");
             view.ask(() -> {
-                view.scene().surroundings().setShadows(false);
+                view.scene().lighting().setShadows(false);
                 return null;
             });
             double cores = Double.POSITIVE_INFINITY;

@@ -31,7 +31,7 @@ final class Views implements AutoCloseable {
         world = new RunningWorld(project);
         window = SimulatorWindow.open(world.runner, options.setWarnings(warnings::add).setScreenshotFolder(report()));
         assertNull(window.getProblem(), window.getProblem());
-        until("the window shows a moment", () -> app().frames > 2);
+        until("the window shows the world", () -> app().frames > 2);
         tool("mousemove", "640", "400");
     }
 

@@ -136,15 +136,15 @@ public final class Mt3301 implements SerialDevice {
     private String text(Sentences sentences, boolean hasFix) {
         StringBuilder text = new StringBuilder();
         add(text, OutputRates.GGA, sentences.gga());
-        add(text, OutputRates.GSA, Sky.gsa(hasFix));
-        for (int i = 1; i <= Sky.gsvSentences(); i++) {
-            add(text, OutputRates.GSV, Sky.gsv(i));
+        add(text, OutputRates.GSA, Satellites.gsa(hasFix));
+        for (int i = 1; i <= Satellites.gsvSentences(); i++) {
+            add(text, OutputRates.GSV, Satellites.gsv(i));
         }
         add(text, OutputRates.RMC, sentences.rmc());
         add(text, OutputRates.VTG, sentences.vtg());
         add(text, OutputRates.GLL, sentences.gll());
         add(text, OutputRates.ZDA, sentences.zda());
-        add(text, OutputRates.CHANNELS, Sky.channels());
+        add(text, OutputRates.CHANNELS, Satellites.channels());
         return text.toString();
     }
 

@@ -36,7 +36,7 @@ final class Sentences {
     }
 
     String gga() {
-        return fix == null ? ggaNoFix() : gga(Sky.size(), Sky.HDOP, GEOID_SEPARATION);
+        return fix == null ? ggaNoFix() : gga(Satellites.size(), Satellites.HDOP, GEOID_SEPARATION);
     }
 
     String gga(int satellites, String hdop, double separation) {

@@ -23,14 +23,14 @@ final class Commands {
     private static final int MIN_MEAN = 2;
 
     private final Lms200 device;
-    private final PowerOn powerOn;
+    private final PowerOnSettings powerOn;
     private Configuration configuration;
     private Variant variant;
     private Baud restartBaud;
     private boolean permanent;
     private int mode;
 
-    Commands(Lms200 device, PowerOn powerOn) {
+    Commands(Lms200 device, PowerOnSettings powerOn) {
         this.device = device;
         this.powerOn = powerOn;
     }
@@ -154,7 +154,7 @@ final class Commands {
             device.later(time + Timing.CHANGE, t -> device.replyAndSwitch(modeReply(MODE_DONE), baud, t));
             return;
         }
-        ScanKind stream = streamKind(request);
+        ScanFormat stream = streamKind(request);
         boolean plain = request.size() == 2 && (wanted == OperatingMode.ON_REQUEST || wanted == OperatingMode.DIAGNOSTIC);
         if (stream == null && !plain && !isPassword(request)) {
             device.replyAfter(Timing.CHANGE, modeReply(MODE_REFUSED), time);
@@ -187,15 +187,15 @@ final class Commands {
     }
 
     /** The stream that a 20h request asks for; null if it asks for none. */
-    private ScanKind streamKind(Telegram request) {
+    private ScanFormat streamKind(Telegram request) {
         if (request.size() < 2) {
             return null;
         }
         switch (request.at(1)) {
             case OperatingMode.STREAM_ALL:
-                return request.size() == 2 ? ScanKind.ALL : null;
+                return request.size() == 2 ? ScanFormat.ALL : null;
             case OperatingMode.STREAM_PARTIAL:
-                return request.size() == 2 ? ScanKind.PARTIAL : null;
+                return request.size() == 2 ? ScanFormat.PARTIAL : null;
             case OperatingMode.STREAM_MEAN:
                 return mean(request, 2);
             case OperatingMode.STREAM_RANGE:
@@ -208,15 +208,15 @@ final class Commands {
     }
 
     private void scan(Command command, Telegram request, double time) {
-        ScanKind kind = mode == OperatingMode.ON_REQUEST ? scanKind(command, request) : null;
-        if (kind == null) {
+        ScanFormat format = mode == OperatingMode.ON_REQUEST ? scanFormat(command, request) : null;
+        if (format == null) {
             device.replyAfter(Timing.ANSWER, notPermitted(), time);
         } else {
-            device.measure(kind, time, device::reply);
+            device.measure(format, time, device::reply);
         }
     }
 
-    private ScanKind scanKind(Command command, Telegram request) {
+    private ScanFormat scanFormat(Command command, Telegram request) {
         switch (command) {
             case MEAN:
                 return mean(request, 1);
@@ -229,39 +229,39 @@ final class Commands {
         }
     }
 
-    private static ScanKind single(int which) {
+    private static ScanFormat single(int which) {
         switch (which) {
             case 0x01:
-                return ScanKind.ALL;
+                return ScanFormat.ALL;
             case 0x02:
-                return ScanKind.MINIMUM;
+                return ScanFormat.MINIMUM;
             case 0x03:
-                return ScanKind.CONTOUR;
+                return ScanFormat.CONTOUR;
             case 0x06:
-                return ScanKind.every(2);
+                return ScanFormat.every(2);
             case 0x07:
-                return ScanKind.every(20);
+                return ScanFormat.every(20);
             case 0x08:
-                return ScanKind.PARTIAL;
+                return ScanFormat.PARTIAL;
             default:
                 return null;
         }
     }
 
-    private static ScanKind mean(Telegram request, int at) {
+    private static ScanFormat mean(Telegram request, int at) {
         boolean legal = request.size() == at + 1 && request.at(at) >= MIN_MEAN && request.at(at) <= MAX_MEAN;
-        return legal ? ScanKind.mean(request.at(at)) : null;
+        return legal ? ScanFormat.mean(request.at(at)) : null;
     }
 
-    private ScanKind range(Telegram request, int at) {
+    private ScanFormat range(Telegram request, int at) {
         boolean legal = request.size() == at + 4 && isRange(request.wordAt(at), request.wordAt(at + 2));
-        return legal ? ScanKind.range(request.wordAt(at), request.wordAt(at + 2)) : null;
+        return legal ? ScanFormat.range(request.wordAt(at), request.wordAt(at + 2)) : null;
     }
 
-    private ScanKind meanRange(Telegram request, int at) {
+    private ScanFormat meanRange(Telegram request, int at) {
         boolean legal = request.size() == at + 5 && request.at(at) >= MIN_MEAN && request.at(at) <= MAX_MEAN
             && isRange(request.wordAt(at + 1), request.wordAt(at + 3));
-        return legal ? ScanKind.meanRange(request.at(at), request.wordAt(at + 1), request.wordAt(at + 3)) : null;
+        return legal ? ScanFormat.meanRange(request.at(at), request.wordAt(at + 1), request.wordAt(at + 3)) : null;
     }
 
     private boolean isRange(int first, int last) {

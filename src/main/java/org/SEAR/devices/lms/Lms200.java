@@ -5,8 +5,9 @@ import java.util.Arrays;
 import java.util.Deque;
 import java.util.function.DoubleConsumer;
 import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.EventQueue;
 import org.SEAR.devices.SerialDevice;
-import org.SEAR.devices.Timeline;
+import org.SEAR.geometry.TimeStep;
 import org.SEAR.protocol.Uart;
 import org.SEAR.protocol.lms.Baud;
 import org.SEAR.protocol.lms.StatusByte;
@@ -15,7 +16,6 @@ import org.SEAR.protocol.lms.TelegramReader;
 import org.SEAR.protocol.lms.Variant;
 import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.LidarSource;
-import org.SEAR.geometry.TimeStep;
 
 /**
  * The firmware of a SICK LMS200: telegrams in ({@link TelegramReader}), an ACK and a reply out, one request after the other, and streams of scans.
@@ -30,10 +30,10 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     private static final byte[] OLD_DRIVER_19200 = {0x02, 0x00, 0x02, 0x00, 0x20, 0x41, 0x52, 0x08};
     private static final byte[] OLD_DRIVER_38400 = {0x02, 0x00, 0x02, 0x00, 0x20, 0x40, 0x52, 0x08};
 
-    private final PowerOn powerOn;
+    private final PowerOnSettings powerOn;
     private final DeviceContext context;
     private final LidarSource source;
-    private final Timeline timeline = new Timeline();
+    private final EventQueue events = new EventQueue();
     private final Deque<Telegram> waiting = new ArrayDeque<>();
     private final TelegramReader reader;
     private final Commands commands;
@@ -47,7 +47,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     private int partial;
 
     /** @throws IllegalArgumentException unless the context's sensor is a {@link LidarSource} and the baud rate one of an LMS200 */
-    public Lms200(PowerOn powerOn, DeviceContext context) {
+    public Lms200(PowerOnSettings powerOn, DeviceContext context) {
         if (!(context.sensor() instanceof LidarSource)) {
             throw new IllegalArgumentException("an LMS200 needs a LIDAR to scan with, not " + context.sensor());
         }
@@ -87,11 +87,11 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     public void advance(double time) {
         double end = lastByte + GAP + Uart.seconds(1, baud.getRate());
         if (reader.isPending() && time > end) {
-            timeline.runUntil(end);
+            events.runUntil(end);
             readUntil = end;
             reader.interrupt();
         }
-        timeline.runUntil(time);
+        events.runUntil(time);
     }
 
     @Override
@@ -121,7 +121,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
         if (powerOn.lenient && (Arrays.equals(bytes, OLD_DRIVER_19200) || Arrays.equals(bytes, OLD_DRIVER_38400))) {
             onTelegram(new Telegram(0, new byte[] {bytes[4], bytes[5]}));
         } else {
-            timeline.at(readUntil + Timing.ACKNOWLEDGE, t -> context.send(new byte[] {Telegram.NAK}, t));
+            events.at(readUntil + Timing.ACKNOWLEDGE, t -> context.send(new byte[] {Telegram.NAK}, t));
         }
     }
 
@@ -135,7 +135,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
         }
         busy = true;
         Telegram request = waiting.remove();
-        timeline.at(time + Timing.ACKNOWLEDGE, t -> {
+        events.at(time + Timing.ACKNOWLEDGE, t -> {
             context.send(new byte[] {Telegram.ACK}, t);
             commands.execute(request, t);
         });
@@ -149,7 +149,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
 
     /** Sends the reply to the present request after a delay. */
     void replyAfter(double delay, byte[] payload, double time) {
-        timeline.at(time + delay, t -> reply(payload, t));
+        events.at(time + delay, t -> reply(payload, t));
     }
 
     /** Sends a telegram, whoever asked for it. */
@@ -158,13 +158,13 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     }
 
     void later(double time, DoubleConsumer action) {
-        timeline.at(time, action);
+        events.at(time, action);
     }
 
     /** Sends the reply at the present speed and goes on at another once it has left. */
     void replyAndSwitch(byte[] payload, Baud next, double time) {
         send(payload, time);
-        timeline.at(Math.max(time, context.lineFreeAt()), t -> {
+        events.at(Math.max(time, context.lineFreeAt()), t -> {
             baud = next;
             reader.clear();
             done(t);
@@ -177,12 +177,12 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
         double down = Math.max(time, context.lineFreeAt());
         stopStream();
         waiting.clear();
-        timeline.clear();
+        events.clear();
         booting = true;
-        timeline.at(down, t -> {
+        events.at(down, t -> {
             start(next);
             booting = true;
-            timeline.at(t + Timing.BOOT, up -> {
+            events.at(t + Timing.BOOT, up -> {
                 booting = false;
                 send(powerOnPayload, up);
             });
@@ -196,7 +196,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
 
     private void start(Baud speed) {
         baud = speed;
-        timeline.clear();
+        events.clear();
         waiting.clear();
         reader.clear();
         busy = false;
@@ -212,19 +212,19 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     }
 
     /** Scans from the end of the scan under way on, as often as the kind asks for, then hands over command, values and status. */
-    void measure(ScanKind kind, double time, MeasureListener listener) {
+    void measure(ScanFormat format, double time, MeasureListener listener) {
         Variant variant = commands.variant();
-        ScanReply reply = new ScanReply(kind, variant, commands.configuration());
-        collect(kind, reply, variant, Timing.scanEnd(time, kind.scanTime(variant)), listener);
+        ScanReply reply = new ScanReply(format, variant, commands.configuration());
+        collect(format, reply, variant, Timing.scanEnd(time, format.scanTime(variant)), listener);
     }
 
-    private void collect(ScanKind kind, ScanReply reply, Variant variant, double time, MeasureListener listener) {
-        timeline.at(time, t -> {
+    private void collect(ScanFormat format, ScanReply reply, Variant variant, double time, MeasureListener listener) {
+        events.at(time, t -> {
             if (reply.add(scan(variant))) {
                 int turn = (int) ((long) (t / Variant.TURN) & 0xFF);
                 listener.measured(reply.toBytes(partial++ & 0xFF, turn, telegramIndex++ & 0xFF, StatusByte.OK), t);
             } else {
-                collect(kind, reply, variant, t + kind.scanTime(variant), listener);
+                collect(format, reply, variant, t + format.scanTime(variant), listener);
             }
         });
     }
@@ -238,27 +238,27 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     }
 
     /** Sends scans of that kind, as fast as mirror and line allow, until {@link #stopStream}. */
-    void startStream(ScanKind kind, double time) {
+    void startStream(ScanFormat format, double time) {
         int session = ++stream;
-        cycle(kind, session, time);
+        cycle(format, session, time);
     }
 
-    private void cycle(ScanKind kind, int session, double time) {
+    private void cycle(ScanFormat format, int session, double time) {
         Variant variant = commands.variant();
-        measure(kind, time, (payload, t) -> {
+        measure(format, time, (payload, t) -> {
             if (session != stream) {
                 return;
             }
-            double unit = kind.scans * kind.scanTime(variant);
+            double unit = format.scans * format.scanTime(variant);
             double period = unit;
             if (context.lineFreeAt() <= t) {
                 send(payload, t);
                 period = Timing.streamPeriod(payload.length + Telegram.FRAME_SIZE, baud.getRate(), unit);
             }
-            double first = t + period - (kind.scans - 1) * kind.scanTime(variant);
-            timeline.at(first - kind.scanTime(variant) / 2, next -> {
+            double first = t + period - (format.scans - 1) * format.scanTime(variant);
+            events.at(first - format.scanTime(variant) / 2, next -> {
                 if (session == stream) {
-                    cycle(kind, session, next);
+                    cycle(format, session, next);
                 }
             });
         });

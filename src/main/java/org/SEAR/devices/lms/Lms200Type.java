@@ -36,6 +36,6 @@ public final class Lms200Type implements DeviceType {
             context.warn(baud + " baud is none of an LMS200 (9600, 19200, 38400, 500000): its device starts with 9600");
             baud = Baud.B9600.getRate();
         }
-        return new Lms200(new PowerOn(variant, baud, lidar.isLenient(), Identity.LMS200_30106), context);
+        return new Lms200(new PowerOnSettings(variant, baud, lidar.isLenient(), Identity.LMS200_30106), context);
     }
 }

@@ -14,7 +14,7 @@ import org.SEAR.sensors.LidarScan;
 final class ScanReply {
     private static final int QUARTERS = 4;
 
-    private final ScanKind kind;
+    private final ScanFormat format;
     private final Variant variant;
     private final Configuration configuration;
     private final double[] sums;
@@ -22,8 +22,8 @@ final class ScanReply {
     private final int[] beyond;
     private int collected;
 
-    ScanReply(ScanKind kind, Variant variant, Configuration configuration) {
-        this.kind = kind;
+    ScanReply(ScanFormat format, Variant variant, Configuration configuration) {
+        this.format = format;
         this.variant = variant;
         this.configuration = configuration;
         this.sums = new double[variant.getValues()];
@@ -47,7 +47,7 @@ final class ScanReply {
                 counts[i]++;
             }
         }
-        return ++collected >= kind.scans;
+        return ++collected >= format.scans;
     }
 
     /**
@@ -59,15 +59,15 @@ final class ScanReply {
      */
     byte[] toBytes(int partial, int scanIndex, int telegramIndex, int status) {
         Payload payload;
-        switch (kind.form) {
+        switch (format.form) {
             case MEAN:
-                payload = Command.MEAN.reply().add(kind.scans);
+                payload = Command.MEAN.reply().add(format.scans);
                 break;
             case RANGE:
-                payload = Command.RANGE.reply().word(kind.first).word(last());
+                payload = Command.RANGE.reply().word(format.first).word(last());
                 break;
             case MEAN_RANGE:
-                payload = Command.MEAN_RANGE.reply().add(kind.scans).word(kind.first).word(last());
+                payload = Command.MEAN_RANGE.reply().add(format.scans).word(format.first).word(last());
                 break;
             default:
                 payload = Command.SCAN.reply();
@@ -82,7 +82,7 @@ final class ScanReply {
 
     private void writeValues(Payload payload, int partial) {
         int unit = configuration.getUnit();
-        switch (kind.form) {
+        switch (format.form) {
             case MINIMUM:
                 payload.word(CountWord.whole(1, unit).toWord()).word(minimum());
                 break;
@@ -94,10 +94,10 @@ final class ScanReply {
                 break;
             case RANGE:
             case MEAN_RANGE:
-                write(payload, CountWord.whole(count(kind.first - 1, 1, last() - 1), unit), kind.first - 1, 1);
+                write(payload, CountWord.whole(count(format.first - 1, 1, last() - 1), unit), format.first - 1, 1);
                 break;
             default:
-                write(payload, CountWord.whole(count(0, kind.stride, sums.length - 1), unit), 0, kind.stride);
+                write(payload, CountWord.whole(count(0, format.stride, sums.length - 1), unit), 0, format.stride);
                 break;
         }
     }
@@ -109,12 +109,12 @@ final class ScanReply {
     private void write(Payload payload, CountWord count, int from, int stride) {
         payload.word(count.toWord());
         for (int i = 0; i < count.getCount(); i++) {
-            payload.word(kind.form == ScanKind.Form.CONTOUR ? configuration.getMode().getNothingHit() : value(from + i * stride));
+            payload.word(format.form == ScanFormat.Form.CONTOUR ? configuration.getMode().getNothingHit() : value(from + i * stride));
         }
     }
 
     private int last() {
-        return Math.min(kind.last, sums.length);
+        return Math.min(format.last, sums.length);
     }
 
     private int value(int i) {

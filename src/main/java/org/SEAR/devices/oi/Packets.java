@@ -14,15 +14,15 @@ final class Packets {
     private final Roomba roomba;
     private final OiModel model;
     private final RobotHardware hardware;
-    private final Surroundings surroundings;
+    private final ProximitySensors proximity;
     private final Counter distance = new Counter();
     private final Counter angle = new Counter();
 
-    Packets(Roomba roomba, OiModel model, RobotHardware hardware, Surroundings surroundings) {
+    Packets(Roomba roomba, OiModel model, RobotHardware hardware, ProximitySensors proximity) {
         this.roomba = roomba;
         this.model = model;
         this.hardware = hardware;
-        this.surroundings = surroundings;
+        this.proximity = proximity;
     }
 
     /** Whether the model has a packet or group of that id. */
@@ -91,12 +91,12 @@ final class Packets {
             case BUMPS_AND_WHEEL_DROPS:
                 return bumpsAndDrops();
             case WALL:
-                return bit(surroundings.isWall(), 0);
+                return bit(proximity.isWall(), 0);
             case CLIFF_LEFT:
             case CLIFF_FRONT_LEFT:
             case CLIFF_FRONT_RIGHT:
             case CLIFF_RIGHT:
-                return bit(surroundings.isCliff(packet.ordinal() - Packet.CLIFF_LEFT.ordinal()), 0);
+                return bit(proximity.isCliff(packet.ordinal() - Packet.CLIFF_LEFT.ordinal()), 0);
             case VIRTUAL_WALL:
                 return bit(hardware.isInVirtualWall(), 0);
             case OVERCURRENTS:
@@ -128,12 +128,12 @@ final class Packets {
             case CAPACITY:
                 return Battery.CAPACITY;
             case WALL_SIGNAL:
-                return surroundings.wallSignal();
+                return proximity.wallSignal();
             case CLIFF_LEFT_SIGNAL:
             case CLIFF_FRONT_LEFT_SIGNAL:
             case CLIFF_FRONT_RIGHT_SIGNAL:
             case CLIFF_RIGHT_SIGNAL:
-                return surroundings.cliffSignal(packet.ordinal() - Packet.CLIFF_LEFT_SIGNAL.ordinal());
+                return proximity.cliffSignal(packet.ordinal() - Packet.CLIFF_LEFT_SIGNAL.ordinal());
             default:
                 return 0;
         }
@@ -168,14 +168,14 @@ final class Packets {
             case RIGHT_ENCODER:
                 return encoder(hardware.getRightWheelAngle());
             case LIGHT_BUMPER:
-                return surroundings.lightBumpers();
+                return proximity.lightBumpers();
             case LIGHT_LEFT:
             case LIGHT_FRONT_LEFT:
             case LIGHT_CENTRE_LEFT:
             case LIGHT_CENTRE_RIGHT:
             case LIGHT_FRONT_RIGHT:
             case LIGHT_RIGHT:
-                return surroundings.lightSignal(packet.ordinal() - Packet.LIGHT_LEFT.ordinal());
+                return proximity.lightSignal(packet.ordinal() - Packet.LIGHT_LEFT.ordinal());
             case LEFT_MOTOR_CURRENT:
                 return (int) Math.round(hardware.getLeftLoad() * Battery.STALLED_WHEEL);
             case RIGHT_MOTOR_CURRENT:

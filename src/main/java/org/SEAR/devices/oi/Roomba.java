@@ -28,7 +28,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
     private final boolean headerSummed;
     private final DeviceContext context;
     private final RobotHardware hardware;
-    private final Surroundings surroundings;
+    private final ProximitySensors proximity;
     private final CommandReader reader;
     private Packets packets;
     private Script script;
@@ -56,7 +56,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
         this.headerSummed = headerSummed;
         this.context = context;
         this.hardware = context.robot();
-        this.surroundings = new Surroundings(hardware, model == OiModel.CREATE2 ? WALL_SIGNAL_MAX : WALL_SIGNAL_MAX_CREATE);
+        this.proximity = new ProximitySensors(hardware, model == OiModel.CREATE2 ? WALL_SIGNAL_MAX : WALL_SIGNAL_MAX_CREATE);
         this.reader = new CommandReader(model, this);
         reset();
     }
@@ -70,8 +70,8 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
     }
 
     private void boot(int speed) {
-        surroundings.reset();
-        packets = new Packets(this, model, hardware, surroundings);
+        proximity.reset();
+        packets = new Packets(this, model, hardware, proximity);
         packets.clearCounters();
         script = new Script(this);
         drive = new Drive(hardware);
@@ -144,7 +144,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
         if (hardware.isLeftWheelDropped() || hardware.isRightWheelDropped() || model.hasCasterSwitch() && hardware.isCasterDropped()) {
             return "a wheel has dropped";
         }
-        return (drive.isForward() || drive.isBackwardAndTight()) && surroundings.isAnyCliff() ? "a cliff" : null;
+        return (drive.isForward() || drive.isBackwardAndTight()) && proximity.isAnyCliff() ? "a cliff" : null;
     }
 
     /** Changes the mode; motors and lights obey only in safe and full mode. */
@@ -368,14 +368,14 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
             case 8:
                 return hardware.isInVirtualWall();
             case 9:
-                return surroundings.isWall();
+                return proximity.isWall();
             case 10:
-                return surroundings.isAnyCliff();
+                return proximity.isAnyCliff();
             case 11:
             case 12:
             case 13:
             case 14:
-                return surroundings.isCliff(event - 11);
+                return proximity.isCliff(event - 11);
             case 22:
                 return mode == OiMode.PASSIVE;
             default:

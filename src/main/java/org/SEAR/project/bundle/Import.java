@@ -22,7 +22,7 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SerialObject;
 import org.SEAR.POJOs.Wheel;
-import org.SEAR.project.Beams;
+import org.SEAR.project.BeamLibrary;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectFolder;
 import org.SEAR.project.xml.Xml;
@@ -194,7 +194,7 @@ final class Import {
         }
         Path beams = Files.createDirectories(target.resolve(ProjectFolder.BEAMS));
         String free = name;
-        Beam beam = new Beams(source.getFolder()).get(name);
+        Beam beam = new BeamLibrary(source.getFolder()).get(name);
         String text = Xml.write(beam);
         for (int number = 2; !isFree(beams.resolve(free + ProjectFolder.XML), free, text); number++) {
             free = name + "_" + number;
@@ -206,6 +206,6 @@ final class Import {
     }
 
     private boolean isFree(Path file, String name, String text) {
-        return !Files.exists(file) || Xml.write(new Beams(target).get(name)).equals(text);
+        return !Files.exists(file) || Xml.write(new BeamLibrary(target).get(name)).equals(text);
     }
 }

@@ -28,7 +28,7 @@ final class ObjectReader {
     }
 
     Object read(HierarchicalStreamReader reader, Class<?> type) {
-        return readGroup(reader, type, "", Position.line(reader));
+        return readGroup(reader, type, "", LineNumber.line(reader));
     }
 
     private Object readGroup(HierarchicalStreamReader reader, Class<?> type, String path, int startLine) {
@@ -52,7 +52,7 @@ final class ObjectReader {
     }
 
     private void readElement(HierarchicalStreamReader reader, ParameterTable table, String path, Map<String, List<Object>> found) {
-        int line = Position.line(reader);
+        int line = LineNumber.line(reader);
         String element = reader.getNodeName();
         Parameter parameter = table.find(element);
         if (parameter == null) {
@@ -98,7 +98,6 @@ final class ObjectReader {
             parameter.set(object, values.get(0));
         }
     }
-
 
     /** No element of the grammar has attributes. */
     static void reportAttributes(HierarchicalStreamReader reader, String file, int line, ProblemList problems) {

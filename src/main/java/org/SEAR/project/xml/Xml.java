@@ -164,7 +164,7 @@ public final class Xml {
         StrictXmlStream stream = new StrictXmlStream(inputFactory().createXMLStreamReader(new StringReader(text)));
         HierarchicalStreamReader reader = new StaxReader(new QNameMap(), stream);
         String root = reader.getNodeName();
-        int line = Position.line(reader);
+        int line = LineNumber.line(reader);
         if (!classes.containsKey(root)) {
             problems.add(name, line, "", "<" + root + "> is not an object here", String.join(", ", classes.keySet()));
             return null;

@@ -7,7 +7,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import org.SEAR.view.input.Key;
-import org.SEAR.view.link.Moment;
+import org.SEAR.view.link.SceneState;
 import org.SEAR.view.scene.Materials;
 
 /** The words on the window: numbers of the simulation, warnings, messages, help. Window thread only. */
@@ -54,7 +54,7 @@ public final class Hud {
         return panel;
     }
 
-    /** What the status panel needs besides the moment. */
+    /** What the status panel needs besides the state of the scene. */
     public static final class State {
         public boolean paused;
         public double measuredSpeed;
@@ -69,7 +69,7 @@ public final class Hud {
         public List<String> hidden = List.of();
     }
 
-    public void update(float frameTime, int width, int height, Moment moment, State state) {
+    public void update(float frameTime, int width, int height, SceneState sceneState, State state) {
         sinceRefresh += frameTime;
         sinceMessage += frameTime;
         if (sinceMessage > STAY && !recent.isEmpty()) {
@@ -78,9 +78,9 @@ public final class Hud {
         }
         if (sinceRefresh >= REFRESH) {
             sinceRefresh = 0;
-            statusWords = StatusWords.status(moment, state);
-            sensorWords = StatusWords.sensors(moment, state);
-            warningWords = StatusWords.warnings(moment);
+            statusWords = StatusText.status(sceneState, state);
+            sensorWords = StatusText.sensors(sceneState, state);
+            warningWords = StatusText.warnings(sceneState);
             status.setText(helpShown ? "" : statusWords);
             sensors.setText(helpShown ? "" : sensorWords);
             warnings.setText(helpShown ? "" : warningWords);

@@ -24,7 +24,7 @@ public final class RunnerLink implements WorldLink {
     /** The unit of each sensor's reading. */
     private final Map<String, String> sensors = new LinkedHashMap<>();
     private Snapshot last;
-    private Moment moment;
+    private SceneState sceneState;
 
     public RunnerLink(SimulationRunner runner, BooleanSupplier scriptDrives) {
         this.runner = runner;
@@ -61,33 +61,33 @@ public final class RunnerLink implements WorldLink {
     }
 
     @Override
-    public synchronized Moment moment() {
+    public synchronized SceneState sceneState() {
         Snapshot snapshot = simulation.snapshot();
         if (snapshot != last) {
             last = snapshot;
-            moment = moment(snapshot);
+            sceneState = sceneState(snapshot);
         }
-        return moment;
+        return sceneState;
     }
 
-    private Moment moment(Snapshot snapshot) {
-        List<Moment.RobotMoment> robots = new ArrayList<>();
+    private SceneState sceneState(Snapshot snapshot) {
+        List<SceneState.RobotState> robots = new ArrayList<>();
         for (Snapshot.RobotState state : snapshot.robots) {
-            robots.add(new Moment.RobotMoment(state.name, state.pose, state.speed, state.turnRate, state.wheels, state.status));
+            robots.add(new SceneState.RobotState(state.name, state.pose, state.speed, state.turnRate, state.wheels, state.status));
         }
         Map<String, double[]> beams = new LinkedHashMap<>();
         Map<String, String> values = new LinkedHashMap<>();
         for (Map.Entry<String, String> sensor : sensors.entrySet()) {
             Object reading = snapshot.readings.get(sensor.getKey());
             if (reading != null) {
-                values.put(sensor.getKey(), Readings.words(reading, sensor.getValue()));
-                double[] lengths = Readings.beams(reading);
+                values.put(sensor.getKey(), ReadingText.words(reading, sensor.getValue()));
+                double[] lengths = ReadingText.beams(reading);
                 if (lengths != null) {
                     beams.put(sensor.getKey(), lengths);
                 }
             }
         }
-        return new Moment(snapshot.step, snapshot.time, snapshot.environment, robots, beams, values, snapshot.contacts, snapshot.warnings);
+        return new SceneState(snapshot.step, snapshot.time, snapshot.environment, robots, beams, values, snapshot.contacts, snapshot.warnings);
     }
 
     @Override

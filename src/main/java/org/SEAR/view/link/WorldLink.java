@@ -12,7 +12,7 @@ public interface WorldLink {
     List<BeamFan> beams();
 
     /** The newest state; null until there is one. */
-    Moment moment();
+    SceneState sceneState();
 
     boolean isPaused();
 
@@ -45,7 +45,7 @@ public interface WorldLink {
     /** Everything back to the start, odometers too. */
     void reset();
 
-    /** Whether moments carry contact points from now on. */
+    /** Whether states carry contact points from now on. */
     void wantContacts(boolean on);
 
     /** The window goes: stops asking for readings. */

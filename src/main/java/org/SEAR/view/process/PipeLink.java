@@ -7,7 +7,7 @@ import java.util.List;
 import org.SEAR.project.Project;
 import org.SEAR.view.link.BeamFan;
 import org.SEAR.view.link.BeamFans;
-import org.SEAR.view.link.Moment;
+import org.SEAR.view.link.SceneState;
 import org.SEAR.view.link.WorldLink;
 
 /** The world of another process: its states come in, commands go out. In the window's process. */
@@ -15,7 +15,7 @@ public final class PipeLink implements WorldLink {
     private final Project project;
     private final DataOutputStream out;
     private final List<BeamFan> beams;
-    private volatile WorldState state;
+    private volatile StateMessage state;
 
     private interface Content {
         void write() throws IOException;
@@ -30,7 +30,7 @@ public final class PipeLink implements WorldLink {
     /** Takes states until there are no more. */
     public void receive(DataInputStream in) throws IOException {
         while (true) {
-            state = WorldState.read(in);
+            state = StateMessage.read(in);
         }
     }
 
@@ -65,8 +65,8 @@ public final class PipeLink implements WorldLink {
     }
 
     @Override
-    public Moment moment() {
-        return state == null ? null : state.moment;
+    public SceneState sceneState() {
+        return state == null ? null : state.sceneState;
     }
 
     @Override
@@ -91,22 +91,22 @@ public final class PipeLink implements WorldLink {
 
     @Override
     public void setPaused(boolean paused) {
-        send(Wire.PAUSE, () -> out.writeBoolean(paused));
+        send(WindowProtocol.PAUSE, () -> out.writeBoolean(paused));
     }
 
     @Override
     public void setSpeed(double factor) {
-        send(Wire.SPEED, () -> out.writeDouble(factor));
+        send(WindowProtocol.SPEED, () -> out.writeDouble(factor));
     }
 
     @Override
     public void singleStep() {
-        say(Wire.STEP);
+        say(WindowProtocol.STEP);
     }
 
     @Override
     public void drive(int robot, double speed, double radius) {
-        send(Wire.DRIVE, () -> {
+        send(WindowProtocol.DRIVE, () -> {
             out.writeInt(robot);
             out.writeDouble(speed);
             out.writeDouble(radius);
@@ -115,12 +115,12 @@ public final class PipeLink implements WorldLink {
 
     @Override
     public void reset() {
-        say(Wire.RESET);
+        say(WindowProtocol.RESET);
     }
 
     @Override
     public void wantContacts(boolean on) {
-        send(Wire.CONTACTS, () -> out.writeBoolean(on));
+        send(WindowProtocol.CONTACTS, () -> out.writeBoolean(on));
     }
 
     @Override

@@ -9,9 +9,9 @@ import com.jme3.scene.Geometry;
 import com.jme3.scene.Mesh;
 import com.jme3.scene.Node;
 import com.jme3.scene.Spatial.CullHint;
-import com.jme3.scene.VertexBuffer;
 import com.jme3.scene.VertexBuffer.Type;
 import com.jme3.scene.VertexBuffer.Usage;
+import com.jme3.scene.VertexBuffer;
 import com.jme3.util.BufferUtils;
 import java.nio.FloatBuffer;
 import java.util.ArrayList;
@@ -23,7 +23,7 @@ import org.SEAR.POJOs.SensorObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.Project;
-import org.SEAR.view.link.Moment;
+import org.SEAR.view.link.SceneState;
 
 /** What the physics sees: outlines of the collision shapes, crosses at contact points, the rays on which wheels stand. Window thread only. */
 public final class DebugShapes {
@@ -121,14 +121,14 @@ public final class DebugShapes {
         return outlines.size();
     }
 
-    public void update(Moment moment) {
+    public void update(SceneState sceneState) {
         if (!visible) {
             return;
         }
         points.clear();
         colors.clear();
         lineCount = 0;
-        for (double[] contact : moment.contacts) {
+        for (double[] contact : sceneState.contacts) {
             Vector3f middle = new Vector3f((float) contact[0], (float) contact[1], (float) contact[2]);
             line(middle.add(-ARM, 0, 0), middle.add(ARM, 0, 0), CONTACT);
             line(middle.add(0, -ARM, 0), middle.add(0, ARM, 0), CONTACT);

@@ -12,9 +12,9 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.Project;
 import org.SEAR.view.link.BeamFan;
-import org.SEAR.view.link.Moment;
+import org.SEAR.view.link.SceneState;
 
-/** The scene of a project: its objects, robots and beams, put where the playback says. Window thread only. */
+/** The scene of a project: its objects, robots and beams, put where the interpolation says. Window thread only. */
 public final class WorldView {
     private static final float LABEL_HEIGHT = 0.12f;
     private final Node root = new Node("world");
@@ -77,17 +77,17 @@ public final class WorldView {
     }
 
     /** Puts everything where it is now. */
-    public void update(Playback playback) {
-        Moment shown = playback.shown();
+    public void update(SceneInterpolator interpolator) {
+        SceneState shown = interpolator.shown();
         for (int i = 0; i < Math.min(environment.size(), shown.environment.size()); i++) {
-            playback.environment(i, place, turn);
+            interpolator.environment(i, place, turn);
             move(environment.get(i));
         }
         for (int i = 0; i < Math.min(robots.size(), shown.robots.size()); i++) {
-            playback.robot(i, place, turn);
+            interpolator.robot(i, place, turn);
             move(robots.get(i));
             for (int j = 0; j < Math.min(wheels.get(i).size(), shown.robots.get(i).wheels.size()); j++) {
-                playback.wheel(i, j, place, turn);
+                interpolator.wheel(i, j, place, turn);
                 move(wheels.get(i).get(j));
             }
         }
@@ -108,10 +108,10 @@ public final class WorldView {
         }
     }
 
-    public void label(Labels labels, Moment moment, Camera camera) {
+    public void label(Labels labels, SceneState sceneState, Camera camera) {
         labels.begin();
         for (BeamView beam : beams) {
-            String value = moment.values.get(beam.fan().sensor);
+            String value = sceneState.values.get(beam.fan().sensor);
             Vector3f point = beam.node().localToWorld(new Vector3f(0, LABEL_HEIGHT, 0), null);
             labels.put(beam.fan().sensor, beam.isVisible() && value != null ? beam.fan().sensor + "  " + value : null, point, camera);
         }

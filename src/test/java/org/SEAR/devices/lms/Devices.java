@@ -13,6 +13,6 @@ public final class Devices {
         FakeScanner scanner = new FakeScanner();
         scanner.world = beam -> 1 + beam / 100.0;
         line.sensor = scanner;
-        return new Lms200(new PowerOn(Variant.V180_HALF, 9600, false, Identity.LMS200_30106), line);
+        return new Lms200(new PowerOnSettings(Variant.V180_HALF, 9600, false, Identity.LMS200_30106), line);
     }
 }

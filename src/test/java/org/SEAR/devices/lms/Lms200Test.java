@@ -40,7 +40,7 @@ public class Lms200Test {
         line = new FakeContext();
         scanner = new FakeScanner();
         line.sensor = scanner;
-        lms = line.attach(new Lms200(new PowerOn(variant, baud, lenient, identity), line));
+        lms = line.attach(new Lms200(new PowerOnSettings(variant, baud, lenient, identity), line));
     }
 
     private String ask(String hex) {

@@ -37,7 +37,7 @@ public class StreamRateTest {
     private static double rate(Variant variant, Baud baud, String start, int size) {
         FakeContext line = new FakeContext();
         line.sensor = new FakeScanner();
-        line.attach(new Lms200(new PowerOn(variant, baud.getRate(), false, Identity.LMS200_30106), line));
+        line.attach(new Lms200(new PowerOnSettings(variant, baud.getRate(), false, Identity.LMS200_30106), line));
         line.host(start);
         line.pass(2);
         line.take();

@@ -44,7 +44,7 @@ public final class Exports {
      */
     public synchronized int tcp(String port, int number) throws IOException {
         PortBridge bridge = bridge(port);
-        TcpEnd server = TcpEnd.open(port, number);
+        TcpEndpoint server = TcpEndpoint.open(port, number);
         bridge.add(server);
         return server.getNumber();
     }

@@ -19,7 +19,7 @@ final class PortBridge implements SerialDataListener {
     private final VirtualSerialPort port;
     private final Host host;
     private final Repeats repeats = new Repeats();
-    private final List<OuterEnd> ends = new CopyOnWriteArrayList<>();
+    private final List<ExternalEndpoint> ends = new CopyOnWriteArrayList<>();
 
     /** @throws IOException if another has the port */
     PortBridge(VirtualSerialPort port, Host host) throws IOException {
@@ -32,7 +32,7 @@ final class PortBridge implements SerialDataListener {
         port.listen(this);
     }
 
-    void add(OuterEnd end) {
+    void add(ExternalEndpoint end) {
         ends.add(end);
         end.start(this::fromOutside, this::setBaud);
     }
@@ -80,7 +80,7 @@ final class PortBridge implements SerialDataListener {
 
     void close() {
         port.close();
-        ends.forEach(OuterEnd::close);
+        ends.forEach(ExternalEndpoint::close);
         ends.clear();
     }
 

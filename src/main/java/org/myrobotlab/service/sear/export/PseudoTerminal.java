@@ -21,7 +21,7 @@ import org.slf4j.LoggerFactory;
  * what a program did not read is gone when it closes, as on a real port. Linux and macOS; macOS forgets the settings of a terminal that nobody has
  * open, so there a side of its own is kept open, and a program may get up to 4 kB of old bytes.
  */
-final class PseudoTerminal implements OuterEnd {
+final class PseudoTerminal implements ExternalEndpoint {
     private static final Logger log = LoggerFactory.getLogger(PseudoTerminal.class);
     private static final int READ_WRITE = 2;
     private static final int NO_CONTROLLING_TERMINAL = Platform.isMac() ? 0x20000 : 0x100;

@@ -38,7 +38,7 @@ public final class Fence {
     private static final Logger log = LoggerFactory.getLogger(Fence.class);
 
     private final Host host;
-    private final Callers callers;
+    private final SleepingThreads sleepers;
     /** By service, the thread that its callbacks run on, as its passes have shown. */
     private final Map<ServiceInterface, Thread> handlers = new ConcurrentHashMap<>();
     /** By outbox or service, the pass that did not come back in time. */
@@ -46,9 +46,9 @@ public final class Fence {
     private final Map<ServiceInterface, FencePass> greetings = new HashMap<>();
     private boolean told;
 
-    Fence(Host host, Callers callers) {
+    Fence(Host host, SleepingThreads sleepers) {
         this.host = host;
-        this.callers = callers;
+        this.sleepers = sleepers;
     }
 
     /** Learns on which threads Python runs callbacks: a pass is sent and not waited for. */
@@ -65,14 +65,14 @@ public final class Fence {
         long end = System.nanoTime() + PATIENCE;
         int clean = 0;
         while (clean < CLEAN_ROUNDS && System.nanoTime() < end) {
-            Queues queues = new Queues(host.getName());
+            ServiceQueues queues = new ServiceQueues(host.getName());
             boolean held = queues.hold();
             round(queues, end);
             clean = held || queues.hold() ? 0 : clean + 1;
         }
     }
 
-    private void round(Queues queues, long end) throws InterruptedException {
+    private void round(ServiceQueues queues, long end) throws InterruptedException {
         Map<Object, FencePass> out = new HashMap<>();
         for (ServiceInterface service : queues.getPublishers()) {
             if (isOnTime(service.getOutbox())) {
@@ -158,6 +158,6 @@ public final class Fence {
     }
 
     private boolean holds(Thread thread) {
-        return thread != null && (thread == Thread.currentThread() || callers.sleeps(thread));
+        return thread != null && (thread == Thread.currentThread() || sleepers.sleeps(thread));
     }
 }

@@ -27,7 +27,7 @@ import org.myrobotlab.service.sear.run.RunSettings;
  * {"stamp": "…", "world": null, "problems": [], "reason": "…"}      whatever else is in the way
  * </pre>
  *
- * <p>The form of a world stands at {@link WorldState}; where there is no project yet, it has nothing in it. Any thread; one at a time.
+ * <p>The form of a world stands at {@link WorldJson}; where there is no project yet, it has nothing in it. Any thread; one at a time.
  */
 public final class Preview {
     private Map<String, Object> last = Collections.emptyMap();
@@ -51,10 +51,10 @@ public final class Preview {
 
     private static Map<String, Object> make(Path folder, String stamp) {
         if (!Files.isDirectory(folder)) {
-            return answer(stamp, WorldState.empty(), Collections.emptyList(), null);
+            return answer(stamp, WorldJson.empty(), Collections.emptyList(), null);
         }
         try (Simulation start = Simulation.load(folder, RunSettings.fromSystem().seed)) {
-            return answer(stamp, new WorldState().of(start), Collections.emptyList(), null);
+            return answer(stamp, new WorldJson().of(start), Collections.emptyList(), null);
         } catch (ProjectException e) {
             return answer(stamp, null, e.getProblems(), null);
         } catch (RuntimeException e) {

@@ -14,7 +14,7 @@ import org.myrobotlab.service.sear.run.SimulationSession;
  *
  * <pre>
  * {"number": 7, "running": true, "paused": false, "lockStep": false, "speed": 1.0 (measured), "wantedSpeed": 1.0, "time": 0, "step": 0,
- *  "objects": [..], "robots": [..], "sensors": [..]}                               the whole; its lists stand at {@link WorldState}
+ *  "objects": [..], "robots": [..], "sensors": [..]}                               the whole; its lists stand at {@link WorldJson}
  * {"number": 8, .., "time": 0.1, "step": 6,
  *  "changes": {"objects": {"3": {"pose": [..]}}, "robots": {"0": {"pose": [..], "speed": 0.2}}, "sensors": {}}}     by place in their list
  * {"running": false}                                                              there is no world
@@ -27,7 +27,7 @@ public final class WorldFeed {
     private static final double FASTEST = 1e6;
     private static final double ROUNDING = 1e3;
 
-    private final WorldState state = new WorldState();
+    private final WorldJson state = new WorldJson();
     private long number;
     private Simulation world;
     private Map<String, Object> last;
@@ -78,7 +78,7 @@ public final class WorldFeed {
         message.put("running", true);
         message.put("paused", session.isPaused());
         message.put("lockStep", session.isLockStep());
-        message.put("speed", WorldState.rounded(session.getMeasuredSpeed(), ROUNDING));
+        message.put("speed", WorldJson.rounded(session.getMeasuredSpeed(), ROUNDING));
         message.put("wantedSpeed", Math.min(session.getWantedSpeed(), FASTEST));
         return message;
     }
@@ -88,7 +88,7 @@ public final class WorldFeed {
         message.put("time", now.get("time"));
         message.put("step", now.get("step"));
         Map<String, Object> changes = new LinkedHashMap<>();
-        WorldState.LISTS.forEach(list -> changes.put(list, changes(WorldState.list(before, list), WorldState.list(now, list))));
+        WorldJson.LISTS.forEach(list -> changes.put(list, changes(WorldJson.list(before, list), WorldJson.list(now, list))));
         message.put("changes", changes);
         return message;
     }

@@ -22,7 +22,7 @@ public final class Publisher {
     private static final double HIGHEST_RATE = 60;
 
     private final Control control;
-    private final Readings readings;
+    private final ScriptReadings readings;
     private final Host host;
     private volatile String lastFailure = "";
     private final Map<String, Subscription> subscriptions = new ConcurrentSkipListMap<>();
@@ -42,7 +42,7 @@ public final class Publisher {
     }
 
     /** Starts looking for what is due. */
-    public Publisher(Host host, Control control, Readings readings) {
+    public Publisher(Host host, Control control, ScriptReadings readings) {
         this.host = host;
         this.control = control;
         this.readings = readings;

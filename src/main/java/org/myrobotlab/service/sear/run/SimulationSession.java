@@ -19,8 +19,8 @@ import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
 import org.myrobotlab.service.sear.Host;
-import org.myrobotlab.service.sear.lockstep.Callers;
-import org.myrobotlab.service.sear.lockstep.PortQuiet;
+import org.myrobotlab.service.sear.lockstep.Quiescence;
+import org.myrobotlab.service.sear.lockstep.SleepingThreads;
 
 /**
  * One running simulation: its thread, its ports, its clock. Any thread.
@@ -44,8 +44,8 @@ public final class SimulationSession {
     private final Thread thread;
     private final List<UartLine> lines = new CopyOnWriteArrayList<>();
     private final Window window = new Window();
-    private final Pace pace;
-    private final PortQuiet quiet;
+    private final Throttle throttle;
+    private final Quiescence quiescence;
     private final Object stepping = new Object();
     /** Where sleepers wait for the end of a pause. */
     private final Object pauseEnds = new Object();
@@ -57,7 +57,7 @@ public final class SimulationSession {
     private volatile Throwable failure;
     /** Up to where the script has slept: {@link SimulationRunner#getAdvancedTime} without rounding to steps. */
     private volatile double scriptTime;
-    private final Callers callers = new Callers();
+    private final SleepingThreads sleepers = new SleepingThreads();
     private final Set<String> told = new HashSet<>();
     private final MemoryWatch memoryWatch = new MemoryWatch(this::outOfMemory);
     private volatile boolean driven;
@@ -69,9 +69,9 @@ public final class SimulationSession {
         this.simulation = simulation;
         runner = new SimulationRunner(simulation);
         lockStep = settings.lockStep;
-        pace = new Pace(settings.speed);
+        throttle = new Throttle(settings.speed);
         clock = new SimulationClock(simulation, lockStep);
-        quiet = new PortQuiet(host, callers);
+        quiescence = new Quiescence(host, sleepers);
         thread = new Thread(this::run, "SEAR simulation");
         thread.setDaemon(true);
     }
@@ -107,7 +107,7 @@ public final class SimulationSession {
         runner.setPaused(true);
         runner.addStepListener(this::waitForReaders);
         thread.start();
-        quiet.greet();
+        quiescence.greet();
         if (!settings.headless) {
             window.open(runner, debugShapes, this::isScriptDriving, host); // takes seconds, which nobody is to miss
         }
@@ -117,7 +117,7 @@ public final class SimulationSession {
 
     /** On the simulation thread after each step: "as fast as possible" is as fast as bytes are taken. Questions are answered at least each 50 ms. */
     private void waitForReaders() {
-        if (lockStep || !Double.isInfinite(pace.getSpeed())) {
+        if (lockStep || !Double.isInfinite(throttle.getSpeed())) {
             return;
         }
         long end = System.nanoTime() + READER_PATIENCE;
@@ -296,25 +296,25 @@ public final class SimulationSession {
         double base = scriptTime <= start && scriptTime > start - Simulation.STEP ? scriptTime : start;
         double target = base + seconds;
         scriptTime = target;
-        pace.begin(start);
+        throttle.begin(start);
         whileSleeping(target - ROUNDING, () -> {
             synchronized (stepping) {
-                quiet.settle();
+                quiescence.settle();
             }
             while (runner.getAdvancedTime() < target - ROUNDING) {
                 awaitResume(target - ROUNDING);
                 stepIfBefore(target - ROUNDING);
-                pace.await(runner.getAdvancedTime());
+                throttle.await(runner.getAdvancedTime());
             }
         });
     }
 
     /** Does what waits for time, or makes it pass; afterwards the caller, which may be a callback, goes on: the next step waits for it. */
-    private void whileSleeping(double target, Callers.Work work) throws InterruptedException {
+    private void whileSleeping(double target, SleepingThreads.Work work) throws InterruptedException {
         try {
-            callers.whileSleeping(target, work);
+            sleepers.whileSleeping(target, work);
         } finally {
-            quiet.disturb();
+            quiescence.disturb();
         }
     }
 
@@ -332,19 +332,19 @@ public final class SimulationSession {
      * callback that sleeps, goes on first, until it waits again or ends.
      */
     private void oneStep() throws InterruptedException {
-        quiet.settle();
+        quiescence.settle();
         runner.advance(1);
-        quiet.settle();
+        quiescence.settle();
         clock.tick();
         if (stepListener.getAsBoolean()) {
-            quiet.disturb();
+            quiescence.disturb();
         }
-        quiet.settle();
-        while (callers.othersAreDue(runner.getAdvancedTime()) && !ended) {
-            quiet.disturb();
+        quiescence.settle();
+        while (sleepers.othersAreDue(runner.getAdvancedTime()) && !ended) {
+            quiescence.disturb();
             stepping.wait(LOOK_AFTER_SLEEPERS);
         }
-        quiet.settle();
+        quiescence.settle();
     }
 
     private void awaitResume(double target) throws InterruptedException {
@@ -406,7 +406,7 @@ public final class SimulationSession {
 
     private void toTheStart() throws InterruptedException {
         synchronized (stepping) {
-            quiet.settle();
+            quiescence.settle();
             ask(world -> {
                 world.reset();
                 return true;
@@ -418,13 +418,13 @@ public final class SimulationSession {
             fresh.install();
             clock.wake();
             clock = fresh;
-            quiet.settle();
+            quiescence.settle();
         }
     }
 
     /** Simulated seconds a second; infinity = as fast as possible. */
     public void setSpeed(double factor) {
-        pace.setSpeed(factor);
+        throttle.setSpeed(factor);
         if (!lockStep) {
             runner.setSpeed(factor);
         }
@@ -442,7 +442,7 @@ public final class SimulationSession {
                 runner.setPaused(true);
                 runner.setSpeed(Double.POSITIVE_INFINITY);
             } else {
-                runner.setSpeed(pace.getSpeed());
+                runner.setSpeed(throttle.getSpeed());
                 runner.setPaused(paused);
             }
             clock.setLockStep(on);
@@ -456,7 +456,7 @@ public final class SimulationSession {
 
     /** Simulated seconds a second as they were asked for; infinity = as fast as possible. */
     public double getWantedSpeed() {
-        return pace.getSpeed();
+        return throttle.getSpeed();
     }
 
     /** Simulated seconds a second as measured lately. */

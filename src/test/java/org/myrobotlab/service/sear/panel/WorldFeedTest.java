@@ -85,14 +85,14 @@ public class WorldFeedTest {
         try (Simulation world = world(3)) {
             Map<String, Object> whole = feed.next(world);
             int faller = world.getProject().getEnvironment().stream().map(SearObject::getName).collect(Collectors.toList()).indexOf("faller");
-            assertEquals("faller", WorldState.list(whole, "objects").get(faller).get("name"));
+            assertEquals("faller", WorldJson.list(whole, "objects").get(faller).get("name"));
             step(world, STEPS_BETWEEN);
             Map<String, Object> message = feed.next(world);
             Map<?, ?> objects = (Map<?, ?>) ((Map<?, ?>) message.get("changes")).get("objects");
             assertEquals(List.of(faller), List.copyOf(objects.keySet()));
             double[] pose = (double[]) ((Map<?, ?>) objects.get(faller)).get("pose");
             assertTrue("it falls: " + pose[1], pose[1] < 1);
-            assertArrayEquals("a page that comes now gets it too", pose, (double[]) WorldState.list(feed.whole(world), "objects").get(faller)
+            assertArrayEquals("a page that comes now gets it too", pose, (double[]) WorldJson.list(feed.whole(world), "objects").get(faller)
                 .get("pose"), 0);
         }
     }

@@ -1,0 +1,52 @@
+package org.SEAR.devices;
+
+import java.util.PriorityQueue;
+import java.util.function.DoubleConsumer;
+
+/**
+ * What a device's firmware has to do later, in the order of time and, at one time, in the order in which it was asked for. Simulation thread only.
+ */
+public final class EventQueue {
+    private final PriorityQueue<Entry> entries = new PriorityQueue<>();
+    private long count;
+
+    /**
+     * Runs {@code action} with its time when {@link #runUntil} gets there.
+     *
+     * @param time simulated seconds
+     */
+    public void at(double time, DoubleConsumer action) {
+        entries.add(new Entry(time, count++, action));
+    }
+
+    /** Does what is due up to and including {@code time}; actions may add more. */
+    public void runUntil(double time) {
+        while (!entries.isEmpty() && entries.peek().time <= time) {
+            Entry entry = entries.remove();
+            entry.action.accept(entry.time);
+        }
+    }
+
+    /** Forgets everything that is not done yet. */
+    public void clear() {
+        entries.clear();
+    }
+
+    private static final class Entry implements Comparable<Entry> {
+        private final double time;
+        private final long number;
+        private final DoubleConsumer action;
+
+        Entry(double time, long number, DoubleConsumer action) {
+            this.time = time;
+            this.number = number;
+            this.action = action;
+        }
+
+        @Override
+        public int compareTo(Entry other) {
+            int order = Double.compare(time, other.time);
+            return order != 0 ? order : Long.compare(number, other.number);
+        }
+    }
+}

@@ -1,0 +1,74 @@
+package org.SEAR.view.hud;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.SEAR.geometry.Pose;
+import org.SEAR.view.link.SceneState;
+
+/** What the window's panels say about the world. */
+public final class StatusText {
+    private static final int WARNINGS = 6;
+    private static final double HUNDRED = 100;
+
+    private StatusText() {
+    }
+
+    /** Time, robots, serial devices. */
+    static String status(SceneState sceneState, Hud.State state) {
+        List<String> lines = new ArrayList<>();
+        lines.add(String.format(Locale.ROOT, "time %.2f s   speed %.2f of %s%s", sceneState.time, state.measuredSpeed, factor(state.wantedSpeed),
+            state.paused ? "   PAUSED" : ""));
+        for (int i = 0; i < sceneState.robots.size(); i++) {
+            lines.addAll(robot(sceneState.robots.get(i), sceneState.robots.size() > 1 && i == state.robot));
+        }
+        if (state.flying) {
+            lines.add("flycam");
+        }
+        if (state.scriptDrives) {
+            lines.add("a script drives: keys do not");
+        }
+        return String.join("\n", lines);
+    }
+
+    /** Every sensor's reading; numbers are those of the keys that show and hide beams. */
+    static String sensors(SceneState sceneState, Hud.State state) {
+        List<String> lines = new ArrayList<>();
+        for (Map.Entry<String, String> value : sceneState.values.entrySet()) {
+            int number = state.beamSensors.indexOf(value.getKey());
+            String key = number < 0 || number > 8 ? "" : (number + 1) + "  ";
+            lines.add(key + value.getKey() + ": " + value.getValue() + (state.hidden.contains(value.getKey()) ? "  (hidden)" : ""));
+        }
+        return String.join("\n", lines);
+    }
+
+    private static List<String> robot(SceneState.RobotState robot, boolean followed) {
+        Pose pose = robot.pose;
+        List<String> lines = new ArrayList<>();
+        lines.add(String.format(Locale.ROOT, "%s%s   x %.2f  y %.2f  z %.2f m   heading %.0f deg", followed ? "> " : "", robot.name,
+            hundredths(pose.x), hundredths(pose.y), hundredths(pose.z), Math.rint(robot.heading()) + 0.0));
+        lines.add(String.format(Locale.ROOT, "    %.2f m/s   %.0f deg/s", hundredths(robot.speed),
+            Math.rint(Math.toDegrees(robot.turnRate)) + 0.0));
+        for (String status : robot.status) {
+            lines.add("    " + status);
+        }
+        return lines;
+    }
+
+    /** Rounded, and never a negative zero. */
+    private static double hundredths(double value) {
+        return Math.rint(value * HUNDRED) / HUNDRED + 0.0;
+    }
+
+    /** A speed factor as people write it. */
+    public static String factor(double factor) {
+        return Double.isInfinite(factor) ? "max" : String.format(Locale.ROOT, factor < 1 ? "%.2f" : "%.0f", factor);
+    }
+
+    /** What is probably wrong. */
+    static String warnings(SceneState sceneState) {
+        List<String> all = sceneState.warnings;
+        return String.join("\n", all.subList(Math.max(0, all.size() - WARNINGS), all.size()));
+    }
+}

@@ -1,0 +1,136 @@
+package org.SEAR.view.process;
+
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.SEAR.geometry.Pose;
+import org.SEAR.view.link.SceneState;
+import org.SEAR.view.link.WorldLink;
+
+/** Everything that a {@link WorldLink} answers at one time, as it travels to a window in a process of its own. Immutable, any thread. */
+public final class StateMessage {
+    final SceneState sceneState;
+    final boolean paused;
+    final double measuredSpeed;
+    final double wantedSpeed;
+    final boolean scriptDrives;
+
+    StateMessage(SceneState sceneState, boolean paused, double measuredSpeed, double wantedSpeed, boolean scriptDrives) {
+        this.sceneState = sceneState;
+        this.paused = paused;
+        this.measuredSpeed = measuredSpeed;
+        this.wantedSpeed = wantedSpeed;
+        this.scriptDrives = scriptDrives;
+    }
+
+    /** The present state of a world that has had its first step. */
+    public static StateMessage of(WorldLink world) {
+        return new StateMessage(world.sceneState(), world.isPaused(), world.measuredSpeed(), world.wantedSpeed(), world.scriptDrives());
+    }
+
+    private interface Writer<T> {
+        public void write(T value) throws IOException;
+    }
+
+    private interface Reader<T> {
+        T read() throws IOException;
+    }
+
+    private static <T> void writeAll(DataOutputStream out, Iterable<T> values, int count, Writer<T> writer) throws IOException {
+        out.writeInt(count);
+        for (T value : values) {
+            writer.write(value);
+        }
+    }
+
+    private static <T> List<T> readAll(DataInputStream in, Reader<T> reader) throws IOException {
+        int count = in.readInt();
+        List<T> values = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            values.add(reader.read());
+        }
+        return values;
+    }
+
+    public void write(DataOutputStream out) throws IOException {
+        out.writeBoolean(paused);
+        out.writeDouble(measuredSpeed);
+        out.writeDouble(wantedSpeed);
+        out.writeBoolean(scriptDrives);
+        out.writeLong(sceneState.step);
+        out.writeDouble(sceneState.time);
+        writeAll(out, sceneState.environment, sceneState.environment.size(), pose -> write(out, pose));
+        writeAll(out, sceneState.robots, sceneState.robots.size(), robot -> write(out, robot));
+        writeAll(out, sceneState.beams.entrySet(), sceneState.beams.size(), beam -> {
+            out.writeUTF(beam.getKey());
+            write(out, beam.getValue());
+        });
+        writeAll(out, sceneState.values.entrySet(), sceneState.values.size(), value -> {
+            out.writeUTF(value.getKey());
+            out.writeUTF(value.getValue());
+        });
+        writeAll(out, sceneState.contacts, sceneState.contacts.size(), contact -> write(out, contact));
+        writeAll(out, sceneState.warnings, sceneState.warnings.size(), out::writeUTF);
+    }
+
+    static StateMessage read(DataInputStream in) throws IOException {
+        boolean paused = in.readBoolean();
+        double measuredSpeed = in.readDouble();
+        double wantedSpeed = in.readDouble();
+        boolean scriptDrives = in.readBoolean();
+        long step = in.readLong();
+        double time = in.readDouble();
+        List<Pose> environment = readAll(in, () -> pose(in));
+        List<SceneState.RobotState> robots = readAll(in, () -> robot(in));
+        Map<String, double[]> beams = new LinkedHashMap<>();
+        readAll(in, () -> beams.put(in.readUTF(), numbers(in)));
+        Map<String, String> values = new LinkedHashMap<>();
+        readAll(in, () -> values.put(in.readUTF(), in.readUTF()));
+        List<double[]> contacts = readAll(in, () -> numbers(in));
+        SceneState sceneState = new SceneState(step, time, environment, robots, beams, values, contacts, readAll(in, in::readUTF));
+        return new StateMessage(sceneState, paused, measuredSpeed, wantedSpeed, scriptDrives);
+    }
+
+    private static void write(DataOutputStream out, SceneState.RobotState robot) throws IOException {
+        out.writeUTF(robot.name);
+        write(out, robot.pose);
+        out.writeDouble(robot.speed);
+        out.writeDouble(robot.turnRate);
+        writeAll(out, robot.wheels, robot.wheels.size(), wheel -> write(out, wheel));
+        writeAll(out, robot.status, robot.status.size(), out::writeUTF);
+    }
+
+    private static SceneState.RobotState robot(DataInputStream in) throws IOException {
+        return new SceneState.RobotState(in.readUTF(), pose(in), in.readDouble(), in.readDouble(), readAll(in, () -> pose(in)),
+            readAll(in, in::readUTF));
+    }
+
+    private static void write(DataOutputStream out, Pose pose) throws IOException {
+        for (double value : new double[] {pose.x, pose.y, pose.z, pose.qx, pose.qy, pose.qz, pose.qw}) {
+            out.writeDouble(value);
+        }
+    }
+
+    private static Pose pose(DataInputStream in) throws IOException {
+        return new Pose(in.readDouble(), in.readDouble(), in.readDouble(), in.readDouble(), in.readDouble(), in.readDouble(), in.readDouble());
+    }
+
+    private static void write(DataOutputStream out, double[] numbers) throws IOException {
+        out.writeInt(numbers.length);
+        for (double number : numbers) {
+            out.writeDouble(number);
+        }
+    }
+
+    private static double[] numbers(DataInputStream in) throws IOException {
+        double[] numbers = new double[in.readInt()];
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = in.readDouble();
+        }
+        return numbers;
+    }
+}

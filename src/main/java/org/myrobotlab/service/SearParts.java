@@ -1,0 +1,135 @@
+package org.myrobotlab.service;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import org.SEAR.project.Project;
+import org.SEAR.project.problems.Problem;
+import org.SEAR.project.problems.ProjectException;
+import org.myrobotlab.framework.Message;
+import org.myrobotlab.service.sear.Host;
+import org.myrobotlab.service.sear.export.Exports;
+import org.myrobotlab.service.sear.files.Projects;
+import org.myrobotlab.service.sear.files.Transfers;
+import org.myrobotlab.service.sear.lockstep.Fence;
+import org.myrobotlab.service.sear.lockstep.FencePass;
+import org.myrobotlab.service.sear.panel.Preview;
+import org.myrobotlab.service.sear.panel.WorldFeed;
+import org.myrobotlab.service.sear.readings.Publisher;
+import org.myrobotlab.service.sear.readings.ScriptReadings;
+import org.myrobotlab.service.sear.run.Control;
+import org.myrobotlab.service.sear.run.SimulationSession;
+
+/** All that a SEAR service is made of, in one place, so that the service class itself loads where a library is missing. */
+final class SearParts {
+    private final Control control;
+    private final ScriptReadings readings;
+    private final Projects projects;
+    private final Publisher publisher;
+    private final Exports exports;
+    private final Transfers transfers;
+    private final WorldFeed feed = new WorldFeed();
+    private final Preview preview = new Preview();
+
+    SearParts(Host host) {
+        control = new Control(host, Projects::folder);
+        readings = new ScriptReadings(control);
+        projects = new Projects(control, host);
+        publisher = new Publisher(host, control, readings);
+        exports = new Exports(host, control);
+        transfers = new Transfers(projects::save, projects::load);
+        control.setStepListener(publisher::publishDue);
+    }
+
+    /**
+     * Takes a message that lock-step has sent behind others and waits for.
+     *
+     * @return whether it is one
+     */
+    public static boolean isFence(Message message) {
+        boolean is = Fence.CALLBACK.equals(message.method) && message.data != null && message.data[0] instanceof FencePass;
+        if (is) {
+            FencePass.passed((FencePass) message.data[0]);
+        }
+        return is;
+    }
+
+    public Control control() {
+        return control;
+    }
+
+    public ScriptReadings readings() {
+        return readings;
+    }
+
+    public Projects projects() {
+        return projects;
+    }
+
+    public Publisher publisher() {
+        return publisher;
+    }
+
+    public Exports exports() {
+        return exports;
+    }
+
+    public Transfers transfers() {
+        return transfers;
+    }
+
+    /** What panels are told next of the world: the whole or what has changed, as {@link WorldFeed} says. */
+    public Map<String, Object> nextState() throws InterruptedException {
+        SimulationSession session = control.sessionOrNull();
+        return session == null ? WorldFeed.nothing() : session.ask(world -> feed.next(world, session));
+    }
+
+    /** The whole state of the world, for a panel that comes later. */
+    public Map<String, Object> wholeState() throws InterruptedException {
+        SimulationSession session = control.sessionOrNull();
+        return session == null ? WorldFeed.nothing() : session.ask(world -> feed.whole(world, session));
+    }
+
+    /**
+     * The world as it would start, for panels while nothing runs; nothing while a simulation does.
+     *
+     * @param known the stamp of the one they have
+     */
+    public Map<String, Object> preview(String known) {
+        if (control.isRunning()) {
+            return Collections.emptyMap();
+        }
+        return projects.undisturbed(() -> preview.of(Projects.folder(), known));
+    }
+
+    /** What is wrong with the project; empty if nothing. */
+    public List<Problem> problems() {
+        try {
+            Project.read(Projects.folder());
+            return Collections.emptyList();
+        } catch (ProjectException e) {
+            return e.getProblems();
+        }
+    }
+
+    /** Brings bytes from a device's Serial service to the device. */
+    public void toDevice(String serviceName, byte[] bytes) {
+        SimulationSession session = control.anySession();
+        if (session != null) {
+            session.toDevice(serviceName, bytes);
+        }
+    }
+
+    /** Ends the simulation and what hangs on it. */
+    public void stop() {
+        exports.close();
+        control.stop();
+        feed.forget();
+    }
+
+    /** Ends everything, for good. */
+    public void close() {
+        publisher.close();
+        stop();
+    }
+}

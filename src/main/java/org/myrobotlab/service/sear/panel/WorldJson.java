@@ -1,0 +1,268 @@
+package org.myrobotlab.service.sear.panel;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.SEAR.POJOs.BeamCone;
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Cone;
+import org.SEAR.POJOs.Cylinder;
+import org.SEAR.POJOs.Distance;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Model;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Shape;
+import org.SEAR.POJOs.Wheel;
+import org.SEAR.geometry.Pose;
+import org.SEAR.robot.Robot;
+import org.SEAR.sensors.DistanceReading;
+import org.SEAR.sensors.LidarScan;
+import org.SEAR.sensors.Sensor;
+import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.Snapshot;
+import org.myrobotlab.service.sear.readings.EulerAngles;
+import org.myrobotlab.service.sear.readings.ScriptReadings;
+
+/**
+ * The state of the world as panels draw it, as maps, lists and numbers for JSON. Metres and degrees; poses are [x, y, z, rx, ry, rz], rounded to
+ * tenths of millimetres and thousandths of degrees.
+ *
+ * <pre>
+ * {"time": 1.5, "step": 90,
+ *  "objects": [{"name": "Box1", "type": "Box", "size": [0.25, 0.25, 0.25], "scale": [1, 1, 1], "image": null, "pose": [..]},
+ *              {"name": "Tree1", "type": "Model", "corners": [[x, y, z], ..] (scaled, in its own frame), "terrain": false, ..}],
+ *  "robots": [{"name": "myRoomba", "pose": [..], "speed": 0.2, "turnRate": 0, "radius": 0.17, "path": [[x, z], ..], "status": [..],
+ *              "parts": [{"name", "type", "size", "image", "pose" (in the body)}]}],
+ *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "hit": [x, y, z] or null,
+ *               "cones": [{"halfAngle", "range", "yaw"}]},
+ *              {"name": "myLidar", "type": "LIDAR", "pose": [..], "spread": 180, "resolution": 1, "ranges": [.., null, ..]}]}
+ * </pre>
+ *
+ * <p>{@link WorldFeed} adds what only a running simulation has.
+ */
+public final class WorldJson {
+    /** The lists of a state, each of maps. */
+    static final List<String> LISTS = Collections.unmodifiableList(Arrays.asList("objects", "robots", "sensors"));
+    private static final double FINE = 1e4;
+    private static final double MILLIMETRES = 1e3;
+    private static final double ANGLE = 1e3;
+    private static final double PATH_STEP = 0.02;
+    private static final int LONGEST_PATH = 500;
+
+    private final Map<String, List<double[]>> paths = new LinkedHashMap<>();
+    private double lastTime;
+
+    /** The world without what only a running simulation has; simulation thread. */
+    public synchronized Map<String, Object> of(Simulation world) {
+        Map<String, Object> state = moving(world);
+        addFixed(list(state, "objects"), world.getProject().getEnvironment(), world);
+        List<Map<String, Object>> robots = list(state, "robots");
+        List<Map<String, Object>> sensors = list(state, "sensors");
+        int sensor = 0;
+        for (int i = 0; i < robots.size(); i++) {
+            Robot robot = world.getRobots().get(i);
+            Map<String, Object> map = robots.get(i);
+            map.put("name", robot.getObject().getName());
+            map.put("radius", rounded(robot.getHardware().getBodyRadius(), FINE));
+            map.put("path", new ArrayList<>(paths.get(robot.getObject().getName())));
+            map.put("parts", parts(world, robot));
+            for (Sensor<?> one : robot.getSensors()) {
+                addFixed(sensors.get(sensor++), robot, one.getParameters());
+            }
+        }
+        return state;
+    }
+
+    /** What can change from step to step, in the same places as in the whole; simulation thread. */
+    synchronized Map<String, Object> moving(Simulation world) {
+        Snapshot snapshot = world.snapshot();
+        if (snapshot.time < lastTime) {
+            paths.clear();
+        }
+        lastTime = snapshot.time;
+        Map<String, Object> state = new LinkedHashMap<>();
+        state.put("time", snapshot.time);
+        state.put("step", snapshot.step);
+        List<Map<String, Object>> objects = new ArrayList<>();
+        snapshot.environment.forEach(pose -> objects.add(posed(pose)));
+        state.put("objects", objects);
+        state.put("robots", robots(snapshot));
+        state.put("sensors", sensors(world));
+        return state;
+    }
+
+    /** A world without anything in it. */
+    static Map<String, Object> empty() {
+        Map<String, Object> state = new LinkedHashMap<>();
+        LISTS.forEach(list -> state.put(list, new ArrayList<>()));
+        return state;
+    }
+
+    @SuppressWarnings("unchecked")
+    static List<Map<String, Object>> list(Map<String, Object> state, String name) {
+        return (List<Map<String, Object>>) state.get(name);
+    }
+
+    private static Map<String, Object> posed(Pose pose) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("pose", numbers(pose));
+        return map;
+    }
+
+    private static void addFixed(List<Map<String, Object>> maps, List<? extends SearObject> objects, Simulation world) {
+        for (int i = 0; i < maps.size(); i++) {
+            addFixed(maps.get(i), objects.get(i), world);
+        }
+    }
+
+    private static void addFixed(Map<String, Object> map, SearObject object, Simulation world) {
+        map.put("name", object.getName());
+        map.put("type", object.getClass().getSimpleName());
+        map.put("size", size(object));
+        if (object instanceof Shape) {
+            Shape shape = (Shape) object;
+            map.put("image", shape.getImage());
+            map.put("scale", new double[] {shape.getScaleX(), shape.getScaleY(), shape.getScaleZ()});
+        }
+        if (object instanceof Model) {
+            map.put("terrain", ((Model) object).isTerrain());
+            map.put("corners", corners(world.getCorners(object)));
+        }
+    }
+
+    private static double[][] corners(double[]... exact) {
+        double[][] corners = new double[exact.length][3];
+        for (int i = 0; i < exact.length; i++) {
+            for (int axis = 0; axis < corners[i].length; axis++) {
+                corners[i][axis] = rounded(exact[i][axis], MILLIMETRES);
+            }
+        }
+        return corners;
+    }
+
+    /** Unscaled: Box [length, height, width]; Cylinder and Cone [radius, height]; Wheel [radius, width]; Floor [length, width]; else []. */
+    private static double[] size(SearObject object) {
+        if (object instanceof Box) {
+            Box box = (Box) object;
+            return new double[] {box.getLength(), box.getHeight(), box.getWidth()};
+        }
+        if (object instanceof Cylinder) {
+            return new double[] {((Cylinder) object).getRadius(), ((Cylinder) object).getHeight()};
+        }
+        if (object instanceof Cone) {
+            return new double[] {((Cone) object).getRadius(), ((Cone) object).getHeight()};
+        }
+        if (object instanceof Wheel) {
+            return new double[] {((Wheel) object).getRadius(), ((Wheel) object).getWidth()};
+        }
+        if (object instanceof Floor) {
+            return new double[] {((Floor) object).getLength(), ((Floor) object).getWidth()};
+        }
+        return new double[0];
+    }
+
+    private List<Object> robots(Snapshot snapshot) {
+        List<Object> list = new ArrayList<>();
+        for (Snapshot.RobotState robot : snapshot.robots) {
+            Map<String, Object> map = posed(robot.pose);
+            map.put("speed", rounded(robot.speed, FINE));
+            map.put("turnRate", rounded(robot.turnRate, FINE));
+            map.put("status", robot.status);
+            extendPath(robot);
+            list.add(map);
+        }
+        return list;
+    }
+
+    private static List<Object> parts(Simulation world, Robot robot) {
+        List<SearObject> visible = new ArrayList<>();
+        robot.getObject().getComponents().stream().filter(part -> part instanceof Shape).forEach(visible::add);
+        visible.addAll(robot.getObject().getWheels());
+        List<Object> list = new ArrayList<>();
+        for (SearObject part : visible) {
+            Map<String, Object> map = posed(mount(part));
+            addFixed(map, part, world);
+            list.add(map);
+        }
+        return list;
+    }
+
+    /** Panels do the same with the poses that they get. */
+    private void extendPath(Snapshot.RobotState robot) {
+        List<double[]> path = paths.computeIfAbsent(robot.name, name -> new ArrayList<>());
+        double[] last = path.isEmpty() ? null : path.get(path.size() - 1);
+        if (last == null || Math.hypot(last[0] - robot.pose.x, last[1] - robot.pose.z) > PATH_STEP) {
+            path.add(new double[] {rounded(robot.pose.x, FINE), rounded(robot.pose.z, FINE)});
+        }
+        if (path.size() > LONGEST_PATH) {
+            for (int i = path.size() - 2; i > 0; i -= 2) {
+                path.remove(i);
+            }
+        }
+    }
+
+    private static List<Object> sensors(Simulation world) {
+        List<Object> list = new ArrayList<>();
+        for (Robot robot : world.getRobots()) {
+            for (Sensor<?> sensor : robot.getSensors()) {
+                Map<String, Object> map = posed(robot.getPose().times(sensor.getMount()));
+                addReading(map, sensor.getParameters(), world.read(sensor.getName()));
+                list.add(map);
+            }
+        }
+        return list;
+    }
+
+    private static void addFixed(Map<String, Object> map, Robot robot, SearObject sensor) {
+        map.put("name", sensor.getName());
+        map.put("type", sensor.getClass().getSimpleName());
+        map.put("robot", robot.getObject().getName());
+        if (sensor instanceof Distance) {
+            List<Object> cones = new ArrayList<>();
+            for (BeamCone cone : ((Distance) sensor).getCones()) {
+                Map<String, Object> one = new LinkedHashMap<>();
+                one.put("halfAngle", cone.getHalfAngle());
+                one.put("range", cone.getRange());
+                one.put("yaw", cone.getYaw());
+                cones.add(one);
+            }
+            map.put("cones", cones);
+        }
+    }
+
+    private static void addReading(Map<String, Object> map, SearObject object, Object reading) {
+        if (reading instanceof LidarScan) {
+            LidarScan scan = (LidarScan) reading;
+            map.put("spread", scan.getSpread());
+            map.put("resolution", scan.getResolution());
+            List<Double> ranges = new ArrayList<>(scan.size());
+            for (int i = 0; i < scan.size(); i++) {
+                ranges.add(Double.isInfinite(scan.range(i)) ? null : Double.valueOf(rounded(scan.range(i), FINE)));
+            }
+            map.put("ranges", ranges);
+        } else {
+            map.put("value", ScriptReadings.converted(object, reading));
+        }
+        if (reading instanceof DistanceReading) {
+            double[] hit = ((DistanceReading) reading).getHitPoint();
+            map.put("hit", hit == null ? null : corners(hit)[0]);
+        }
+    }
+
+    private static Pose mount(SearObject part) {
+        return Pose.ofDegrees(part.getX(), part.getY(), part.getZ(), part.getRx(), part.getRy(), part.getRz());
+    }
+
+    private static double[] numbers(Pose pose) {
+        double[] angles = EulerAngles.degrees(pose);
+        return new double[] {rounded(pose.x, FINE), rounded(pose.y, FINE), rounded(pose.z, FINE), rounded(angles[0], ANGLE),
+            rounded(angles[1], ANGLE), rounded(angles[2], ANGLE)};
+    }
+
+    static double rounded(double value, double per) {
+        return Double.isNaN(value) || Double.isInfinite(value) ? 0 : Math.round(value * per) / per;
+    }
+}

@@ -1,0 +1,189 @@
+package org.myrobotlab.service.sear.readings;
+
+import java.util.List;
+import org.SEAR.POJOs.Accelerometer;
+import org.SEAR.POJOs.Compass;
+import org.SEAR.POJOs.Distance;
+import org.SEAR.POJOs.GPS;
+import org.SEAR.POJOs.Gyroscope;
+import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.ScriptText;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.geometry.Pose;
+import org.SEAR.robot.Robot;
+import org.SEAR.sensors.DistanceReading;
+import org.SEAR.sensors.GpsFix;
+import org.SEAR.sensors.LidarScan;
+import org.SEAR.sensors.OdometerReading;
+import org.SEAR.sensors.OdometerSensor;
+import org.SEAR.sensors.Sensor;
+import org.SEAR.sensors.VectorReading;
+import org.SEAR.simulator.Simulation;
+import org.myrobotlab.service.sear.run.Control;
+
+/** Readings in the types and units of the dissertation's script calls. Any thread. */
+public final class ScriptReadings {
+    private final Control control;
+
+    public ScriptReadings(Control control) {
+        this.control = control;
+    }
+
+    /** Metres to the nearest hit; the sensor's range where nothing was hit. */
+    public double distance(String name) throws InterruptedException {
+        return (Double) read(name, Distance.class);
+    }
+
+    /** "x,y,z" in m/s^2. */
+    public String acceleration(String name) throws InterruptedException {
+        return (String) read(name, Accelerometer.class);
+    }
+
+    /** "x,y,z" in rad/s. */
+    public String rates(String name) throws InterruptedException {
+        return (String) read(name, Gyroscope.class);
+    }
+
+    /** Degrees clockwise from north, (-180, 180]. */
+    public double heading(String name) throws InterruptedException {
+        return (Double) read(name, Compass.class);
+    }
+
+    /** Metres, right to left; the sensor's range where nothing was hit. */
+    public float[] scan(String name) throws InterruptedException {
+        return (float[]) read(name, LIDAR.class);
+    }
+
+    /** [latitude, longitude, altitude] in degrees and metres. */
+    public double[] position(String name) throws InterruptedException {
+        return (double[]) read(name, GPS.class);
+    }
+
+    /** What the sensor's get...Result call answers, for publishing. */
+    public Object any(String name) throws InterruptedException {
+        return read(name, SearObject.class);
+    }
+
+    private Object read(String asked, Class<? extends SearObject> type) throws InterruptedException {
+        String name = given(asked);
+        return control.session().ask(world -> {
+            Sensor<?> sensor = world.getSensor(name);
+            SearObject object = sensor.getParameters();
+            if (!type.isInstance(object)) {
+                throw new IllegalArgumentException("sensor " + name + " is a " + object.getClass().getSimpleName() + ", not a "
+                    + type.getSimpleName() + "; there are " + describe(world));
+            }
+            return converted(object, world.read(name));
+        });
+    }
+
+    private static String describe(Simulation world) {
+        StringBuilder text = new StringBuilder();
+        for (String name : world.getSensorNames()) {
+            text.append(text.length() == 0 ? "" : ", ").append(name).append(" (")
+                .append(world.getSensor(name).getParameters().getClass().getSimpleName()).append(')');
+        }
+        return text.toString();
+    }
+
+    public static Object converted(SearObject object, Object reading) {
+        if (reading instanceof LidarScan) {
+            return metres((LidarScan) reading, ((LIDAR) object).getRange());
+        }
+        if (reading instanceof GpsFix) {
+            GpsFix fix = (GpsFix) reading;
+            return new double[] {fix.getLatitude(), fix.getLongitude(), fix.getAltitude()};
+        }
+        if (reading instanceof DistanceReading) {
+            return ((DistanceReading) reading).getDistanceOrRange();
+        }
+        if (reading instanceof OdometerReading) {
+            return ((OdometerReading) reading).getMetres();
+        }
+        return reading instanceof VectorReading ? reading.toString() : reading;
+    }
+
+    private static float[] metres(LidarScan scan, double range) {
+        float[] metres = new float[scan.size()];
+        for (int i = 0; i < metres.length; i++) {
+            metres[i] = (float) Math.min(scan.range(i), range);
+        }
+        return metres;
+    }
+
+    /**
+     * What a robot's odometer counts, metres, + forward. A robot with an Odometer object counts as a Roomba does: since the last call, to 32.767 m
+     * either way. A robot without one answers the path since start or reset.
+     *
+     * @param robot its name, or null for the first
+     */
+    public double odometer(String robot) throws InterruptedException {
+        return control.session().ask(world -> {
+            Robot asked = robot(world, robot);
+            for (Sensor<?> sensor : asked.getSensors()) {
+                if (sensor instanceof OdometerSensor) {
+                    return ((OdometerSensor) sensor).take(asked.getTruth()).getMetres();
+                }
+            }
+            return asked.getHardware().getPath();
+        });
+    }
+
+    /**
+     * Drives a robot, the first if the name is null.
+     *
+     * @param speed m/s
+     * @param radius metres, + left, infinite = straight, 0 = in place
+     */
+    public void drive(String robot, double speed, double radius) throws InterruptedException {
+        if (Double.isNaN(speed) || Double.isInfinite(speed) || Double.isNaN(radius)) {
+            throw new IllegalArgumentException("drive(" + speed + ", " + radius + "), legal: a speed in m/s, and a radius in m, 0 or infinity");
+        }
+        control.session().scriptDrives();
+        control.session().ask(world -> {
+            Robot driven = robot(world, robot);
+            world.post(next -> driven.drive(speed, radius));
+            return true;
+        });
+    }
+
+    /** Names of all sensors. */
+    public List<String> names() {
+        return control.session().getSimulation().getSensorNames();
+    }
+
+    /**
+     * A robot by name, or the first.
+     *
+     * @throws IllegalArgumentException that names the robots there are
+     */
+    static Robot robot(Simulation world, String asked) {
+        String name = ScriptText.of(asked);
+        for (Robot robot : world.getRobots()) {
+            if (name == null || robot.getObject().getName().equals(name)) {
+                return robot;
+            }
+        }
+        StringBuilder names = new StringBuilder();
+        world.getRobots().forEach(robot -> names.append(' ').append(robot.getObject().getName()));
+        throw new IllegalArgumentException(name == null ? "the project has no robot" : "there is no robot \"" + name + "\"; there are:" + names);
+    }
+
+    /** [x, y, z, rx, ry, rz] in the world, metres and degrees, of a robot, an object, a part or a sensor. */
+    public double[] pose(String asked) throws InterruptedException {
+        String name = given(asked);
+        return control.session().ask(world -> asNumbers(world.getPose(name)));
+    }
+
+    private static String given(String name) {
+        if (name == null) {
+            throw new IllegalArgumentException("the name is missing (None), legal: the name of a sensor, robot, part or object");
+        }
+        return ScriptText.of(name);
+    }
+
+    private static double[] asNumbers(Pose pose) {
+        double[] angles = EulerAngles.degrees(pose);
+        return new double[] {pose.x, pose.y, pose.z, angles[0], angles[1], angles[2]};
+    }
+}

@@ -1,0 +1,42 @@
+package org.SEAR.view.link;
+
+import static org.junit.Assert.assertEquals;
+
+import org.SEAR.POJOs.Compass;
+import org.SEAR.POJOs.Gyroscope;
+import org.SEAR.project.ProjectRule;
+import org.SEAR.sensors.SensorType;
+import org.SEAR.sensors.SensorTypes;
+import org.SEAR.sensors.VectorReading;
+import org.example.ThermometerSensor;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** Readings in words: the unit is the sensor type's, whatever the reading's class. */
+public class ReadingTextTest {
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    private final SensorTypes types = SensorTypes.load();
+
+    @Test
+    public void aNumberHasTheUnitOfItsSensor() {
+        assertEquals("-17.3 deg", ReadingText.words(-17.34, types.unit(new Compass("compass"))));
+        assertEquals("20.5 degC", ReadingText.words(20.51, new ThermometerSensor.Type().unit()));
+        assertEquals("20.5", ReadingText.words(20.51, ""));
+    }
+
+    @Test
+    public void soHasAVector() {
+        VectorReading vector = new VectorReading(1, -0.001, 2.25);
+        assertEquals("1.00, 0.00, 2.25 rad/s", ReadingText.words(vector, types.unit(new Gyroscope("gyroscope"))));
+        assertEquals("1.00, 0.00, 2.25 uT", ReadingText.words(vector, "uT"));
+    }
+
+    @Test
+    public void everyKindOfSensorButTheOneOfSeveralUnitsHasOne() {
+        for (SensorType type : types.all()) {
+            assertEquals(type.parameterType().getSimpleName(), type.parameterType().getSimpleName().equals("GPS"), type.unit().isEmpty());
+        }
+    }
+}

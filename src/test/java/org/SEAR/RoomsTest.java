@@ -32,8 +32,8 @@ public class RoomsTest {
         "org.myrobotlab.service", "org.myrobotlab.service.lidar", "org.myrobotlab.service.gps", "org.myrobotlab.service.meta",
         "org.myrobotlab.service.config",
         "org.myrobotlab.service.sear.panel", "org.myrobotlab.service.sear.readings", "org.myrobotlab.service.sear.files",
-        "org.myrobotlab.service.sear.export", "org.myrobotlab.service.sear.run", "org.myrobotlab.service.sear.lockstep", "org.myrobotlab.service.sear",
-        "org.myrobotlab.service.link", "org.myrobotlab.serial",
+        "org.myrobotlab.service.sear.export", "org.myrobotlab.service.sear.run", "org.myrobotlab.service.sear.lockstep",
+        "org.myrobotlab.service.sear", "org.myrobotlab.service.link", "org.myrobotlab.serial",
         "org.SEAR.view", "org.SEAR.view.hud", "org.SEAR.view.input", "org.SEAR.view.scene", "org.SEAR.view.process", "org.SEAR.view.link",
         "org.SEAR.view.platform",
         "org.SEAR.simulator", "org.SEAR.robot", "org.SEAR.physics",
@@ -186,7 +186,8 @@ public class RoomsTest {
 
     /** The package in the list that a class, or something in it, lies in; empty for others. */
     private static String room(String name) {
-        return ROOMS.stream().filter(room -> name.equals(room) || name.startsWith(room + ".")).max(Comparator.comparingInt(String::length)).orElse("");
+        return ROOMS.stream().filter(room -> name.equals(room) || name.startsWith(room + ".")).max(Comparator.comparingInt(String::length))
+            .orElse("");
     }
 
     /** Whether a class is MyRobotLab's own, which shares package names with two of our rooms. */

@@ -24,8 +24,8 @@ public final class SceneState {
     /** What the user should know, in plain words. */
     public final List<String> warnings;
 
-    public SceneState(long step, double time, List<Pose> environment, List<RobotState> robots, Map<String, double[]> beams, Map<String, String> values,
-            List<double[]> contacts, List<String> warnings) {
+    public SceneState(long step, double time, List<Pose> environment, List<RobotState> robots, Map<String, double[]> beams,
+            Map<String, String> values, List<double[]> contacts, List<String> warnings) {
         this.step = step;
         this.time = time;
         this.environment = Collections.unmodifiableList(environment);

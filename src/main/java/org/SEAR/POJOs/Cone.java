@@ -2,12 +2,7 @@ package org.SEAR.POJOs;
 
 /** An upright cone about the y axis, its apex up, centred on its origin. Its default picture is a traffic cone. */
 @Described("an upright cone about the y axis, its apex up")
-public class Cone extends Shape {
-    @Param(doc = "radius of the base", unit = "m", min = SMALL, max = LARGE, required = true)
-    private double radius;
-    @Param(doc = "size along y", unit = "m", min = SMALL, max = LARGE, required = true)
-    private double height;
-
+public class Cone extends RoundShape {
     /** For reading from a file. */
     protected Cone() {
     }
@@ -44,22 +39,8 @@ public class Cone extends Shape {
     /** With everything. */
     public Cone(String name, double radius, double height, double mass, String image,
             double x, double y, double z, double rx, double ry, double rz) {
-        super(name, mass);
-        this.radius = radius;
-        this.height = height;
-        wrap(image);
-        place(x, y, z, rx, ry, rz);
+        super(name, radius, height, mass, image, x, y, z, rx, ry, rz);
         created(Cone.class);
-    }
-
-    /** Radius of the base, metres, before scaling. */
-    public double getRadius() {
-        return radius;
-    }
-
-    /** Size along y, metres, before scaling. */
-    public double getHeight() {
-        return height;
     }
 
     @Override

@@ -2,12 +2,7 @@ package org.SEAR.POJOs;
 
 /** An upright cylinder about the y axis, centred on its origin. Its default picture is a recycling bin. */
 @Described("an upright cylinder about the y axis")
-public class Cylinder extends Shape {
-    @Param(doc = "radius", unit = "m", min = SMALL, max = LARGE, required = true)
-    private double radius;
-    @Param(doc = "size along y", unit = "m", min = SMALL, max = LARGE, required = true)
-    private double height;
-
+public class Cylinder extends RoundShape {
     /** For reading from a file. */
     protected Cylinder() {
     }
@@ -44,22 +39,8 @@ public class Cylinder extends Shape {
     /** With everything. */
     public Cylinder(String name, double radius, double height, double mass, String image,
             double x, double y, double z, double rx, double ry, double rz) {
-        super(name, mass);
-        this.radius = radius;
-        this.height = height;
-        wrap(image);
-        place(x, y, z, rx, ry, rz);
+        super(name, radius, height, mass, image, x, y, z, rx, ry, rz);
         created(Cylinder.class);
-    }
-
-    /** Radius, metres, before scaling. */
-    public double getRadius() {
-        return radius;
-    }
-
-    /** Size along y, metres, before scaling. */
-    public double getHeight() {
-        return height;
     }
 
     @Override

@@ -22,12 +22,8 @@ public class Dynamics extends SearObject implements SerialObject {
     private double maxSuspensionForce = MAX_FORCE;
     @Param(doc = "length of the suspension at rest", unit = "m", max = 100)
     private double restLength = REST_LENGTH;
-    @Param(doc = "port of the simulated device's end")
-    private String uartPort;
-    @Param(doc = "port that the user opens")
-    private String userPort;
-    @Param(doc = "speed of the device's line at power-on", unit = "baud", min = 300, max = 1e6)
-    private int baud = 57600;
+    @Included
+    private final SerialParameters serial = new SerialParameters(57600);
     @Param(doc = "whose firmware answers at the port", values = {"roomba400", "create", "create2"})
     private String model = "create";
     @Param(doc = "whether the checksum of a sensor stream covers the header byte 19: true as in the Create 2 document, false as in the Create's")
@@ -112,17 +108,17 @@ public class Dynamics extends SearObject implements SerialObject {
 
     @Override
     public String getUartPort() {
-        return uartPort;
+        return serial.getUartPort();
     }
 
     @Override
     public String getUserPort() {
-        return userPort;
+        return serial.getUserPort();
     }
 
     @Override
     public int getBaud() {
-        return baud;
+        return serial.getBaud();
     }
 
     /** roomba400, create or create2. */
@@ -135,16 +131,12 @@ public class Dynamics extends SearObject implements SerialObject {
      * @param user the end that the user opens
      */
     public void setPorts(String uart, String user) {
-        checkPorts(uart, user);
-        uartPort = uart;
-        userPort = user;
-        changed();
+        serial.setPorts(this, uart, user);
     }
 
     /** @param newBaud speed at power-on, 300 to 1000000 */
     public void setBaud(int newBaud) {
-        baud = checked("baud", newBaud);
-        changed();
+        serial.setBaud(this, newBaud);
     }
 
     /** @param newModel roomba400, create or create2 */

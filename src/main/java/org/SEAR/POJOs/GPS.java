@@ -12,12 +12,8 @@ public class GPS extends SensorObject implements SerialObject {
     private double altitude;
     @Param(doc = "longitude of the world's centre, east positive", unit = "deg", min = -180, max = 180, required = true)
     private double longitude;
-    @Param(doc = "port of the simulated device's end")
-    private String uartPort;
-    @Param(doc = "port that the user opens")
-    private String userPort;
-    @Param(doc = "speed of the device's line at power-on", unit = "baud", min = 300, max = 1e6)
-    private int baud = 38400;
+    @Included
+    private final SerialParameters serial = new SerialParameters(38400);
     @Param(doc = "receiver behind the ports", text = TextRule.GPS_MODEL)
     private String model = "MT3301";
     @Param(doc = "fixes a second", unit = "Hz", min = 0.1, max = 5)
@@ -49,9 +45,7 @@ public class GPS extends SensorObject implements SerialObject {
         this.latitude = latitude + 0.0;
         this.altitude = altitude + 0.0;
         this.longitude = longitude + 0.0;
-        checkPorts(uart, user);
-        uartPort = uart;
-        userPort = user;
+        serial.setPorts(this, uart, user);
         created(GPS.class);
     }
 
@@ -82,17 +76,17 @@ public class GPS extends SensorObject implements SerialObject {
 
     @Override
     public String getUartPort() {
-        return uartPort;
+        return serial.getUartPort();
     }
 
     @Override
     public String getUserPort() {
-        return userPort;
+        return serial.getUserPort();
     }
 
     @Override
     public int getBaud() {
-        return baud;
+        return serial.getBaud();
     }
 
     /** Name of the receiver. */
@@ -110,16 +104,12 @@ public class GPS extends SensorObject implements SerialObject {
      * @param user the end that the user opens
      */
     public void setPorts(String uart, String user) {
-        checkPorts(uart, user);
-        uartPort = uart;
-        userPort = user;
-        changed();
+        serial.setPorts(this, uart, user);
     }
 
     /** @param newBaud speed at power-on, 300 to 1000000 */
     public void setBaud(int newBaud) {
-        baud = checked("baud", newBaud);
-        changed();
+        serial.setBaud(this, newBaud);
     }
 
     /** @param newModel the receiver, for example MT3301 */

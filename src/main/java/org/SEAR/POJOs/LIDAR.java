@@ -11,12 +11,8 @@ public class LIDAR extends SensorObject implements SerialObject {
     private double spread = 180;
     @Param(doc = "angle between two beams", unit = "deg", min = 0.01, max = 360)
     private double resolution = 1;
-    @Param(doc = "port of the simulated device's end")
-    private String uartPort;
-    @Param(doc = "port that the user opens")
-    private String userPort;
-    @Param(doc = "speed of the device's line at power-on", unit = "baud", min = 300, max = 1e6)
-    private int baud = 9600;
+    @Included
+    private final SerialParameters serial = new SerialParameters(9600);
     @Param(doc = "device behind the ports: 1 SICK LMS200, 0 none", values = {"0", "1"}, max = 1)
     private int lms = 1;
     @Param(doc = "whether the LMS200 obeys the baud telegrams with a wrong checksum that MyRobotLab's old driver sends")
@@ -84,17 +80,17 @@ public class LIDAR extends SensorObject implements SerialObject {
 
     @Override
     public String getUartPort() {
-        return uartPort;
+        return serial.getUartPort();
     }
 
     @Override
     public String getUserPort() {
-        return userPort;
+        return serial.getUserPort();
     }
 
     @Override
     public int getBaud() {
-        return baud;
+        return serial.getBaud();
     }
 
     /** 1 for a SICK LMS200 behind the ports, 0 for none. */
@@ -112,10 +108,7 @@ public class LIDAR extends SensorObject implements SerialObject {
      * @param user the end that the user opens
      */
     public void setPorts(String uart, String user) {
-        checkPorts(uart, user);
-        uartPort = uart;
-        userPort = user;
-        changed();
+        serial.setPorts(this, uart, user);
     }
 
     /** @param metres 0.01 to 10000 */
@@ -138,8 +131,7 @@ public class LIDAR extends SensorObject implements SerialObject {
 
     /** @param newBaud speed at power-on, 300 to 1000000 */
     public void setBaud(int newBaud) {
-        baud = checked("baud", newBaud);
-        changed();
+        serial.setBaud(this, newBaud);
     }
 
     /** @param type 1 for a SICK LMS200 behind the ports, 0 for none */

@@ -26,17 +26,24 @@ public final class Parameter {
 
     private static final Pattern PLAIN_NUMBER = Pattern.compile("[-+]?[0-9]*\\.?[0-9]+([eE][-+]?[0-9]+)?|[-+]?[0-9]+\\.");
 
+    /** Where an included group of parameters is kept; null for a parameter of the object's own. */
+    private final Field group;
     private final Field field;
     private final Param param;
     private final Class<?> type;
     private final Kind kind;
 
-    Parameter(Field field) {
+    /** @param group the {@link Included} field that the parameter comes with; null for one of the object's own */
+    Parameter(Field group, Field field) {
+        this.group = group;
         this.field = field;
         this.param = field.getAnnotation(Param.class);
         this.type = isList() ? (Class<?>) ((ParameterizedType) field.getGenericType()).getActualTypeArguments()[0] : field.getType();
         this.kind = kindOf(type);
         field.setAccessible(true);
+        if (group != null) {
+            group.setAccessible(true);
+        }
     }
 
     private static Kind kindOf(Class<?> type) {
@@ -193,7 +200,7 @@ public final class Parameter {
     /** The value in an object: a boxed number, Boolean, String, group, List, or null. */
     public Object get(Object object) {
         try {
-            return field.get(object);
+            return field.get(holder(object));
         } catch (IllegalAccessException e) {
             throw new IllegalStateException(e);
         }
@@ -202,10 +209,14 @@ public final class Parameter {
     /** Puts a value into an object without any check, as reading a file does. */
     public void set(Object object, Object value) {
         try {
-            field.set(object, value);
+            field.set(holder(object), value);
         } catch (IllegalAccessException e) {
             throw new IllegalStateException(e);
         }
+    }
+
+    private Object holder(Object object) throws IllegalAccessException {
+        return group == null ? object : group.get(object);
     }
 
     /** The values in an object as a list: the entries, or the one value, or nothing if that is null. */

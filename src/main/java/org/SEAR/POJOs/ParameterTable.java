@@ -26,17 +26,19 @@ public final class ParameterTable {
     private ParameterTable(Class<?> type) {
         this.type = type;
         List<Parameter> found = new ArrayList<>();
-        collect(type, found);
+        collect(null, type, found);
         this.parameters = List.copyOf(found);
     }
 
-    private static void collect(Class<?> type, List<Parameter> found) {
+    private static void collect(Field group, Class<?> type, List<Parameter> found) {
         if (type.getSuperclass() != null) {
-            collect(type.getSuperclass(), found);
+            collect(group, type.getSuperclass(), found);
         }
         for (Field field : type.getDeclaredFields()) {
             if (field.isAnnotationPresent(Param.class)) {
-                found.add(new Parameter(field));
+                found.add(new Parameter(group, field));
+            } else if (group == null && field.isAnnotationPresent(Included.class)) {
+                collect(field, field.getType(), found);
             }
         }
     }
@@ -121,7 +123,7 @@ public final class ParameterTable {
             for (Object value : parameter.values(object)) {
                 if (value == null || !parameter.isLegal(value)) {
                     problems.add(element + " is " + quote(value) + ", legal: " + parameter.legal());
-                } else if (parameter.getKind() == Parameter.Kind.GROUP && !(value instanceof SearObject)) {
+                } else if (parameter.getKind() == Parameter.Kind.GROUP) {
                     problems.addAll(of(value.getClass()).problems(value, element + "."));
                 }
             }

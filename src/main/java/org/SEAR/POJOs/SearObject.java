@@ -71,20 +71,6 @@ public abstract class SearObject {
     protected void crossCheck(Faults faults) {
     }
 
-    /** @throws IllegalArgumentException unless both are names of two ports, or both null for none */
-    final void checkPorts(String uart, String user) {
-        if (uart == null && user == null) {
-            checkChangeable();
-            return;
-        }
-        if (uart == null || user == null || uart.trim().isEmpty() || user.trim().isEmpty() || uart.equals(user)) {
-            throw new IllegalArgumentException(label() + ": ports are " + ParameterTable.quote(uart) + " and " + ParameterTable.quote(user)
-                + ", legal: two different names");
-        }
-        checked("uartPort", uart);
-        checked("userPort", user);
-    }
-
     /**
      * Writes the file again.
      *

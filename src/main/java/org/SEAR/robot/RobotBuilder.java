@@ -14,6 +14,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.Scenes;
 import org.SEAR.physics.Solid;
+import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
@@ -89,13 +90,9 @@ public final class RobotBuilder {
             Solid solid = Solid.of(part, project);
             if (solid != null) {
                 corners.put(part, solid.corners());
-                add(solid, place(part), ((Shape) part).isVisibleToSensors(), weight((Shape) part, solid));
+                add(solid, ObjectPose.of(part), ((Shape) part).isVisibleToSensors(), weight((Shape) part, solid));
             }
         }
-    }
-
-    private static Pose place(SearObject object) {
-        return Pose.ofDegrees(object.getX(), object.getY(), object.getZ(), object.getRx(), object.getRy(), object.getRz());
     }
 
     /** Masses place the centre of mass where there are any, else volumes do. */

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.geometry.Pose;
+import org.SEAR.project.ObjectPose;
 
 /**
  * Where a robot starts: its own pose and that of its dynamics. One that would lie on its back is a heading that was meant, as in the dissertation's
@@ -17,24 +18,20 @@ final class StartPose {
 
     /** @param warnings takes what was put right */
     static Pose of(SearObject robot, SearObject dynamics, List<String> warnings) {
-        Pose written = pose(robot).times(pose(dynamics));
+        Pose written = ObjectPose.of(robot).times(ObjectPose.of(dynamics));
         if (!isUpsideDown(written)) {
             return written;
         }
-        SearObject turned = isUpsideDown(pose(dynamics)) ? dynamics : robot;
+        SearObject turned = isUpsideDown(ObjectPose.of(dynamics)) ? dynamics : robot;
         warnings.add(String.format(Locale.ROOT, "robot %s would start upside down (%s is rotated by %s, %s, %s degrees): it was set upright and turned by"
             + " 180 degrees instead; a heading is the second angle, for example 0, 180, 0", robot.getName(), turned.getName(),
             degrees(turned.getRx()), degrees(turned.getRy()), degrees(turned.getRz())));
         return meant(robot).times(meant(dynamics));
     }
 
-    private static Pose pose(SearObject object) {
-        return Pose.ofDegrees(object.getX(), object.getY(), object.getZ(), object.getRx(), object.getRy(), object.getRz());
-    }
-
     /** The heading alone, and half a turn more if it lies on its back. */
     private static Pose meant(SearObject object) {
-        double turn = isUpsideDown(pose(object)) ? HALF_TURN : 0;
+        double turn = isUpsideDown(ObjectPose.of(object)) ? HALF_TURN : 0;
         return Pose.ofDegrees(object.getX(), object.getY(), object.getZ(), 0, object.getRy() + turn, 0);
     }
 

@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.List;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.geometry.Pose;
+import org.SEAR.project.ObjectPose;
 
 /**
  * One simulated sensor: reading = f(truth, parameters, own random numbers). Simulation thread only.
@@ -31,8 +32,7 @@ public abstract class Sensor<R> {
     protected Sensor(SearObject parameters, long seed, int channels) {
         this.parameters = parameters;
         this.errors = ErrorModel.of(parameters, seed, channels);
-        this.mount = Pose.ofDegrees(parameters.getX(), parameters.getY(), parameters.getZ(),
-            parameters.getRx(), parameters.getRy(), parameters.getRz());
+        this.mount = ObjectPose.of(parameters);
     }
 
     /** The name that scripts ask for. */

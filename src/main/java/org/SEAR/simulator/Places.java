@@ -5,6 +5,7 @@ import java.util.List;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.geometry.Pose;
+import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 import org.SEAR.robot.RaycastWheel;
 import org.SEAR.robot.RobotModel;
@@ -28,7 +29,7 @@ final class Places {
             }
             for (SearObject part : robot.getObject().getComponents()) {
                 if (part.getName().equals(name)) {
-                    return pose.times(Pose.ofDegrees(part.getX(), part.getY(), part.getZ(), part.getRx(), part.getRy(), part.getRz()));
+                    return pose.times(ObjectPose.of(part));
                 }
             }
             for (RaycastWheel wheel : robot.getTrain().getWheels()) {

@@ -15,6 +15,7 @@ import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
 import org.SEAR.physics.Solid;
 import org.SEAR.physics.StartPoses;
+import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.RobotBuilder;
@@ -82,8 +83,7 @@ final class World implements PhysicsWorld.Touches {
         double mass = ((Shape) object).getMass();
         double[] centre = mass > 0 ? solid.convex().centre() : new double[3];
         return new Body(object.getName(), mass, Collections.singletonList(solid), new Pose[] {place},
-            place.transform(centre[0], centre[1], centre[2]),
-            Pose.ofDegrees(object.getX(), object.getY(), object.getZ(), object.getRx(), object.getRy(), object.getRz()));
+            place.transform(centre[0], centre[1], centre[2]), ObjectPose.of(object));
     }
 
     /** Everything back to its start. */

@@ -9,7 +9,7 @@ import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.geometry.Pose;
+import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 import org.SEAR.sensors.BeamPattern;
 
@@ -45,10 +45,6 @@ public final class BeamFans {
         return fans;
     }
 
-    private static Pose mount(SearObject part) {
-        return Pose.ofDegrees(part.getX(), part.getY(), part.getZ(), part.getRx(), part.getRy(), part.getRz());
-    }
-
     private static BeamFan cones(Distance sensor, int robot) {
         BeamPattern pattern = BeamPattern.of(sensor.getCones());
         int count = pattern.size();
@@ -65,7 +61,7 @@ public final class BeamFans {
             colors[3 * i + 1] = (color >> 8 & 0xff) / BYTE;
             colors[3 * i + 2] = (color & 0xff) / BYTE;
         }
-        return new BeamFan(sensor.getName(), robot, mount(sensor), directions, ranges, colors, lines(sensor.getCones(), count),
+        return new BeamFan(sensor.getName(), robot, ObjectPose.of(sensor), directions, ranges, colors, lines(sensor.getCones(), count),
             DISTANCE_HIT, DISTANCE_RADIUS, false);
     }
 
@@ -83,7 +79,7 @@ public final class BeamFans {
             colors[3 * i + 1] = LIDAR_BEAM.g;
             colors[3 * i + 2] = LIDAR_BEAM.b;
         }
-        return new BeamFan(lidar.getName(), robot, mount(lidar), directions, ranges, colors, everyNth(count, stride(count)),
+        return new BeamFan(lidar.getName(), robot, ObjectPose.of(lidar), directions, ranges, colors, everyNth(count, stride(count)),
             LIDAR_HIT, LIDAR_RADIUS, true);
     }
 

@@ -24,6 +24,7 @@ import org.SEAR.POJOs.SensorObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
+import org.SEAR.project.ObjectPose;
 import org.SEAR.project.models.ModelLoader;
 
 /** Makes what is seen of the objects of the grammar. Each node's own pose is left to whoever places it. Window thread only. */
@@ -69,8 +70,7 @@ public final class SceneBuilder {
         for (SearObject component : robot.getComponents()) {
             if (!(component instanceof Wheel)) {
                 Node part = object(component);
-                place(part, Pose.ofDegrees(component.getX(), component.getY(), component.getZ(),
-                    component.getRx(), component.getRy(), component.getRz()));
+                place(part, ObjectPose.of(component));
                 node.attachChild(part);
             }
         }

@@ -8,15 +8,15 @@ import java.util.List;
 import java.util.Map;
 import org.SEAR.POJOs.BeamCone;
 import org.SEAR.POJOs.Box;
-import org.SEAR.POJOs.Cone;
-import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Model;
+import org.SEAR.POJOs.RoundShape;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
+import org.SEAR.project.ObjectPose;
 import org.SEAR.robot.Robot;
 import org.SEAR.sensors.DistanceReading;
 import org.SEAR.sensors.LidarScan;
@@ -149,11 +149,8 @@ public final class WorldJson {
             Box box = (Box) object;
             return new double[] {box.getLength(), box.getHeight(), box.getWidth()};
         }
-        if (object instanceof Cylinder) {
-            return new double[] {((Cylinder) object).getRadius(), ((Cylinder) object).getHeight()};
-        }
-        if (object instanceof Cone) {
-            return new double[] {((Cone) object).getRadius(), ((Cone) object).getHeight()};
+        if (object instanceof RoundShape) {
+            return new double[] {((RoundShape) object).getRadius(), ((RoundShape) object).getHeight()};
         }
         if (object instanceof Wheel) {
             return new double[] {((Wheel) object).getRadius(), ((Wheel) object).getWidth()};
@@ -183,7 +180,7 @@ public final class WorldJson {
         visible.addAll(robot.getObject().getWheels());
         List<Object> list = new ArrayList<>();
         for (SearObject part : visible) {
-            Map<String, Object> map = posed(mount(part));
+            Map<String, Object> map = posed(ObjectPose.of(part));
             addFixed(map, part, world);
             list.add(map);
         }
@@ -250,10 +247,6 @@ public final class WorldJson {
             double[] hit = ((DistanceReading) reading).getHitPoint();
             map.put("hit", hit == null ? null : corners(hit)[0]);
         }
-    }
-
-    private static Pose mount(SearObject part) {
-        return Pose.ofDegrees(part.getX(), part.getY(), part.getZ(), part.getRx(), part.getRy(), part.getRz());
     }
 
     private static double[] numbers(Pose pose) {

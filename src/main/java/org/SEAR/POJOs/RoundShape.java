@@ -1,0 +1,38 @@
+package org.SEAR.POJOs;
+
+/** A shape that is round about its y axis, centred on its origin. */
+public abstract class RoundShape extends Shape {
+    @Param(doc = "radius; of a cone, that of its base", unit = "m", min = SMALL, max = LARGE, required = true)
+    private double radius;
+    @Param(doc = "size along y", unit = "m", min = SMALL, max = LARGE, required = true)
+    private double height;
+
+    /** For reading from a file. */
+    protected RoundShape() {
+    }
+
+    /**
+     * With its centre at (x, y, z), metres, turned by (rx, ry, rz), degrees.
+     *
+     * @param mass kg, 0 fixes it in place
+     * @param image path below assets; null for the default picture
+     */
+    RoundShape(String name, double radius, double height, double mass, String image,
+            double x, double y, double z, double rx, double ry, double rz) {
+        super(name, mass);
+        this.radius = radius;
+        this.height = height;
+        wrap(image);
+        place(x, y, z, rx, ry, rz);
+    }
+
+    /** Radius, of a cone at its base, metres, before scaling. */
+    public double getRadius() {
+        return radius;
+    }
+
+    /** Size along y, metres, before scaling. */
+    public double getHeight() {
+        return height;
+    }
+}

@@ -1,0 +1,68 @@
+package org.SEAR.POJOs;
+
+/** The ports of a simulated device and the speed of its line, as {@link Included} parameters of a {@link SerialObject}. One thread at a time. */
+public final class SerialParameters {
+    @Param(doc = "port of the simulated device's end")
+    private String uartPort;
+    @Param(doc = "port that the user opens")
+    private String userPort;
+    @Param(doc = "speed of the device's line at power-on", unit = "baud", min = 300, max = 1e6)
+    private int baud;
+
+    /**
+     * Without ports.
+     *
+     * @param baud bits a second at power-on until another is set
+     */
+    public SerialParameters(int baud) {
+        this.baud = baud;
+    }
+
+    /** Port name of the device's end; null without ports. */
+    public String getUartPort() {
+        return uartPort;
+    }
+
+    /** Port name of the user's end; null without ports. */
+    public String getUserPort() {
+        return userPort;
+    }
+
+    /** Bits a second at power-on. */
+    public int getBaud() {
+        return baud;
+    }
+
+    /**
+     * Names both ports and writes the object's file.
+     *
+     * @param owner the object whose parameters these are
+     * @param uart the device's end; null, as the user's, for none
+     * @throws IllegalArgumentException unless both are names of two ports, or both null
+     */
+    public void setPorts(SearObject owner, String uart, String user) {
+        if (uart == null && user == null) {
+            owner.checkChangeable();
+        } else if (uart == null || user == null || uart.trim().isEmpty() || user.trim().isEmpty() || uart.equals(user)) {
+            throw new IllegalArgumentException(owner.label() + ": ports are " + ParameterTable.quote(uart) + " and " + ParameterTable.quote(user)
+                + ", legal: two different names");
+        } else {
+            owner.checked("uartPort", uart);
+            owner.checked("userPort", user);
+        }
+        uartPort = uart;
+        userPort = user;
+        owner.changed();
+    }
+
+    /**
+     * Sets the speed at power-on and writes the object's file.
+     *
+     * @param owner the object whose parameters these are
+     * @param newBaud 300 to 1000000
+     */
+    public void setBaud(SearObject owner, int newBaud) {
+        baud = owner.checked("baud", newBaud);
+        owner.changed();
+    }
+}

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** The graph of packages as SVG: who uses stands above what is used; an arrow that follows from others is left out. */
 final class PackagePicture {
@@ -23,7 +24,7 @@ final class PackagePicture {
     /** @param graph without a circle */
     PackagePicture(PackageGraph graph) {
         this.graph = graph;
-        Map<Integer, List<String>> rows = graph.uses().keySet().stream().collect(Collectors.groupingBy(graph::height));
+        Map<Integer, List<String>> rows = graph.uses().keySet().stream().collect(Collectors.groupingBy(this::row));
         height = rows.size() * ROW + MARGIN;
         for (int row = rows.size() - 1; row >= 0; row--) {
             place(new ArrayList<>(rows.get(row)), MARGIN + (rows.size() - 1 - row) * ROW);
@@ -43,6 +44,15 @@ final class PackagePicture {
             places.put(name, new double[] {x, top});
             x += width(name) + gap;
         }
+    }
+
+    /** Right below the lowest of those who use it, so that arrows are short; counted from the bottom. */
+    private int row(String name) {
+        return users(name).mapToInt(user -> row(user) - 1).min().orElseGet(() -> graph.height(name));
+    }
+
+    private Stream<String> users(String name) {
+        return graph.uses().keySet().stream().filter(user -> graph.uses().get(user).contains(name));
     }
 
     private double wanted(String name) {

@@ -38,7 +38,7 @@ public interface DeviceContext {
     /**
      * Something the user should know, shown as warning with the device's name.
      *
-     * @param cause what the warnings have in common of which only the first is shown, and how many there were, see {@link Repeats}
+     * @param cause what the warnings have in common of which only the first is shown, and how many there were, see {@link RepeatedWarnings}
      */
     void warn(String cause, String message);
 

@@ -3,12 +3,12 @@ package org.SEAR.simulator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.SEAR.devices.Repeats;
+import org.SEAR.devices.RepeatedWarnings;
 
 /** What the user should know, each cause once, in the order in which it came up. Simulation thread. */
 final class Warnings {
     private final Map<String, String> byCause = new LinkedHashMap<>();
-    private final Repeats repeats = new Repeats();
+    private final RepeatedWarnings repeats = new RepeatedWarnings();
     private List<String> list = List.of();
 
     /** Something that is so: said once, however often it is said. */
@@ -18,7 +18,7 @@ final class Warnings {
         }
     }
 
-    /** Something that has happened: the first of its cause is shown, then how many there were, see {@link Repeats}. */
+    /** Something that has happened: the first of its cause is shown, then how many there were, see {@link RepeatedWarnings}. */
     void count(String cause, String warning) {
         String text = repeats.count(cause, warning);
         if (text != null) {

@@ -18,7 +18,7 @@ import org.SEAR.view.process.StateMessage;
 import org.SEAR.view.process.WindowProtocol;
 
 /** A window in a process of its own, seen from the simulation's process. Any thread. */
-final class RemoteWindow implements WindowBody {
+final class RemoteWindow implements WindowHandle {
     /** Seconds that a machine may take to start a process and open a window. */
     private static final long PATIENCE = 60;
     private static final long FEED_PERIOD = TimeUnit.MILLISECONDS.toNanos(25);

@@ -19,7 +19,7 @@ public final class SimulatorWindow implements AutoCloseable {
     private static final String WITHOUT = "; the simulation runs without a window";
     private static final AtomicReference<SimulatorWindow> PRESENT = new AtomicReference<>();
 
-    private WindowBody body;
+    private WindowHandle body;
     private String problem;
 
     private SimulatorWindow() {
@@ -94,7 +94,7 @@ public final class SimulatorWindow implements AutoCloseable {
         }
     }
 
-    WindowBody body() {
+    WindowHandle body() {
         return body;
     }
 }

@@ -17,7 +17,7 @@ import org.SEAR.view.platform.NativeMemory;
 import org.SEAR.view.platform.X11Guard;
 
 /** The window itself. Its own thread runs everything but {@link #open}, {@link #close} and {@link #isOpen}. */
-final class WindowApplication extends SimpleApplication implements WindowBody {
+final class WindowApplication extends SimpleApplication implements WindowHandle {
     private static final Logger LOG = Logger.getLogger(WindowApplication.class.getName());
     /** Held, so that its level stays. */
     private static final Logger ENGINE = Logger.getLogger("com.jme3");

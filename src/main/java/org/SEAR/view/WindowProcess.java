@@ -37,7 +37,7 @@ public final class WindowProcess {
         Thread receiver = new Thread(() -> receive(world), "SEAR window feed");
         receiver.setDaemon(true);
         receiver.start();
-        WindowBody window = WindowStart.open(world, options, () -> world.say(WindowProtocol.OPENED));
+        WindowHandle window = WindowStart.open(world, options, () -> world.say(WindowProtocol.OPENED));
         if (window.problem() != null) {
             world.say(WindowProtocol.PROBLEM, window.problem());
         }

@@ -18,7 +18,7 @@ final class WindowStart {
      * @param onShown called on the window's thread after the first picture
      * @return the last window tried; look at its problem
      */
-    static WindowBody open(WorldLink link, WindowOptions options, Runnable onShown) throws InterruptedException {
+    static WindowHandle open(WorldLink link, WindowOptions options, Runnable onShown) throws InterruptedException {
         WindowApplication modern = new WindowApplication(link, options, onShown);
         modern.open(AppSettings.LWJGL_OPENGL32);
         if (modern.problem() == null || modern.problem().contains(NO_SERVER) || modern.isMisfit()) {

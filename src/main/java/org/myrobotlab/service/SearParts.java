@@ -9,35 +9,35 @@ import org.SEAR.project.problems.ProjectException;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.export.Exports;
+import org.myrobotlab.service.sear.files.BundleTransfers;
 import org.myrobotlab.service.sear.files.Projects;
-import org.myrobotlab.service.sear.files.Transfers;
 import org.myrobotlab.service.sear.lockstep.Fence;
 import org.myrobotlab.service.sear.lockstep.FencePass;
 import org.myrobotlab.service.sear.panel.Preview;
 import org.myrobotlab.service.sear.panel.WorldFeed;
 import org.myrobotlab.service.sear.readings.Publisher;
 import org.myrobotlab.service.sear.readings.ScriptReadings;
-import org.myrobotlab.service.sear.run.Control;
+import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
 /** All that a SEAR service is made of, in one place, so that the service class itself loads where a library is missing. */
 final class SearParts {
-    private final Control control;
+    private final SimulationControl control;
     private final ScriptReadings readings;
     private final Projects projects;
     private final Publisher publisher;
     private final Exports exports;
-    private final Transfers transfers;
+    private final BundleTransfers transfers;
     private final WorldFeed feed = new WorldFeed();
     private final Preview preview = new Preview();
 
     SearParts(Host host) {
-        control = new Control(host, Projects::folder);
+        control = new SimulationControl(host, Projects::folder);
         readings = new ScriptReadings(control);
         projects = new Projects(control, host);
         publisher = new Publisher(host, control, readings);
         exports = new Exports(host, control);
-        transfers = new Transfers(projects::save, projects::load);
+        transfers = new BundleTransfers(projects::save, projects::load);
         control.setStepListener(publisher::publishDue);
     }
 
@@ -54,7 +54,7 @@ final class SearParts {
         return is;
     }
 
-    public Control control() {
+    public SimulationControl control() {
         return control;
     }
 
@@ -74,7 +74,7 @@ final class SearParts {
         return exports;
     }
 
-    public Transfers transfers() {
+    public BundleTransfers transfers() {
         return transfers;
     }
 

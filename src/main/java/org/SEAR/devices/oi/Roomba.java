@@ -30,7 +30,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
     private final RobotHardware hardware;
     private final ProximitySensors proximity;
     private final CommandReader reader;
-    private Packets packets;
+    private SensorPackets packets;
     private Script script;
     private Drive drive;
     private Battery battery;
@@ -71,7 +71,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
 
     private void boot(int speed) {
         proximity.reset();
-        packets = new Packets(this, model, hardware, proximity);
+        packets = new SensorPackets(this, model, hardware, proximity);
         packets.clearCounters();
         script = new Script(this);
         drive = new Drive(hardware);
@@ -393,7 +393,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
         return lights;
     }
 
-    Packets getPackets() {
+    SensorPackets getPackets() {
         return packets;
     }
 

@@ -50,7 +50,7 @@ final class Stream {
         return frameSize(ids);
     }
 
-    byte[] frame(Packets packets, double time) {
+    byte[] frame(SensorPackets packets, double time) {
         ByteArrayOutputStream data = new ByteArrayOutputStream();
         for (int id : ids) {
             data.write(id);

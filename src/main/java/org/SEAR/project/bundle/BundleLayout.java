@@ -19,16 +19,16 @@ final class BundleLayout {
     private static final Set<String> WINDOWS = Set.of("thumbs.db", "desktop.ini");
 
     private final boolean own;
-    private final List<ZipIndex.Entry> entries = new ArrayList<>();
+    private final List<ZipDirectory.Entry> entries = new ArrayList<>();
 
     /** Gives the entries of a foreign zip file the names that they have in the project. */
-    BundleLayout(List<ZipIndex.Entry> all) {
+    BundleLayout(List<ZipDirectory.Entry> all) {
         own = all.stream().anyMatch(entry -> entry.name.equals(BundleRules.VERSION_ENTRY));
         if (own) {
             entries.addAll(all);
             return;
         }
-        for (ZipIndex.Entry entry : all) {
+        for (ZipDirectory.Entry entry : all) {
             entry.name = name(entry);
             if (!isSystems(entry.name)) {
                 entries.add(entry);
@@ -41,7 +41,7 @@ final class BundleLayout {
     }
 
     /** Some of Windows' programs separate folders by backslashes; macOS spells an accented letter as two characters. */
-    private static String name(ZipIndex.Entry entry) {
+    private static String name(ZipDirectory.Entry entry) {
         boolean windows = entry.isFromWindows() && entry.name.indexOf('/') < 0;
         return Normalizer.normalize(windows ? entry.name.replace('\\', '/') : entry.name, Normalizer.Form.NFC);
     }
@@ -63,12 +63,12 @@ final class BundleLayout {
     }
 
     /** All that belongs to the project, folders and the version entry as well. */
-    List<ZipIndex.Entry> entries() {
+    List<ZipDirectory.Entry> entries() {
         return entries;
     }
 
     /** The entry with the format's version; null if there is none, which is the dissertation's format. */
-    ZipIndex.Entry version() {
+    ZipDirectory.Entry version() {
         return entries.stream().filter(entry -> entry.name.equals(BundleRules.VERSION_ENTRY)).findFirst().orElse(null);
     }
 }

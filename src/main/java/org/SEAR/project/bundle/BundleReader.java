@@ -45,18 +45,18 @@ final class BundleReader {
             problems.throwIfAny();
         }
         try (FileChannel channel = FileChannel.open(bundle)) {
-            List<ZipIndex.Entry> entries = new ZipIndex(channel, name, problems).read();
+            List<ZipDirectory.Entry> entries = new ZipDirectory(channel, name, problems).read();
             problems.throwIfAny();
             BundleLayout layout = new BundleLayout(entries);
             entries = layout.entries();
-            ZipIndex.Entry version = layout.version();
+            ZipDirectory.Entry version = layout.version();
             checkNames(layout);
             if (version != null) {
                 checkVersion(channel, version);
             }
             checkPlace(entries, version != null);
             problems.throwIfAny();
-            for (ZipIndex.Entry entry : entries) {
+            for (ZipDirectory.Entry entry : entries) {
                 if (entry != version && !entry.isFolder()) {
                     extract(channel, entry, folder.resolve(entry.name));
                 }
@@ -66,7 +66,7 @@ final class BundleReader {
     }
 
     private void checkNames(BundleLayout layout) {
-        for (ZipIndex.Entry entry : layout.entries()) {
+        for (ZipDirectory.Entry entry : layout.entries()) {
             if (layout.isOwn() && entry.isNameUnmarked()) {
                 refuse(entry, "a name in ASCII, or in UTF-8 and marked so");
             }
@@ -79,9 +79,9 @@ final class BundleReader {
     }
 
     /** Who zips a project by hand easily has all of it in one folder more, and would open an empty world; so would any other zip file. */
-    private void checkPlace(List<ZipIndex.Entry> entries, boolean hasVersion) {
-        ZipIndex.Entry inner = null;
-        for (ZipIndex.Entry entry : entries) {
+    private void checkPlace(List<ZipDirectory.Entry> entries, boolean hasVersion) {
+        ZipDirectory.Entry inner = null;
+        for (ZipDirectory.Entry entry : entries) {
             if (OBJECT.matcher(entry.name).matches()) {
                 return;
             }
@@ -97,7 +97,7 @@ final class BundleReader {
         }
     }
 
-    private void checkVersion(FileChannel channel, ZipIndex.Entry version) throws IOException {
+    private void checkVersion(FileChannel channel, ZipDirectory.Entry version) throws IOException {
         String text = "";
         if (version.size <= LONGEST_VERSION) {
             ByteArrayOutputStream out = new ByteArrayOutputStream();
@@ -111,7 +111,7 @@ final class BundleReader {
         }
     }
 
-    private void extract(FileChannel channel, ZipIndex.Entry entry, Path file) throws IOException {
+    private void extract(FileChannel channel, ZipDirectory.Entry entry, Path file) throws IOException {
         Files.createDirectories(file.getParent());
         try (OutputStream out = Files.newOutputStream(file)) {
             copy(channel, entry, out);
@@ -120,7 +120,7 @@ final class BundleReader {
     }
 
     /** Copies an entry's content; stops at once where it has more than it said. */
-    private void copy(FileChannel channel, ZipIndex.Entry entry, OutputStream out) throws IOException {
+    private void copy(FileChannel channel, ZipDirectory.Entry entry, OutputStream out) throws IOException {
         Content content = new Content(entry, out);
         Inflater inflater = new Inflater(true);
         try {
@@ -134,14 +134,14 @@ final class BundleReader {
                     throw new IOException(name + " became shorter while it was read");
                 }
                 left -= got;
-                if (entry.method == ZipIndex.STORED) {
+                if (entry.method == ZipDirectory.STORED) {
                     content.add(block.array(), got);
                 } else {
                     inflater.setInput(block.array(), 0, got);
                     inflate(inflater, plain, content);
                 }
             }
-            content.finish(entry.method == ZipIndex.STORED || inflater.finished());
+            content.finish(entry.method == ZipDirectory.STORED || inflater.finished());
         } catch (DataFormatException e) {
             refuse(entry, "whole content; this can't be unpacked (" + e.getMessage() + ")");
         } finally {
@@ -159,13 +159,13 @@ final class BundleReader {
         }
     }
 
-    private void refuse(ZipIndex.Entry entry, String legal) {
+    private void refuse(ZipDirectory.Entry entry, String legal) {
         problems.add(name, 0, "entry", entry.name, legal);
     }
 
     /** The content of one entry on its way out. */
     private final class Content {
-        private final ZipIndex.Entry entry;
+        private final ZipDirectory.Entry entry;
         private final OutputStream out;
         private final CRC32 crc = new CRC32();
         private final byte[] head = new byte[BundleRules.HEAD];
@@ -173,7 +173,7 @@ final class BundleReader {
         private long size;
         private boolean good = true;
 
-        Content(ZipIndex.Entry entry, OutputStream out) {
+        Content(ZipDirectory.Entry entry, OutputStream out) {
             this.entry = entry;
             this.out = out;
         }

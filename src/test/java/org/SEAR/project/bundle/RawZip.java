@@ -113,7 +113,7 @@ final class RawZip {
         deflater.end();
         entry.data = packed.toByteArray();
         entry.packed = entry.data.length;
-        entry.method = ZipIndex.DEFLATED;
+        entry.method = ZipDirectory.DEFLATED;
         return entry;
     }
 

@@ -8,16 +8,16 @@ import org.myrobotlab.serial.Port;
 import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.sear.Host;
-import org.myrobotlab.service.sear.run.Control;
+import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
 /** The virtual ports that programs outside MyRobotLab can open. Any thread. */
 public final class Exports {
     private final Host host;
-    private final Control control;
+    private final SimulationControl control;
     private final Map<String, PortBridge> bridges = new LinkedHashMap<>();
 
-    public Exports(Host host, Control control) {
+    public Exports(Host host, SimulationControl control) {
         this.host = host;
         this.control = control;
     }

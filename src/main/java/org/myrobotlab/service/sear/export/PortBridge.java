@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.SEAR.devices.Repeats;
+import org.SEAR.devices.RepeatedWarnings;
 import org.myrobotlab.framework.QueueStats;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.interfaces.SerialDataListener;
@@ -18,7 +18,7 @@ final class PortBridge implements SerialDataListener {
 
     private final VirtualSerialPort port;
     private final Host host;
-    private final Repeats repeats = new Repeats();
+    private final RepeatedWarnings repeats = new RepeatedWarnings();
     private final List<ExternalEndpoint> ends = new CopyOnWriteArrayList<>();
 
     /** @throws IOException if another has the port */

@@ -19,7 +19,7 @@ import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
 import org.SEAR.project.problems.ProjectException;
 import org.myrobotlab.service.sear.Host;
-import org.myrobotlab.service.sear.run.Control;
+import org.myrobotlab.service.sear.run.SimulationControl;
 
 /** The project folder and the templates in the jar. Any thread. */
 public final class Projects {
@@ -27,11 +27,11 @@ public final class Projects {
     private static final String DEFAULT_FOLDER = "SEARproject";
     private static final String ENDING = ".sear";
 
-    private final Control control;
+    private final SimulationControl control;
     private final Host host;
 
     /** @param host hears how far saving and loading are; in its resources examples may lie */
-    public Projects(Control control, Host host) {
+    public Projects(SimulationControl control, Host host) {
         this.control = control;
         this.host = host;
     }
@@ -49,7 +49,7 @@ public final class Projects {
                 }
             }
         }
-        Examples.paths().forEach(path -> found.putIfAbsent(path.substring(path.lastIndexOf('/') + 1), path));
+        ExampleBundles.paths().forEach(path -> found.putIfAbsent(path.substring(path.lastIndexOf('/') + 1), path));
         return new ArrayList<>(found.values());
     }
 
@@ -143,7 +143,7 @@ public final class Projects {
             load(ended);
         } else if (Files.isRegularFile(file) || Files.isDirectory(file)) {
             Bundle.load(file, folder(), new PercentProgress("loading", file, host::progress));
-        } else if (!Examples.with(file, bundle -> Bundle.load(bundle, folder()))) {
+        } else if (!ExampleBundles.with(file, bundle -> Bundle.load(bundle, folder()))) {
             throw new IOException("there is no file or folder " + file.toAbsolutePath());
         }
     }

@@ -9,7 +9,7 @@ import org.SEAR.POJOs.ScriptText;
 import org.myrobotlab.serial.PortClock;
 import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.SensorReading;
-import org.myrobotlab.service.sear.run.Control;
+import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
 /**
@@ -21,7 +21,7 @@ public final class Publisher {
     private static final long STATE_MILLIS = 100;
     private static final double HIGHEST_RATE = 60;
 
-    private final Control control;
+    private final SimulationControl control;
     private final ScriptReadings readings;
     private final Host host;
     private volatile String lastFailure = "";
@@ -42,7 +42,7 @@ public final class Publisher {
     }
 
     /** Starts looking for what is due. */
-    public Publisher(Host host, Control control, ScriptReadings readings) {
+    public Publisher(Host host, SimulationControl control, ScriptReadings readings) {
         this.host = host;
         this.control = control;
         this.readings = readings;

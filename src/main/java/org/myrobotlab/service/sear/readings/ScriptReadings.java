@@ -19,13 +19,13 @@ import org.SEAR.sensors.OdometerSensor;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.VectorReading;
 import org.SEAR.simulator.Simulation;
-import org.myrobotlab.service.sear.run.Control;
+import org.myrobotlab.service.sear.run.SimulationControl;
 
 /** Readings in the types and units of the dissertation's script calls. Any thread. */
 public final class ScriptReadings {
-    private final Control control;
+    private final SimulationControl control;
 
-    public ScriptReadings(Control control) {
+    public ScriptReadings(SimulationControl control) {
         this.control = control;
     }
 

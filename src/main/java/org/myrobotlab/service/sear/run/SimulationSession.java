@@ -43,7 +43,7 @@ public final class SimulationSession {
     private final SimulationRunner runner;
     private final Thread thread;
     private final List<UartLine> lines = new CopyOnWriteArrayList<>();
-    private final Window window = new Window();
+    private final OptionalWindow window = new OptionalWindow();
     private final Throttle throttle;
     private final Quiescence quiescence;
     private final Object stepping = new Object();
@@ -59,7 +59,7 @@ public final class SimulationSession {
     private volatile double scriptTime;
     private final SleepingThreads sleepers = new SleepingThreads();
     private final Set<String> told = new HashSet<>();
-    private final MemoryWatch memoryWatch = new MemoryWatch(this::outOfMemory);
+    private final OutOfMemoryWatch memoryWatch = new OutOfMemoryWatch(this::outOfMemory);
     private volatile boolean driven;
     private volatile long lastDriven;
 

@@ -3,7 +3,7 @@ package org.myrobotlab.service.sear.run;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
-import org.SEAR.devices.Repeats;
+import org.SEAR.devices.RepeatedWarnings;
 import org.SEAR.devices.SerialLine;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.serial.Backlog;
@@ -36,7 +36,7 @@ final class UartLine {
     private final Host host;
     private final VirtualSerialPort uart;
     private final VirtualSerialPort user;
-    private final Repeats repeats = new Repeats();
+    private final RepeatedWarnings repeats = new RepeatedWarnings();
     private Serial serial;
     private long given;
     private boolean complained;

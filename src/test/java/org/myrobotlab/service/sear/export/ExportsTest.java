@@ -29,7 +29,7 @@ import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 import org.myrobotlab.service.sear.RecordingHost;
-import org.myrobotlab.service.sear.run.Control;
+import org.myrobotlab.service.sear.run.SimulationControl;
 
 /** Any program of the computer can open a virtual port, and come and go. */
 public class ExportsTest {
@@ -39,7 +39,7 @@ public class ExportsTest {
     public final TemporaryFolder temporary = new TemporaryFolder();
 
     private final RecordingHost host = new RecordingHost();
-    private final Exports exports = new Exports(host, new Control(host, () -> null));
+    private final Exports exports = new Exports(host, new SimulationControl(host, () -> null));
     private final VirtualSerialPort device = new VirtualSerialPort("/dev/test_uart");
     private final VirtualSerialPort user = new VirtualSerialPort("/dev/test_user");
     private final ByteArrayOutputStream received = new ByteArrayOutputStream();

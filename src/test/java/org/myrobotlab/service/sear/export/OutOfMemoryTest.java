@@ -22,7 +22,7 @@ import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.sear.RecordingHost;
-import org.myrobotlab.service.sear.run.Control;
+import org.myrobotlab.service.sear.run.SimulationControl;
 
 /** When memory runs out anywhere, the simulation ends with a word about it, and its ports close. */
 public class OutOfMemoryTest {
@@ -33,7 +33,7 @@ public class OutOfMemoryTest {
     public final TemporaryFolder temporary = new TemporaryFolder();
 
     private final RecordingHost host = new RecordingHost();
-    private Control control;
+    private SimulationControl control;
     private Thread.UncaughtExceptionHandler before;
 
     @Before
@@ -53,7 +53,7 @@ public class OutOfMemoryTest {
             wheel.move(at[0], 0, at[1]);
             robot.addWheel(wheel);
         }
-        control = new Control(host, () -> folder);
+        control = new SimulationControl(host, () -> folder);
         control.start(false);
         assertNotNull(SerialDeviceFactory.get(USER));
     }

@@ -5,13 +5,13 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** Hears of threads of this program that end because there is no memory left; other ends go to whoever heard of them before. Any thread. */
-final class MemoryWatch implements Thread.UncaughtExceptionHandler {
-    private static final Logger log = LoggerFactory.getLogger(MemoryWatch.class);
+final class OutOfMemoryWatch implements Thread.UncaughtExceptionHandler {
+    private static final Logger log = LoggerFactory.getLogger(OutOfMemoryWatch.class);
 
     private final Consumer<OutOfMemoryError> listener;
     private Thread.UncaughtExceptionHandler before;
 
-    MemoryWatch(Consumer<OutOfMemoryError> listener) {
+    OutOfMemoryWatch(Consumer<OutOfMemoryError> listener) {
         this.listener = listener;
     }
 

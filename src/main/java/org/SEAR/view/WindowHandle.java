@@ -1,7 +1,7 @@
 package org.SEAR.view;
 
 /** What {@link SimulatorWindow} needs of the window behind it, without any jMonkeyEngine type. Any thread. */
-interface WindowBody {
+interface WindowHandle {
     boolean isOpen();
 
     /** Why it never opened; null when it did. */

@@ -1,12 +1,12 @@
 package org.myrobotlab.service.sear.run;
 
 /** The libraries that a simulation can't do without. */
-final class Libraries {
+final class LibraryCheck {
     /** One class of each; jMonkeyEngine is not among them, without it there is no window and that is all. */
     private static final String[] CLASSES = {"com.bulletphysics.dynamics.DynamicsWorld", "javax.vecmath.Vector3f", "com.thoughtworks.xstream.XStream",
         "net.sf.geographiclib.Geodesic"};
 
-    private Libraries() {
+    private LibraryCheck() {
     }
 
     /**
@@ -17,7 +17,7 @@ final class Libraries {
     static void check() {
         for (String name : CLASSES) {
             try {
-                Class.forName(name, false, Libraries.class.getClassLoader());
+                Class.forName(name, false, LibraryCheck.class.getClassLoader());
             } catch (ClassNotFoundException e) {
                 throw (NoClassDefFoundError) new NoClassDefFoundError(name.replace('.', '/')).initCause(e);
             }

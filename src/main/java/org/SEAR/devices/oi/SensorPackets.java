@@ -4,7 +4,7 @@ import java.io.ByteArrayOutputStream;
 import org.SEAR.devices.RobotHardware;
 
 /** What the sensor packets of one robot tell, see {@link Packet}. */
-final class Packets {
+final class SensorPackets {
     private static final int ROOM_TEMPERATURE = 25;
     private static final double ENCODER_COUNTS_PER_TURN = 508.8;
     private static final double STALLED = 0.99;
@@ -15,10 +15,10 @@ final class Packets {
     private final OiModel model;
     private final RobotHardware hardware;
     private final ProximitySensors proximity;
-    private final Counter distance = new Counter();
-    private final Counter angle = new Counter();
+    private final SaturatingCounter distance = new SaturatingCounter();
+    private final SaturatingCounter angle = new SaturatingCounter();
 
-    Packets(Roomba roomba, OiModel model, RobotHardware hardware, ProximitySensors proximity) {
+    SensorPackets(Roomba roomba, OiModel model, RobotHardware hardware, ProximitySensors proximity) {
         this.roomba = roomba;
         this.model = model;
         this.hardware = hardware;

@@ -14,12 +14,12 @@ import java.util.Random;
 import org.junit.Test;
 
 /** Bundles in parts, to and from a panel. */
-public class TransfersTest {
-    private final byte[] bundle = new byte[2 * Transfers.PART + 17];
+public class BundleTransfersTest {
+    private final byte[] bundle = new byte[2 * BundleTransfers.PART + 17];
     private byte[] loaded;
-    private final Transfers transfers = new Transfers(file -> Files.write(file, bundle), file -> loaded = Files.readAllBytes(file));
+    private final BundleTransfers transfers = new BundleTransfers(file -> Files.write(file, bundle), file -> loaded = Files.readAllBytes(file));
 
-    public TransfersTest() {
+    public BundleTransfersTest() {
         new Random(1).nextBytes(bundle);
     }
 

@@ -17,7 +17,7 @@ import org.SEAR.project.problems.ProblemList;
  * The directory of a zip file, read without trust: both its records of each entry have to agree, entries may not overlap, be links or encrypted,
  * and the file has to start with the first entry and end with the directory. Numbers and layout: PKWARE's APPNOTE 6.3, sections 4.3 and 4.4.
  */
-final class ZipIndex {
+final class ZipDirectory {
     static final int STORED = 0;
     static final int DEFLATED = 8;
     private static final int END_SIZE = 22;
@@ -73,7 +73,7 @@ final class ZipIndex {
     private final String file;
     private final ProblemList problems;
 
-    ZipIndex(FileChannel channel, String file, ProblemList problems) {
+    ZipDirectory(FileChannel channel, String file, ProblemList problems) {
         this.channel = channel;
         this.file = file;
         this.problems = problems;

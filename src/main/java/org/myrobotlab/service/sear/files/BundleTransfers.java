@@ -13,7 +13,7 @@ import java.util.Map;
  * Bundles on their way to and from a panel in a browser, in parts small enough for MyRobotLab's messages (1 MiB). One upload and one download at a
  * time; beginning another forgets the former. Any thread.
  */
-public final class Transfers {
+public final class BundleTransfers {
     /** Bytes of a part that is sent to a panel. */
     static final int PART = 192 * 1024;
     /** Bytes of the greatest bundle that panels may send. */
@@ -38,7 +38,7 @@ public final class Transfers {
      * @param save writes the project as a bundle
      * @param load replaces the project by a bundle
      */
-    public Transfers(Work save, Work load) {
+    public BundleTransfers(Work save, Work load) {
         this.save = save;
         this.load = load;
     }

@@ -7,7 +7,7 @@ import java.util.Map;
  * Keeps warnings of one cause from becoming a flood: the first is told as it is, further ones are counted, and the count is told at 10, 100, 1000 and
  * so on. One thread at a time.
  */
-public final class Repeats {
+public final class RepeatedWarnings {
     private static final int STEP = 10;
 
     private final Map<String, Long> counts = new HashMap<>();

@@ -1,7 +1,7 @@
 package org.SEAR.devices.oi;
 
 /** A 16 bit count that is cleared by reading (packets 19, 20): holds at 32767 and -32768. What is less than a unit stays for the next reading. */
-final class Counter {
+final class SaturatingCounter {
     private double base;
 
     /**

@@ -10,7 +10,7 @@ import java.util.List;
 import org.SEAR.project.problems.ProjectException;
 
 /** The example bundles inside the jar, by paths such as {@code examples/office.sear}, which hold in every working folder. Any thread. */
-final class Examples {
+final class ExampleBundles {
     private static final String FOLDER = "examples/";
     private static final String IN_JAR = "/resource/SEAR/";
     /** A name on each line, written by the build. */
@@ -22,13 +22,13 @@ final class Examples {
         void on(Path bundle) throws IOException, ProjectException;
     }
 
-    private Examples() {
+    private ExampleBundles() {
     }
 
     /** Paths of all. */
     static List<String> paths() throws IOException {
         List<String> paths = new ArrayList<>();
-        try (InputStream in = Examples.class.getResourceAsStream(LIST)) {
+        try (InputStream in = ExampleBundles.class.getResourceAsStream(LIST)) {
             if (in != null) {
                 for (String name : new String(in.readAllBytes(), StandardCharsets.UTF_8).split("\n")) {
                     paths.add(FOLDER + name);
@@ -49,7 +49,7 @@ final class Examples {
             return false;
         }
         Path file = Files.createTempFile("sear", ".sear");
-        try (InputStream in = Examples.class.getResourceAsStream(IN_JAR + name.substring(FOLDER.length()))) {
+        try (InputStream in = ExampleBundles.class.getResourceAsStream(IN_JAR + name.substring(FOLDER.length()))) {
             Files.write(file, in.readAllBytes());
             work.on(file);
         } finally {

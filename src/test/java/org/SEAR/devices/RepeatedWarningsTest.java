@@ -7,10 +7,10 @@ import java.util.List;
 import org.junit.Test;
 
 /** Warnings of one cause are told once, and then counted. */
-public class RepeatsTest {
+public class RepeatedWarningsTest {
     @Test
     public void theFirstIsToldAndThenOnlyTheCount() {
-        Repeats repeats = new Repeats();
+        RepeatedWarnings repeats = new RepeatedWarnings();
         List<String> told = new ArrayList<>();
         for (int i = 1; i <= 1700; i++) {
             String text = repeats.count("opcode", "opcode " + i + " is unknown");

@@ -7,7 +7,7 @@ import org.SEAR.view.WindowOptions;
 import org.myrobotlab.service.sear.Host;
 
 /** The simulator's window, where there can be one. */
-final class Window {
+final class OptionalWindow {
     private AutoCloseable window;
 
     /** Opens it; without display, OpenGL or its libraries there is a warning and no window. */

@@ -9,8 +9,8 @@ import org.SEAR.project.problems.ProjectException;
 import org.myrobotlab.service.sear.Host;
 
 /** Starts and ends the simulation of one SEAR service; there is one simulation in the whole program at a time. Any thread. */
-public final class Control {
-    private static Control running;
+public final class SimulationControl {
+    private static SimulationControl running;
 
     private final Host host;
     private final Supplier<Path> folder;
@@ -20,7 +20,7 @@ public final class Control {
     private BooleanSupplier stepListener = () -> false;
 
     /** @param folder of the project, asked for each time */
-    public Control(Host host, Supplier<Path> folder) {
+    public SimulationControl(Host host, Supplier<Path> folder) {
         this.host = host;
         this.folder = folder;
     }
@@ -32,13 +32,13 @@ public final class Control {
      * @throws IOException if the folder is missing or a port can't be had
      */
     public void start(boolean debugShapes) throws ProjectException, IOException {
-        synchronized (Control.class) {
+        synchronized (SimulationControl.class) {
             if (running != null && running.isRunning()) {
                 throw new IllegalStateException(running == this ? "the simulation runs already: stopSimulation() first"
                     : "service " + running.host.getName() + " runs a simulation: stop that first");
             }
             stop();
-            Libraries.check();
+            LibraryCheck.check();
             Path project = folder.get();
             if (!Files.isDirectory(project)) {
                 throw new IOException("there is no project folder " + project.toAbsolutePath()
@@ -63,7 +63,7 @@ public final class Control {
 
     /** Ends the simulation. Does nothing if none runs. */
     public void stop() {
-        synchronized (Control.class) {
+        synchronized (SimulationControl.class) {
             if (session != null) {
                 session.stop();
                 session = null;

@@ -73,14 +73,27 @@ public class Heard extends Service<ServiceConfig> {
         return await(statuses, part);
     }
 
+    /** Whether so many of them come. */
+    public boolean awaitStatus(String part, int times) throws InterruptedException {
+        return await(statuses, part, times);
+    }
+
     private boolean await(List<String> texts, String part) throws InterruptedException {
+        return await(texts, part, 1);
+    }
+
+    private boolean await(List<String> texts, String part, int times) throws InterruptedException {
         long end = System.nanoTime() + PATIENCE;
         synchronized (values) {
-            while (texts.stream().noneMatch(text -> text.contains(part)) && System.nanoTime() < end) {
+            while (count(texts, part) < times && System.nanoTime() < end) {
                 values.wait(50);
             }
-            return texts.stream().anyMatch(text -> text.contains(part));
+            return count(texts, part) >= times;
         }
+    }
+
+    private static long count(List<String> texts, String part) {
+        return texts.stream().filter(text -> text.contains(part)).count();
     }
 
     /** All statuses so far. */

@@ -324,10 +324,10 @@ public class SearServiceTest {
         sear.simSleep(0.5);
         assertTrue(heard.awaitStatus("opcode 1 is none"));
         sear.reset();
-        serial.write(FarEnd.bytes("80 01 02"));
+        serial.write(FarEnd.bytes("80 01 01"));
         sear.simSleep(0.5);
-        assertTrue(heard.awaitStatus("opcode 2 is none"));
-        assertEquals(2, heard.getStatuses().stream().filter(status -> status.contains("opcode 1 is none")).count());
+        assertTrue(heard.awaitStatus("opcode 1 is none", 2));
+        assertEquals("those of one cause are counted", 2, heard.getStatuses().stream().filter(status -> status.contains("opcode 1 is none")).count());
     }
 
     @Test

@@ -73,7 +73,7 @@ final class RequestBody {
         refuse(exchange, StatusCodes.REQUEST_ENTITY_TOO_LARGE, "the arguments are longer than " + (LONGEST >> 20) + " MB");
     }
 
-    private void refuse(HttpServerExchange exchange, int status, String why) {
+    private synchronized void refuse(HttpServerExchange exchange, int status, String why) {
         forget();
         isRefused = true;
         exchange.setPersistent(false);
@@ -81,11 +81,20 @@ final class RequestBody {
     }
 
     private void handOn(HttpServerExchange exchange) {
-        if (!isRefused) {
-            String text = bytes.toString(StandardCharsets.UTF_8);
-            forget();
+        String text = whole();
+        if (text != null) {
             taker.accept(exchange, text);
         }
+    }
+
+    /** The text, null if it was refused. */
+    private synchronized String whole() {
+        if (isRefused) {
+            return null;
+        }
+        String text = bytes.toString(StandardCharsets.UTF_8);
+        forget();
+        return text;
     }
 
     private synchronized void forget() {

@@ -22,6 +22,7 @@ import java.util.List;
 public final class Token {
     private static final int BYTES = 24;
     private static final String OWNER_READS = "rw-------";
+    private static final SecureRandom RANDOM = new SecureRandom();
     private static volatile Token current = new Token(null);
 
     private final String text;
@@ -42,7 +43,7 @@ public final class Token {
      */
     public static Token require() {
         byte[] bytes = new byte[BYTES];
-        new SecureRandom().nextBytes(bytes);
+        RANDOM.nextBytes(bytes);
         current = new Token(Base64.getUrlEncoder().withoutPadding().encodeToString(bytes));
         return current;
     }

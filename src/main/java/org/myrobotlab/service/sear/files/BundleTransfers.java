@@ -101,11 +101,7 @@ public final class BundleTransfers {
      */
     public synchronized Map<String, Object> part(int index) throws Exception {
         if (index == 0) {
-            withFile(DOWNLOAD, file -> {
-                Files.deleteIfExists(file);
-                save.on(file);
-                download = Files.readAllBytes(file);
-            });
+            withFile(DOWNLOAD, this::keep);
         }
         int count = Math.max(1, (download.length + PART - 1) / PART);
         if (index < 0 || index >= count) {
@@ -117,6 +113,11 @@ public final class BundleTransfers {
         part.put("data", Base64.getEncoder().encodeToString(
             Arrays.copyOfRange(download, index * PART, Math.min(download.length, (index + 1) * PART))));
         return part;
+    }
+
+    private synchronized void keep(Path file) throws Exception {
+        save.on(file);
+        download = Files.readAllBytes(file);
     }
 
     private static void withFile(String name, Work work) throws Exception {

@@ -43,6 +43,7 @@ public final class SimulationSession {
     private final SimulationRunner runner;
     private final Thread thread;
     private final List<UartLine> lines = new CopyOnWriteArrayList<>();
+    private final Object closing = new Object();
     private final OptionalWindow window = new OptionalWindow();
     private final Throttle throttle;
     private final Quiescence quiescence;
@@ -132,8 +133,7 @@ public final class SimulationSession {
         } catch (RuntimeException | Error e) {
             failure = e;
         } finally {
-            ended = true;
-            wakeSleepers();
+            end();
         }
         if (failure != null) {
             closeLines();
@@ -158,7 +158,7 @@ public final class SimulationSession {
     }
 
     private void closeLines() {
-        synchronized (lines) {
+        synchronized (closing) {
             lines.forEach(UartLine::close);
             lines.clear();
         }
@@ -182,9 +182,8 @@ public final class SimulationSession {
             runner.stop();
             joinThread();
         }
-        ended = true;
         clock.uninstall();
-        wakeSleepers();
+        end();
         memoryWatch.close();
         closeLines();
         simulation.close();
@@ -355,8 +354,10 @@ public final class SimulationSession {
         }
     }
 
-    private void wakeSleepers() {
+    /** Nothing advances any more; whoever sleeps is told. */
+    private void end() {
         synchronized (pauseEnds) {
+            ended = true;
             pauseEnds.notifyAll();
         }
         clock.wake();
@@ -389,9 +390,12 @@ public final class SimulationSession {
 
     /** Ends {@link #pause}. */
     public void resume() {
-        paused = false;
-        runner.setPaused(lockStep);
-        wakeSleepers();
+        synchronized (pauseEnds) {
+            paused = false;
+            runner.setPaused(lockStep);
+            pauseEnds.notifyAll();
+        }
+        clock.wake();
     }
 
     /** Whether {@link #pause} holds. */

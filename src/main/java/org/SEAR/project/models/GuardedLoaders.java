@@ -27,7 +27,6 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.URLDecoder;
-import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -43,11 +42,6 @@ import java.util.zip.GZIPInputStream;
  * .blend links to files anywhere. A shared project must not be able to do any of this, so these look first.
  */
 final class GuardedLoaders {
-    private static final List<String> SCENE_CLASSES = List.of("com.jme3.scene.", "com.jme3.material.", "com.jme3.math.", "com.jme3.texture.",
-        "com.jme3.bounding.", "com.jme3.animation.", "com.jme3.anim.", "com.jme3.light.", "com.jme3.shader.", "com.jme3.asset.",
-        "com.jme3.collision.",
-        "com.jme3.util.", "com.jme3.effect.");
-    private static final int J3O_MARK = 0x4a4d4533;
     private static final int GLB_MARK = 0x46546c67;
     private static final int JSON_CHUNK = 0x4e4f534a;
     /** Where the JSON of a .glb starts. */
@@ -160,11 +154,7 @@ final class GuardedLoaders {
         @Override
         public Object load(AssetInfo info) throws IOException {
             byte[] bytes = bytes(info);
-            try {
-                checkClasses(ByteBuffer.wrap(bytes), info.getKey().getName());
-            } catch (BufferUnderflowException | IllegalArgumentException e) {
-                throw new IOException(info.getKey().getName() + " is cut off or no .j3o file", e);
-            }
+            new J3oCheck(info.getKey().getName(), bytes).check();
             return super.load(new Checked(info, bytes));
         }
     }
@@ -237,38 +227,6 @@ final class GuardedLoaders {
             ModelLimits.range(info.getKey().getName(), "the file's size", bytes.length, 1, ModelLimits.MAX_FILE);
             return bytes;
         }
-    }
-
-    /** The head of the file: for each class an alias, versions, its name and fields (as jMonkeyEngine's BinaryImporter reads it). */
-    private static void checkClasses(ByteBuffer in, String file) throws IOException {
-        int first = in.getInt();
-        boolean versioned = first == J3O_MARK;
-        if (versioned) {
-            in.getInt();
-        }
-        int classes = versioned ? in.getInt() : first;
-        int aliasWidth = (int) (Math.log(classes) / Math.log(256)) + 1;
-        for (int i = 0; i < classes; i++) {
-            skip(in, aliasWidth);
-            if (versioned) {
-                skip(in, 4 * Byte.toUnsignedInt(in.get()));
-            }
-            byte[] name = new byte[Math.min(in.getInt(), in.remaining())];
-            in.get(name);
-            String className = new String(name, StandardCharsets.UTF_8);
-            if (SCENE_CLASSES.stream().noneMatch(className::startsWith)) {
-                throw new IOException(file + " wants a " + className + "; a model may hold scenes, meshes and materials only");
-            }
-            int fields = in.getInt();
-            for (int f = 0; f < fields; f++) {
-                in.getShort();
-                skip(in, in.getInt());
-            }
-        }
-    }
-
-    private static void skip(ByteBuffer in, int count) {
-        in.position(in.position() + Math.max(0, count));
     }
 
     /** A file that was looked through. */

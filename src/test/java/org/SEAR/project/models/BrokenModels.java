@@ -167,6 +167,26 @@ final class BrokenModels {
         put("another.mesh.xml", "<html><body/></html>", "");
     }
 
+    /** With another number of objects, which stands behind the classes. */
+    private static byte[] withObjects(byte[] j3o, int count) {
+        ByteBuffer in = ByteBuffer.wrap(j3o.clone());
+        in.position(8);
+        for (int classes = in.getInt(); classes > 0; classes--) {
+            in.get();
+            skip(in, 4 * in.get());
+            skip(in, in.getInt());
+            for (int fields = in.getInt(); fields > 0; fields--) {
+                in.getShort();
+                skip(in, in.getInt());
+            }
+        }
+        return in.putInt(count).array();
+    }
+
+    private static void skip(ByteBuffer in, int count) {
+        in.position(in.position() + count);
+    }
+
     private void j3o() throws IOException {
         Mesh mesh = new Mesh();
         mesh.setBuffer(VertexBuffer.Type.Position, 3, new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0});
@@ -183,6 +203,8 @@ final class BrokenModels {
         byte[] good = TRIANGLE.bytes(".j3o");
         put("cut.j3o", Arrays.copyOf(good, good.length * 2 / 3), "can't be loaded");
         put("head-only.j3o", Arrays.copyOf(good, 8), "can't be loaded");
+        put("more-objects-than-bytes.j3o", withObjects(good, Integer.MAX_VALUE), "the number of objects is 2147483647, legal: 1 to ");
+        put("no-objects.j3o", withObjects(good, 0), "the number of objects is 0, legal: 1 to ");
     }
 
     private static byte[] saved(com.jme3.scene.Spatial scene) throws IOException {
@@ -262,9 +284,10 @@ final class BrokenModels {
         return gif;
     }
 
+    /** Its head says how much data follows, without which newer Javas don't read the size. */
     private static byte[] bmp() {
-        return ByteBuffer.allocate(54).order(ByteOrder.LITTLE_ENDIAN).put((byte) 'B').put((byte) 'M').putInt(54).putInt(0).putInt(54).putInt(40)
-            .putInt(12_000).putInt(8_000).putShort((short) 1).putShort((short) 24).putInt(0).putInt(0).array();
+        return ByteBuffer.allocate(54).order(ByteOrder.LITTLE_ENDIAN).put((byte) 'B').put((byte) 'M').putInt(54 + 12_000 * 8_000 * 3).putInt(0)
+            .putInt(54).putInt(40).putInt(12_000).putInt(8_000).putShort((short) 1).putShort((short) 24).putInt(0).putInt(0).array();
     }
 
     private static byte[] jpeg() {

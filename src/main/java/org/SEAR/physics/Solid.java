@@ -160,8 +160,8 @@ public final class Solid {
 
     private static Solid model(Model model, Project project) throws ProjectException {
         Triangles triangles;
-        try (ModelLoader loader = ModelLoader.withoutPictures(project.getAssets())) {
-            triangles = loader.triangles(model);
+        try {
+            triangles = ModelLoader.withoutPictures(project.getAssets()).triangles(model);
         } catch (IOException e) {
             throw problem(model, project, "a model that can be loaded (" + e.getMessage() + ")");
         }

@@ -6,8 +6,6 @@ import com.jme3.asset.AssetLoader;
 import com.jme3.asset.AssetManager;
 import com.jme3.export.binary.BinaryLoader;
 import com.jme3.material.plugins.J3MLoader;
-import com.jme3.material.plugins.ShaderNodeDefinitionLoader;
-import com.jme3.scene.Spatial;
 import com.jme3.scene.plugins.MTLLoader;
 import com.jme3.scene.plugins.OBJLoader;
 import com.jme3.scene.plugins.blender.BlenderContext;
@@ -15,14 +13,12 @@ import com.jme3.scene.plugins.blender.BlenderLoader;
 import com.jme3.scene.plugins.blender.file.BlenderFileException;
 import com.jme3.scene.plugins.blender.file.FileBlockHeader;
 import com.jme3.scene.plugins.blender.file.Structure;
-import com.jme3.scene.plugins.gltf.BinLoader;
 import com.jme3.scene.plugins.gltf.GlbLoader;
 import com.jme3.scene.plugins.gltf.GltfLoader;
 import com.jme3.scene.plugins.ogre.MaterialLoader;
 import com.jme3.scene.plugins.ogre.MeshLoader;
 import com.jme3.scene.plugins.ogre.SceneLoader;
 import com.jme3.scene.plugins.ogre.SkeletonLoader;
-import com.jme3.shader.plugins.GLSLLoader;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -39,7 +35,8 @@ import java.util.zip.GZIPInputStream;
 
 /**
  * jMonkeyEngine's loaders trust their files: OGRE XML may read other files through entities, a .j3o names the Java classes to be made, a
- * .blend links to files anywhere. A shared project must not be able to do any of this, so these look first.
+ * .blend links to files anywhere. A shared project must not be able to do any of this, so these look first. jMonkeyEngine keeps a loader for each
+ * thread as long as the thread lives, and its own ones keep what they loaded last: these have a fresh one of those load, and keep nothing.
  */
 final class GuardedLoaders {
     private static final int GLB_MARK = 0x46546c67;
@@ -64,6 +61,10 @@ final class GuardedLoaders {
         manager.unregisterLoader(SceneLoader.class);
         manager.unregisterLoader(GltfLoader.class);
         manager.unregisterLoader(GlbLoader.class);
+        manager.registerLoader(Obj.class, "obj");
+        manager.registerLoader(Mtl.class, "mtl");
+        manager.registerLoader(OgreMaterial.class, "material");
+        manager.registerLoader(EngineMaterial.class, "j3m", "j3md");
         manager.registerLoader(Mesh.class, "meshxml", "mesh.xml");
         manager.registerLoader(Skeleton.class, "skeletonxml", "skeleton.xml");
         manager.registerLoader(Binary.class, "j3o", "j3f");
@@ -73,28 +74,50 @@ final class GuardedLoaders {
         Pictures.register(manager, pixels);
     }
 
-    /** Takes all loaders from a manager that is no longer needed, those that models.cfg names as well. */
-    static void unregister(AssetManager manager) {
-        for (Class<? extends AssetLoader> loader : List.of(Mesh.class, Skeleton.class, Binary.class, Blend.class, Gltf.class, Glb.class,
-            OBJLoader.class, MTLLoader.class, MaterialLoader.class, BinLoader.class,
-            J3MLoader.class, ShaderNodeDefinitionLoader.class, GLSLLoader.class,
-            Pictures.Guarded.class, Pictures.Unseen.class)) {
-            manager.unregisterLoader(loader);
+    /** Wavefront models. */
+    public static final class Obj implements AssetLoader {
+        @Override
+        public Object load(AssetInfo info) throws IOException {
+            return new OBJLoader().load(info);
+        }
+    }
+
+    /** Materials of Wavefront models. */
+    public static final class Mtl implements AssetLoader {
+        @Override
+        public Object load(AssetInfo info) throws IOException {
+            return new MTLLoader().load(info);
+        }
+    }
+
+    /** Materials of OGRE meshes. */
+    public static final class OgreMaterial implements AssetLoader {
+        @Override
+        public Object load(AssetInfo info) throws IOException {
+            return new MaterialLoader().load(info);
+        }
+    }
+
+    /** jMonkeyEngine's own materials. */
+    public static final class EngineMaterial implements AssetLoader {
+        @Override
+        public Object load(AssetInfo info) throws IOException {
+            return new J3MLoader().load(info);
         }
     }
 
     /** glTF whose numbers lead somewhere. */
-    public static final class Gltf extends GltfLoader {
+    public static final class Gltf implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
             byte[] json = bytes(info);
             new GltfCheck(info.getKey().getName(), json, 0, uri -> size(info, uri)).check();
-            return super.load(new Checked(info, json));
+            return new GltfLoader().load(new Checked(info, json));
         }
     }
 
     /** Binary glTF: a head of 12 bytes, a chunk of JSON, a chunk of data, each with its length and kind before it. */
-    public static final class Glb extends GlbLoader {
+    public static final class Glb implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
             byte[] bytes = bytes(info);
@@ -116,7 +139,7 @@ final class GuardedLoaders {
                 chunk += 8 + (int) length;
             }
             new GltfCheck(name, Arrays.copyOfRange(bytes, GLB_DATA, GLB_DATA + json), data, uri -> size(info, uri)).check();
-            return super.load(new Checked(info, bytes));
+            return new GlbLoader().load(new Checked(info, bytes));
         }
     }
 
@@ -134,39 +157,36 @@ final class GuardedLoaders {
     }
 
     /** OGRE meshes without document type. */
-    public static final class Mesh extends MeshLoader {
+    public static final class Mesh implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
-            return super.load(xml(info));
+            return new MeshLoader().load(xml(info));
         }
     }
 
     /** OGRE skeletons without document type. */
-    public static final class Skeleton extends SkeletonLoader {
+    public static final class Skeleton implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
-            return super.load(xml(info));
+            return new SkeletonLoader().load(xml(info));
         }
     }
 
     /** jMonkeyEngine's own format, with classes of scenes only. */
-    public static final class Binary extends BinaryLoader {
+    public static final class Binary implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
             byte[] bytes = bytes(info);
             new J3oCheck(info.getKey().getName(), bytes).check();
-            return super.load(new Checked(info, bytes));
+            return new BinaryLoader().load(new Checked(info, bytes));
         }
     }
 
-    /** Blender files that link to no others, which may lie anywhere on the disk. */
-    public static final class Blend extends BlenderLoader {
-        /** The structure that holds the path of another file; jMonkeyEngine does not know its block's code. */
-        private static final String LIBRARY = "Library";
-
+    /** Blender files, packed or not. */
+    public static final class Blend implements AssetLoader {
         @Override
-        public Spatial load(AssetInfo info) throws IOException {
-            return super.load(new Checked(info, unpacked(info)));
+        public Object load(AssetInfo info) throws IOException {
+            return new Unlinked().load(new Checked(info, unpacked(info)));
         }
 
         private static byte[] unpacked(AssetInfo info) throws IOException {
@@ -183,6 +203,12 @@ final class GuardedLoaders {
                 return plain;
             }
         }
+    }
+
+    /** Blender files that link to no others, which may lie anywhere on the disk. */
+    private static final class Unlinked extends BlenderLoader {
+        /** The structure that holds the path of another file; jMonkeyEngine does not know its block's code. */
+        private static final String LIBRARY = "Library";
 
         @Override
         protected BlenderContext setup(AssetInfo info) throws BlenderFileException {

@@ -18,7 +18,7 @@ import org.SEAR.geometry.Triangles;
  * Loads models with jMonkeyEngine's loaders, without a display. The geometry that the physics and the beams get and the scene that a window shows
  * come from the same file and stand in the same frame. One thread at a time.
  */
-public final class ModelLoader implements AutoCloseable {
+public final class ModelLoader {
     /** The endings of the files that can be loaded. */
     public static final List<String> ENDINGS = List.of(".mesh.xml", ".j3o", ".obj", ".gltf", ".glb", ".blend");
 
@@ -125,15 +125,5 @@ public final class ModelLoader implements AutoCloseable {
             text.append(": ").append(cause.getMessage() == null ? cause.getClass().getSimpleName() : cause.getMessage());
         }
         return text.toString();
-    }
-
-    /**
-     * Lets go of everything that was loaded. jMonkeyEngine keeps a loader for each thread, which keeps its last model: without this, a thread that
-     * lives long keeps the direct memory of all models that it ever loaded.
-     */
-    @Override
-    public void close() {
-        GuardedLoaders.unregister(manager);
-        manager.clearCache();
     }
 }

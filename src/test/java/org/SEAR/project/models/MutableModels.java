@@ -22,8 +22,6 @@ public final class MutableModels {
 
     /** The triangles of a model in a project folder. */
     public static Triangles load(Path folder, Model model) throws IOException {
-        try (ModelLoader loader = ModelLoader.withoutPictures(new Assets(folder.resolve("assets")))) {
-            return loader.triangles(model);
-        }
+        return ModelLoader.withoutPictures(new Assets(folder.resolve("assets"))).triangles(model);
     }
 }

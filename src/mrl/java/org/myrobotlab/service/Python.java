@@ -109,17 +109,19 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         if (engine != null) {
             engine.close();
         }
-        engine = new PythonEngine(getName(), new ConsoleStream(System.out, text -> invoke("publishStdOut", text)),
+        PythonEngine fresh = new PythonEngine(getName(), new ConsoleStream(System.out, text -> invoke("publishStdOut", text)),
             new ConsoleStream(System.err, text -> invoke("publishStdError", text)));
-        engine.run(IMPORTS);
-        engine.set("Platform", Platform.class);
-        engine.set("Runtime", Runtime.class);
-        engine.set("Service", Service.class);
-        Runtime.getServices().forEach(this::introduce);
+        fresh.run(IMPORTS);
+        fresh.set("Platform", Platform.class);
+        fresh.set("Runtime", Runtime.class);
+        fresh.set("Service", Service.class);
+        Runtime.getServices().forEach(service -> introduce(service, fresh));
+        engine = fresh; // whole, since others may have it run a script from now on
+        Runtime.getServices().forEach(service -> introduce(service, fresh)); // those that came meanwhile
     }
 
     /** A class for its type, and a variable of its name. */
-    private void introduce(ServiceInterface service) {
+    private static void introduce(ServiceInterface service, PythonEngine engine) {
         engine.set(service.getSimpleName(), service.getClass());
         engine.set(CodecUtils.getSafeReferenceName(service.getName()), service);
     }
@@ -428,8 +430,9 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
     @Override
     public void onStarted(String name) {
         ServiceInterface service = Runtime.getService(name);
-        if (engine != null && service != null) {
-            introduce(service);
+        PythonEngine current = engine;
+        if (current != null && service != null) {
+            introduce(service, current);
         }
     }
 

@@ -2,8 +2,10 @@ package org.myrobotlab.service;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -174,6 +176,10 @@ public class PythonTest {
     @Test
     public void theEditorOpensAndSavesScripts() throws Exception {
         python.getConfig().scriptRootDir = folder.getRoot().toString();
+        IOException missing = assertThrows(IOException.class, () -> python.saveScript("sub/a.py", "x = 1\n"));
+        assertEquals("sub/a.py can't be saved, there is no folder " + folder.getRoot().toPath().resolve("sub") + ": make it first",
+            missing.getMessage());
+        folder.newFolder("sub");
         python.saveScript("sub/a.py", "x = 1\n");
         assertEquals("x = 1\n", Files.readString(folder.getRoot().toPath().resolve("sub/a.py")));
         python.openScript("sub/a.py");

@@ -151,7 +151,10 @@ public final class PythonEngine {
                 interpreter.set(variable, arguments[i]);
                 call.append(i == 0 ? "" : ",").append(variable);
             }
-            interpreter.exec(calls.computeIfAbsent(function, unused -> compiled(call.append(')').toString())));
+            PyCode code = calls.computeIfAbsent(function, unused -> compiled(call.append(')').toString()));
+            // not by the interpreter's exec, which would end the line that the script is printing
+            Py.setSystemState(interpreter.getSystemState());
+            Py.exec(code, interpreter.getLocals(), interpreter.getLocals());
         });
         callFailed |= result.getTraceback() != null;
         return result;

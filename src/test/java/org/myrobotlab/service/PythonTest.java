@@ -70,6 +70,17 @@ public class PythonTest {
     }
 
     @Test
+    public void aCallbackDoesNotEndTheLineThatTheScriptPrints() {
+        assertTrue(python.exec("import time\nclass Out:\n  text = ''\n  softspace = 0\n  def write(self, part): self.text += part\n"
+            + "got = []\ndef input(data):\n  got.append(data)\ntalker = Runtime.getService('talker')\n"
+            + "talker.addListener('publishNumber', python.name, 'input')\ndef called():\n  end = time.time() + 10\n"
+            + "  talker.invoke('publishNumber', 1)\n  talker.invoke('publishNumber', 2)\n"
+            + "  while got != [1, 2] and time.time() < end: time.sleep(0.005)\n  return got\n"
+            + "console, out = sys.stdout, Out()\nsys.stdout = out\ntry:\n  print 'got', called()\nfinally:\n  sys.stdout = console\n"
+            + "assert out.text == 'got [1, 2]\\n', out.text"));
+    }
+
+    @Test
     public void bytesOfAPortAreNumbersFrom0To255() throws Exception {
         Serial uart = Serial.connectVirtualUart("/dev/py");
         assertTrue(python.exec("got = []\nchunks = []\ndef input(data):\n  got.append(data)\ndef piece(data):\n  chunks.extend(data)\n"

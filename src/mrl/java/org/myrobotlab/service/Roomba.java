@@ -70,10 +70,11 @@ public class Roomba extends Service<RoombaConfig> {
 
     /** @return whether the port is open */
     public boolean connect(String port, int baud, int dataBits, int stopBits, int parity) {
-        Serial chosen = serialFor(port);
-        if (chosen == null) {
+        ServiceInterface own = startPeer(SERIAL);
+        if (!(own instanceof Serial)) {
             return false;
         }
+        Serial chosen = (Serial) own;
         try {
             chosen.connect(port, baud, dataBits, stopBits, parity);
         } catch (IOException | IllegalStateException | IllegalArgumentException e) {
@@ -84,17 +85,9 @@ public class Roomba extends Service<RoombaConfig> {
         return port.equals(chosen.getPortName());
     }
 
-    /** The Serial service that everybody shares, or one of its own if that one has another port open. */
-    private Serial serialFor(String port) {
-        ServiceInterface shared = startPeer(SERIAL);
-        boolean free = shared instanceof Serial && (!((Serial) shared).isConnected() || ((Serial) shared).getPortName().equals(port));
-        return (Serial) (free ? shared : Runtime.start(getName() + "." + SERIAL, "Serial"));
-    }
-
     private Serial serial() {
-        Serial chosen = serial;
-        ServiceInterface shared = chosen == null ? getPeer(SERIAL) : chosen;
-        return shared instanceof Serial ? (Serial) shared : null;
+        ServiceInterface own = serial == null ? getPeer(SERIAL) : serial;
+        return own instanceof Serial ? (Serial) own : null;
     }
 
     public boolean connected() {
@@ -173,9 +166,6 @@ public class Roomba extends Service<RoombaConfig> {
         Serial chosen = serial;
         if (chosen != null && chosen.isConnected() && chosen.getPortName().equals(portName)) {
             chosen.disconnect();
-        }
-        if (chosen != null && chosen.getName().startsWith(getName() + ".")) {
-            chosen.releaseService();
         }
         super.releaseService();
     }

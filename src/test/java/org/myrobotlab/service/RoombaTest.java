@@ -2,7 +2,7 @@ package org.myrobotlab.service;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
-import static org.junit.Assert.assertNotSame;
+import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
 
 import org.junit.After;
@@ -39,7 +39,7 @@ public class RoombaTest {
     @Test
     public void connectOpensThePortAt57600() {
         assertTrue(roomba.connected());
-        Serial serial = (Serial) Runtime.getService("serial");
+        Serial serial = (Serial) Runtime.getService("roomba.serial");
         assertEquals("/dev/roomba", serial.getPortName());
         assertEquals(57600, serial.getRate());
         roomba.disconnect();
@@ -79,19 +79,23 @@ public class RoombaTest {
     }
 
     @Test
-    public void theScriptsOwnConnectOfTheSharedSerialDoesNoHarm() throws Exception {
-        ((Serial) Runtime.getService("serial")).connect("/dev/roomba", 57600, 8, 1, 0);
+    public void theNameSerialIsLeftToTheUser() throws Exception {
+        assertNull(Runtime.getService("serial"));
+        Serial.connectVirtualUart("/dev/controller");
+        Serial own = (Serial) Runtime.start("serial", "Serial");
+        own.connect("/dev/controller", 9600, 8, 1, 0);
         roomba.startup();
         sends("80");
+        assertEquals("/dev/controller", own.getPortName());
     }
 
     @Test
-    public void aSecondRoombaTakesASerialOfItsOwn() throws Exception {
+    public void aSecondRoombaHasASerialOfItsOwn() throws Exception {
         Serial.connectVirtualUart("/dev/second");
         Roomba second = (Roomba) Runtime.start("second", "Roomba");
         assertTrue(second.connect("/dev/second", 57600, 8, 1, 0));
-        assertNotSame(Runtime.getService("serial"), Runtime.getService("second.serial"));
-        assertEquals("/dev/roomba", ((Serial) Runtime.getService("serial")).getPortName());
+        assertEquals("/dev/second", ((Serial) Runtime.getService("second.serial")).getPortName());
+        assertEquals("/dev/roomba", ((Serial) Runtime.getService("roomba.serial")).getPortName());
     }
 
     @Test

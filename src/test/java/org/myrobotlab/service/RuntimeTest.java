@@ -146,9 +146,9 @@ public class RuntimeTest {
     @Test
     public void servicesHaveServicesOfTheirOwn() {
         Roomba roomba = (Roomba) Runtime.start("roomba", "Roomba");
-        assertEquals("serial", roomba.getPeerName("serial"));
+        assertEquals(roomba.getName() + ".serial", roomba.getPeerName("serial"));
         assertTrue(roomba.isPeerStarted("serial"));
-        assertSame(Runtime.getService("serial"), roomba.getPeer("serial"));
+        assertSame(Runtime.getService(roomba.getName() + ".serial"), roomba.getPeer("serial"));
         assertNull(roomba.startPeer("motor"));
         assertEquals("roomba has no service \"motor\" of its own; it has [serial]", roomba.getLastError().key);
     }

@@ -1,10 +1,10 @@
 # Listing 1 of the dissertation: creates the objects of an environment, each in an XML file below SEARproject/environment.
-# Changed: Floor is imported too, and Model is written as the class is (the listing forgot the one and misspelt the other). The tree comes with SEAR.
+# Lines are as printed; each that isn't says so behind "# SEAR:". The tree comes with SEAR.
 from org.SEAR.POJOs import Cylinder
 from org.SEAR.POJOs import Box
 from org.SEAR.POJOs import Cone
-from org.SEAR.POJOs import Model
-from org.SEAR.POJOs import Floor
+from org.SEAR.POJOs import Model    # SEAR: printed "model"; the class is Model
+from org.SEAR.POJOs import Floor    # SEAR: added; the print forgot it
 
 floor = Floor("floor", 50, 50)    #create floor
 

@@ -1,5 +1,6 @@
 # Listing 4 of the dissertation: a virtual LIDAR. The listing is a snippet that "should be added to the script that creates the virtual robot", so
-# Listing 2 comes first. Both are unchanged.
+# Listing 2 comes first.
+# Lines are as printed; each that isn't says so behind "# SEAR:".
 from org.SEAR.POJOs import Cylinder
 from org.SEAR.POJOs import Box
 from org.SEAR.POJOs import Cone

@@ -1,27 +1,30 @@
 # Listing 8 of the dissertation: prints what the GPS of Listing 7 says.
-# Changed: publishGGAData (the listing has publishGGADData, which no service ever had), with the fields as the callback's argument
-# (msg_gpsUnit1_... is gone from MyRobotLab); the callback is onPositionText, since input is the LIDAR's in Listings 5 and 6, and MyRobotLab would hand
-# it their data; sear.simSleep() instead of sleep(); it ends after five seconds, and the robot drives meanwhile, since without a window nobody can
-# steer it by keys.
-sear = Runtime.start("SEAR", "SEAR")
-sear.startSimulation()    # start SEAR simulation
-sear.simSleep(1)
+# Lines are as printed; each that isn't says so behind "# SEAR:".
+from time import sleep
 
-gps1 = Runtime.start("gpsUnit1", "GPS")
+# This script only uses the GPS sensor on the simulated robot, the user is expected to drive the robot using the i,j,k,l, and ; keys
 
-def onPositionText(data):
-    latitude = data[2]
-    longitude = data[4]
-    altitude = data[9]
-    print "Lat: " + latitude
-    print "Long: " + longitude
+sear = Runtime.createAndStart("SEAR", "SEAR")
+sear.startSimulation(); #start SEAR simulation
+initialized = 0
+
+gps1 = Runtime.createAndStart("gpsUnit1", "GPS")
+gps1.startService()
+gps1.connect("/dev/SEAR_GPS_01")
+sleep(1)
+def onPositionText(data):    # SEAR: printed "input()"; the value is the argument, and in MyRobotLab a callback's name belongs to its first publisher
+    startingAngle = 0
+    Latitude = data[2]    # SEAR: printed "msg_gpsUnit1_publishGGADData.data[0][2]", a variable that MyRobotLab no longer sets
+    Longitude = data[4]    # SEAR: the same
+    altitude = data[9]    # SEAR: the same
+    print "Lat: " + Latitude
+    print "Long: " + Longitude
     print "Alt: " + altitude + "\n"
 
-# have python listening to GPS
-gps1.addListener("publishGGAData", python.getName(), "onPositionText")
-gps1.connect("/dev/SEAR_GPS_01")
+#have python listening to GPS
+gps1.addListener("publishGGADData", python.name, "onPositionText")    # SEAR: printed "input", see above
 
 print "Ready to receive Data from GPS..."
-sear.drive(0.2, float("inf"))
-sear.simSleep(5)
-sear.stopSimulation()
+sear.drive(0.2, float("inf"))    # SEAR: added, in place of the user who drives by keys
+sleep(5)    # SEAR: added, see above
+sear.stopSimulation()    # SEAR: added; the next script starts a simulation of its own

@@ -64,8 +64,8 @@ sensorCommands = {0x2B: sonar1, 0x2C: sonar2, 0x2D: accelerometer, 0x2E: gyrosco
 # ---- the serial connection -----------------------------------------------------------------------------------------------------------------
 
 def sendInt(number):
-    serialController.write((number >> 8) & 0xFF)
-    serialController.write(number & 0xFF)
+    controllerSerial.write((number >> 8) & 0xFF)
+    controllerSerial.write(number & 0xFF)
 
 expectSensorNumber = False
 
@@ -89,8 +89,8 @@ VirtualSerialPort.makeNullModem(vp0, vp1)
 SerialDeviceFactory.add(vp0)
 SerialDeviceFactory.add(vp1)
 
-serialController = Runtime.start("serialController", "Serial")
-serialController.disconnect()
-serialController.connect(UARTport, 9600, 8, 1, 0)
-serialController.addListener("publishRX", python.getName(), "controllerInput")
+controllerSerial = Runtime.start("controllerSerial", "Serial")
+controllerSerial.disconnect()
+controllerSerial.connect(UARTport, 9600, 8, 1, 0)
+controllerSerial.addListener("publishRX", python.getName(), "controllerInput")
 print "controller.py: the user should connect to port " + userPort

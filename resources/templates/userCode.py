@@ -33,14 +33,14 @@ roomba.control()
 
 msgBuffer = []
 
-def receiveMessage(data):
+def onControllerReply(data):
     """Called with each byte that arrives, 0 to 255."""
     msgBuffer.append(data)
 
 userSerial = Runtime.start("userSerial", "Serial")
 userSerial.disconnect()
 userSerial.connect(controllerPort, 9600, 8, 1, 0)
-userSerial.addListener("publishRX", python.getName(), "receiveMessage")
+userSerial.addListener("publishRX", python.getName(), "onControllerReply")
 
 def ask(sensorNumber, count):
     """Requests a sensor, waits for its 16-bit numbers (high byte first), and answers them."""
@@ -54,11 +54,15 @@ def ask(sensorNumber, count):
         raise RuntimeError("sensor " + str(sensorNumber) + " sent " + str(len(msgBuffer)) + " of " + str(2 * count) + " bytes")
     return [msgBuffer[2 * i] * 256 + msgBuffer[2 * i + 1] for i in range(count)]
 
+ADC_STEPS_PER_VOLT = 1024 / 3.3
+AT_REST_ADXL330 = int(1.5 * ADC_STEPS_PER_VOLT)     # what each of the two answers when nothing moves
+AT_REST_IDG500 = int(1.35 * ADC_STEPS_PER_VOLT)
+
 def metresPerSecondSquared(counts):
-    return ((counts + 0.5) * 3.3 / 1024 - 1.5) / 0.3 * 9.80665
+    return (counts - AT_REST_ADXL330) / ADC_STEPS_PER_VOLT / 0.3 * 9.80665
 
 def degreesPerSecond(counts):
-    return ((counts + 0.5) * 3.3 / 1024 - 1.35) / 0.002
+    return (counts - AT_REST_IDG500) / ADC_STEPS_PER_VOLT / 0.002
 
 print "Sonar 1: " + str(ask(SONAR_1, 1)[0]) + " cm"
 print "Sonar 2: " + str(ask(SONAR_2, 1)[0]) + " cm"

@@ -22,6 +22,22 @@ public class ScriptsTest {
     private static final long PATIENCE_SECONDS = 240;
     private static final double DEGREE_LENGTH = 92_700;
 
+    /** The robot of the listings, facing a wall, and the two templates that come with SEAR. */
+    private static final String TEMPLATES = String.join("\n",
+        "from org.SEAR.POJOs import Accelerometer, Box, Compass, Distance, Gyroscope",
+        "sear = Runtime.start('SEAR', 'SEAR')",
+        "wall = Box('wall', 4, 0.1, 1, 0)",
+        "wall.move(0, 0.5, -1.5)",
+        "python.execFile(r'%s')",
+        "for (name, x) in (('testPing1', 0.05), ('MyNewestSONAR', -0.05)):",
+        "    ping = Distance(name, 'laser')",
+        "    ping.move(x, 0.1, 0.15)",
+        "    robot.addComponent(ping)",
+        "for sensor in (Accelerometer('accel'), Gyroscope('gyro1'), Compass('comp1')): robot.addComponent(sensor)",
+        "for template in ('controller.py', 'userCode.py'): sear.copyTemplate(template, 'SEARproject')",
+        "python.execFile('SEARproject/userCode.py')",
+        "sear.stopSimulation()", "");
+
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();
 
@@ -32,7 +48,7 @@ public class ScriptsTest {
      */
     private String run(String script) throws IOException, InterruptedException {
         File folder = temporary.getRoot();
-        File output = new File(folder, script.replace('/', '_') + ".txt");
+        File output = new File(folder, Paths.get(script).getFileName() + ".txt");
         ProcessBuilder builder = new ProcessBuilder(System.getProperty("java.home") + "/bin/java", "-Xmx512m", "-cp",
             System.getProperty("sear.cliClasspath"), "org.SEAR.cli.SearCommand", ROOT.resolve(script).toString(), "--headless", "--speed", "max",
             "--port", "none");
@@ -71,10 +87,12 @@ public class ScriptsTest {
         assertEquals(0.2, number(drive, "after a second forward: (-?[0-9.]+) m"), 0.03);
         assertEquals(0, number(drive, "after a second backward: (-?[0-9.]+) m"), 0.03);
         run("scripts/listing04.py");
-        assertEquals(3, count(run("scripts/listing05.py"), "received 101 readings"));
+        String scans = run("scripts/listing05.py");
+        assertEquals(3, count(scans, "received 101 readings"));
+        assertEquals("the trunk of the tree, 3 m from the robot's middle", 2650, number(scans, "the nearest at (\\d+)"), 30);
         String points = run("scripts/listing06.py");
-        assertEquals(2, count(points, "received 101 readings:"));
-        assertTrue(points, Pattern.compile("(?m)^-?\\d+\t\\d+$").matcher(points).find());
+        assertEquals(2, count(points, "received 101readings:"));
+        assertTrue("the trunk is dead ahead:\n" + points, Pattern.compile("(?m)^-?0\\.0\\d+\t26[0-9]{2}\\.").matcher(points).find());
         run("scripts/listing07.py");
         String positions = run("scripts/listing08.py");
         assertTrue(positions, count(positions, "Lat: 3336.6") >= 4);
@@ -92,14 +110,27 @@ public class ScriptsTest {
     public void theControllerListingsWorkTogether() throws Exception {
         temporary.newFile("nothing");
         String answers = run("scripts/listing09.py");
+        assertTrue(answers, answers.contains("Done creating Environment") && answers.contains("listening to: serial"));
+        assertEquals(270, number(answers, "Sonar 1 value received = (\\d+)"), 3);
+        assertEquals(270, number(answers, "Sonar 2 value received = (\\d+)"), 3);
+        assertTrue(answers, answers.contains("Back in Main, AccelX = 465 AccelY = 465 AccelZ = 465"));
+        assertTrue(answers, answers.contains("Back in Main, GyroX = 418 GyroY = 418 GyroZ = 418"));
+        assertEquals(270, number(answers, "Compass heading \\(out of 360 degrees\\) = (\\d+\\.\\d)"), 0.5);
+        assertTrue(run("scripts/listing10.py").contains("user should connect to port named: /dev/user_CONTROLLER_01"));
+    }
+
+    @Test
+    public void theTemplatesWorkTogether() throws Exception {
+        temporary.newFile("nothing");
+        Path script = temporary.getRoot().toPath().resolve("templates.py");
+        Files.writeString(script, "from org.SEAR.POJOs import Floor\nFloor('floor', 50, 50)\n"
+            + String.format(TEMPLATES, ROOT.resolve("scripts/listing02.py")));
+        String answers = run(script.toString());
         assertEquals(130, number(answers, "Sonar 1: (\\d+) cm"), 2);
         assertEquals(130, number(answers, "Sonar 2: (\\d+) cm"), 2);
-        assertEquals(0, number(answers, "Acceleration x, y, z: (-?[0-9.]+)"), 0.2);
-        assertEquals(0, number(answers, "Rotation x, y, z: (-?[0-9.]+)"), 2);
-        assertEquals(90, number(answers, "Heading: (-?[0-9.]+) degrees"), 0.5);
-        String bytes = run("scripts/listing10.py");
-        assertTrue(bytes, bytes.contains("byte 0x0"));
-        assertEquals(1.3, number(bytes, "SEAR itself says ([0-9.]+) m"), 0.02);
+        assertTrue(answers, answers.contains("Acceleration x, y, z: 0.0, 0.0, 0.0 m/s^2"));
+        assertTrue("nothing turns, so the gyroscope says 0:\n" + answers, answers.contains("Rotation x, y, z: 0, 0, 0 degrees/s"));
+        assertEquals(270, number(answers, "Heading: (-?[0-9.]+) degrees"), 0.5);
     }
 
     @Test

@@ -33,7 +33,7 @@ public class ControllerTemplateTest {
 
     @After
     public void release() {
-        for (String name : new String[] {"templateUser", "templateBytes", "serialController", "SEAR", "python"}) {
+        for (String name : new String[] {"templateUser", "templateBytes", "controllerSerial", "SEAR", "python"}) {
             Runtime.releaseService(name);
         }
     }

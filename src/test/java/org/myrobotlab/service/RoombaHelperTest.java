@@ -18,7 +18,7 @@ import org.junit.Test;
 /** The helper of the scripts connects a Roomba service that keeps its port, and the one of MyRobotLab Nixie, which lets go of it at once. */
 public class RoombaHelperTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", "."));
-    private static final String[] SCRIPTS = {"resources/templates/userCode.py", "scripts/demo.py", "scripts/listing03.py"};
+    private static final String[] SCRIPTS = {"resources/templates/userCode.py", "scripts/demo.py"};
     private static final Pattern HELPER = Pattern.compile("(?m)^def connectRoomba\\(.*\\n(?: +.*\\n)+");
     private static final String PORT = "/dev/helped";
     /** What each of the two MyRobotLabs does in connect: it talks through the service named serial. */

@@ -1,7 +1,10 @@
 package org.SEAR.physics;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Set;
 import org.SEAR.geometry.Frame;
 import org.SEAR.raycast.BeamScene;
 
@@ -15,6 +18,7 @@ public final class Scenes {
     /** What wheels stand on. */
     public final BeamScene ground;
     private final List<Body> owners = new ArrayList<>();
+    private final Set<Body> grounds = Collections.newSetFromMap(new IdentityHashMap<>());
 
     /** @param invisible whether there is anything that beams don't see */
     public Scenes(boolean invisible) {
@@ -34,6 +38,16 @@ public final class Scenes {
         }
         owners.add(body);
         return shape;
+    }
+
+    /** Says that a body is ground to drive on: a floor or the terrain. */
+    public void addGround(Body body) {
+        grounds.add(body);
+    }
+
+    /** Whether a shape belongs to the ground. */
+    public boolean isGround(int shape) {
+        return grounds.contains(owners.get(shape));
     }
 
     /** The body a shape belongs to. */

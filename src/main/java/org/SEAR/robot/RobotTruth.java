@@ -155,6 +155,11 @@ public final class RobotTruth implements Truth {
     }
 
     @Override
+    public boolean isGround(int shape) {
+        return scenes.isGround(shape);
+    }
+
+    @Override
     public String objectName(int shape) {
         return scenes.body(shape).name;
     }

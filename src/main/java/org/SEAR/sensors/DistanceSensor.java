@@ -1,6 +1,7 @@
 package org.SEAR.sensors;
 
 import java.util.Collections;
+import java.util.List;
 import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.SearObject;
@@ -35,6 +36,15 @@ public final class DistanceSensor extends Sensor<DistanceReading> {
         Beam shape = parameters.getShape();
         this.minRange = shape == null ? 0 : shape.getMinRange();
         this.voltages = new VoltageCurve(shape == null ? Collections.emptyList() : shape.getVoltages());
+    }
+
+    @Override
+    public List<String> warnings(Truth truth) {
+        GroundCheck check = new GroundCheck(truth, distance.isSeesOwnRobot() ? BeamScene.WORLD : truth.owner(), pose(truth));
+        for (int line = 0; line < pattern.size(); line++) {
+            check.look(pattern.getX(line), pattern.getY(line), pattern.getZ(line), pattern.getRange(line));
+        }
+        return check.warnings(getName());
     }
 
     @Override

@@ -1,5 +1,6 @@
 package org.SEAR.sensors;
 
+import java.util.List;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.geometry.Pose;
@@ -21,6 +22,17 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
     public LidarSensor(LIDAR parameters, long seed) {
         super(parameters, seed, 1);
         this.lidar = parameters;
+    }
+
+    @Override
+    public List<String> warnings(Truth truth) {
+        GroundCheck check = new GroundCheck(truth, lidar.isSeesOwnRobot() ? BeamScene.WORLD : truth.owner(), pose(truth));
+        int beams = (int) Math.floor(lidar.getSpread() / lidar.getResolution() + ROUNDING) + 1;
+        for (int i = 0; i < beams; i++) {
+            double angle = Math.toRadians(i * lidar.getResolution() - lidar.getSpread() / 2);
+            check.look(Math.sin(angle), 0, Math.cos(angle), lidar.getRange());
+        }
+        return check.warnings(getName());
     }
 
     @Override

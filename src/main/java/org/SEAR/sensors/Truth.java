@@ -43,6 +43,11 @@ public interface Truth {
     /** The owner number of this robot's parts in the scene. */
     int owner();
 
+    /** Whether a shape of the scene is ground to drive on: a floor or the terrain. */
+    default boolean isGround(int shape) {
+        return false;
+    }
+
     /** Name of the object that a shape of the scene belongs to. */
     String objectName(int shape);
 }

@@ -46,9 +46,9 @@ public final class Simulation implements AutoCloseable {
     private volatile boolean closed;
     private long step;
 
-    private Simulation(Project project, long seed, long epochMillis) throws ProjectException {
+    private Simulation(Project project, long seed, long epochMillis, boolean groundVisible) throws ProjectException {
         this.project = project;
-        world = new World(project, epochMillis);
+        world = new World(project, epochMillis, groundVisible);
         instruments = new Instruments(world.getRobots(), seed, warnings::count);
         deviceWarnings = warnings.list();
         observer = new SnapshotRecorder(world, instruments, warnings);
@@ -58,7 +58,12 @@ public final class Simulation implements AutoCloseable {
 
     /** Reads a SEARproject folder and builds its world. */
     public static Simulation load(Path folder, long seed) throws ProjectException {
-        return of(Project.read(folder), seed);
+        return load(folder, seed, true);
+    }
+
+    /** Reads a SEARproject folder and builds its world. @param groundVisible false: beams pass through all floors and terrain */
+    public static Simulation load(Path folder, long seed, boolean groundVisible) throws ProjectException {
+        return new Simulation(Project.read(folder), seed, EPOCH, groundVisible);
     }
 
     /** Builds the world of a project. */
@@ -72,7 +77,7 @@ public final class Simulation implements AutoCloseable {
      * @param epochMillis UTC of simulated time 0, milliseconds since 1970
      */
     public static Simulation of(Project project, long seed, long epochMillis) throws ProjectException {
-        return new Simulation(project, seed, epochMillis);
+        return new Simulation(project, seed, epochMillis, true);
     }
 
     private void start() {

@@ -6,6 +6,8 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import javax.vecmath.Vector3f;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
@@ -40,15 +42,20 @@ final class World implements PhysicsWorld.Touches {
     private final List<double[]> contacts = new ArrayList<>();
     private boolean wantsContacts;
 
-    World(Project project, long epochMillis) throws ProjectException {
-        scenes = new Scenes(hasInvisible(project));
+    /** @param groundVisible whether beams see floors and terrain as their objects say; false: none of them */
+    World(Project project, long epochMillis, boolean groundVisible) throws ProjectException {
+        scenes = new Scenes(!groundVisible || hasInvisible(project));
         for (SearObject object : project.getEnvironment()) {
             Body body = body(object, project);
             environment.add(body);
             if (body != null) {
                 corners.put(object, body.solids.get(0).corners());
                 physics.add(body);
-                body.addTo(scenes, Collections.singletonList(((Shape) object).isVisibleToSensors()), -1, 1);
+                boolean ground = object instanceof Floor || object instanceof Model && ((Model) object).isTerrain();
+                body.addTo(scenes, Collections.singletonList(((Shape) object).isVisibleToSensors() && (groundVisible || !ground)), -1, 1);
+                if (ground) {
+                    scenes.addGround(body);
+                }
                 virtualWalls.consider(body);
             }
         }

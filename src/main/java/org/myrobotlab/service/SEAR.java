@@ -140,6 +140,17 @@ public class SEAR extends Service<SEARConfig> {
         });
     }
 
+    /**
+     * Whether beams of all sensors see floors and terrain in the next simulations; true unless set. False: they pass through all of them, as a real
+     * ultrasonic beam glances off a smooth floor. A single one is hidden by its object, {@code floor.setVisibleToSensors(False)}.
+     */
+    public void setGroundVisible(boolean on) {
+        attempt(() -> {
+            works.control().setGroundVisible(on);
+            return null;
+        });
+    }
+
     /** Whether a simulation runs whose time advances only inside {@link #simSleep} and {@link #step}. */
     public boolean isLockStep() {
         SimulationSession session = parts == null ? null : parts.control().sessionOrNull();

@@ -18,6 +18,10 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import org.SEAR.POJOs.Distance;
+import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.SEARrobot;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
@@ -461,6 +465,23 @@ public class SearServiceTest {
             long told = heard.getStatuses().stream().filter(status -> status.contains(what + " large.sear: ")).count();
             assertTrue(heard.getStatuses().toString(), told >= 4 && told <= 10);
         }
+    }
+
+    @Test
+    public void beamsPassThroughTheGroundWhenAskedTo() throws Exception {
+        new Floor("floor", 40, 40, true);
+        Distance low = new Distance("low", "PING)))");
+        SEARrobot other = new SEARrobot("other");
+        other.addComponent(new Dynamics("otherDrive", 4, 3, 0.1, -3, 0, 180, 0));
+        other.addComponent(low);
+        sear.startSimulation();
+        assertTrue(heard.awaitStatus("sensor low sees the ground (floor) at 0.1"));
+        assertEquals(0.17, sear.getDistanceResult("low"), 0.01);
+        assertFails("setGroundVisible needs the simulation to be stopped", () -> sear.setGroundVisible(false));
+        sear.stopSimulation();
+        sear.setGroundVisible(false);
+        sear.startSimulation();
+        assertEquals(3, sear.getDistanceResult("low"), 1e-9);
     }
 
     @Test

@@ -18,12 +18,15 @@ public final class RunSettings {
     public final boolean lockStep;
     /** Of all random numbers. */
     public final long seed;
+    /** Whether beams see floors and terrain. */
+    public final boolean groundVisible;
 
-    RunSettings(boolean headless, double speed, boolean lockStep, long seed) {
+    RunSettings(boolean headless, double speed, boolean lockStep, long seed, boolean groundVisible) {
         this.headless = headless;
         this.speed = speed;
         this.lockStep = lockStep;
         this.seed = seed;
+        this.groundVisible = groundVisible;
     }
 
     /**
@@ -34,7 +37,7 @@ public final class RunSettings {
     public static RunSettings fromSystem() {
         String speed = System.getProperty("sear.speed", "1");
         boolean max = MAX.equals(speed);
-        return new RunSettings(Boolean.getBoolean("sear.headless"), max ? Double.POSITIVE_INFINITY : factor(speed), max, seed());
+        return new RunSettings(Boolean.getBoolean("sear.headless"), max ? Double.POSITIVE_INFINITY : factor(speed), max, seed(), true);
     }
 
     private static double factor(String text) {

@@ -17,6 +17,7 @@ public final class SimulationControl {
     private volatile SimulationSession session;
     private Double speed;
     private Boolean lockStep;
+    private volatile boolean groundVisible = true;
     private BooleanSupplier stepListener = () -> false;
 
     /** @param folder of the project, asked for each time */
@@ -53,7 +54,7 @@ public final class SimulationControl {
         RunSettings fromSystem = RunSettings.fromSystem();
         boolean stepped = lockStep == null ? fromSystem.lockStep : lockStep;
         double defaultSpeed = stepped ? Double.POSITIVE_INFINITY : fromSystem.speed;
-        return new RunSettings(fromSystem.headless, speed == null ? defaultSpeed : speed, stepped, fromSystem.seed);
+        return new RunSettings(fromSystem.headless, speed == null ? defaultSpeed : speed, stepped, fromSystem.seed, groundVisible);
     }
 
     /** Called after each step of lock-step, on the thread that advances time; answers whether it has published something. Before the first start. */
@@ -122,6 +123,14 @@ public final class SimulationControl {
         if (isRunning()) {
             session().setLockStep(on);
         }
+    }
+
+    /** Whether beams see floors and terrain in the next simulations. */
+    public void setGroundVisible(boolean on) {
+        if (isRunning()) {
+            throw new IllegalStateException("setGroundVisible needs the simulation to be stopped: call it before startSimulation()");
+        }
+        groundVisible = on;
     }
 
     /** The project's folder. */

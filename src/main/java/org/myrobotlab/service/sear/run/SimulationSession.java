@@ -86,7 +86,7 @@ public final class SimulationSession {
      */
     public static SimulationSession start(Path folder, RunSettings settings, boolean debugShapes, Host host,
             BooleanSupplier stepListener) throws ProjectException, IOException {
-        SimulationSession session = new SimulationSession(Simulation.load(folder, settings.seed), settings, host, stepListener);
+        SimulationSession session = new SimulationSession(Simulation.load(folder, settings.seed, settings.groundVisible), settings, host, stepListener);
         try {
             session.open(settings, debugShapes);
             return session;

@@ -406,6 +406,7 @@
     var LONGEST_PATH = 500      // points
     var LOOK_MILLIS = 1000      // how often a page that shows the project asks whether that has changed
     var PATIENCE_MILLIS = 10000 // an answer that takes longer is asked for again
+    var WAIT_MILLIS = 1500         // so long time stands still in lock-step before the page says so
     var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'getProblems', 'getExamples',
         'getBundle', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate']
 
@@ -569,7 +570,28 @@
                 speed = $scope.state.wantedSpeed
                 $scope.form.speed = String(speed)
             }
+            watchTime($scope.state)
             repaint()
+        }
+
+        var moved = 0               // when simulated time was seen to pass, by this page's clock
+        var seenTime = null
+        /** In lock-step time stands still unless a script lets it pass. */
+        function watchTime(state) {
+            var waited = $scope.waiting
+            if (!state || state.time !== seenTime) {
+                seenTime = state && state.time
+                moved = Date.now()
+            }
+            $scope.waiting = Boolean(state && state.lockStep && !state.paused && Date.now() - moved > WAIT_MILLIS)
+            if ($scope.waiting !== waited) {
+                $scope.$applyAsync()
+            }
+        }
+        /** Nobody waits for the script any more: time runs by itself. */
+        $scope.letTimeRun = function() {
+            msg.send('setSpeed', 1)
+            msg.send('setLockStep', false)
         }
 
         function askForWorld() {
@@ -608,7 +630,8 @@
             return Boolean($scope.service && $scope.service.simulating)
         }
         $scope.statusText = function() {
-            return $scope.pending || (!isSimulating() ? 'no simulation runs' : $scope.service.paused ? 'paused' : 'running')
+            return $scope.pending || (!isSimulating() ? 'no simulation runs' : $scope.service.paused ? 'paused' :
+                $scope.waiting ? 'time waits for a script' : 'running')
         }
         /** Goes on where the status ends; apart from it, since that is read out when it changes. */
         $scope.timeText = function() {

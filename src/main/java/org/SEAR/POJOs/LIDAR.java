@@ -1,5 +1,7 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.protocol.lms.Variant;
+
 /** A plane of beams; behind its ports a SICK LMS200 if LMS(1). */
 @Described("a plane of beams; behind its ports a SICK LMS200")
 public class LIDAR extends SensorObject implements SerialObject {
@@ -104,11 +106,25 @@ public class LIDAR extends SensorObject implements SerialObject {
     }
 
     /**
+     * Puts the device behind a port: an LMS200 unless {@link #LMS} says otherwise, which has only some fans.
+     *
      * @param uart the device's end
      * @param user the end that the user opens
+     * @throws IllegalArgumentException if no LMS200 has the fan; without ports every fan is legal
      */
     public void setPorts(String uart, String user) {
+        if (uart != null) {
+            checkFan(lms);
+        }
         serial.setPorts(this, uart, user);
+    }
+
+    private void checkFan(int type) {
+        if (type == 1 && Variant.ofDegrees(spread, resolution) == null) {
+            throw new IllegalArgumentException(label() + ": at a port there is an LMS200, and none has spread " + Parameter.format(spread)
+                + " with resolution " + Parameter.format(resolution) + " deg, legal: 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5;"
+                + " without setPorts every fan, read by sear.getLidarResult(\"" + getName() + "\")");
+        }
     }
 
     /** @param metres 0.01 to 10000 */
@@ -136,7 +152,11 @@ public class LIDAR extends SensorObject implements SerialObject {
 
     /** @param type 1 for a SICK LMS200 behind the ports, 0 for none */
     public void LMS(int type) {
-        lms = checked("lms", type);
+        int wanted = checked("lms", type);
+        if (serial.getUartPort() != null) {
+            checkFan(wanted);
+        }
+        lms = wanted;
         changed();
     }
 

@@ -15,6 +15,9 @@ public interface ObjectStore {
      */
     void write(SearObject object, boolean part) throws IOException;
 
+    /** Whether there is the file of an object of that name, in either folder. */
+    boolean has(String name);
+
     /**
      * Removes the file of an object if there is one.
      *

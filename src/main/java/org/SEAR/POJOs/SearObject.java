@@ -63,8 +63,10 @@ public abstract class SearObject {
         if (!problems.isEmpty()) {
             throw new IllegalArgumentException(label() + ": " + String.join("; ", problems));
         }
+        boolean taken = Stores.get().has(name);
         life = Life.LIVE;
         changed();
+        Notices.made(label(), name, taken);
     }
 
     /** Adds what is wrong with the values together, beyond the legal range of each. Called when it is created and when it was read. */

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.Parameter;
@@ -77,23 +78,25 @@ public final class BeamLibrary {
     }
 
     /**
-     * A beam by its name, or by another name of the same product.
+     * A beam by its name, or by another name of the same product, in capitals or not; exactly as written goes first.
      *
      * @throws IllegalArgumentException that names the beams there are, or says what is wrong with the project's file
      */
     public Beam get(String name) {
         ProblemList problems = new ProblemList();
-        Beam own = own(problems).get(name);
-        if (own != null) {
-            return own;
-        }
-        for (Beam beam : BUILT_IN.values()) {
-            if (beam.getName().equals(name) || beam.getAliases().contains(name)) {
-                return beam;
-            }
+        List<Beam> all = new ArrayList<>(own(problems).values());
+        all.addAll(BUILT_IN.values());
+        Beam found = find(all, name::equals);
+        found = found == null ? find(all, name::equalsIgnoreCase) : found;
+        if (found != null) {
+            return found;
         }
         throw new IllegalArgumentException("beam is \"" + name + "\", legal: " + String.join(", ", names())
             + (problems.isEmpty() ? "" : "; " + problems));
+    }
+
+    private static Beam find(List<Beam> beams, Predicate<String> isIt) {
+        return beams.stream().filter(beam -> isIt.test(beam.getName()) || beam.getAliases().stream().anyMatch(isIt)).findFirst().orElse(null);
     }
 
     /** Names of all beams, in order, with the other names of the same products. */

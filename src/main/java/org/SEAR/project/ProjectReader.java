@@ -51,6 +51,8 @@ final class ProjectReader {
             problems.add(folder.toString(), 0, "", "there is no such folder", "a SEARproject folder; creating an object makes one");
             problems.throwIfAny();
         }
+        warnOfOtherSpelling("environments", ProjectFolder.ENVIRONMENT);
+        warnOfOtherSpelling("robots", ProjectFolder.ROBOT);
         Map<String, ParsedObject> environment = readFolder(ProjectFolder.ENVIRONMENT);
         Map<String, ParsedObject> parts = readFolder(ProjectFolder.ROBOT);
         linkBeams(parts);
@@ -59,6 +61,13 @@ final class ProjectReader {
         new AssetCheck(new Assets(folder.resolve(ProjectFolder.ASSETS)), problems, warnings).check(linker.all());
         problems.throwIfAny();
         return new Project(folder, linker.environment(), linker.robots(), warnings);
+    }
+
+    /** The dissertation has both spellings. */
+    private void warnOfOtherSpelling(String other, String right) {
+        if (Files.isDirectory(folder.resolve(other))) {
+            warnings.add("the folder " + other + "/ of the project is not read: its objects belong into " + right + "/");
+        }
     }
 
     private Map<String, ParsedObject> readFolder(String name) {

@@ -146,7 +146,7 @@ public class SEAR extends Service<SEARConfig> {
      */
     public void setGroundVisible(boolean on) {
         attempt(() -> {
-            works.control().setGroundVisible(on);
+            parts.control().setGroundVisible(on);
             return null;
         });
     }

@@ -3,6 +3,8 @@ package org.myrobotlab.service;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
+import org.SEAR.POJOs.Notices;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
@@ -30,6 +32,7 @@ final class SearParts {
     private final BundleTransfers transfers;
     private final WorldFeed feed = new WorldFeed();
     private final Preview preview = new Preview();
+    private final Consumer<String> notices;
 
     SearParts(Host host) {
         control = new SimulationControl(host, Projects::folder);
@@ -39,6 +42,8 @@ final class SearParts {
         exports = new Exports(host, control);
         transfers = new BundleTransfers(projects::save, projects::load);
         control.setStepListener(publisher::publishDue);
+        notices = host::warn;
+        Notices.listen(notices);
     }
 
     /**
@@ -129,6 +134,7 @@ final class SearParts {
 
     /** Ends everything, for good. */
     public void close() {
+        Notices.leave(notices);
         publisher.close();
         stop();
     }

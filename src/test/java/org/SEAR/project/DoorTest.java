@@ -110,6 +110,11 @@ public class DoorTest {
         refused(() -> lidar.setPorts("a", "a"), "ports are \"a\" and \"a\", legal: two different names");
         refused(() -> lidar.setPorts(null, "a"), "legal: two different names");
         refused(() -> lidar.LMS(2), "lms is 2, legal: 0, 1");
+        LIDAR wide = new LIDAR("wide", 10, 270, 0.3);
+        refused(() -> wide.setPorts("a", "b"), "none has spread 270 with resolution 0.3 deg, legal: 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5;");
+        wide.LMS(0);
+        wide.setPorts("a", "b");
+        refused(() -> wide.LMS(1), "LIDAR \"wide\": at a port there is an LMS200");
         refused(() -> compass.setNorth(0, 1, 0), "north is (0, 1, 0)");
         assertEquals(List.of(), wrong);
     }

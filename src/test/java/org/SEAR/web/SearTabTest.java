@@ -105,6 +105,18 @@ public class SearTabTest {
     }
 
     @Test
+    public void inLockStepTheTabSaysThatTimeWaitsAndLetsItRun() {
+        tab.openExample("maze");
+        robotLab.call("sear", "setLockStep", true);
+        tab.start();
+        tab.waitForStatus("time waits for a script");
+        browser.click(".sear-run");
+        tab.waitForTime(0.2);
+        tab.waitForStatus("running at ");
+        assertTrue("offered no more", browser.all(".sear-run").isEmpty());
+    }
+
+    @Test
     public void theKeysOfTheWindowDriveWhenTheViewHasTheFocus() {
         tab.openExample("maze");
         tab.start();

@@ -60,6 +60,7 @@ public class LidarServiceTest {
         assertArrayEquals(new int[] {0, 1, 1000, 8183, 8191}, (int[]) raw.await(1).get(0));
         assertEquals("mm", lidar.getUnit());
         assertEquals(1.0, lidar.getLastScan().metres[2], 0);
+        assertTrue(lidar.getLastScan().toString(), lidar.getLastScan().toString().startsWith("scan of "));
         assertEquals(PORT, lidar.getConfig().port);
     }
 

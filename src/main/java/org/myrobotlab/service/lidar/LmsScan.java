@@ -1,5 +1,7 @@
 package org.myrobotlab.service.lidar;
 
+import java.math.BigDecimal;
+import java.util.Locale;
 import org.SEAR.protocol.lms.MeasuringMode;
 
 /**
@@ -46,5 +48,23 @@ public final class LmsScan {
             angles[i] = firstAngle + i * resolution;
             metres[i] = this.raw[i] >= noReturn ? null : Double.valueOf(this.raw[i] / (millimetres ? MM : CM));
         }
+    }
+
+    /** {@code scan of 101 readings over 100 degrees, 97 of them distances, the nearest 2.648 m at 90 degrees}. */
+    @Override
+    public String toString() {
+        int nearest = -1;
+        int returns = 0;
+        for (int i = 0; i < metres.length; i++) {
+            returns += metres[i] == null ? 0 : 1;
+            nearest = metres[i] != null && (nearest < 0 || metres[i] < metres[nearest]) ? i : nearest;
+        }
+        String counted = String.format(Locale.ROOT, "scan of %d readings over %s degrees, %d of them distances", raw.length, plain(spread), returns);
+        return nearest < 0 ? counted : counted + String.format(Locale.ROOT, ", the nearest %s m at %s degrees", plain(metres[nearest]),
+            plain(angles[nearest]));
+    }
+
+    private static String plain(double number) {
+        return BigDecimal.valueOf(number).stripTrailingZeros().toPlainString();
     }
 }

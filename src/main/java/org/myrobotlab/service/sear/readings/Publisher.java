@@ -51,6 +51,7 @@ public final class Publisher {
             SimulationSession session = control.sessionOrNull();
             if (session != null) {
                 session.tellWarnings();
+                session.lookForClockTrap();
                 host.state();
             }
         }), STATE_MILLIS, STATE_MILLIS, TimeUnit.MILLISECONDS);

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
+import org.SEAR.POJOs.Notices;
 import org.SEAR.project.problems.ProjectException;
 import org.myrobotlab.service.sear.Host;
 
@@ -47,6 +48,7 @@ public final class SimulationControl {
             }
             session = SimulationSession.start(project, settings(), debugShapes, host, stepListener);
             running = this;
+            Notices.setSimulating(this::isRunning);
         }
     }
 
@@ -71,6 +73,7 @@ public final class SimulationControl {
             }
             if (running == this) {
                 running = null;
+                Notices.setSimulating(() -> false);
             }
         }
     }

@@ -46,6 +46,7 @@ public final class SimulationSession {
     private final Object closing = new Object();
     private final OptionalWindow window = new OptionalWindow();
     private final Throttle throttle;
+    private final ClockTrap clockTrap;
     private final Quiescence quiescence;
     private final Object stepping = new Object();
     /** Where sleepers wait for the end of a pause. */
@@ -71,6 +72,7 @@ public final class SimulationSession {
         runner = new SimulationRunner(simulation);
         lockStep = settings.lockStep;
         throttle = new Throttle(settings.speed);
+        clockTrap = new ClockTrap(host);
         clock = new SimulationClock(simulation, lockStep);
         quiescence = new Quiescence(host, sleepers);
         thread = new Thread(this::run, "SEAR simulation");
@@ -473,6 +475,11 @@ public final class SimulationSession {
         synchronized (told) {
             told.retainAll(simulation.snapshot().warnings);
         }
+    }
+
+    /** Says so if a script waits by the computer's clock in lock-step. */
+    public void lookForClockTrap() {
+        clockTrap.look(this);
     }
 
     /** Publishes what the simulation has warned of since the last time. */

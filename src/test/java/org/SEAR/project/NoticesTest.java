@@ -1,0 +1,76 @@
+package org.SEAR.project;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.function.Consumer;
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Notices;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.python.util.PythonInterpreter;
+
+/** What is legal and probably not meant is said when the object is made. */
+public class NoticesTest {
+    private static final String MADE = "from org.SEAR.POJOs import Box\nfor i in range(2):\n    Box('post', 1, 1, 1, 0)\n";
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    private final List<String> said = Collections.synchronizedList(new ArrayList<>());
+    private final Consumer<String> listener = said::add;
+
+    @Before
+    public void listen() {
+        Notices.listen(listener);
+    }
+
+    @After
+    public void leave() {
+        Notices.leave(listener);
+        Notices.setSimulating(() -> false);
+    }
+
+    @Test
+    public void anObjectOfANameThatTheScriptHasMadeAlready() {
+        try (PythonInterpreter python = new PythonInterpreter()) {
+            python.exec(MADE);
+        }
+        assertEquals(said.toString(), 1, said.size());
+        assertTrue(said.get(0), said.get(0).startsWith("Box \"post\" has the name of an object that this script has made already"));
+    }
+
+    @Test
+    public void theSameScriptAgainMakesTheSameObjects() {
+        String once = "from org.SEAR.POJOs import Box\nBox('post', 1, 1, 1, 0)\n";
+        try (PythonInterpreter python = new PythonInterpreter()) {
+            python.exec(once);
+            python.exec(once);
+        }
+        new Box("post", 1, 1, 1, 0);
+        new Box("post", 1, 1, 1, 0);
+        assertEquals("[]", said.toString());
+    }
+
+    @Test
+    public void anObjectMadeWhileASimulationRuns() {
+        Notices.setSimulating(() -> true);
+        new Box("late", 1, 1, 1, 0);
+        assertEquals("[Box \"late\" was made while a simulation runs: it will be there after the next startSimulation()]", said.toString());
+    }
+
+    @Test
+    public void foldersOfTheOtherSpelling() throws Exception {
+        new Box("box", 1, 1, 1, 0);
+        project.put("environments/lost.xml", project.text("environment/box.xml"));
+        project.put("robots/lost.xml", project.text("environment/box.xml"));
+        List<String> warnings = Project.read(project.folder()).getWarnings();
+        assertEquals("the folder environments/ of the project is not read: its objects belong into environment/", warnings.get(0));
+        assertEquals("the folder robots/ of the project is not read: its objects belong into robot/", warnings.get(1));
+    }
+}

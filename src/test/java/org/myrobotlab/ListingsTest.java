@@ -14,8 +14,8 @@ import java.util.List;
 import org.junit.Test;
 
 /**
- * The scripts of the dissertation's listings are the printed ones ({@code org/SEAR/dissertation}, wrapped lines joined), and whatever differs is named
- * on its line behind {@code # SEAR:}. Compared is the code without comments and blanks. That they run and print what they should: ScriptsTest.
+ * The scripts of the dissertation's listings are the printed ones ({@code org/SEAR/dissertation}, wrapped lines joined), and whatever differs is
+ * named on its line behind {@code # SEAR:}. Compared is the code without comments and blanks. That they run and print what they should: ScriptsTest.
  */
 public class ListingsTest {
     private static final Path SCRIPTS = Paths.get(System.getProperty("sear.root", ".")).resolve("scripts");

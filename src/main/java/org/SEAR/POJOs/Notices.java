@@ -14,7 +14,11 @@ public final class Notices {
     private Notices() {
     }
 
-    /** Listens from now on. @param listener is called on the thread that makes the object */
+    /**
+     * Listens from now on.
+     *
+     * @param listener is called on the thread that makes the object
+     */
     public static void listen(Consumer<String> listener) {
         LISTENERS.add(listener);
     }
@@ -29,7 +33,12 @@ public final class Notices {
         simulating = running;
     }
 
-    /** An object was made. @param label {@code Box "crate"} @param taken whether there was a file of its name already */
+    /**
+     * An object was made.
+     *
+     * @param label {@code Box "crate"}
+     * @param taken whether there was a file of its name already
+     */
     static void made(String label, String name, boolean taken) {
         if (simulating.getAsBoolean()) {
             say(label + " was made while a simulation runs: it will be there after the next startSimulation()");

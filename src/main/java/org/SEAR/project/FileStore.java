@@ -34,7 +34,8 @@ public final class FileStore implements ObjectStore {
 
     @Override
     public boolean has(String name) {
-        return Files.exists(ProjectFolder.file(ProjectFolder.present(), false, name)) || Files.exists(ProjectFolder.file(ProjectFolder.present(), true, name));
+        return Files.exists(ProjectFolder.file(ProjectFolder.present(), false, name))
+            || Files.exists(ProjectFolder.file(ProjectFolder.present(), true, name));
     }
 
     private static void change(ProjectSwap.Change change) throws IOException {

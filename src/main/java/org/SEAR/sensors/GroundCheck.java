@@ -19,7 +19,10 @@ final class GroundCheck {
     private double nearest = Double.POSITIVE_INFINITY;
     private int ground = -1;
 
-    /** @param ignored owner whose parts the sensor doesn't see @param pose of the sensor in the world */
+    /**
+     * @param ignored owner whose parts the sensor doesn't see
+     * @param pose of the sensor in the world
+     */
     GroundCheck(Truth truth, int ignored, Pose pose) {
         this.truth = truth;
         this.ignored = ignored;
@@ -42,8 +45,8 @@ final class GroundCheck {
         if (ground < 0 || rotation.outY(0, 0, 1) < -STEEP) {
             return List.of();
         }
-        return List.of(String.format(Locale.ROOT, "sensor %s sees the ground (%s) at %.2f m, and reads that wherever nothing is nearer: mount it higher"
-            + " or tilt it up (%s.rotate(-20, 0, 0)), or let beams pass through the ground: sear.setGroundVisible(False) for all, or"
+        return List.of(String.format(Locale.ROOT, "sensor %s sees the ground (%s) at %.2f m, and reads that wherever nothing is nearer: mount it"
+            + " higher or tilt it up (%s.rotate(-20, 0, 0)), or let beams pass through the ground: sear.setGroundVisible(False) for all, or"
             + " setVisibleToSensors(False) of the object", sensor, truth.objectName(ground), nearest, sensor));
     }
 }

@@ -61,7 +61,11 @@ public final class Simulation implements AutoCloseable {
         return load(folder, seed, true);
     }
 
-    /** Reads a SEARproject folder and builds its world. @param groundVisible false: beams pass through all floors and terrain */
+    /**
+     * Reads a SEARproject folder and builds its world.
+     *
+     * @param groundVisible false: beams pass through all floors and terrain
+     */
     public static Simulation load(Path folder, long seed, boolean groundVisible) throws ProjectException {
         return new Simulation(Project.read(folder), seed, EPOCH, groundVisible);
     }

@@ -12,8 +12,8 @@ import org.junit.rules.TemporaryFolder;
 
 /** A script that waits by the computer's clock in lock-step is told so, once. */
 public class ClockTrapTest {
-    private static final String SLEEP = "from java.lang import Thread\nimport time\n"
-        + "end = time.time() + 20\nwhile not %s and time.time() < end: Thread.sleep(400)\n";
+    private static final String SLEEP = "from java.util.concurrent import TimeUnit\nimport time\n"
+        + "end = time.time() + 20\nwhile not %s and time.time() < end: TimeUnit.MILLISECONDS.sleep(400)\n";
 
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();
@@ -52,7 +52,7 @@ public class ClockTrapTest {
         sear.startSimulation();
         assertTrue(python.exec(String.format(SLEEP, "heard.getStatuses().toString().count(\"by the computer's clock\")")));
         assertEquals(1, warnings());
-        assertTrue(python.exec("from java.lang import Thread\nThread.sleep(700)"));
+        assertTrue(python.exec("from java.util.concurrent import TimeUnit\nTimeUnit.MILLISECONDS.sleep(700)"));
         assertEquals(1, warnings());
     }
 

@@ -88,7 +88,8 @@ public final class SimulationSession {
      */
     public static SimulationSession start(Path folder, RunSettings settings, boolean debugShapes, Host host,
             BooleanSupplier stepListener) throws ProjectException, IOException {
-        SimulationSession session = new SimulationSession(Simulation.load(folder, settings.seed, settings.groundVisible), settings, host, stepListener);
+        Simulation world = Simulation.load(folder, settings.seed, settings.groundVisible);
+        SimulationSession session = new SimulationSession(world, settings, host, stepListener);
         try {
             session.open(settings, debugShapes);
             return session;

@@ -209,7 +209,8 @@ public class PythonTest {
     @Test
     public void theModuleTimeIsWhole() {
         assertTrue(python.exec("from time import *\nimport time, java\nstart = java.lang.System.nanoTime()\ntime.sleep(0.05)\nsleep(0.05)\n"
-            + "assert java.lang.System.nanoTime() - start > 90e6\nassert clock and strftime('%Y', gmtime(0)) == '1970' and timezone == time.timezone"));
+            + "assert java.lang.System.nanoTime() - start > 90e6\n"
+            + "assert clock and strftime('%Y', gmtime(0)) == '1970' and timezone == time.timezone"));
     }
 
     @Test
@@ -219,7 +220,8 @@ public class PythonTest {
         try {
             assertTrue(python.exec(String.join("\n", "import time", "from time import sleep as nap", "sear = Runtime.start('sear', 'SEAR')",
                 "sear.setLockStep(True)", "sear.startSimulation()", "def passed(work):", "    start = sear.getTime()", "    work()",
-                "    return sear.getTime() - start", "assert abs(passed(lambda: sleep(2)) - 2) < 0.02", "assert abs(passed(lambda: nap(1)) - 1) < 0.02",
+                "    return sear.getTime() - start", "assert abs(passed(lambda: sleep(2)) - 2) < 0.02",
+                "assert abs(passed(lambda: nap(1)) - 1) < 0.02",
                 "assert abs(passed(lambda: time.sleep(0.5)) - 0.5) < 0.02", "roomba = Runtime.start('roomba', 'Roomba')",
                 "roomba.connect('" + TestWorld.ROOMBA_PORT + "')", "roomba.startup()", "roomba.control()",
                 "assert abs(passed(lambda: roomba.sleep(1000)) - 1) < 0.02", "assert abs(passed(lambda: roomba.goForward(500)) - 2.5) < 0.02",

@@ -22,7 +22,11 @@ final class PackageClasses {
     private PackageClasses() {
     }
 
-    /** Simple names of the top-level classes, in order; empty if there is no such package. @throws IOException if the class path can't be read */
+    /**
+     * Simple names of the top-level classes, in order; empty if there is no such package.
+     *
+     * @throws IOException if the class path can't be read
+     */
     static Set<String> of(String name, ClassLoader loader) throws IOException {
         String folder = name.replace('.', '/');
         Set<String> found = new TreeSet<>();

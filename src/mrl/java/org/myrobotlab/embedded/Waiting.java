@@ -16,7 +16,12 @@ public final class Waiting {
     private Waiting() {
     }
 
-    /** Lets so much simulated time pass. @param seconds 0 or more @return whether there was a simulation to do so; if not, nobody has waited */
+    /**
+     * Lets so much simulated time pass.
+     *
+     * @param seconds 0 or more
+     * @return whether there was a simulation to do so; if not, nobody has waited
+     */
     public static boolean inSimulation(double seconds) {
         if (!Runtime.exists()) {
             return false;

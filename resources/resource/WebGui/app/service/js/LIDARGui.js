@@ -103,9 +103,10 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
     function say(status) {
         var text = status.key || status.detail
         if (status.level === 'error') {
-            var repeated = told && text.indexOf(REPEATED) === 0
-            told = !repeated
-            if (repeated) {
+            var repeats = text.indexOf(REPEATED) === 0
+            var wasTold = told
+            told = !repeats
+            if (repeats && wasTold) {
                 return
             }
         }

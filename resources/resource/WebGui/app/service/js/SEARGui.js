@@ -500,9 +500,10 @@
                 $scope.transfer = null
                 $scope.pending = null
                 asked = {}
-                var repeated = told && text.indexOf(REPEATED) === 0
-                told = !repeated
-                if (repeated) {
+                var repeats = text.indexOf(REPEATED) === 0
+                var wasTold = told
+                told = !repeats
+                if (repeats && wasTold) {
                     return
                 }
             }

@@ -47,7 +47,7 @@ public final class Parameter {
     }
 
     private static Kind kindOf(Class<?> type) {
-        if (type == double.class) {
+        if (type == double.class || type == Double.class) {
             return Kind.NUMBER;
         }
         if (type == int.class) {
@@ -137,10 +137,10 @@ public final class Parameter {
         return format(param.min()) + " to " + format(param.max()) + (param.unit().isEmpty() ? "" : " " + param.unit());
     }
 
-    /** Whether a single value (an entry of a list) is legal. Null is legal for an optional text or group. */
+    /** Whether a single value (an entry of a list) is legal. Null is legal for an optional text, group or Double. */
     public boolean isLegal(Object value) {
         if (value == null) {
-            return !param.required() && (kind == Kind.TEXT || kind == Kind.GROUP);
+            return !param.required() && !type.isPrimitive();
         }
         switch (kind) {
             case NUMBER:

@@ -22,6 +22,16 @@ public abstract class Shape extends SearObject {
     @Param(doc = "whether beams of distance sensors and LIDARs see the object")
     private boolean visibleToSensors = true;
 
+    @Param(doc = "coefficient of friction; where two objects touch the product of both counts; without it 0.8, for parts of a robot 0.3, "
+        + "for its wheels 1", max = 10)
+    private Double friction;
+    @Param(doc = "coefficient of restitution: 0 stays where it falls, 1 bounces back as high; where two objects touch the greater counts; "
+        + "without it 0", max = 1)
+    private Double restitution;
+    @Param(doc = "coefficient of rolling friction: the force that brakes what rolls, as a share of its weight; where two objects touch the sum "
+        + "of both counts; without it 0.001", max = 1)
+    private Double rollingFriction;
+
     /** For reading from a file. */
     protected Shape() {
     }
@@ -102,6 +112,51 @@ public abstract class Shape extends SearObject {
     /** Whether beams see it. */
     public void setVisibleToSensors(boolean visible) {
         visibleToSensors = checked("visibleToSensors", visible);
+        changed();
+    }
+
+    /** Coefficient of friction; null if the object has the default, 0.8 (a part of a robot 0.3, a wheel 1). */
+    public Double getFriction() {
+        return friction;
+    }
+
+    /** Coefficient of restitution; null if the object has the default, 0. */
+    public Double getRestitution() {
+        return restitution;
+    }
+
+    /** Coefficient of rolling friction; null if the object has the default, 0.001. */
+    public Double getRollingFriction() {
+        return rollingFriction;
+    }
+
+    /**
+     * Sets the coefficient of friction.
+     *
+     * @param coefficient 0 to 10; where two objects touch the product of both counts
+     */
+    public void setFriction(double coefficient) {
+        friction = checked("friction", coefficient);
+        changed();
+    }
+
+    /**
+     * Sets how much of its speed comes back when something hits it.
+     *
+     * @param coefficient 0 to 1; where two objects touch the greater counts
+     */
+    public void setRestitution(double coefficient) {
+        restitution = checked("restitution", coefficient);
+        changed();
+    }
+
+    /**
+     * Sets what brakes the object when it rolls.
+     *
+     * @param coefficient 0 to 1, a share of its weight; where two objects touch the sum of both counts
+     */
+    public void setRollingFriction(double coefficient) {
+        rollingFriction = checked("rollingFriction", coefficient);
         changed();
     }
 

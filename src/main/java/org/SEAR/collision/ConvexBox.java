@@ -55,4 +55,24 @@ public final class ConvexBox implements ConvexShape {
     public double[] centre() {
         return new double[3];
     }
+
+    @Override
+    public double[] inertia() {
+        return new double[] {(hy * hy + hz * hz) / 3, (hx * hx + hz * hz) / 3, (hx * hx + hy * hy) / 3};
+    }
+
+    @Override
+    public double radius() {
+        return Math.sqrt(hx * hx + hy * hy + hz * hz);
+    }
+
+    @Override
+    public double least() {
+        return Math.min(hx, Math.min(hy, hz));
+    }
+
+    @Override
+    public boolean isRound() {
+        return false;
+    }
 }

@@ -28,7 +28,10 @@ public final class ConvexHull implements ConvexShape {
     /** For each face the corners of its plane, in order around it. */
     private final int[][] polygons;
     private final double volume;
+    private final double least;
     private final double[] centre = new double[3];
+    /** Mean square distance from the centre along each axis, m^2. */
+    private final double[] moments = new double[3];
 
     private ConvexHull(double[] points, List<Face> faces) {
         Set<Integer> used = new LinkedHashSet<>();
@@ -51,6 +54,7 @@ public final class ConvexHull implements ConvexShape {
             polygons[i] = polygon(face);
         }
         volume = weigh(points, faces);
+        least = thinnest();
     }
 
     /**
@@ -69,13 +73,53 @@ public final class ConvexHull implements ConvexShape {
             }
             sum += part;
             for (int axis = 0; axis < 3; axis++) {
+                double total = p[3 * first + axis] + p[3 * face.a + axis] + p[3 * face.b + axis] + p[3 * face.c + axis];
+                double squares = square(p[3 * first + axis]) + square(p[3 * face.a + axis]) + square(p[3 * face.b + axis])
+                    + square(p[3 * face.c + axis]);
+                moments[axis] += part * (total * total + squares) / 20;
                 centre[axis] += part * (p[3 * first + axis] + p[3 * face.a + axis] + p[3 * face.b + axis] + p[3 * face.c + axis]) / 4;
             }
         }
         for (int axis = 0; axis < 3; axis++) {
             centre[axis] /= sum;
+            moments[axis] = moments[axis] / sum - square(centre[axis]);
         }
         return sum;
+    }
+
+    private static double square(double value) {
+        return value * value;
+    }
+
+    /** Without the products of inertia: exact for what is symmetrical to its axes. */
+    @Override
+    public double[] inertia() {
+        return new double[] {moments[1] + moments[2], moments[0] + moments[2], moments[0] + moments[1]};
+    }
+
+    @Override
+    public double radius() {
+        double most = 0;
+        for (int i = 0; i < corners.length; i += 3) {
+            most = Math.max(most, square(corners[i]) + square(corners[i + 1]) + square(corners[i + 2]));
+        }
+        return Math.sqrt(most);
+    }
+
+    /** Half of its least extent between a face and the corners behind it. */
+    @Override
+    public double least() {
+        return least;
+    }
+
+    private double thinnest() {
+        double thinnest = Double.POSITIVE_INFINITY;
+        double[] at = new double[3];
+        for (int i = 0; i < planes.length; i += 4) {
+            support(-planes[i], -planes[i + 1], -planes[i + 2], at);
+            thinnest = Math.min(thinnest, planes[i + 3] - planes[i] * at[0] - planes[i + 1] * at[1] - planes[i + 2] * at[2]);
+        }
+        return thinnest / 2;
     }
 
     /** Cubic metres. */

@@ -81,9 +81,35 @@ public final class ConvexRound implements ConvexShape {
         return 8 * bottom * half * bottom * Math.PI / (top == 0 ? 12 : 4);
     }
 
-    /** The middle of its height, of a cone too. */
+    /** The middle of its height; of a cone a quarter of it above the base. */
     @Override
     public double[] centre() {
-        return new double[3];
+        return new double[] {0, top == 0 ? -half / 2 : 0, 0};
+    }
+
+    @Override
+    public double[] inertia() {
+        double square = bottom * bottom;
+        if (top == 0) {
+            double across = 0.15 * (square + half * half);
+            return new double[] {across, 0.3 * square, across};
+        }
+        double across = square / 4 + half * half / 3;
+        return new double[] {across, square / 2, across};
+    }
+
+    @Override
+    public double radius() {
+        return Math.hypot(bottom, half);
+    }
+
+    @Override
+    public double least() {
+        return Math.min(bottom, half);
+    }
+
+    @Override
+    public boolean isTurned() {
+        return true;
     }
 }

@@ -21,6 +21,25 @@ public interface ConvexShape {
     /** Cubic metres. */
     double volume();
 
-    /** Where a body has the mass of this: {x, y, z}, metres. */
+    /** Its centre of mass, filled evenly: {x, y, z}, metres. */
     double[] centre();
+
+    /** Its moments of inertia about the axes through {@link #centre}, for each kg: {x, y, z}, m^2. */
+    double[] inertia();
+
+    /** Distance of its farthest point from the origin, metres, or more. */
+    double radius();
+
+    /** Half of its least size, metres. */
+    double least();
+
+    /** Whether it can roll. */
+    default boolean isRound() {
+        return true;
+    }
+
+    /** Whether it looks the same when turned about its y axis. */
+    default boolean isTurned() {
+        return false;
+    }
 }

@@ -10,8 +10,6 @@ public final class GjkDistance {
     /** Distances are this good, metres. */
     private static final double PRECISION = 1e-7;
     private static final int ITERATIONS = 64;
-    /** A length that is none, metres. */
-    private static final double NOTHING = 1e-9;
 
     /** From the second set to the first, length 1. */
     public double nx;
@@ -35,7 +33,7 @@ public final class GjkDistance {
      * Measures two sets.
      *
      * @param reach metres
-     * @return whether they are not farther apart than that; only then the fields are set
+     * @return whether they are not farther apart than that; if not, normal and distance are those of two parallel planes that part them
      */
     public boolean measure(Convex first, Convex second, double reach) {
         difference(first, second, 1, 0, 0, p[0], q[0]);
@@ -46,6 +44,10 @@ public final class GjkDistance {
             difference(first, second, -v[0], -v[1], -v[2], p[size], q[size]);
             double lower = dot(v, p[size]) / length;
             if (lower > reach) {
+                nx = v[0] / length;
+                ny = v[1] / length;
+                nz = v[2] / length;
+                distance = lower;
                 return false;
             }
             if (length - lower <= PRECISION || isKnown()) {
@@ -69,59 +71,6 @@ public final class GjkDistance {
             return distance <= reach;
         }
         return epa.measure(first, second, p, q, size, this);
-    }
-
-    /**
-     * Whether two sets have a point in common: no plane parts them. Sharper than a {@link #measure}d distance of 0, which is only known within
-     * {@link #PRECISION}.
-     */
-    public boolean overlap(Convex first, Convex second) {
-        difference(first, second, 1, 0, 0, p[0], q[0]);
-        size = 1;
-        share[0] = 1;
-        double length = approach();
-        for (int iteration = 0; iteration < ITERATIONS && length > NOTHING; iteration++) {
-            aimAtOrigin();
-            difference(first, second, a[0], a[1], a[2], p[size], q[size]);
-            if (dot(a, p[size]) < 0) {
-                return false;
-            }
-            size++;
-            share[size - 1] = 0;
-            if (size == 4 && holdsOrigin()) {
-                return true;
-            }
-            keepNearest();
-            length = approach();
-        }
-        return true;
-    }
-
-    /**
-     * Puts the direction from the simplex to the origin into {@code a}: a triangle's normal, because the nearest point of a large triangle that
-     * passes close by the origin is not known well enough to aim with.
-     */
-    private void aimAtOrigin() {
-        if (size < 3) {
-            a[0] = -v[0];
-            a[1] = -v[1];
-            a[2] = -v[2];
-            return;
-        }
-        double ux = p[1][0] - p[0][0];
-        double uy = p[1][1] - p[0][1];
-        double uz = p[1][2] - p[0][2];
-        double wx = p[2][0] - p[0][0];
-        double wy = p[2][1] - p[0][1];
-        double wz = p[2][2] - p[0][2];
-        a[0] = uy * wz - uz * wy;
-        a[1] = uz * wx - ux * wz;
-        a[2] = ux * wy - uy * wx;
-        if (dot(a, p[0]) > 0) {
-            a[0] = -a[0];
-            a[1] = -a[1];
-            a[2] = -a[2];
-        }
     }
 
     private void separated(double length) {

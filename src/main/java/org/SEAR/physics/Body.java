@@ -12,19 +12,13 @@ import javax.vecmath.Vector3f;
 import org.SEAR.geometry.Frame;
 import org.SEAR.geometry.Placement;
 import org.SEAR.geometry.Pose;
+import org.SEAR.physics.solid.Solid;
 
 /**
  * One thing that can be touched: an environment object or a robot's body. Its frame is that of the object; jbullet's body sits in the centre of
  * mass, (cx, cy, cz) of that frame. Simulation thread.
  */
 public final class Body {
-    /** Coefficient of friction of objects; the product of two touching bodies counts (0.64: cardboard on wood). */
-    private static final float FRICTION = 0.8f;
-    /** The same of a robot's body: smooth plastic (0.24 on objects), so that it does not ride up a wall that it pushes against. */
-    private static final float ROBOT_FRICTION = 0.3f;
-    /** Share of its speed that an object loses in a second to the air and to rolling; jbullet's contacts alone would let a cone roll for ever. */
-    private static final float LINEAR_DAMPING = 0.1f;
-    private static final float ANGULAR_DAMPING = 0.9f;
     /** Smallest moment of inertia, as a share of mass times square metre, that a thin body is given so that it can be solved. */
     private static final float LEAST_INERTIA = 1e-4f;
 
@@ -55,12 +49,16 @@ public final class Body {
     private Pose start;
     private Pose pose;
     private RigidBody rigid;
+    private final Transform home = new Transform();
+    private Motion motion;
+    private RollingResistance rolling;
     private final Frame frame = new Frame();
     private final Transform transform = new Transform();
     private final Quat4f rotation = new Quat4f();
     private final Vector3f low = new Vector3f();
     private final Vector3f high = new Vector3f();
     private final Vector3f position = new Vector3f();
+    private final Vector3f axis = new Vector3f();
 
     /**
      * @param mass kg, 0 = fixed
@@ -150,18 +148,68 @@ public final class Body {
         still = 0;
         Vector3f inertia = new Vector3f();
         if (mass > 0) {
-            collision.calculateLocalInertia((float) mass, inertia);
+            if (solids.size() == 1 && places[0].qw == 1) {
+                double[] moments = solids.get(0).convex().inertia();
+                inertia.set((float) (mass * moments[0]), (float) (mass * moments[1]), (float) (mass * moments[2]));
+            } else {
+                collision.calculateLocalInertia((float) mass, inertia);
+            }
             float least = (float) mass * LEAST_INERTIA;
             inertia.set(Math.max(inertia.x, least), Math.max(inertia.y, least), Math.max(inertia.z, least));
         }
         RigidBodyConstructionInfo info = new RigidBodyConstructionInfo((float) mass, null, collision, inertia);
-        info.friction = robot ? ROBOT_FRICTION : FRICTION;
-        info.linearDamping = mass > 0 && !robot ? LINEAR_DAMPING : 0;
-        info.angularDamping = mass > 0 && !robot ? ANGULAR_DAMPING : 0;
         toTransform(centred(start), info.startWorldTransform);
         rigid = new RigidBody(info);
         rigid.setUserPointer(this);
+        home.set(info.startWorldTransform);
+        motion = mass > 0 ? new Motion(rigid, reach(), getRestitution() > 0) : null;
+        rolling = mass > 0 && canRoll() ? new RollingResistance(rigid) : null;
         rigid.setActivationState(mass > 0 ? CollisionObject.ACTIVE_TAG : CollisionObject.ISLAND_SLEEPING);
+    }
+
+    /** Distance of its farthest point from its centre of mass, metres, or more. */
+    private double reach() {
+        double farthest = 0;
+        for (int i = 0; i < places.length; i++) {
+            double off = Math.sqrt((places[i].x - cx) * (places[i].x - cx) + (places[i].y - cy) * (places[i].y - cy)
+                + (places[i].z - cz) * (places[i].z - cz));
+            farthest = Math.max(farthest, off + solids.get(i).convex().radius());
+        }
+        return farthest;
+    }
+
+    private boolean canRoll() {
+        return !robot && solids.stream().anyMatch(solid -> solid.convex().isRound());
+    }
+
+    /** The greatest of its solids' restitutions. */
+    private double getRestitution() {
+        return solids.stream().mapToDouble(solid -> solid.getSurface().restitution()).max().orElse(0);
+    }
+
+    /** The axis about which it can turn without looking different, in the world; null if there is none. */
+    Vector3f turningAxis() {
+        if (solids.size() != 1 || !solids.get(0).convex().isTurned() || places[0].qw != 1) {
+            return null;
+        }
+        rigid.getCenterOfMassTransform(transform);
+        axis.set(transform.basis.m01, transform.basis.m11, transform.basis.m21);
+        return axis;
+    }
+
+    /** Where its centre of mass is when a step begins. jbullet itself shows the place of one solid while it looks at the contacts of several. */
+    Transform getPlace() {
+        return motion == null ? home : motion.start();
+    }
+
+    /** How it moves within a step; null if it never does. */
+    Motion getMotion() {
+        return motion;
+    }
+
+    /** What brakes it when it rolls; null for what can't roll. */
+    RollingResistance getRolling() {
+        return rolling;
     }
 
     private Pose centred(Pose frame) {
@@ -314,9 +362,30 @@ public final class Body {
         v[5] = high.z;
     }
 
+    /** Whether a robot's body touched nothing, and came near nothing, in the last step. */
+    public boolean isFree() {
+        return approach.size() == 0 && !motion.isTouching();
+    }
+
+    /** Says whether wheels on the ground carry it. */
+    public void setCarried(boolean on) {
+        motion.setCarried(on);
+    }
+
     /** Whether it does not sleep. */
     public boolean isActive() {
         return rigid.isActive();
+    }
+
+    /** Takes it out of the physics until the world starts anew; it stays where it is. */
+    public void stop() {
+        rigid.setActivationState(CollisionObject.DISABLE_SIMULATION);
+    }
+
+    /** The height of its lowest point, world frame, metres. */
+    public double lowest() {
+        rigid.getAabb(low, high);
+        return low.y;
     }
 
     /** Ends its sleep. */

@@ -19,6 +19,7 @@ import org.SEAR.collision.GjkDistance;
 import org.SEAR.collision.ManifoldClipper;
 import org.SEAR.collision.PlacedConvex;
 import org.SEAR.geometry.Placement;
+import org.SEAR.physics.solid.Solid;
 
 /**
  * The contact of two solids, or of a solid and the triangles of a fixed mesh, from the shapes themselves in double
@@ -33,6 +34,8 @@ public final class ContactAlgorithm extends CollisionAlgorithm {
     private final PlacedConvex placedA;
     private final PlacedConvex placedB;
     private final ContactTriangle triangle;
+    private final Sweeps sweeps;
+    private final Transform placeOfA = new Transform();
     private final Transform place = new Transform();
     private final Placement placeOfMesh = new Placement();
     private final Transform inMesh = new Transform();
@@ -58,6 +61,7 @@ public final class ContactAlgorithm extends CollisionAlgorithm {
         placedA = maker.placedA;
         placedB = maker.placedB;
         triangle = maker.triangle;
+        sweeps = maker.sweeps;
         init(info);
     }
 
@@ -70,6 +74,11 @@ public final class ContactAlgorithm extends CollisionAlgorithm {
         private final PlacedConvex placedA = new PlacedConvex();
         private final PlacedConvex placedB = new PlacedConvex();
         private final ContactTriangle triangle = new ContactTriangle();
+        private final Sweeps sweeps;
+
+        Maker(Sweeps sweeps) {
+            this.sweeps = sweeps;
+        }
 
         @Override
         public CollisionAlgorithm createCollisionAlgorithm(CollisionAlgorithmConstructionInfo info, CollisionObject a, CollisionObject b) {
@@ -92,26 +101,34 @@ public final class ContactAlgorithm extends CollisionAlgorithm {
         }
         result.setPersistentManifold(manifold);
         contacts.clear();
-        a.getWorldTransform(place);
-        Body.toPlacement(place, placedA.set(((Solid) a.getCollisionShape().getUserPointer()).convex()));
+        Solid solidA = (Solid) a.getCollisionShape().getUserPointer();
+        Solid solidB = (Solid) b.getCollisionShape().getUserPointer();
+        a.getWorldTransform(placeOfA);
+        b.getWorldTransform(place);
+        Body.toPlacement(placeOfA, placedA.set(solidA.convex()));
         if (b.getCollisionShape() instanceof BvhTriangleMeshShape) {
             meetMesh(a.getCollisionShape(), b);
         } else {
-            b.getWorldTransform(place);
-            Body.toPlacement(place, placedB.set(((Solid) b.getCollisionShape().getUserPointer()).convex()));
+            Body.toPlacement(place, placedB.set(solidB.convex()));
             if (gjk.measure(placedA, placedB, ManifoldClipper.BREAKING)) {
                 clipper.ofB.clear();
                 placedB.feature(gjk.nx, gjk.ny, gjk.nz, clipper.ofB);
                 touch();
             }
         }
-        writer.give(contacts, manifold, result);
+        if (isFast(a) || isFast(b)) {
+            sweeps.add(a, solidA, placeOfA, b, solidB, place, gjk);
+        }
+        writer.give(contacts, solidA, solidB, manifold, result);
         ManifoldWriter.announce(contacts, (Body) a.getUserPointer(), (Body) b.getUserPointer());
     }
 
+    private static boolean isFast(CollisionObject object) {
+        Motion motion = ((Body) object.getUserPointer()).getMotion();
+        return motion != null && object.isActive() && motion.isFast();
+    }
+
     private void meetMesh(CollisionShape shape, CollisionObject mesh) {
-        Transform placeOfA = new Transform(place);
-        mesh.getWorldTransform(place);
         Body.toPlacement(place, placeOfMesh);
         inMesh.inverse(place);
         inMesh.mul(placeOfA);

@@ -11,7 +11,13 @@ final class ContactConfiguration extends DefaultCollisionConfiguration {
     private static final Set<BroadphaseNativeType> SOLIDS = EnumSet.of(BroadphaseNativeType.BOX_SHAPE_PROXYTYPE,
         BroadphaseNativeType.CYLINDER_SHAPE_PROXYTYPE, BroadphaseNativeType.CONE_SHAPE_PROXYTYPE, BroadphaseNativeType.CONVEX_HULL_SHAPE_PROXYTYPE);
 
-    private final CollisionAlgorithmCreateFunc patches = new ContactAlgorithm.Maker();
+    private final Sweeps sweeps = new Sweeps();
+    private final CollisionAlgorithmCreateFunc patches = new ContactAlgorithm.Maker(sweeps);
+
+    /** The pairs of a step that may meet within it. */
+    Sweeps getSweeps() {
+        return sweeps;
+    }
 
     @Override
     public CollisionAlgorithmCreateFunc getCollisionAlgorithmCreateFunc(BroadphaseNativeType a, BroadphaseNativeType b) {

@@ -4,6 +4,7 @@ import org.SEAR.collision.Convex;
 import org.SEAR.collision.GjkDistance;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
+import org.SEAR.physics.solid.Solid;
 
 /** Whether bodies overlap at poses they may be given, computed in double precision from the shapes themselves. For the time before the first step. */
 final class Overlap {
@@ -19,7 +20,7 @@ final class Overlap {
         double[] box = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
         double[] point = new double[3];
         for (int i = 0; i < body.solids.size(); i++) {
-            Placed part = new Placed(body.solids.get(i), pose.times(body.places[i]), 0);
+            Placed part = new Placed(body.solids.get(i), pose.times(body.places[i]));
             for (int axis = 0; axis < 3; axis++) {
                 part.support(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0, point);
                 box[axis + 3] = Math.max(box[axis + 3], point[axis]);
@@ -37,11 +38,11 @@ final class Overlap {
     /** Whether the body at a pose overlaps another at its start by more than {@code allowed} metres. */
     boolean overlaps(Pose pose, Overlap other, double allowed) {
         for (int i = 0; i < body.solids.size(); i++) {
-            Placed mine = new Placed(body.solids.get(i), pose.times(body.places[i]), allowed);
+            Placed mine = new Placed(body.solids.get(i), pose.times(body.places[i]));
             for (int k = 0; k < other.body.solids.size(); k++) {
                 Solid solid = other.body.solids.get(k);
                 Pose place = other.body.getStart().times(other.body.places[k]);
-                if (solid.isMesh() ? meets(mine, bounds(pose), solid, place) : gjk.overlap(mine, new Placed(solid, place, 0))) {
+                if (solid.isMesh() ? meets(mine, bounds(pose), solid, place, allowed) : isDeeper(mine, new Placed(solid, place), allowed)) {
                     return true;
                 }
             }
@@ -49,30 +50,32 @@ final class Overlap {
         return false;
     }
 
-    private boolean meets(Placed mine, double[] box, Solid solid, Pose place) {
+    private boolean isDeeper(Convex mine, Convex other, double allowed) {
+        return gjk.measure(mine, other, 0) && gjk.distance < -allowed;
+    }
+
+    private boolean meets(Placed mine, double[] box, Solid solid, Pose place, double allowed) {
         Triangles mesh = solid.getMesh();
         Corners corners = new Corners();
         for (int t = 0; t < mesh.size(); t++) {
             for (int corner = 0; corner < 3; corner++) {
                 solid.corner(mesh.indices[t * 3 + corner], place, corners.at[corner]);
             }
-            if (corners.near(box) && gjk.overlap(mine, corners)) {
+            if (corners.near(box) && isDeeper(mine, corners, allowed)) {
                 return true;
             }
         }
         return false;
     }
 
-    /** A solid at a pose, with a skin taken off. */
+    /** A solid at a pose. */
     private static final class Placed implements Convex {
         private final Solid solid;
         private final Pose pose;
-        private final double skin;
 
-        Placed(Solid solid, Pose pose, double skin) {
+        Placed(Solid solid, Pose pose) {
             this.solid = solid;
             this.pose = pose;
-            this.skin = skin;
         }
 
         @Override
@@ -80,10 +83,7 @@ final class Overlap {
             double[] inside = pose.rotateBack(dx, dy, dz);
             double[] point = solid.farthest(inside[0], inside[1], inside[2]);
             double[] world = pose.transform(point[0], point[1], point[2]);
-            double off = skin / Math.sqrt(dx * dx + dy * dy + dz * dz);
-            into[0] = world[0] - off * dx;
-            into[1] = world[1] - off * dy;
-            into[2] = world[2] - off * dz;
+            System.arraycopy(world, 0, into, 0, 3);
         }
     }
 

@@ -4,7 +4,6 @@ import com.bulletphysics.collision.dispatch.CollisionDispatcher;
 import com.bulletphysics.collision.dispatch.CollisionObject;
 import com.bulletphysics.collision.narrowphase.ManifoldPoint;
 import com.bulletphysics.collision.narrowphase.PersistentManifold;
-import com.bulletphysics.dynamics.DiscreteDynamicsWorld;
 import com.bulletphysics.dynamics.RigidBody;
 import java.util.ArrayList;
 import java.util.List;
@@ -26,6 +25,9 @@ public final class PhysicsWorld {
     private static final double AHEAD = 0.25;
     /** A body closer than this to the end of its zone gets a new one, metres. */
     private static final double EDGE = 0.1;
+    /** Where a body is this much later it must still be in its zone, seconds: the way of a step and of the time that a bounce owes. */
+    private static final float SOON = (float) (3 * TimeStep.SECONDS);
+    private static final int NO_ISLAND = -1;
     /** Sleeping bodies this close to each other wake together, metres. */
     private static final double NEIGHBOUR = 0.05;
     /** An object that stays within this distance for a second falls asleep, metres. */
@@ -46,7 +48,7 @@ public final class PhysicsWorld {
 
     private final List<Body> bodies = new ArrayList<>();
     private final List<Body> movable = new ArrayList<>();
-    private DiscreteDynamicsWorld world;
+    private SweptWorld world;
     private CollisionDispatcher dispatcher;
     private IslandSolver solver;
     private double[][] bounds;
@@ -76,8 +78,7 @@ public final class PhysicsWorld {
         ContactConfiguration configuration = new ContactConfiguration();
         dispatcher = new CollisionDispatcher(configuration);
         solver = new IslandSolver();
-        world = new DiscreteDynamicsWorld(dispatcher, new PairSearch(), solver, configuration);
-        world.setGravity(new Vector3f(0, (float) -GRAVITY, 0));
+        world = new SweptWorld(dispatcher, new PairSearch(), solver, configuration, (float) TimeStep.SECONDS, (float) GRAVITY);
         world.getSolverInfo().splitImpulse = true;
         world.getSolverInfo().linearSlop = ManifoldClipper.SKIN;
         int count = bodies.size();
@@ -90,6 +91,9 @@ public final class PhysicsWorld {
         for (Body body : bodies) {
             body.restart();
             body.bounds(bounds[body.number]);
+            if (body.getRolling() != null) {
+                world.addConstraint(body.getRolling());
+            }
             awake[body.number] = !body.isFixed();
         }
         redraw = true;
@@ -152,8 +156,11 @@ public final class PhysicsWorld {
     private boolean leavesZone(int number) {
         double[] box = bounds[number];
         double[] zone = zones[number];
-        return box[0] - EDGE < zone[0] || box[1] - EDGE < zone[1] || box[2] - EDGE < zone[2]
-            || box[3] + EDGE > zone[3] || box[4] + EDGE > zone[4] || box[5] + EDGE > zone[5];
+        bodies.get(number).getRigid().getLinearVelocity(velocity);
+        velocity.scale(SOON);
+        return box[0] - EDGE + Math.min(0, velocity.x) < zone[0] || box[3] + EDGE + Math.max(0, velocity.x) > zone[3]
+            || box[1] - EDGE + Math.min(0, velocity.y) < zone[1] || box[4] + EDGE + Math.max(0, velocity.y) > zone[4]
+            || box[2] - EDGE + Math.min(0, velocity.z) < zone[2] || box[5] + EDGE + Math.max(0, velocity.z) > zone[5];
     }
 
     private void drawZones() {
@@ -183,7 +190,10 @@ public final class PhysicsWorld {
                 if (wanted[i]) {
                     world.addRigidBody(bodies.get(i).getRigid());
                 } else {
-                    world.removeRigidBody(bodies.get(i).getRigid());
+                    RigidBody rigid = bodies.get(i).getRigid();
+                    world.removeRigidBody(rigid);
+                    rigid.setIslandTag(NO_ISLAND);
+                    rigid.setCompanionId(NO_ISLAND);
                 }
             }
         }

@@ -6,6 +6,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
 import org.SEAR.geometry.Frame;
+import org.SEAR.physics.solid.Solid;
 import org.SEAR.raycast.BeamScene;
 
 /**

@@ -152,12 +152,21 @@ public final class DriveTrain implements Drive {
         axis(pose, ahead, 0, 0, 1);
         body.velocities(v);
         double speed = v[0] * ahead[0] + v[1] * ahead[1] + v[2] * ahead[2];
+        boolean carried = false;
+        boolean free = body.isFree();
         for (int i = 0; i < wheels.size(); i++) {
             RaycastWheel wheel = wheels.get(i);
             wheel.look(scenes, pose, owner, up);
+            carried |= wheel.isGrounded();
             double sign = wheel.getTarget() != 0 ? wheel.getTarget() : Math.abs(speed) > LEAST_SPEED ? speed : 0;
             wheel.lookAhead(scenes, pose, owner, ahead, Math.signum(sign));
+            free &= wheel.getObstacle() == null;
         }
+        for (int i = 0; i < wheels.size(); i++) {
+            // pressed against a wall the gears would hold the pressure, and with it the robot askew
+            wheels.get(i).setGeared(free);
+        }
+        body.setCarried(carried);
         body.forgetObstacles();
     }
 

@@ -77,6 +77,7 @@ public final class RaycastWheel {
     private double groundUp;
     private double motorImpulse;
     private double target;
+    private boolean geared;
     private boolean grounded;
     private Body under;
     private double length;
@@ -121,6 +122,11 @@ public final class RaycastWheel {
             stalled = 0;
         }
         target = speed;
+    }
+
+    /** @param on whether gears hold the wheel where its motor alone is too weak */
+    void setGeared(boolean on) {
+        geared = on;
     }
 
     /** @param speed that the wheel gains across for each Ns of side force, m/s per Ns: it scrubs while a skid-steered robot turns; else 0 */
@@ -284,11 +290,27 @@ public final class RaycastWheel {
         stop.add(v, -(stop.speed(v) - groundUp - allowed) / stop.mobility, 0, Double.POSITIVE_INFINITY);
         if (isDriven()) {
             double grip = GRIP * (spring.impulse + stop.impulse);
-            double most = Math.min(motorImpulse * strength(), grip);
-            forward.add(v, -(forward.speed(v) - groundForward - target) / forward.mobility, -most, most);
+            solveMotor(v, grip);
             double mostSide = sideGrip * (spring.impulse + stop.impulse);
             side.add(v, -(side.speed(v) - groundSide + scrub * side.impulse) / (side.mobility + scrub), -mostSide, mostSide);
         }
+    }
+
+    /**
+     * The motor drives the wheel towards its target with the force that it has; the gears hold it with all that the tyre can: it neither rolls back
+     * nor coasts on.
+     */
+    private void solveMotor(double[] v, double grip) {
+        double rolling = forward.speed(v) - groundForward;
+        double motor = Math.min(grip, motorImpulse * strength());
+        double least = -motor;
+        double most = motor;
+        if (geared) {
+            double standing = forward.impulse - rolling / forward.mobility;
+            least = target < 0 ? -Math.min(grip, Math.max(motor, -standing)) : -grip;
+            most = target > 0 ? Math.min(grip, Math.max(motor, standing)) : grip;
+        }
+        forward.add(v, (target - rolling) / forward.mobility, least, most);
     }
 
     /**
@@ -303,9 +325,9 @@ public final class RaycastWheel {
             double rolled = forward.speed(v) - groundForward;
             double grip = GRIP * (spring.impulse + stop.impulse);
             double motor = motorImpulse * strength();
-            boolean slips = isDriven() && grip < motor && Math.abs(forward.impulse) >= grip;
+            boolean slips = isDriven() && Math.abs(forward.impulse) >= grip;
             speed = slips ? target : rolled;
-            load = motor > 0 ? Math.abs(forward.impulse) / motor : 0;
+            load = motor > 0 ? Math.min(1, Math.abs(forward.impulse) / motor) : 0;
             boolean stands = rolled * Math.signum(target) < Math.min(STALLED * Math.abs(target), STANDING);
             stalled = isDriven() && target != 0 && stands ? Math.min(stalled + TimeStep.SECONDS, 2 * STALL_TIME)
                 : Math.max(0, stalled - RECOVERY * TimeStep.SECONDS);

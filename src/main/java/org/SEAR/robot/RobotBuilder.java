@@ -13,7 +13,7 @@ import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.Scenes;
-import org.SEAR.physics.Solid;
+import org.SEAR.physics.solid.Solid;
 import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;

@@ -11,7 +11,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
-import org.SEAR.physics.Solid;
+import org.SEAR.physics.solid.Solid;
 import org.SEAR.sensors.Sensor;
 
 /** A robot of the world, and its hardware as firmware sees it. Simulation thread. */

@@ -48,7 +48,7 @@ public final class Simulation implements AutoCloseable {
 
     private Simulation(Project project, long seed, long epochMillis, boolean groundVisible) throws ProjectException {
         this.project = project;
-        world = new World(project, epochMillis, groundVisible);
+        world = new World(project, epochMillis, groundVisible, warnings::add);
         instruments = new Instruments(world.getRobots(), seed, warnings::count);
         deviceWarnings = warnings.list();
         observer = new SnapshotRecorder(world, instruments, warnings);

@@ -14,8 +14,6 @@ final class SnapshotRecorder {
     private static final int DEFAULT_INTERVAL = 2;
     /** A robot whose up axis points lower than this (its vertical part) lies on its side or back. */
     private static final double OVERTURNED = 0.3;
-    /** Who is this far below the world's origin has fallen off it, metres. */
-    private static final double FALLEN = -100;
 
     private final World world;
     private final Instruments instruments;
@@ -111,9 +109,6 @@ final class SnapshotRecorder {
         Pose pose = robot.getPose();
         if (1 - 2 * (pose.qx * pose.qx + pose.qz * pose.qz) < OVERTURNED) {
             warnings.add("robot " + robot.getObject().getName() + " has overturned");
-        }
-        if (pose.y < FALLEN) {
-            warnings.add("robot " + robot.getObject().getName() + " has fallen off the world");
         }
     }
 }

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import javax.vecmath.Vector3f;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Model;
@@ -15,8 +16,8 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
-import org.SEAR.physics.Solid;
 import org.SEAR.physics.StartPoses;
+import org.SEAR.physics.solid.Solid;
 import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
@@ -42,8 +43,15 @@ final class World implements PhysicsWorld.Touches {
     private final List<double[]> contacts = new ArrayList<>();
     private boolean wantsContacts;
 
-    /** @param groundVisible whether beams see floors and terrain as their objects say; false: none of them */
-    World(Project project, long epochMillis, boolean groundVisible) throws ProjectException {
+    private final Fallen fallen;
+
+    /**
+     * Builds the world of a project.
+     *
+     * @param groundVisible whether beams see floors and terrain as their objects say; false: none of them
+     * @param told takes what happens later
+     */
+    World(Project project, long epochMillis, boolean groundVisible, Consumer<String> told) throws ProjectException {
         scenes = new Scenes(!groundVisible || hasInvisible(project));
         for (SearObject object : project.getEnvironment()) {
             Body body = body(object, project);
@@ -69,6 +77,7 @@ final class World implements PhysicsWorld.Touches {
         }
         StartPoses.lift(physics.getBodies(), warnings);
         StartPoses.tellOverlaps(physics.getBodies(), warnings);
+        fallen = new Fallen(physics.getBodies(), told);
         restart();
     }
 
@@ -96,6 +105,7 @@ final class World implements PhysicsWorld.Touches {
     /** Everything back to its start. */
     void restart() {
         physics.restart();
+        fallen.restart();
         for (Body body : environment) {
             if (body != null) {
                 body.mirror(scenes);
@@ -116,6 +126,7 @@ final class World implements PhysicsWorld.Touches {
             robots.get(i).prepare();
         }
         physics.step();
+        fallen.look();
         boolean moved = false;
         for (int i = 0; i < environment.size(); i++) {
             Body body = environment.get(i);

@@ -4,7 +4,6 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
-import java.util.Arrays;
 import org.junit.Test;
 
 /** Distances against closed forms, witnesses and a dense search. */
@@ -84,34 +83,6 @@ public class GjkDistanceTest {
         ConvexBox box = new ConvexBox(0.5, 0.5, 0.5);
         assertFalse(gjk.measure(RandomShapes.at(box, 0, 0, 0), RandomShapes.at(box, 1.1, 0, 0), 0.09));
         assertTrue(gjk.measure(RandomShapes.at(box, 0, 0, 0), RandomShapes.at(box, 1.1, 0, 0), 0.11));
-    }
-
-    @Test
-    public void setsOverlapWhereTheyHaveADepthAndNotWhereTheyHaveADistance() {
-        int overlapping = 0;
-        for (int i = 0; i < 2000; i++) {
-            PlacedConvex first = shapes.place(shapes.shape(), 1);
-            PlacedConvex second = shapes.place(shapes.shape(), 1);
-            assertTrue(gjk.measure(first, second, FAR));
-            double distance = gjk.distance;
-            if (Math.abs(distance) > 1e-6) {
-                overlapping += distance < 0 ? 1 : 0;
-                assertEquals(what(i) + ", distance " + distance, distance < 0, gjk.overlap(first, second));
-            }
-        }
-        assertTrue(overlapping + " of 2000 overlap", overlapping > 200 && overlapping < 1800);
-    }
-
-    /** A floor is large and thin, and what stands on it must be told from what floats a hair above it. */
-    @Test
-    public void aHairAboveALargeFloorIsNoOverlap() {
-        PlacedConvex floor = RandomShapes.at(new ConvexBox(20, 0.05, 20), 0, -0.05, 0);
-        for (double hair : new double[] {1e-7, 1e-8}) {
-            for (ConvexShape shape : Arrays.asList(new ConvexBox(0.1, 0.25, 0.2), ConvexRound.cone(0.3, 0.25), ConvexRound.cylinder(0.3, 0.25))) {
-                assertFalse(gjk.overlap(RandomShapes.at(shape, 1.3, 0.25 + hair, 0.7), floor));
-                assertTrue(gjk.overlap(RandomShapes.at(shape, 1.3, 0.25 - hair, 0.7), floor));
-            }
-        }
     }
 
     private void assertInside(String what, Convex set, double[] point) {

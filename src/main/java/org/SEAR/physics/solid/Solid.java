@@ -1,4 +1,4 @@
-package org.SEAR.physics;
+package org.SEAR.physics.solid;
 
 import com.bulletphysics.collision.shapes.BoxShape;
 import com.bulletphysics.collision.shapes.CollisionShape;
@@ -53,6 +53,7 @@ public final class Solid {
     private final double scaleX;
     private final double scaleY;
     private final double scaleZ;
+    private Surface surface = Surface.usual();
     private ConvexShape convex;
 
     private Solid(Kind kind, double halfX, double halfY, double halfZ, Pose offset) {
@@ -80,32 +81,39 @@ public final class Solid {
         if (!(object instanceof Shape)) {
             return null;
         }
-        Shape shape = (Shape) object;
+        Solid solid = of((Shape) object, project);
+        if (solid != null) {
+            solid.surface = Surface.of((Shape) object);
+        }
+        return solid;
+    }
+
+    private static Solid of(Shape shape, Project project) throws ProjectException {
         double sx = shape.getScaleX();
         double sy = shape.getScaleY();
         double sz = shape.getScaleZ();
-        if (object instanceof Box) {
-            Box box = (Box) object;
+        if (shape instanceof Box) {
+            Box box = (Box) shape;
             return box(box.getLength() / 2 * sx, box.getHeight() / 2 * sy, box.getWidth() / 2 * sz, Pose.IDENTITY);
         }
-        if (object instanceof Floor) {
-            Floor floor = (Floor) object;
+        if (shape instanceof Floor) {
+            Floor floor = (Floor) shape;
             double half = Floor.THICKNESS / 2 * sy;
             return box(floor.getLength() / 2 * sx, half, floor.getWidth() / 2 * sz, new Pose(0, -half, 0, 0, 0, 0, 1));
         }
-        if (object instanceof Cylinder) {
-            Cylinder cylinder = (Cylinder) object;
+        if (shape instanceof Cylinder) {
+            Cylinder cylinder = (Cylinder) shape;
             return round(Kind.CYLINDER, cylinder.getRadius(), cylinder.getHeight() / 2, sx, sy, sz, Pose.IDENTITY);
         }
-        if (object instanceof Cone) {
-            Cone cone = (Cone) object;
+        if (shape instanceof Cone) {
+            Cone cone = (Cone) shape;
             return round(Kind.CONE, cone.getRadius(), cone.getHeight() / 2, sx, sy, sz, Pose.IDENTITY);
         }
-        if (object instanceof Wheel) {
-            Wheel wheel = (Wheel) object;
+        if (shape instanceof Wheel) {
+            Wheel wheel = (Wheel) shape;
             return round(Kind.CYLINDER, wheel.getRadius(), wheel.getWidth() / 2, sy, sx, sz, AXLE_ALONG_X);
         }
-        return object instanceof Model ? model((Model) object, project) : null;
+        return shape instanceof Model ? model((Model) shape, project) : null;
     }
 
     /**
@@ -196,7 +204,7 @@ public final class Solid {
      *
      * @return its number there
      */
-    int addTo(BeamScene scene, int owner) {
+    public int addTo(BeamScene scene, int owner) {
         switch (kind) {
             case BOX:
                 return scene.addBox(halfX, halfY, halfZ, owner);
@@ -214,7 +222,7 @@ public final class Solid {
      *
      * @param moving whether the body it is for can move: a mesh then becomes its convex hull
      */
-    CollisionShape collision(boolean moving) {
+    public CollisionShape collision(boolean moving) {
         Vector3f half = new Vector3f((float) halfX, (float) halfY, (float) halfZ);
         CollisionShape shape;
         switch (kind) {
@@ -271,11 +279,16 @@ public final class Solid {
         return ConvexHull.of(points);
     }
 
-    boolean isMesh() {
+    /** What it does where it touches. */
+    public Surface getSurface() {
+        return surface;
+    }
+
+    public boolean isMesh() {
         return kind == Kind.MESH;
     }
 
-    Triangles getMesh() {
+    public Triangles getMesh() {
         return mesh;
     }
 
@@ -285,7 +298,7 @@ public final class Solid {
      * @param place of the solid's frame
      * @param into takes {x, y, z} there
      */
-    void corner(int vertex, Pose place, double[] into) {
+    public void corner(int vertex, Pose place, double[] into) {
         double[] at = place.transform(mesh.vertices[vertex * 3] * scaleX, mesh.vertices[vertex * 3 + 1] * scaleY,
             mesh.vertices[vertex * 3 + 2] * scaleZ);
         System.arraycopy(at, 0, into, 0, 3);

@@ -1,4 +1,4 @@
-package org.SEAR.physics;
+package org.SEAR.physics.solid;
 
 import com.bulletphysics.collision.shapes.BvhTriangleMeshShape;
 import com.bulletphysics.collision.shapes.CollisionShape;

@@ -1,0 +1,6 @@
+/**
+ * What an object of the grammar is to touch and to beams: its geometry, its surface, and the shape that jbullet looks for pairs with. May use
+ * {@link org.SEAR.collision}, {@link org.SEAR.raycast} and {@link org.SEAR.project}. Made on the thread that opens a project, then used by the
+ * simulation thread.
+ */
+package org.SEAR.physics.solid;

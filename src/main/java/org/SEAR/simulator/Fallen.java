@@ -1,0 +1,63 @@
+package org.SEAR.simulator;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.SEAR.geometry.Pose;
+import org.SEAR.physics.Body;
+
+/** Tells of what has fallen out of the world, and stops it far below. Simulation thread. */
+final class Fallen {
+    /** Below everything that is fixed by this much, metres, nothing can catch a body any more. */
+    private static final double OUT = 10;
+    /** Here it stops: 1000 m farther down poses lose their last digits, and nobody looks. */
+    private static final double END = 1000;
+
+    private final List<Body> bodies;
+    private final Consumer<String> warnings;
+    private final boolean[] told;
+    private double lowest;
+
+    Fallen(List<Body> bodies, Consumer<String> warnings) {
+        this.bodies = bodies;
+        this.warnings = warnings;
+        told = new boolean[bodies.size()];
+    }
+
+    /** Everything is where it started. */
+    void restart() {
+        lowest = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < told.length; i++) {
+            told[i] = false;
+            if (bodies.get(i).isFixed()) {
+                lowest = Math.min(lowest, bodies.get(i).lowest());
+            }
+        }
+        for (int i = 0; lowest == Double.POSITIVE_INFINITY && i < told.length; i++) {
+            lowest = Math.min(lowest, bodies.get(i).lowest());
+        }
+    }
+
+    /** Looks at everything after a step. */
+    void look() {
+        for (int i = 0; i < told.length; i++) {
+            Body body = bodies.get(i);
+            double y = body.getPose().y;
+            if (y < lowest - OUT && !body.isFixed()) {
+                if (!told[i]) {
+                    told[i] = true;
+                    tell(body);
+                }
+                if (y < lowest - END) {
+                    body.stop();
+                }
+            }
+        }
+    }
+
+    private void tell(Body body) {
+        Pose pose = body.getPose();
+        warnings.accept(String.format(Locale.ROOT, "%s has fallen out of the world, below everything, at x %.1f, z %.1f; put ground there", body.name,
+            pose.x, pose.z));
+    }
+}

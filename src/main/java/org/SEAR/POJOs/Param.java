@@ -24,6 +24,9 @@ public @interface Param {
     /** Smallest legal number. */
     double min() default 0;
 
+    /** Whether 0 is legal, too, where the smallest number is above it. */
+    boolean orZero() default false;
+
     /** Largest legal number. */
     double max() default 1e6;
 

@@ -121,7 +121,7 @@ public final class Parameter {
         }
         switch (kind) {
             case NUMBER:
-                return "a number from " + range();
+                return (param.orZero() ? "0, or " : "") + "a number from " + range();
             case WHOLE:
                 return "a whole number from " + range();
             case SWITCH:
@@ -146,7 +146,7 @@ public final class Parameter {
             case NUMBER:
             case WHOLE:
                 double number = ((Number) value).doubleValue();
-                return number >= param.min() && number <= param.max() && isListed(format(number));
+                return (number >= param.min() && number <= param.max() || param.orZero() && number == 0) && isListed(format(number));
             case TEXT:
                 return param.text().isLegal((String) value) && isListed((String) value);
             default:

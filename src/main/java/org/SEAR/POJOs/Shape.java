@@ -6,10 +6,12 @@ public abstract class Shape extends SearObject {
     static final double SMALL = 0.0001;
     /** Largest size of anything, metres. */
     static final double LARGE = 100000;
+    /** Lightest thing that moves, kg: speeds and forces of lighter ones are beyond single precision. */
+    static final double LIGHT = 1e-6;
     /** Heaviest thing, kg. */
     static final double HEAVY = 1e6;
 
-    @Param(doc = "mass; 0 fixes the object in place", unit = "kg", max = HEAVY)
+    @Param(doc = "mass; 0 fixes the object in place", unit = "kg", min = LIGHT, orZero = true, max = HEAVY)
     private double mass;
     @Param(doc = "picture wrapped around the surface: a file below assets; without it the default picture", text = TextRule.ASSET)
     private String image;
@@ -93,7 +95,7 @@ public abstract class Shape extends SearObject {
         return visibleToSensors;
     }
 
-    /** @param kg 0 to 1e6; 0 fixes the object in place, untouched by gravity and collisions */
+    /** @param kg 1e-6 to 1e6, or 0; 0 fixes the object in place, untouched by gravity and collisions */
     public void setMass(double kg) {
         mass = checked("mass", kg);
         changed();

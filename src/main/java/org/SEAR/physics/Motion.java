@@ -85,7 +85,7 @@ final class Motion {
      */
     void touch(boolean bounce, Vector3f along) {
         if (touches) {
-            oneNormal &= Math.abs(normal.dot(along)) > SAME;
+            oneNormal = oneNormal && Math.abs(normal.dot(along)) > SAME;
         }
         normal.set(along);
         touches = true;

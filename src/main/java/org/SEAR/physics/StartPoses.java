@@ -1,15 +1,21 @@
 package org.SEAR.physics;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.SEAR.geometry.Pose;
 
 /** Start poses that can't be meant are put right, each with a warning. */
 public final class StartPoses {
     /** How much two bodies may overlap at the start, metres. */
     private static final double ALLOWED = 1e-3;
+    /** More overlaps are not named one by one. */
+    private static final int MOST_TOLD = 20;
+    /** Pairs that start inside one another; with more a step takes seconds. */
+    private static final int MOST_PAIRS = 20_000;
     /** Rounds of lifting: what is lifted out of one thing may be inside the next. */
     private static final int ROUNDS = 16;
     private static final int HALVINGS = 24;
@@ -34,17 +40,48 @@ public final class StartPoses {
         }
     }
 
+    /**
+     * Where too many things with mass lie on one spot: each step would look at every pair of them.
+     *
+     * @return which they are; null if there are not too many
+     */
+    public static String crowd(List<Body> bodies) {
+        List<Body> moving = bodies.stream().filter(body -> !body.isFixed()).collect(Collectors.toList());
+        List<double[]> boxes = moving.stream().map(body -> new Overlap(body).bounds(body.getStart())).collect(Collectors.toList());
+        Integer[] order = IntStream.range(0, boxes.size()).boxed().sorted(Comparator.comparingDouble(i -> boxes.get(i)[0]))
+            .toArray(Integer[]::new);
+        int pairs = 0;
+        for (int i = 0; i < order.length; i++) {
+            double[] box = boxes.get(order[i]);
+            for (int k = i + 1; k < order.length && boxes.get(order[k])[0] <= box[3]; k++) {
+                double[] other = boxes.get(order[k]);
+                pairs += box[1] <= other[4] && other[1] <= box[4] && box[2] <= other[5] && other[2] <= box[5] ? 1 : 0;
+                if (pairs > MOST_PAIRS) {
+                    return "more than " + MOST_PAIRS + " pairs of things with mass start inside one another, as " + moving.get(order[i]).name + " and "
+                        + moving.get(order[k]).name;
+                }
+            }
+        }
+        return null;
+    }
+
     /** Tells about things with mass that start inside one another: the first step will throw them apart. */
     public static void tellOverlaps(List<Body> bodies, List<String> warnings) {
         List<Body> moving = bodies.stream().filter(body -> !body.isFixed()).collect(Collectors.toList());
         List<Overlap> overlaps = moving.stream().map(Overlap::new).collect(Collectors.toList());
         List<double[]> boxes = new ArrayList<>();
+        int told = 0;
         for (int i = 0; i < moving.size(); i++) {
             Overlap mine = overlaps.get(i);
             Pose start = moving.get(i).getStart();
             boxes.add(mine.bounds(start));
             for (int k = 0; k < i; k++) {
+                if (told == MOST_TOLD) {
+                    warnings.add("more things start inside one another; only the first " + MOST_TOLD + " are named");
+                    return;
+                }
                 if (!mine.isApart(boxes.get(i), boxes.get(k)) && mine.overlaps(start, overlaps.get(k), ALLOWED)) {
+                    told++;
                     warnings.add(String.format(Locale.ROOT, "%s and %s start inside one another and will be pushed apart; move one of them",
                         moving.get(k).name, moving.get(i).name));
                 }

@@ -20,6 +20,7 @@ import org.SEAR.physics.StartPoses;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
+import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.RobotBuilder;
 import org.SEAR.robot.RobotModel;
@@ -74,6 +75,10 @@ final class World implements PhysicsWorld.Touches {
             builder.addTo(scenes, robots.size());
             RobotTruth truth = new RobotTruth(builder.body, scenes, robots.size(), Earth.of(project, robot), epochMillis);
             robots.add(new RobotModel(builder, robots.size(), scenes, truth, virtualWalls));
+        }
+        String crowd = StartPoses.crowd(physics.getBodies());
+        if (crowd != null) {
+            throw new ProjectException(Collections.singletonList(new Problem("environment", 0, "", crowd, "things that start apart")));
         }
         StartPoses.lift(physics.getBodies(), warnings);
         StartPoses.tellOverlaps(physics.getBodies(), warnings);

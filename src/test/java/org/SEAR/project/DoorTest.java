@@ -71,7 +71,8 @@ public class DoorTest {
     @Test
     public void constructors() {
         refused(() -> new Box("b", 0, 1, 1, 1), "Box \"b\": length is 0, legal: a number from 0.0001 to 100000 m");
-        refused(() -> new Box("b", 1, -1, Double.NaN, -2), "width is -1", "height is NaN", "mass is -2, legal: a number from 0 to 1000000 kg");
+        refused(() -> new Box("b", 1, -1, Double.NaN, -2), "width is -1", "height is NaN",
+            "mass is -2, legal: 0, or a number from 0.000001 to 1000000 kg");
         refused(() -> new Cylinder("c", Double.POSITIVE_INFINITY, 1, 1), "radius is Infinity");
         refused(() -> new Cone("a/b", 1, 1, 1), "name is \"a/b\"", "can be a file name");
         refused(() -> new Cone(null, 1, 1, 1), "name is missing");

@@ -437,7 +437,7 @@
                 self.updateState(service)
             },
             onSimulation: onSimulation,
-            onWorld: onSimulation,
+            onWorld: onWorld,
             onPreview: onPreview,
             onProblems: onProblems,
             onStatus: onStatus,
@@ -474,7 +474,7 @@
             var handler = Object.prototype.hasOwnProperty.call(handlers, inMsg.method) && handlers[inMsg.method]
             if (handler) {
                 handler(inMsg.data && inMsg.data[0])
-                if (handler !== onSimulation) {     // which may come faster than the screen is drawn
+                if (handler !== onSimulation && handler !== onWorld) {     // which may come faster than the screen is drawn
                     $scope.$applyAsync()
                 }
             }
@@ -551,6 +551,16 @@
         var speed = 1               // as the simulation has it
         var missing = 0             // when the whole was asked for, 0 if nothing is awaited
         /** Takes the whole of a world, or what has changed in the one that is shown. */
+        /** The whole world, for a page that opens later: what was warned of until then, too. */
+        function onWorld(state) {
+            angular.forEach(state && state.warnings, function(text) {
+                if (!$scope.messages.some(function(message) { return message.text === text })) {
+                    say('warn', text)
+                }
+            })
+            onSimulation(state)
+        }
+
         function onSimulation(state) {
             if (!state || !state.running || !isSimulating()) {
                 $scope.state = null

@@ -282,6 +282,16 @@ public class SearTabTest {
     }
 
     @Test
+    public void aPageThatOpensLaterKnowsWhatHasFallenOutOfTheWorld() {
+        robotLab.call("sear", "newProject");
+        robotLab.run("from org.SEAR.POJOs import Box, Floor\nFloor('floor', 2, 2)\nlost = Box('lost', 0.3, 0.3, 0.3, 1)\nlost.move(3, 1, 3)\n");
+        tab.start();
+        browser.until("the box has fallen", () -> robotLab.call("sear", "getPose", "lost").get(1).asDouble() < -12);
+        TABS.open("sear");
+        browser.until("the warning", () -> tab.isTrue("(messages | filter:{text: 'lost has fallen out of the world'}).length === 1"));
+    }
+
+    @Test
     public void theViewZoomsPansFitsAndFollows() {
         tab.openExample("maze");
         tab.start();

@@ -15,6 +15,7 @@ import org.myrobotlab.service.sear.run.SimulationSession;
  * <pre>
  * {"number": 7, "running": true, "paused": false, "lockStep": false, "speed": 1.0 (measured), "wantedSpeed": 1.0, "time": 0, "step": 0,
  *  "objects": [..], "robots": [..], "sensors": [..]}                               the whole; its lists stand at {@link WorldJson}
+ * {.., "warnings": ["box has fallen out of the world .."]}                        and all warnings so far, for a panel that asked
  * {"number": 8, .., "time": 0.1, "step": 6,
  *  "changes": {"objects": {"3": {"pose": [..]}}, "robots": {"0": {"pose": [..], "speed": 0.2}}, "sensors": {}}}     by place in their list
  * {"running": false}                                                              there is no world
@@ -60,7 +61,9 @@ public final class WorldFeed {
     }
 
     public synchronized Map<String, Object> whole(Simulation present) {
-        return numbered(state.of(present));
+        Map<String, Object> message = numbered(state.of(present));
+        message.put("warnings", present.snapshot().warnings);
+        return message;
     }
 
     /** The world has ended. */

@@ -57,8 +57,8 @@ public final class StartPoses {
                 double[] other = boxes.get(order[k]);
                 pairs += box[1] <= other[4] && other[1] <= box[4] && box[2] <= other[5] && other[2] <= box[5] ? 1 : 0;
                 if (pairs > MOST_PAIRS) {
-                    return "more than " + MOST_PAIRS + " pairs of things with mass start inside one another, as " + moving.get(order[i]).name + " and "
-                        + moving.get(order[k]).name;
+                    return "more than " + MOST_PAIRS + " pairs of things with mass start inside one another, as " + moving.get(order[i]).name
+                        + " and " + moving.get(order[k]).name;
                 }
             }
         }

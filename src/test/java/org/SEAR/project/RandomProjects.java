@@ -84,7 +84,7 @@ final class RandomProjects {
 
     private Shape shape(boolean environment) {
         Shape shape;
-        double mass = number(0, 1e6);
+        double mass = random.nextInt(4) == 0 ? 0 : number(1e-6, 1e6);
         switch (random.nextInt(environment ? 5 : 4)) {
             case 0:
                 shape = new Box(name(), size(), size(), size(), mass);

@@ -100,10 +100,13 @@ public final class ModelLoader {
         if (size > ModelLimits.MAX_FILE) {
             throw new IOException(model + ": " + model.getPath() + " has " + size + " bytes, legal: at most " + ModelLimits.MAX_FILE);
         }
+        EngineScratch scratch = new EngineScratch();
         try {
             return manager.loadModel(new ModelKey(path)).clone();
         } catch (RuntimeException | OutOfMemoryError | StackOverflowError e) {
             throw failure(model, e);
+        } finally {
+            scratch.giveBack();
         }
     }
 

@@ -70,7 +70,7 @@ public class TryInMrlTest {
         for (String name : names) {
             assertEquals(result + name, ROUNDS, result.out.lines().filter(("  " + name + ": the same")::equals).count());
         }
-        assertTrue(result.toString(), result.out.contains("  listing06.py: 49 lines") && result.out.contains("  LIDAR.py: 1 lines"));
+        assertTrue(result.toString(), result.out.contains("  listing06.py: 33 lines") && result.out.contains("  LIDAR.py: 1 lines"));
         assertTrue(result.toString(), result.out.endsWith(names.size() + " scripts, all outputs are the same; SEAR was taken out again.\n"));
         assertEquals(before, tree());
     }

@@ -1,6 +1,7 @@
 package org.SEAR.architecture;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -19,6 +20,7 @@ final class PackagePicture {
 
     private final PackageGraph graph;
     private final Map<String, double[]> places = new LinkedHashMap<>();
+    private final Map<String, Integer> found = new HashMap<>();
     private final int height;
 
     /** @param graph without a circle */
@@ -48,7 +50,12 @@ final class PackagePicture {
 
     /** Right below the lowest of those who use it, so that arrows are short; counted from the bottom. */
     private int row(String name) {
-        return users(name).mapToInt(user -> row(user) - 1).min().orElseGet(() -> graph.height(name));
+        Integer known = found.get(name);
+        if (known == null) {
+            known = users(name).mapToInt(user -> row(user) - 1).min().orElseGet(() -> graph.height(name));
+            found.put(name, known);
+        }
+        return known;
     }
 
     private Stream<String> users(String name) {

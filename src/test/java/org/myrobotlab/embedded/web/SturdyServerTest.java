@@ -117,7 +117,7 @@ public class SturdyServerTest {
                 page.getOutputStream().write(Server.frame(sent == 0 ? first : MORE, part));
             }
         } catch (IOException e) {
-            assertTrue(sent + " MB, " + e, sent > 0);
+            return sent;    // the server has closed it
         }
         return sent;
     }
@@ -125,7 +125,7 @@ public class SturdyServerTest {
     @Test
     public void unfinishedMessagesAreLimited() throws Exception {
         int texts = megabytesTaken(FRAGMENT);
-        assertTrue(texts + " MB of text", texts < 32);
+        assertTrue(texts + " MB of text", texts > 0 && texts < 32);
         int bytes = megabytesTaken(BYTES_FRAGMENT);
         assertTrue(bytes + " MB of bytes", bytes < 32);
         othersAreServed();

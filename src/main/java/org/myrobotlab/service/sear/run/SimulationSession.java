@@ -313,11 +313,14 @@ public final class SimulationSession {
 
     /** Does what waits for time, or makes it pass; afterwards the caller, which may be a callback, goes on: the next step waits for it. */
     private void whileSleeping(double target, SleepingThreads.Work work) throws InterruptedException {
-        try {
-            sleepers.whileSleeping(target, work);
-        } finally {
-            quiescence.disturb();
-        }
+        sleepers.whileSleeping(target, () -> {
+            try {
+                work.run();
+            } finally {
+                // before it counts as awake: else another could step in between
+                quiescence.disturb();
+            }
+        });
     }
 
     private void stepIfBefore(double target) throws InterruptedException {

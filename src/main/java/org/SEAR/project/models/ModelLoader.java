@@ -11,6 +11,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
 import org.SEAR.POJOs.Model;
 import org.SEAR.geometry.Triangles;
 
@@ -100,14 +102,7 @@ public final class ModelLoader {
         if (size > ModelLimits.MAX_FILE) {
             throw new IOException(model + ": " + model.getPath() + " has " + size + " bytes, legal: at most " + ModelLimits.MAX_FILE);
         }
-        EngineScratch scratch = new EngineScratch();
-        try {
-            return manager.loadModel(new ModelKey(path)).clone();
-        } catch (RuntimeException | OutOfMemoryError | StackOverflowError e) {
-            throw failure(model, e);
-        } finally {
-            scratch.giveBack();
-        }
+        return onEngineThread(model, () -> manager.loadModel(new ModelKey(path)).clone());
     }
 
     private static IOException failure(Model model, Throwable e) {
@@ -115,10 +110,18 @@ public final class ModelLoader {
     }
 
     private static Triangles collect(Spatial scene, Model model) throws IOException {
+        return onEngineThread(model, () -> SceneTriangles.of(scene, model + ": " + model.getPath()));
+    }
+
+    private static <T> T onEngineThread(Model model, Callable<T> work) throws IOException {
         try {
-            return SceneTriangles.of(scene, model + ": " + model.getPath());
-        } catch (RuntimeException | OutOfMemoryError | StackOverflowError e) {
-            throw failure(model, e);
+            return EngineThread.call(work);
+        } catch (ExecutionException e) {
+            Throwable cause = e.getCause();
+            if (cause instanceof IOException) {
+                throw (IOException) cause;
+            }
+            throw failure(model, cause);
         }
     }
 

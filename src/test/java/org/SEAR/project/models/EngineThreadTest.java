@@ -1,0 +1,42 @@
+package org.SEAR.project.models;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNotNull;
+import static org.junit.Assert.assertSame;
+import static org.junit.Assert.assertTrue;
+
+import com.jme3.util.TempVars;
+import java.util.concurrent.ExecutionException;
+import org.junit.Test;
+
+/** A thread on which loads of models have failed can load the next one. */
+public class EngineThreadTest {
+    @Test
+    public void whatALoaderTookAndDidNotGiveBackIsNotMissed() throws Exception {
+        for (int i = 0; i < 20; i++) {
+            assertNotNull(EngineThread.call(TempVars::get));
+        }
+        TempVars.get().release();
+    }
+
+    @Test
+    public void anyFailureReachesTheCaller() {
+        StackOverflowError deep = new StackOverflowError();
+        try {
+            EngineThread.call(() -> {
+                throw deep;
+            });
+        } catch (ExecutionException e) {
+            assertSame(deep, e.getCause());
+            return;
+        }
+        throw new AssertionError("the failure is lost");
+    }
+
+    @Test
+    public void anInterruptedCallerGetsHisModelAndStaysInterrupted() throws Exception {
+        Thread.currentThread().interrupt();
+        assertEquals("model", EngineThread.call(() -> "model"));
+        assertTrue(Thread.interrupted());
+    }
+}

@@ -93,6 +93,12 @@ public final class Simulation implements AutoCloseable {
 
     /** Advances by one step: commands in, physics, truth, sensors, devices, outputs. Simulation thread. */
     public void step() {
+        advance();
+        deliver();
+    }
+
+    /** A step but for its outputs; the snapshot shows it. Simulation thread. */
+    void advance() {
         thread = Thread.currentThread();
         obey();
         instruments.accept(getTime());
@@ -101,8 +107,12 @@ public final class Simulation implements AutoCloseable {
         world.observe(step);
         instruments.track();
         instruments.run(getTime());
-        instruments.deliver(getTime());
         snapshot = observer.look(step);
+    }
+
+    /** The outputs of a step: who gets bytes and asks for the time reads that of this step. Simulation thread. */
+    void deliver() {
+        instruments.deliver(getTime());
         serve();
     }
 

@@ -39,6 +39,8 @@ public final class SimulationRunner implements Runnable {
     private volatile Throwable failure;
     private volatile double measured;
     private volatile Thread thread;
+    /** Steps that the world has made, and those whose outputs have gone out, too. */
+    private volatile long advanced;
     private volatile long done;
     private volatile long ordered;
     private volatile boolean newPace;
@@ -98,7 +100,9 @@ public final class SimulationRunner implements Runnable {
     }
 
     private void advanceOne() {
-        simulation.step();
+        simulation.advance();
+        advanced++;
+        simulation.deliver();
         done++;
         measure();
         for (Runnable listener : listeners) {
@@ -220,7 +224,7 @@ public final class SimulationRunner implements Runnable {
 
     /** Simulated seconds that this has advanced the world by. A reset changes nothing about it. */
     public double getAdvancedTime() {
-        return done * Simulation.STEP;
+        return advanced * Simulation.STEP;
     }
 
     /** Waits so many simulated seconds, whether the world is reset meanwhile or not, or until the run has ended. */

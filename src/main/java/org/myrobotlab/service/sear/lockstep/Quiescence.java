@@ -1,6 +1,7 @@
 package org.myrobotlab.service.sear.lockstep;
 
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.sear.Host;
@@ -12,21 +13,36 @@ public final class Quiescence {
     private final Host host;
     private final Fence messages;
     private VirtualSerialPort complainedOf;
-    private volatile long settled;
+    private final SleepingThreads sleepers;
+    private final AtomicLong disturbances = new AtomicLong();
+    private volatile long settledBytes;
+    private volatile long settledCalls;
 
     public Quiescence(Host host, SleepingThreads sleepers) {
         this.host = host;
+        this.sleepers = sleepers;
         messages = new Fence(host, sleepers);
     }
 
-    /** Waits until ports and callbacks rest; looks at the callbacks only when bytes have come since the last time. */
+    /**
+     * Waits until ports and callbacks rest; looks at the callbacks only when bytes have come since the last time, somebody has slept, or
+     * {@link #disturb} was called.
+     */
     public void settle() throws InterruptedException {
         await();
-        for (long moved = accepted(); moved != settled; moved = accepted()) {
-            settled = moved;
+        while (isDisturbed()) {
+            long calls = calls();
+            long bytes = accepted();
+            await(); // so that all that these bytes cause is in the queues
             messages.await();
-            await();
+            settledCalls = calls;
+            settledBytes = bytes;
         }
+    }
+
+    /** Whether a callback may run that the last {@link #settle} did not wait for. */
+    public boolean isDisturbed() {
+        return calls() != settledCalls || accepted() != settledBytes;
     }
 
     /** Learns who deals with callbacks, before there are any. */
@@ -36,7 +52,11 @@ public final class Quiescence {
 
     /** Something else has made callbacks run: the next {@link #settle} looks at them. */
     public void disturb() {
-        settled = -1;
+        disturbances.incrementAndGet();
+    }
+
+    private long calls() {
+        return disturbances.get() + sleepers.getWoken();
     }
 
     private static long accepted() {

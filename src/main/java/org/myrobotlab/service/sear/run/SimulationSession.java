@@ -32,6 +32,7 @@ public final class SimulationSession {
     private static final long READER_PATIENCE = TimeUnit.MILLISECONDS.toNanos(50);
     private static final long READER_LOOK = TimeUnit.MICROSECONDS.toNanos(100);
     private static final long LOOK_AFTER_SLEEPERS = 1;
+    private static final int LOOKS_AFTER_SLEEPERS = 500;
     private static final long SCRIPT_DRIVES = TimeUnit.SECONDS.toNanos(1);
     /** By which sums of steps may miss the time that was asked for, s. */
     private static final double ROUNDING = Simulation.STEP / 1000;
@@ -49,6 +50,8 @@ public final class SimulationSession {
     private final ClockTrap clockTrap;
     private final Quiescence quiescence;
     private final Object stepping = new Object();
+    /** Who makes time pass; null if nobody does. Guarded by {@link #stepping}. */
+    private Thread stepper;
     /** Where sleepers wait for the end of a pause. */
     private final Object pauseEnds = new Object();
     private volatile SimulationClock clock;
@@ -299,7 +302,7 @@ public final class SimulationSession {
         double target = base + seconds;
         scriptTime = target;
         throttle.begin(start);
-        whileSleeping(target - ROUNDING, () -> {
+        sleepers.whileSleeping(target - ROUNDING, () -> {
             synchronized (stepping) {
                 quiescence.settle();
             }
@@ -311,45 +314,52 @@ public final class SimulationSession {
         });
     }
 
-    /** Does what waits for time, or makes it pass; afterwards the caller, which may be a callback, goes on: the next step waits for it. */
-    private void whileSleeping(double target, SleepingThreads.Work work) throws InterruptedException {
-        sleepers.whileSleeping(target, () -> {
-            try {
-                work.run();
-            } finally {
-                // before it counts as awake: else another could step in between
-                quiescence.disturb();
-            }
-        });
-    }
-
+    /** One step, unless the time has come; one thread at a time, also while it waits for others. */
     private void stepIfBefore(double target) throws InterruptedException {
         checkRunning();
         synchronized (stepping) {
-            if (runner.getAdvancedTime() < target) {
-                oneStep();
+            while (stepper != null && runner.getAdvancedTime() < target && !ended) {
+                stepping.wait(LOOK_AFTER_SLEEPERS);
+            }
+            if (runner.getAdvancedTime() < target && !ended) {
+                stepper = Thread.currentThread();
+                try {
+                    oneStep();
+                } finally {
+                    stepper = null;
+                    stepping.notifyAll();
+                }
             }
         }
     }
 
-    /**
-     * One step of lock-step: what was sent before it has arrived, and what it sends is handed over. Whoever else has waited for this moment, as a
-     * callback that sleeps, goes on first, until it waits again or ends.
-     */
+    /** One step of lock-step: what was sent before it has arrived, and what it sends is handed over. */
     private void oneStep() throws InterruptedException {
-        quiescence.settle();
+        rest();
         runner.advance(1);
         quiescence.settle();
         clock.tick();
         if (stepListener.getAsBoolean()) {
             quiescence.disturb();
         }
+        rest();
+    }
+
+    /**
+     * Until all who can go on at this moment, callbacks that have slept until now among them, have done so and wait again or have ended. Whoever
+     * sleeps no time at all again and again is not waited for without end.
+     */
+    private void rest() throws InterruptedException {
         quiescence.settle();
-        while (sleepers.othersAreDue(runner.getAdvancedTime()) && !ended) {
-            quiescence.disturb();
-            stepping.wait(LOOK_AFTER_SLEEPERS);
+        for (int look = 0; look < LOOKS_AFTER_SLEEPERS && !ended; look++) {
+            if (sleepers.othersAreDue(runner.getAdvancedTime())) {
+                stepping.wait(LOOK_AFTER_SLEEPERS);
+            } else if (quiescence.isDisturbed()) {
+                quiescence.settle();
+            } else {
+                return;
+            }
         }
-        quiescence.settle();
     }
 
     private void awaitResume(double target) throws InterruptedException {
@@ -378,7 +388,7 @@ public final class SimulationSession {
             pause();
         }
         double target = runner.getAdvancedTime() + steps * Simulation.STEP - ROUNDING;
-        whileSleeping(target, () -> {
+        sleepers.whileSleeping(target, () -> {
             while (runner.getAdvancedTime() < target) {
                 stepIfBefore(target);
             }
@@ -411,7 +421,7 @@ public final class SimulationSession {
 
     /** Everything back to the start. */
     public void reset() throws InterruptedException {
-        whileSleeping(Double.POSITIVE_INFINITY, this::toTheStart);
+        sleepers.whileSleeping(SleepingThreads.NOW, this::toTheStart);
     }
 
     private void toTheStart() throws InterruptedException {
@@ -442,7 +452,7 @@ public final class SimulationSession {
 
     /** Whether time advances only inside {@link #simSleep} and {@link #step}. */
     public void setLockStep(boolean on) throws InterruptedException {
-        whileSleeping(Double.POSITIVE_INFINITY, () -> changeLockStep(on));
+        sleepers.whileSleeping(SleepingThreads.NOW, () -> changeLockStep(on));
     }
 
     private void changeLockStep(boolean on) {

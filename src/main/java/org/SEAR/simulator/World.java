@@ -25,6 +25,7 @@ import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.RobotBuilder;
 import org.SEAR.robot.RobotModel;
 import org.SEAR.robot.RobotTruth;
+import org.SEAR.robot.StartChecks;
 import org.SEAR.robot.VirtualWalls;
 import org.SEAR.sensors.Earth;
 
@@ -84,6 +85,7 @@ final class World implements PhysicsWorld.Touches {
         StartPoses.tellOverlaps(physics.getBodies(), warnings);
         fallen = new Fallen(physics.getBodies(), told);
         restart();
+        robots.forEach(robot -> StartChecks.check(robot, scenes, warnings));
     }
 
     private static boolean hasInvisible(Project project) {

@@ -44,7 +44,7 @@ public final class ScriptResult {
         e.normalize();
         String message = e.value.__str__().toString().trim();
         String headline = message.contains("\n") ? message.substring(0, message.indexOf('\n')) + "\n" : "";
-        return new ScriptResult(1, headline + traceback(e) + hint(e), false);
+        return new ScriptResult(1, headline + traceback(e) + hint(e) + DidYouMean.line(e), false);
     }
 
     /** What today's Python writes and this one does not read. */

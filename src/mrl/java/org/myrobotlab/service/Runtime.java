@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.myrobotlab.codec.CodecUtils;
 import org.myrobotlab.embedded.Configs;
+import org.myrobotlab.embedded.DidYouMean;
 import org.myrobotlab.embedded.Main;
 import org.myrobotlab.embedded.Reasons;
 import org.myrobotlab.embedded.Registry;
@@ -218,7 +219,8 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         } catch (ClassNotFoundException | NoClassDefFoundError e) {
             String wanted = CodecUtils.makeFullTypeName(type);
             if (String.valueOf(e.getMessage()).replace('/', '.').contains(wanted)) {
-                throw new IllegalArgumentException("there is no service type " + CodecUtils.getSimpleName(type), e);
+                String simple = CodecUtils.getSimpleName(type);
+                throw new IllegalArgumentException("there is no service type " + simple + DidYouMean.service(simple), e);
             }
             throw e;
         }

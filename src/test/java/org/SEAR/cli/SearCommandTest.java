@@ -138,6 +138,22 @@ public class SearCommandTest {
     }
 
     @Test
+    public void aNameThatThereIsNotIsAnsweredWithTheNearestThatThereIs() throws Exception {
+        String objects = "from org.SEAR.POJOs import *\n";
+        assertMeant("LIDAR", objects + "Lidar('scanner')");
+        assertMeant("robot", "robot = 1\nprint robt");
+        assertMeant("setMass", objects + "Box('box', 1, 1, 1, 1).setmass(3)");
+        assertMeant("startSimulation", "sear = Runtime.start('sear', 'SEAR')\nsear.startSimultion()");
+        assertEquals(1, sear(script("qqqqqq"), "--port", "none"));
+        assertFalse(err, err.contains("did you mean"));
+    }
+
+    private void assertMeant(String name, String lines) throws Exception {
+        assertEquals(1, sear(script(lines), "--port", "none"));
+        assertTrue(err, err.trim().endsWith("\ndid you mean " + name + "?"));
+    }
+
+    @Test
     public void anExceptionOfSeveralLinesBeginsWithWhatWasWrong() throws Exception {
         assertEquals(1, sear(script("raise ValueError('first\\nsecond')"), "--port", "none"));
         assertTrue(err, err.replaceFirst("^.*:\\s+", "").startsWith("first\nTraceback"));

@@ -76,6 +76,7 @@ public class RuntimeTest {
     @Test
     public void whatCantStartAnswersNullAndAnErrorSaysWhy() {
         refused(Runtime.start("a", "Nix"), "can't start a as Nix: there is no service type Nix");
+        refused(Runtime.start("a", "Lidar"), "can't start a as Lidar: there is no service type Lidar, did you mean LIDAR?");
         refused(Runtime.start("a", "java.lang.String"), "can't start a as String: java.lang.String is not a service type");
         refused(Runtime.start("a", Broken.class.getName()), "can't start a as Broken: the battery is empty");
         refused(Runtime.start("a", Bare.class.getName()),

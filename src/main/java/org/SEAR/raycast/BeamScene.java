@@ -5,7 +5,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
 
 /**
- * The exact geometry that beams meet: boxes, cylinders, cones and triangle meshes, each with a pose in the world.
+ * The exact geometry that beams meet: boxes, other convex solids and triangle meshes, each with a pose in the world.
  *
  * <p>Building and moving ({@code add...}, {@link #setPose}, {@link #setVisible}, {@link #commit}) belong to the simulation thread; between two
  * commits any number of threads may cast at the same time and get the same bytes. Casting allocates nothing.
@@ -48,34 +48,21 @@ public final class BeamScene {
      * @param halfX metres
      */
     public int addBox(double halfX, double halfY, double halfZ, int owner) {
-        return add(Shapes.BOX, owner, null, halfX, halfY, halfZ);
+        return add(Shapes.BOX, owner, null, null, halfX, halfY, halfZ);
     }
 
-    /**
-     * Adds a solid cylinder about the y axis, centred in the origin.
-     *
-     * @param radius metres
-     */
-    public int addCylinder(double radius, double halfHeight, int owner) {
-        return add(Shapes.ROUND, owner, null, radius, 0, halfHeight);
-    }
-
-    /**
-     * Adds a solid cone about the y axis, apex at +halfHeight, base at -halfHeight.
-     *
-     * @param radius of the base, metres
-     */
-    public int addCone(double radius, double halfHeight, int owner) {
-        return add(Shapes.ROUND, owner, null, radius / 2, -radius / (2 * halfHeight), halfHeight);
+    /** Adds a convex solid with a kernel of its own. */
+    public int addSolid(RaySolid solid, int owner) {
+        return add(Shapes.CONVEX, owner, null, solid, solid.reach(1, 0, 0), solid.reach(0, 1, 0), solid.reach(0, 0, 1));
     }
 
     /** Adds triangles, seen from both sides, scaled by (sx, sy, sz). The hierarchy of the same triangles is built only once. */
     public int addMesh(Triangles triangles, double sx, double sy, double sz, int owner) {
-        return add(Shapes.MESH, owner, Mesh.of(triangles), sx, sy, sz);
+        return add(Shapes.MESH, owner, Mesh.of(triangles), null, sx, sy, sz);
     }
 
-    private int add(byte kind, int owner, Mesh mesh, double a, double b, double c) {
-        int shape = shapes.add(kind, owner, mesh, a, b, c);
+    private int add(byte kind, int owner, Mesh mesh, RaySolid solid, double a, double b, double c) {
+        int shape = shapes.add(kind, owner, mesh, solid, a, b, c);
         if (shape == changed.length) {
             int size = 2 * shape;
             poses = Arrays.copyOf(poses, size * POSE);

@@ -118,8 +118,8 @@ final class FanCaster {
             case Shapes.BOX:
                 box(number, a, b, c);
                 break;
-            case Shapes.ROUND:
-                round(number, a, b, c);
+            case Shapes.CONVEX:
+                convex(number, a, b, c);
                 break;
             default:
                 mesh(number, a, b, c);
@@ -131,7 +131,7 @@ final class FanCaster {
             for (int i = 0; i < depth.beams.count; i++) {
                 double x = depth.beams.x[i];
                 double z = depth.beams.z[i];
-                depth.meet(i, Solids.box(own[0], own[1], own[2], own[3] * x + own[9] * z, own[4] * x + own[10] * z, own[5] * x + own[11] * z,
+                depth.meet(i, RayBox.meet(own[0], own[1], own[2], own[3] * x + own[9] * z, own[4] * x + own[10] * z, own[5] * x + own[11] * z,
                     hx, hy, hz), number);
             }
             return;
@@ -144,17 +144,19 @@ final class FanCaster {
         }
     }
 
-    /** Only the beams that meet the box around a round solid are tested, each against the exact solid. */
-    private void round(int number, double radius, double slope, double h) {
-        double r = (radius + Math.abs(slope) * h) * (1 + TOUCHING);
-        double height = h * (1 + TOUCHING);
-        if (boxCut.touches(own, r, height, r, TOUCHING)) {
+    /** Only the beams that meet the box around a convex solid are tested, each against the exact solid. */
+    private void convex(int number, double hx, double hy, double hz) {
+        double x = hx * (1 + TOUCHING);
+        double y = hy * (1 + TOUCHING);
+        double z = hz * (1 + TOUCHING);
+        RaySolid solid = shapes.solid[number];
+        if (boxCut.touches(own, x, y, z, TOUCHING)) {
             for (int i = 0; i < depth.beams.count; i++) {
-                roundBeam(i, number, radius, slope, h);
+                convexBeam(i, number, solid);
             }
             return;
         }
-        boxCut.cut(own, r, height, r);
+        boxCut.cut(own, x, y, z);
         FanDirections beams = depth.beams;
         for (int e = 0; e < boxCut.size; e++) {
             if (!boxCut.turn(e) || !boxCut.line(own, e)) {
@@ -162,21 +164,21 @@ final class FanCaster {
             }
             int first = beams.first(boxCut.rightX, boxCut.rightZ);
             for (int i = first; i < beams.count && beams.side(i, boxCut.leftX, boxCut.leftZ) > 0; i++) {
-                roundBeam(i, number, radius, slope, h);
+                convexBeam(i, number, solid);
             }
             if (first != 0 && beams.side(0, boxCut.rightX, boxCut.rightZ) <= 0) {
                 for (int i = 0; i < first && beams.side(i, boxCut.leftX, boxCut.leftZ) > 0; i++) {
-                    roundBeam(i, number, radius, slope, h);
+                    convexBeam(i, number, solid);
                 }
             }
         }
     }
 
-    private void roundBeam(int beam, int number, double radius, double slope, double h) {
+    private void convexBeam(int beam, int number, RaySolid solid) {
         double x = depth.beams.x[beam];
         double z = depth.beams.z[beam];
-        depth.meet(beam, Solids.round(own[0], own[1], own[2], own[3] * x + own[9] * z, own[4] * x + own[10] * z, own[5] * x + own[11] * z,
-            radius, slope, h), number);
+        depth.meet(beam, solid.meet(own[0], own[1], own[2], own[3] * x + own[9] * z, own[4] * x + own[10] * z, own[5] * x + own[11] * z),
+            number);
     }
 
     private void mesh(int number, double sx, double sy, double sz) {

@@ -65,9 +65,9 @@ final class RayCaster {
         double c = m[i + 14];
         switch (shapes.kind[shape]) {
             case Shapes.BOX:
-                return Solids.box(px, py, pz, vx, vy, vz, a, b, c);
-            case Shapes.ROUND:
-                return Solids.round(px, py, pz, vx, vy, vz, a, b, c);
+                return RayBox.meet(px, py, pz, vx, vy, vz, a, b, c);
+            case Shapes.CONVEX:
+                return shapes.solid[shape].meet(px, py, pz, vx, vy, vz);
             default:
                 return mesh(shapes.mesh[shape], px / a, py / b, pz / c, vx / a, vy / b, vz / c, limit);
         }
@@ -116,9 +116,9 @@ final class RayCaster {
             point[1] = m[i + 1] * wx + m[i + 4] * wy + m[i + 7] * wz;
             point[2] = m[i + 2] * wx + m[i + 5] * wy + m[i + 8] * wz;
             if (shapes.kind[shape] == Shapes.BOX) {
-                Solids.boxNormal(point, a, b, c);
+                RayBox.normal(point, a, b, c);
             } else {
-                Solids.roundNormal(point, a, b, c);
+                shapes.solid[shape].normal(point);
             }
         }
         double nx = m[i] * point[0] + m[i + 1] * point[1] + m[i + 2] * point[2];

@@ -5,11 +5,11 @@ import org.SEAR.geometry.Rotation;
 
 /**
  * The shapes of a scene in flat arrays. {@link #data} holds {@link #STRIDE} numbers a shape: rotation matrix (world = R * own, row by row),
- * position, sizes (half sizes of a box; radius in the middle, slope and half height of a round solid; scale of a mesh).
+ * position, sizes (half sizes of a box or of the box around another convex solid; scale of a mesh).
  */
 final class Shapes {
     static final byte BOX = 0;
-    static final byte ROUND = 1;
+    static final byte CONVEX = 1;
     static final byte MESH = 2;
     static final int STRIDE = 16;
     static final int POSITION = 9;
@@ -20,21 +20,24 @@ final class Shapes {
     int[] owner = new int[16];
     boolean[] visible = new boolean[16];
     Mesh[] mesh = new Mesh[16];
+    RaySolid[] solid = new RaySolid[16];
     double[] data = new double[16 * STRIDE];
 
-    int add(byte kindOfShape, int ownerOfShape, Mesh triangles, double a, double b, double c) {
+    int add(byte kindOfShape, int ownerOfShape, Mesh triangles, RaySolid convex, double a, double b, double c) {
         if (count == kind.length) {
             int size = 2 * count;
             kind = Arrays.copyOf(kind, size);
             owner = Arrays.copyOf(owner, size);
             visible = Arrays.copyOf(visible, size);
             mesh = Arrays.copyOf(mesh, size);
+            solid = Arrays.copyOf(solid, size);
             data = Arrays.copyOf(data, size * STRIDE);
         }
         int shape = count++;
         kind[shape] = kindOfShape;
         owner[shape] = ownerOfShape;
         mesh[shape] = triangles;
+        solid[shape] = convex;
         data[shape * STRIDE + SIZE] = a;
         data[shape * STRIDE + SIZE + 1] = b;
         data[shape * STRIDE + SIZE + 2] = c;
@@ -61,10 +64,8 @@ final class Shapes {
             double half;
             if (kind[shape] == BOX) {
                 half = Math.abs(data[row]) * data[size] + Math.abs(data[row + 1]) * data[size + 1] + Math.abs(data[row + 2]) * data[size + 2];
-            } else if (kind[shape] == ROUND) {
-                double axis = data[row + 1];
-                double radius = data[size] + Math.abs(data[size + 1]) * data[size + 2];
-                half = Math.abs(axis) * data[size + 2] + Math.sqrt(Math.max(0, 1 - axis * axis)) * radius;
+            } else if (kind[shape] == CONVEX) {
+                half = solid[shape].reach(data[row], data[row + 1], data[row + 2]);
             } else {
                 float[] root = mesh[shape].tree.data;
                 half = 0;

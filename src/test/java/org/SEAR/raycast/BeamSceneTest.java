@@ -45,7 +45,7 @@ public class BeamSceneTest {
     public void everySolidIsMetOutsideAndLeftFromInside() {
         for (int kind = 0; kind < 3; kind++) {
             BeamScene one = new BeamScene();
-            int shape = kind == 0 ? one.addBox(1, 1, 1, 7) : kind == 1 ? one.addCylinder(1, 1, 7) : one.addCone(2, 1, 7);
+            int shape = kind == 0 ? one.addBox(1, 1, 1, 7) : one.addSolid(kind == 1 ? RayRound.cylinder(1, 1) : RayRound.cone(2, 1), 7);
             one.setPose(shape, 5, 0, 0, 0, 0, 0, 1);
             one.commit();
             assertEquals(4, one.cast(0, 0, 0, 1, 0, 0, 10, BeamScene.WORLD, hit), EXACT);
@@ -62,7 +62,7 @@ public class BeamSceneTest {
 
     @Test
     public void fansStartInsideAndOnSurfacesAsBeamsDo() {
-        scene.addCylinder(2, 1, BeamScene.WORLD);
+        scene.addSolid(RayRound.cylinder(2, 1), BeamScene.WORLD);
         at(scene.addBox(0.5, 1, 0.5, BeamScene.WORLD), 0.5, 0, 5);
         scene.commit();
         double[] ranges = fan(Pose.IDENTITY);
@@ -77,8 +77,8 @@ public class BeamSceneTest {
     @Test
     public void edgesRimsAndApexBelongToTheSolid() {
         scene.addBox(1, 1, 1, BeamScene.WORLD);
-        at(scene.addCylinder(1, 1, BeamScene.WORLD), 0, 10, 0);
-        at(scene.addCone(1, 1, BeamScene.WORLD), 0, 20, 0);
+        at(scene.addSolid(RayRound.cylinder(1, 1), BeamScene.WORLD), 0, 10, 0);
+        at(scene.addSolid(RayRound.cone(1, 1), BeamScene.WORLD), 0, 20, 0);
         scene.commit();
         assertEquals("along the box's top", 4, alongX(-5, 1, 0), EXACT);
         assertEquals("along its edge", 4, alongX(-5, 1, 1), EXACT);

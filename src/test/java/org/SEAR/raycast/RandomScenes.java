@@ -49,11 +49,11 @@ final class RandomScenes {
                     oracle.surfaces.add(Oracle.box(pose, a, b, c));
                     break;
                 case 1:
-                    place(scene.addCylinder(a, b, BeamScene.WORLD), pose);
+                    place(scene.addSolid(RayRound.cylinder(a, b), BeamScene.WORLD), pose);
                     oracle.surfaces.add(Oracle.cylinder(pose, a, b));
                     break;
                 case 2:
-                    place(scene.addCone(a, b, BeamScene.WORLD), pose);
+                    place(scene.addSolid(RayRound.cone(a, b), BeamScene.WORLD), pose);
                     oracle.surfaces.add(Oracle.cone(pose, a, b));
                     break;
                 default:

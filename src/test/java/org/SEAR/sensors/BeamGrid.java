@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.raycast.BeamScene;
+import org.SEAR.raycast.RayRound;
 
 /** The data sheets' test again: an upright pole is put on each point of a grid before a sensor that answers whether it sees it. */
 final class BeamGrid {
@@ -40,7 +41,7 @@ final class BeamGrid {
     private void look(DistanceSensor sensor) {
         ScriptedTruth truth = new ScriptedTruth();
         truth.scene = new BeamScene();
-        int pole = truth.scene.addCylinder(outline.radius, POLE_HALF_HEIGHT, BeamScene.WORLD);
+        int pole = truth.scene.addSolid(RayRound.cylinder(outline.radius, POLE_HALF_HEIGHT), BeamScene.WORLD);
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {
                 truth.scene.setPose(pole, side(column), 0, depth(row), 0, 0, 0, 1);

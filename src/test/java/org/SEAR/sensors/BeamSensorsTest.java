@@ -17,6 +17,7 @@ import org.SEAR.POJOs.Noise;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.raycast.BeamScene;
+import org.SEAR.raycast.RayRound;
 import org.junit.Rule;
 import org.junit.Test;
 
@@ -116,7 +117,7 @@ public class BeamSensorsTest {
         double micrometre = 1e-6;
         BeamScene scene = new BeamScene();
         int box = scene.addBox(1, 1, 1, BeamScene.WORLD);
-        int pole = scene.addCylinder(0.5, 1, BeamScene.WORLD);
+        int pole = scene.addSolid(RayRound.cylinder(0.5, 1), BeamScene.WORLD);
         scene.setPose(box, 0, 0, 5, 0, 0, 0, 1);
         scene.setPose(pole, 20, 0, 5, 0, 0, 0, 1);
         scene.commit();

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Random;
 import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
+import org.SEAR.raycast.RayRound;
 
 /**
  * A world of solids twice over: in a beam scene, and as exact distance functions along which a beam is marched. The two ways to a range
@@ -46,7 +47,7 @@ final class MarchedWorld {
     }
 
     int cylinder(double radius, double half, int owner) {
-        return add(scene.addCylinder(radius, half, owner), owner, (x, y, z) -> {
+        return add(scene.addSolid(RayRound.cylinder(radius, half), owner), owner, (x, y, z) -> {
             double r = Math.sqrt(x * x + z * z);
             return Math.min(segment(r, y, 0, half, radius, half),
                 Math.min(segment(r, y, radius, half, radius, -half), segment(r, y, radius, -half, 0, -half)));
@@ -54,7 +55,7 @@ final class MarchedWorld {
     }
 
     int cone(double radius, double half, int owner) {
-        return add(scene.addCone(radius, half, owner), owner, (x, y, z) -> {
+        return add(scene.addSolid(RayRound.cone(radius, half), owner), owner, (x, y, z) -> {
             double r = Math.sqrt(x * x + z * z);
             return Math.min(segment(r, y, 0, half, radius, -half), segment(r, y, radius, -half, 0, -half));
         });

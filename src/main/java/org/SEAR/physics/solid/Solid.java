@@ -26,6 +26,7 @@ import org.SEAR.project.models.ModelLoader;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.raycast.BeamScene;
+import org.SEAR.raycast.RayRound;
 
 /** The geometry of one object of the grammar, scale included, as beams and as collisions need it. */
 public final class Solid {
@@ -209,9 +210,9 @@ public final class Solid {
             case BOX:
                 return scene.addBox(halfX, halfY, halfZ, owner);
             case CYLINDER:
-                return scene.addCylinder(halfX, halfY, owner);
+                return scene.addSolid(RayRound.cylinder(halfX, halfY), owner);
             case CONE:
-                return scene.addCone(halfX, halfY, owner);
+                return scene.addSolid(RayRound.cone(halfX, halfY), owner);
             default:
                 return scene.addMesh(mesh, scaleX, scaleY, scaleZ, owner);
         }

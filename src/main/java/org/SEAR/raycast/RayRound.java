@@ -1,51 +1,40 @@
 package org.SEAR.raycast;
 
-/**
- * Where a beam meets a convex solid that is centred in the origin of its own frame. Distances are in units of the direction's length; from inside
- * (or on the surface) it is the way out, {@code Double.POSITIVE_INFINITY} where the beam misses. Surfaces belong to the solids.
- */
-final class Solids {
+/** A solid of revolution about the y axis whose radius is r + slope * y for |y| &lt;= h. Immutable. */
+public final class RayRound implements RaySolid {
     private static final double MISS = Double.POSITIVE_INFINITY;
 
-    private Solids() {
-    }
+    private final double r;
+    private final double slope;
+    private final double h;
 
-    /** A box of half sizes (hx, hy, hz). */
-    static double box(double ox, double oy, double oz, double dx, double dy, double dz, double hx, double hy, double hz) {
-        double in = Double.NEGATIVE_INFINITY;
-        double out = MISS;
-        if (dx != 0) {
-            double a = (-hx - ox) / dx;
-            double b = (hx - ox) / dx;
-            in = dx > 0 ? a : b;
-            out = dx > 0 ? b : a;
-        } else if (Math.abs(ox) > hx) {
-            return MISS;
-        }
-        if (dy != 0) {
-            double a = (-hy - oy) / dy;
-            double b = (hy - oy) / dy;
-            in = Math.max(in, dy > 0 ? a : b);
-            out = Math.min(out, dy > 0 ? b : a);
-        } else if (Math.abs(oy) > hy) {
-            return MISS;
-        }
-        if (dz != 0) {
-            double a = (-hz - oz) / dz;
-            double b = (hz - oz) / dz;
-            in = Math.max(in, dz > 0 ? a : b);
-            out = Math.min(out, dz > 0 ? b : a);
-        } else if (Math.abs(oz) > hz) {
-            return MISS;
-        }
-        return in > out || out < 0 ? MISS : in >= 0 ? in : out;
+    private RayRound(double r, double slope, double h) {
+        this.r = r;
+        this.slope = slope;
+        this.h = h;
     }
 
     /**
-     * A solid of revolution about y whose radius is r + slope * y for |y| &lt;= h: slope is 0 in a cylinder, -r / h in a cone. The beam is looked
-     * at from its point nearest to the centre, where no digits cancel.
+     * A solid cylinder.
+     *
+     * @param radius metres
      */
-    static double round(double ox, double oy, double oz, double dx, double dy, double dz, double r, double slope, double h) {
+    public static RayRound cylinder(double radius, double halfHeight) {
+        return new RayRound(radius, 0, halfHeight);
+    }
+
+    /**
+     * A solid cone, apex at +halfHeight, base at -halfHeight.
+     *
+     * @param radius of the base, metres
+     */
+    public static RayRound cone(double radius, double halfHeight) {
+        return new RayRound(radius / 2, -radius / (2 * halfHeight), halfHeight);
+    }
+
+    /** The beam is looked at from its point nearest to the centre, where no digits cancel. */
+    @Override
+    public double meet(double ox, double oy, double oz, double dx, double dy, double dz) {
         double shift = -(ox * dx + oy * dy + oz * dz) / (dx * dx + dy * dy + dz * dz);
         double px = ox + shift * dx;
         double py = oy + shift * dy;
@@ -102,21 +91,8 @@ final class Solids {
         return out < 0 ? MISS : in >= 0 ? in : out;
     }
 
-    /** The outward normal of a box at the surface point (x, y, z), which is replaced by it. */
-    static void boxNormal(double[] point, double hx, double hy, double hz) {
-        double ex = Math.abs(point[0]) - hx;
-        double ey = Math.abs(point[1]) - hy;
-        double ez = Math.abs(point[2]) - hz;
-        int axis = ex >= ey && ex >= ez ? 0 : ey >= ez ? 1 : 2;
-        double sign = Math.signum(point[axis]);
-        point[0] = 0;
-        point[1] = 0;
-        point[2] = 0;
-        point[axis] = sign;
-    }
-
-    /** The outward normal of {@link #round} at a surface point, which is replaced by it. */
-    static void roundNormal(double[] point, double r, double slope, double h) {
+    @Override
+    public void normal(double[] point) {
         double off = Math.hypot(point[0], point[2]);
         double side = (off - (r + slope * point[1])) / Math.sqrt(1 + slope * slope);
         double end = Math.abs(point[1]) - h;
@@ -131,5 +107,11 @@ final class Solids {
         point[0] /= length;
         point[1] = -slope * off / length;
         point[2] /= length;
+    }
+
+    @Override
+    public double reach(double dx, double dy, double dz) {
+        double radius = r + Math.abs(slope) * h;
+        return Math.abs(dy) * h + Math.sqrt(Math.max(0, 1 - dy * dy)) * radius;
     }
 }

@@ -41,51 +41,9 @@
         return [pose[0] + at[0], pose[2] + at[2]]
     }
 
-    /** Corners of an object's shape in its own frame: of a model as they came, of a box, or of round things' rims. */
-    function corners(object) {
-        return object.corners || plainCorners(object).map(function(point) {
-            return object.scale ? [point[0] * object.scale[0], point[1] * object.scale[1], point[2] * object.scale[2]] : point
-        })
-    }
-
-    function plainCorners(object) {
-        var size = object.size
-        switch (object.type) {
-        case 'Cylinder':
-            return rim(size[0], -size[1] / 2).concat(rim(size[0], size[1] / 2))
-        case 'Cone':
-            return rim(size[0], -size[1] / 2).concat([[0, size[1] / 2, 0]])
-        case 'Wheel':
-            // its axle lies along x
-            return rim(size[0], -size[1] / 2).concat(rim(size[0], size[1] / 2)).map(function(point) {
-                return [point[1], point[0], point[2]]
-            })
-        case 'Floor':
-            return boxCorners(size[0], 0, size[1])
-        default:
-            return size.length === 3 ? boxCorners(size[0], size[1], size[2]) : []
-        }
-    }
-
-    function rim(radius, y) {
-        var points = []
-        for (var i = 0; i < 24; i++) {
-            points.push([radius * Math.cos(i * Math.PI / 12), y, radius * Math.sin(i * Math.PI / 12)])
-        }
-        return points
-    }
-
-    function boxCorners(x, y, z) {
-        var points = []
-        for (var i = 0; i < 8; i++) {
-            points.push([i & 1 ? x / 2 : -x / 2, i & 2 ? y / 2 : -y / 2, i & 4 ? z / 2 : -z / 2])
-        }
-        return points
-    }
-
     /** The convex outline on the ground, [x, z] points in order. */
     function outline(object, pose) {
-        var points = corners(object).map(function(corner) {
+        var points = object.corners.map(function(corner) {
             return onGround(pose, corner)
         }).sort(function(a, b) {
             return a[0] - b[0] || a[1] - b[1]
@@ -115,7 +73,7 @@
         world.robots.forEach(function(robot) {
             var body = frame(robot.pose)
             robot.parts.forEach(function(part) {
-                all.push({type: part.type, ground: false, robot: true, outline: outline(part, times(body, frame(part.pose)))})
+                all.push({ground: false, robot: true, outline: outline(part, times(body, frame(part.pose)))})
             })
         })
         all = all.filter(function(shape) {
@@ -126,7 +84,7 @@
     /** Of an object of the environment, made anew only when that has moved. */
     function shapeOf(object) {
         if (!object.$shape || object.$shape.pose !== object.pose) {
-            object.$shape = {type: object.type, ground: object.type === 'Floor' || object.terrain, robot: false, pose: object.pose,
+            object.$shape = {colour: object.colour, ground: object.type === 'Floor' || object.terrain, robot: false, pose: object.pose,
                 outline: outline(object, frame(object.pose))}
         }
         return object.$shape
@@ -167,7 +125,6 @@
     }
 
     // ---- drawing: north (+x) up, east (+z) to the right ------------------------------------------------------------------------------------
-    var COLOURS = {Box: '#c49a6c', Cylinder: '#5b8c5a', Cone: '#e8722a', Model: '#6b8e23'}
     var GROUND = 'rgba(128, 128, 128, 0.12)'
     var ROBOT = 'rgba(51, 122, 183, 0.55)'
     var PATH = '#337ab7'
@@ -253,7 +210,7 @@
             return at(point[0], point[1])
         }))
         pen.closePath()
-        pen.fillStyle = shape.robot ? ROBOT : shape.ground ? GROUND : COLOURS[shape.type] || '#999'
+        pen.fillStyle = shape.robot ? ROBOT : shape.ground ? GROUND : shape.colour
         pen.fill()
         pen.globalAlpha = 0.6
         pen.strokeStyle = ink

@@ -74,4 +74,9 @@ public class Box extends Shape {
     protected String defaultPicture() {
         return "textures/cardboard.png";
     }
+
+    @Override
+    public String getColour() {
+        return "#c49a6c";
+    }
 }

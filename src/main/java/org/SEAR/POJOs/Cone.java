@@ -47,4 +47,9 @@ public class Cone extends RoundShape {
     protected String defaultPicture() {
         return "textures/cone.png";
     }
+
+    @Override
+    public String getColour() {
+        return "#e8722a";
+    }
 }

@@ -47,4 +47,9 @@ public class Cylinder extends RoundShape {
     protected String defaultPicture() {
         return "textures/recycling.png";
     }
+
+    @Override
+    public String getColour() {
+        return "#5b8c5a";
+    }
 }

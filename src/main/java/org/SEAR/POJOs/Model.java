@@ -86,4 +86,9 @@ public class Model extends Shape {
         terrain = checked("terrain", on);
         changed();
     }
+
+    @Override
+    public String getColour() {
+        return "#6b8e23";
+    }
 }

@@ -75,6 +75,11 @@ public abstract class Shape extends SearObject {
         return null;
     }
 
+    /** Its colour in drawings, which show no pictures: that of its kind, as {@code #rrggbb}. */
+    public String getColour() {
+        return "#999999";
+    }
+
     /** Factor on the size along x. */
     public double getScaleX() {
         return scaleX;

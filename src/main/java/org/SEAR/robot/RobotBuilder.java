@@ -13,7 +13,10 @@ import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.Scenes;
+import org.SEAR.physics.solid.BoxSolid;
+import org.SEAR.physics.solid.RoundSolid;
 import org.SEAR.physics.solid.Solid;
+import org.SEAR.physics.solid.Solids;
 import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;
@@ -35,8 +38,8 @@ public final class RobotBuilder {
     public final Body body;
     /** Greatest distance of the components from the vertical axis, metres. */
     final double radius;
-    /** Of the components that are models, see {@link Solid#corners}. */
-    public final Map<SearObject, double[][]> corners = new IdentityHashMap<>();
+    /** Of the components and wheels that have one. */
+    public final Map<SearObject, Solid> shapes = new IdentityHashMap<>();
     private final List<Solid> solids = new ArrayList<>();
     private final List<Pose> places = new ArrayList<>();
     private final List<Boolean> visible = new ArrayList<>();
@@ -53,10 +56,11 @@ public final class RobotBuilder {
         radius = reach();
         double[] centre = CentreOfMass.place(centroid(), isWeighed(), robot.getWheels());
         for (Wheel wheel : robot.getWheels()) {
-            Solid solid = Solid.of(wheel, project);
+            Solid solid = Solids.of(wheel, project);
             wheelSolids.add(solid);
+            shapes.put(wheel, solid);
             Pose at = new Pose(wheel.getX(), wheel.getY(), wheel.getZ(), 0, 0, 0, 1);
-            add(Solid.wheel(solid.halfX * GUARD, solid.halfY, Pose.IDENTITY), at, false, 0);
+            add(RoundSolid.wheel(solid.halfX * GUARD, solid.halfY), at, false, 0);
         }
         Pose[] all = new Pose[solids.size()];
         for (int i = 0; i < all.length; i++) {
@@ -87,9 +91,9 @@ public final class RobotBuilder {
 
     private void components(Project project) throws ProjectException {
         for (SearObject part : object.getComponents()) {
-            Solid solid = Solid.of(part, project);
+            Solid solid = Solids.of(part, project);
             if (solid != null) {
-                corners.put(part, solid.corners());
+                shapes.put(part, solid);
                 add(solid, ObjectPose.of(part), ((Shape) part).isVisibleToSensors(), weight((Shape) part, solid));
             }
         }
@@ -118,7 +122,7 @@ public final class RobotBuilder {
             halfX = Math.max(halfX, Math.abs(wheel.getX()));
             halfZ = Math.max(halfZ, Math.abs(wheel.getZ()));
         }
-        return Solid.box(halfX, BARE / 2, halfZ, Pose.IDENTITY);
+        return new BoxSolid(halfX, BARE / 2, halfZ, Pose.IDENTITY);
     }
 
     private double[] centroid() {

@@ -206,13 +206,13 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Corners of a model that are enough to draw its outline from any side: {x, y, z} in metres, scale included, in the object's frame. Any thread.
+     * Points of an object that are enough to draw its outline from any side: {x, y, z} in metres, scale included, in the object's frame. Any thread.
      *
      * @param object of this world's project
-     * @return empty for an object that is no model
+     * @return empty for an object without a shape
      */
-    public double[][] getCorners(SearObject object) {
-        return world.getCorners(object);
+    public double[][] getOutline(SearObject object) {
+        return world.getOutline(object);
     }
 
     /**

@@ -18,6 +18,7 @@ import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
 import org.SEAR.physics.StartPoses;
 import org.SEAR.physics.solid.Solid;
+import org.SEAR.physics.solid.Solids;
 import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;
@@ -39,8 +40,8 @@ final class World implements PhysicsWorld.Touches {
     private final List<RobotModel> robots = new ArrayList<>();
     private final List<String> warnings = new ArrayList<>();
     private final VirtualWalls virtualWalls = new VirtualWalls();
-    /** Of everything that is a model; only looked up, never walked through. */
-    private final Map<SearObject, double[][]> corners = new IdentityHashMap<>();
+    /** Of everything that has a shape; only looked up, never walked through. */
+    private final Map<SearObject, Solid> shapes = new IdentityHashMap<>();
     private List<Pose> poses;
     private final List<double[]> contacts = new ArrayList<>();
     private boolean wantsContacts;
@@ -59,7 +60,7 @@ final class World implements PhysicsWorld.Touches {
             Body body = body(object, project);
             environment.add(body);
             if (body != null) {
-                corners.put(object, body.solids.get(0).corners());
+                shapes.put(object, body.solids.get(0));
                 physics.add(body);
                 boolean ground = object instanceof Floor || object instanceof Model && ((Model) object).isTerrain();
                 body.addTo(scenes, Collections.singletonList(((Shape) object).isVisibleToSensors() && (groundVisible || !ground)), -1, 1);
@@ -72,7 +73,7 @@ final class World implements PhysicsWorld.Touches {
         for (SEARrobot robot : project.getRobots()) {
             RobotBuilder builder = RobotBuilder.of(robot, project, warnings);
             physics.add(builder.body);
-            corners.putAll(builder.corners);
+            shapes.putAll(builder.shapes);
             builder.addTo(scenes, robots.size());
             RobotTruth truth = new RobotTruth(builder.body, scenes, robots.size(), Earth.of(project, robot), epochMillis);
             robots.add(new RobotModel(builder, robots.size(), scenes, truth, virtualWalls));
@@ -98,7 +99,7 @@ final class World implements PhysicsWorld.Touches {
     }
 
     private static Body body(SearObject object, Project project) throws ProjectException {
-        Solid solid = Solid.of(object, project);
+        Solid solid = Solids.of(object, project);
         if (solid == null) {
             return null;
         }
@@ -192,9 +193,9 @@ final class World implements PhysicsWorld.Touches {
         return poses;
     }
 
-    /** See {@link Solid#corners}. */
-    double[][] getCorners(SearObject object) {
-        return corners.getOrDefault(object, new double[0][]);
+    /** See {@link Solid#outline}. */
+    double[][] getOutline(SearObject object) {
+        return shapes.containsKey(object) ? shapes.get(object).outline() : new double[0][];
     }
 
     List<double[]> getContacts() {

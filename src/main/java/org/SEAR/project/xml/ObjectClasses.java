@@ -7,50 +7,43 @@ import java.util.Map;
 import java.util.ServiceLoader;
 import java.util.TreeMap;
 import org.SEAR.POJOs.Accelerometer;
-import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Compass;
-import org.SEAR.POJOs.Cone;
-import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Dynamics;
-import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Gyroscope;
 import org.SEAR.POJOs.LIDAR;
-import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.ObjectTypes;
 import org.SEAR.POJOs.Odometer;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.POJOs.Wheel;
+import org.SEAR.POJOs.Shape;
 
-/** All classes that may stand as root element in an object's file: the grammar's own and those that other jars register. Immutable, any thread. */
+/** All classes that may stand as root element in an object's file: the grammar's own, shapes as {@code physics.solid.Solids}
+ * lists them, and those that other jars register. Immutable, any thread. */
 public final class ObjectClasses {
-    private static final List<Class<? extends SearObject>> OWN = List.of(Box.class, Cylinder.class, Cone.class, Floor.class, Model.class, Wheel.class,
-        SEARrobot.class, Dynamics.class, Distance.class, LIDAR.class, GPS.class, Compass.class, Accelerometer.class, Gyroscope.class, Odometer.class);
+    private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Distance.class,
+        LIDAR.class, GPS.class, Compass.class, Accelerometer.class, Gyroscope.class, Odometer.class);
 
     private final Map<String, Class<? extends SearObject>> byElement = new TreeMap<>();
     private final List<Class<? extends SearObject>> inOrder = new ArrayList<>();
 
     private ObjectClasses() {
-        OWN.forEach(this::add);
+        List<Class<? extends SearObject>> registered = new ArrayList<>();
         ClassLoader own = ObjectTypes.class.getClassLoader();
         ClassLoader context = Thread.currentThread().getContextClassLoader();
-        addRegistered(own);
+        ServiceLoader.load(ObjectTypes.class, own).forEach(more -> registered.addAll(more.types()));
         if (context != null && context != own) {
-            addRegistered(context);
+            ServiceLoader.load(ObjectTypes.class, context).forEach(more -> registered.addAll(more.types()));
         }
+        registered.stream().filter(Shape.class::isAssignableFrom).forEach(this::add);
+        OWN.forEach(this::add);
+        registered.forEach(this::add);
     }
 
     /** The classes that there are now; looks at the class path again each time. */
     public static ObjectClasses find() {
         return new ObjectClasses();
-    }
-
-    private void addRegistered(ClassLoader loader) {
-        for (ObjectTypes more : ServiceLoader.load(ObjectTypes.class, loader)) {
-            more.types().forEach(this::add);
-        }
     }
 
     private void add(Class<? extends SearObject> type) {
@@ -68,7 +61,7 @@ public final class ObjectClasses {
         return byElement.get(element);
     }
 
-    /** All classes, the grammar's own first. */
+    /** All classes: shapes, then the grammar's other ones, then those of other jars. */
     public List<Class<? extends SearObject>> all() {
         return Collections.unmodifiableList(inOrder);
     }

@@ -10,12 +10,10 @@ import com.jme3.scene.Node;
 import com.jme3.scene.Spatial;
 import com.jme3.scene.VertexBuffer.Type;
 import com.jme3.scene.shape.Box;
+import com.jme3.util.BufferUtils;
 import java.io.IOException;
-import java.nio.FloatBuffer;
 import java.util.Map;
 import java.util.function.Consumer;
-import org.SEAR.POJOs.Cone;
-import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
@@ -24,6 +22,10 @@ import org.SEAR.POJOs.SensorObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.SurfaceMesh;
+import org.SEAR.physics.solid.BoxSolid;
+import org.SEAR.physics.solid.Solid;
+import org.SEAR.physics.solid.Solids;
 import org.SEAR.project.ObjectPose;
 import org.SEAR.project.models.ModelLoader;
 
@@ -32,7 +34,6 @@ public final class SceneBuilder {
     private static final ColorRGBA TYRE = new ColorRGBA(0.13f, 0.13f, 0.14f, 1);
     private static final ColorRGBA HUB = new ColorRGBA(0.75f, 0.76f, 0.78f, 1);
     private static final ColorRGBA SENSOR = new ColorRGBA(0.16f, 0.18f, 0.22f, 1);
-    private static final float FLOOR_THICKNESS = (float) Floor.THICKNESS;
     private static final float SENSOR_SIZE = 0.015f;
     private static final float SPOKE = 0.18f;
     private static final float HALF = 0.5f;
@@ -52,14 +53,18 @@ public final class SceneBuilder {
     /** An object of the environment or a part of a robot; an empty node for what has no shape. */
     Node object(SearObject object) {
         Node node = new Node(object.getName());
-        if (object instanceof Wheel) {
-            node.attachChild(wheel((Wheel) object));
-        } else if (object instanceof Model) {
-            node.attachChild(model((Model) object));
-        } else if (object instanceof Shape) {
-            node.attachChild(solid((Shape) object));
-        } else if (object instanceof SensorObject) {
-            node.attachChild(sensor(object));
+        try {
+            if (object instanceof Wheel) {
+                node.attachChild(wheel((Wheel) object));
+            } else if (object instanceof Model) {
+                node.attachChild(model((Model) object));
+            } else if (object instanceof Shape) {
+                node.attachChild(solid((Shape) object));
+            } else if (object instanceof SensorObject) {
+                node.attachChild(sensor(object));
+            }
+        } catch (IOException e) {
+            warnings.accept("a model can't be shown: " + e.getMessage());
         }
         return node;
     }
@@ -86,67 +91,57 @@ public final class SceneBuilder {
         return new Vector3f((float) shape.getScaleX(), (float) shape.getScaleY(), (float) shape.getScaleZ());
     }
 
-    private Spatial solid(Shape shape) {
-        Geometry solid = new Geometry(shape.getName(), mesh(shape));
-        solid.setMaterial(materials.picture(shape.getPicture()));
-        solid.setLocalScale(scale(shape));
-        solid.setShadowMode(shape instanceof Floor ? ShadowMode.Receive : ShadowMode.CastAndReceive);
-        if (shape instanceof Floor) {
-            solid.setLocalTranslation(0, -FLOOR_THICKNESS / 2, 0);
+    private Spatial solid(Shape shape) throws IOException {
+        Solid solid = Solids.of(shape, models);
+        if (solid == null) {
+            return new Node(shape.getName());
         }
-        return solid;
+        Geometry geometry = new Geometry(shape.getName(), mesh(solid, TILES.get(shape.getPicture())));
+        geometry.setMaterial(materials.picture(shape.getPicture()));
+        geometry.setShadowMode(shape instanceof Floor ? ShadowMode.Receive : ShadowMode.CastAndReceive);
+        place(geometry, solid.offset);
+        return geometry;
     }
 
-    private static Mesh mesh(Shape shape) {
-        if (shape instanceof org.SEAR.POJOs.Box) {
-            org.SEAR.POJOs.Box box = (org.SEAR.POJOs.Box) shape;
-            return tiled(shape, new Box((float) box.getLength() / 2, (float) box.getHeight() / 2, (float) box.getWidth() / 2));
-        }
-        if (shape instanceof Cylinder) {
-            return SolidMeshes.cylinder((float) ((Cylinder) shape).getRadius(), (float) ((Cylinder) shape).getHeight());
-        }
-        if (shape instanceof Cone) {
-            return SolidMeshes.cone((float) ((Cone) shape).getRadius(), (float) ((Cone) shape).getHeight());
-        }
-        if (shape instanceof Floor) {
-            Floor floor = (Floor) shape;
-            return tiled(shape, new Box((float) floor.getLength() / 2, FLOOR_THICKNESS / 2, (float) floor.getWidth() / 2));
-        }
-        throw new IllegalArgumentException("no picture for a " + shape.getClass().getSimpleName() + " (" + shape.getName() + ")");
+    /** @param tile metres of the picture of a surface, which a box repeats in its true size; null for other pictures, which cover each face once */
+    private static Mesh mesh(Solid solid, Float tile) {
+        SurfaceMesh look = solid.look();
+        boolean repeated = tile != null && solid instanceof BoxSolid;
+        Mesh mesh = new Mesh();
+        mesh.setBuffer(Type.Position, 3, BufferUtils.createFloatBuffer(look.getPositions()));
+        mesh.setBuffer(Type.Normal, 3, BufferUtils.createFloatBuffer(look.getNormals()));
+        mesh.setBuffer(Type.TexCoord, 2, BufferUtils.createFloatBuffer(repeated ? tiled(look, tile) : look.getPictures()));
+        mesh.setBuffer(Type.Index, 3, BufferUtils.createIntBuffer(look.getIndices()));
+        mesh.updateBound();
+        mesh.setStatic();
+        return mesh;
     }
 
-    /** Repeats a picture of a surface in its true size; other pictures cover each face once. */
-    private static Mesh tiled(Shape shape, Box box) {
-        Float size = TILES.get(shape.getPicture());
-        if (size != null) {
-            FloatBuffer places = box.getFloatBuffer(Type.Position);
-            FloatBuffer normals = box.getFloatBuffer(Type.Normal);
-            FloatBuffer pictures = box.getFloatBuffer(Type.TexCoord);
-            for (int i = 0; i < box.getVertexCount(); i++) {
-                float x = (float) (places.get(3 * i) * shape.getScaleX()) / size;
-                float y = (float) (places.get(3 * i + 1) * shape.getScaleY()) / size;
-                float z = (float) (places.get(3 * i + 2) * shape.getScaleZ()) / size;
-                boolean level = Math.abs(normals.get(3 * i + 1)) > HALF;
-                pictures.put(2 * i, Math.abs(normals.get(3 * i)) > HALF ? z : x);
-                pictures.put(2 * i + 1, level ? z : y);
-            }
+    /** The places in a picture of a surface that is repeated in its true size. */
+    private static float[] tiled(SurfaceMesh box, float size) {
+        float[] places = box.getPositions();
+        float[] normals = box.getNormals();
+        float[] pictures = box.getPictures();
+        for (int i = 0; i < pictures.length / 2; i++) {
+            boolean level = Math.abs(normals[3 * i + 1]) > HALF;
+            pictures[2 * i] = places[Math.abs(normals[3 * i]) > HALF ? 3 * i + 2 : 3 * i] / size;
+            pictures[2 * i + 1] = places[level ? 3 * i + 2 : 3 * i + 1] / size;
         }
-        return box;
+        return pictures;
     }
 
-    private Spatial wheel(Wheel wheel) {
+    private Spatial wheel(Wheel wheel) throws IOException {
         Node node = new Node(wheel.getName());
-        float radius = (float) wheel.getRadius();
-        float width = (float) wheel.getWidth();
-        Quaternion axle = new Quaternion().fromAngles(0, 0, (float) Math.PI / 2);
-        Geometry tyre = new Geometry("tyre", SolidMeshes.cylinder(radius, width));
+        Solid solid = Solids.of(wheel, models);
+        Geometry tyre = new Geometry("tyre", mesh(solid, null));
         tyre.setMaterial(wheel.getImage() == null ? materials.lit(TYRE) : materials.picture(wheel.getPicture()));
-        tyre.setLocalRotation(axle);
-        Geometry spoke = new Geometry("spoke", new Box(width / 2 + radius * 0.02f, radius * SPOKE, radius * 0.85f));
+        place(tyre, solid.offset);
+        float radius = (float) wheel.getRadius();
+        Geometry spoke = new Geometry("spoke", new Box((float) wheel.getWidth() / 2 + radius * 0.02f, radius * SPOKE, radius * 0.85f));
         spoke.setMaterial(materials.lit(HUB));
+        spoke.setLocalScale(scale(wheel));
         node.attachChild(tyre);
         node.attachChild(spoke);
-        node.setLocalScale(scale(wheel));
         node.setShadowMode(ShadowMode.CastAndReceive);
         return node;
     }
@@ -158,21 +153,17 @@ public final class SceneBuilder {
         return housing;
     }
 
-    private Spatial model(Model object) {
+    private Spatial model(Model object) throws IOException {
         Node scaled = new Node(object.getName());
-        try {
-            Spatial model = models.spatial(object);
-            if (object.getImage() == null) {
-                materials.simplify(model);
-            } else {
-                model.setMaterial(materials.picture(object.getPicture()));
-            }
-            scaled.attachChild(model);
-            scaled.setLocalScale(scale(object));
-            scaled.setShadowMode(object.isTerrain() ? ShadowMode.Receive : ShadowMode.CastAndReceive);
-        } catch (IOException e) {
-            warnings.accept("a model can't be shown: " + e.getMessage());
+        Spatial model = models.spatial(object);
+        if (object.getImage() == null) {
+            materials.simplify(model);
+        } else {
+            model.setMaterial(materials.picture(object.getPicture()));
         }
+        scaled.attachChild(model);
+        scaled.setLocalScale(scale(object));
+        scaled.setShadowMode(object.isTerrain() ? ShadowMode.Receive : ShadowMode.CastAndReceive);
         return scaled;
     }
 }

@@ -7,14 +7,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.SEAR.POJOs.BeamCone;
-import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Distance;
-import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Model;
-import org.SEAR.POJOs.RoundShape;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
-import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ObjectPose;
 import org.SEAR.robot.Robot;
@@ -32,10 +28,11 @@ import org.myrobotlab.service.sear.readings.ScriptReadings;
  *
  * <pre>
  * {"time": 1.5, "step": 90,
- *  "objects": [{"name": "Box1", "type": "Box", "size": [0.25, 0.25, 0.25], "scale": [1, 1, 1], "image": null, "pose": [..]},
- *              {"name": "Tree1", "type": "Model", "corners": [[x, y, z], ..] (scaled, in its own frame), "terrain": false, ..}],
+ *  "objects": [{"name": "Box1", "type": "Box", "corners": [[x, y, z], ..] (enough for its outline from any side, in its own frame),
+ *               "image": null, "colour": "#c49a6c", "pose": [..]},
+ *              {"name": "Tree1", "type": "Model", "terrain": false, ..}],
  *  "robots": [{"name": "myRoomba", "pose": [..], "speed": 0.2, "turnRate": 0, "radius": 0.17, "path": [[x, z], ..], "status": [..],
- *              "parts": [{"name", "type", "size", "image", "pose" (in the body)}]}],
+ *              "parts": [{"name", "type", "corners", "image", "colour", "pose" (in the body)}]}],
  *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "hit": [x, y, z] or null,
  *               "cones": [{"halfAngle", "range", "yaw"}]},
  *              {"name": "myLidar", "type": "LIDAR", "pose": [..], "spread": 180, "resolution": 1, "ranges": [.., null, ..]}]}
@@ -121,44 +118,26 @@ public final class WorldJson {
     private static void addFixed(Map<String, Object> map, SearObject object, Simulation world) {
         map.put("name", object.getName());
         map.put("type", object.getClass().getSimpleName());
-        map.put("size", size(object));
+        map.put("corners", corners(world.getOutline(object)));
         if (object instanceof Shape) {
-            Shape shape = (Shape) object;
-            map.put("image", shape.getImage());
-            map.put("scale", new double[] {shape.getScaleX(), shape.getScaleY(), shape.getScaleZ()});
+            map.put("image", ((Shape) object).getImage());
+            map.put("colour", ((Shape) object).getColour());
         }
         if (object instanceof Model) {
             map.put("terrain", ((Model) object).isTerrain());
-            map.put("corners", corners(world.getCorners(object)));
         }
     }
 
-    private static double[][] corners(double[]... exact) {
-        double[][] corners = new double[exact.length][3];
+    private static double[][] corners(double[][] exact) {
+        double[][] corners = new double[exact.length][];
         for (int i = 0; i < exact.length; i++) {
-            for (int axis = 0; axis < corners[i].length; axis++) {
-                corners[i][axis] = rounded(exact[i][axis], MILLIMETRES);
-            }
+            corners[i] = point(exact[i], FINE);
         }
         return corners;
     }
 
-    /** Unscaled: Box [length, height, width]; Cylinder and Cone [radius, height]; Wheel [radius, width]; Floor [length, width]; else []. */
-    private static double[] size(SearObject object) {
-        if (object instanceof Box) {
-            Box box = (Box) object;
-            return new double[] {box.getLength(), box.getHeight(), box.getWidth()};
-        }
-        if (object instanceof RoundShape) {
-            return new double[] {((RoundShape) object).getRadius(), ((RoundShape) object).getHeight()};
-        }
-        if (object instanceof Wheel) {
-            return new double[] {((Wheel) object).getRadius(), ((Wheel) object).getWidth()};
-        }
-        if (object instanceof Floor) {
-            return new double[] {((Floor) object).getLength(), ((Floor) object).getWidth()};
-        }
-        return new double[0];
+    private static double[] point(double[] exact, double per) {
+        return new double[] {rounded(exact[0], per), rounded(exact[1], per), rounded(exact[2], per)};
     }
 
     private List<Object> robots(Snapshot snapshot) {
@@ -245,7 +224,7 @@ public final class WorldJson {
         }
         if (reading instanceof DistanceReading) {
             double[] hit = ((DistanceReading) reading).getHitPoint();
-            map.put("hit", hit == null ? null : corners(hit)[0]);
+            map.put("hit", hit == null ? null : point(hit, MILLIMETRES));
         }
     }
 

@@ -1,0 +1,91 @@
+package org.SEAR.physics.solid;
+
+import com.bulletphysics.collision.shapes.CollisionShape;
+import java.io.IOException;
+import org.SEAR.POJOs.Model;
+import org.SEAR.collision.ConvexHull;
+import org.SEAR.collision.ConvexShape;
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.SurfaceMesh;
+import org.SEAR.geometry.Triangles;
+import org.SEAR.project.models.ModelLoader;
+import org.SEAR.raycast.BeamScene;
+
+/** Triangles, as of a model. */
+class MeshSolid extends Solid {
+    /** Directions in which a drawing looks for a model's outermost corners. */
+    private static final int DRAWN_DIRECTIONS = 48;
+
+    private final Triangles mesh;
+    private final double[] scale;
+    private final double[][] corners;
+
+    /** @param scale along x, y and z */
+    MeshSolid(Triangles mesh, double[] scale, Pose offset) {
+        super(half(mesh, scale, 0), half(mesh, scale, 1), half(mesh, scale, 2), offset);
+        this.mesh = mesh;
+        this.scale = scale;
+        corners = MeshShapes.corners(mesh, scale[0], scale[1], scale[2], DRAWN_DIRECTIONS).stream()
+            .map(corner -> new double[] {corner.x, corner.y, corner.z}).toArray(double[][]::new);
+    }
+
+    static MeshSolid of(Model model, ModelLoader models) throws IOException {
+        return new MeshSolid(models.triangles(model), new double[] {model.getScaleX(), model.getScaleY(), model.getScaleZ()}, Pose.IDENTITY);
+    }
+
+    private static double half(Triangles mesh, double[] scale, int axis) {
+        double half = 0;
+        for (int i = axis; i < mesh.vertices.length; i += 3) {
+            half = Math.max(half, Math.abs(mesh.vertices[i] * scale[axis]));
+        }
+        return half;
+    }
+
+    @Override
+    public int addTo(BeamScene scene, int owner) {
+        return scene.addMesh(mesh, scale[0], scale[1], scale[2], owner);
+    }
+
+    @Override
+    protected ConvexShape makeConvex() {
+        double[] points = new double[mesh.vertices.length];
+        for (int i = 0; i < points.length; i++) {
+            points[i] = mesh.vertices[i] * scale[i % 3];
+        }
+        return ConvexHull.of(points);
+    }
+
+    @Override
+    CollisionShape bounds(boolean moving) {
+        return moving ? MeshShapes.hull((ConvexHull) convex()) : MeshShapes.fixed(mesh, scale[0], scale[1], scale[2]);
+    }
+
+    @Override
+    public SurfaceMesh look() {
+        return null;
+    }
+
+    @Override
+    protected double[][] corners() {
+        return corners;
+    }
+
+    @Override
+    public Triangles getMesh() {
+        return mesh;
+    }
+
+    @Override
+    public void corner(int vertex, Pose place, double[] into) {
+        double[] at = place.transform(mesh.vertices[vertex * 3] * scale[0], mesh.vertices[vertex * 3 + 1] * scale[1],
+            mesh.vertices[vertex * 3 + 2] * scale[2]);
+        System.arraycopy(at, 0, into, 0, 3);
+    }
+
+    @Override
+    public double[] farthest(double dx, double dy, double dz) {
+        double[] point = new double[3];
+        corner(MeshShapes.outermost(mesh, dx * scale[0], dy * scale[1], dz * scale[2]), Pose.IDENTITY, point);
+        return point;
+    }
+}

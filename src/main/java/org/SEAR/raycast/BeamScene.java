@@ -3,6 +3,7 @@ package org.SEAR.raycast;
 import java.util.Arrays;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
+import org.SEAR.raycast.solid.RaySolid;
 
 /**
  * The exact geometry that beams meet: boxes, other convex solids and triangle meshes, each with a pose in the world.

@@ -2,6 +2,7 @@ package org.SEAR.raycast;
 
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Rotation;
+import org.SEAR.raycast.solid.RaySolid;
 
 /**
  * Casts plane fans: cuts the scene with the fan's plane and lets each beam look only at the lines that lie in its direction. Holds what one thread

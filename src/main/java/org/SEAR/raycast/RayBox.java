@@ -1,5 +1,7 @@
 package org.SEAR.raycast;
 
+import org.SEAR.raycast.solid.RaySolid;
+
 /** Where a beam meets a box that is centred in the origin of its own frame; distances as {@link RaySolid} has them. */
 final class RayBox {
     private static final double MISS = Double.POSITIVE_INFINITY;

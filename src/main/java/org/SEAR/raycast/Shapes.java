@@ -2,6 +2,7 @@ package org.SEAR.raycast;
 
 import java.util.Arrays;
 import org.SEAR.geometry.Rotation;
+import org.SEAR.raycast.solid.RaySolid;
 
 /**
  * The shapes of a scene in flat arrays. {@link #data} holds {@link #STRIDE} numbers a shape: rotation matrix (world = R * own, row by row),

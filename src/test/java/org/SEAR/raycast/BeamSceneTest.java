@@ -13,6 +13,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
+import org.SEAR.raycast.solid.RayRound;
 import org.junit.Test;
 
 /** Surfaces, edges, owners, visibility and movement in small scenes. */

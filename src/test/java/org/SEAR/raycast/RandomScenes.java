@@ -3,6 +3,7 @@ package org.SEAR.raycast;
 import java.util.Random;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
+import org.SEAR.raycast.solid.RayRound;
 
 /** A scene of random shapes together with its {@link Oracle}. */
 final class RandomScenes {

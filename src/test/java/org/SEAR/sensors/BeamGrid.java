@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.raycast.BeamScene;
-import org.SEAR.raycast.RayRound;
+import org.SEAR.raycast.solid.RayRound;
 
 /** The data sheets' test again: an upright pole is put on each point of a grid before a sensor that answers whether it sees it. */
 final class BeamGrid {

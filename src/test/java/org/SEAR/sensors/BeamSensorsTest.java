@@ -17,7 +17,7 @@ import org.SEAR.POJOs.Noise;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.raycast.BeamScene;
-import org.SEAR.raycast.RayRound;
+import org.SEAR.raycast.solid.RayRound;
 import org.junit.Rule;
 import org.junit.Test;
 

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Random;
 import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
-import org.SEAR.raycast.RayRound;
+import org.SEAR.raycast.solid.RayRound;
 
 /**
  * A world of solids twice over: in a beam scene, and as exact distance functions along which a beam is marched. The two ways to a range

@@ -11,7 +11,7 @@ import org.SEAR.collision.ConvexShape;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.raycast.BeamScene;
-import org.SEAR.raycast.RayRound;
+import org.SEAR.raycast.solid.RayRound;
 
 /** A cylinder or cone about its y axis, with circles as ends; a wheel is a cylinder that lies. */
 public final class RoundSolid extends Solid {

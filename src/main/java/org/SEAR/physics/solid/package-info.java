@@ -1,5 +1,6 @@
 /**
- * What an object of the grammar is to touch and to beams: its geometry, its surface, and the shape that jbullet looks for pairs with. May use
+ * What an object of the grammar is to touch, to beams and to whoever draws it: its geometry, its surface, and the shape that jbullet looks for pairs
+ * with. {@link org.SEAR.physics.solid.Solids} lists the kinds. May use
  * {@link org.SEAR.collision}, {@link org.SEAR.raycast} and {@link org.SEAR.project}. Made on the thread that opens a project, then used by the
  * simulation thread.
  */

@@ -1,4 +1,4 @@
-package org.SEAR.raycast;
+package org.SEAR.raycast.solid;
 
 /**
  * A convex solid, centred in the origin of its own frame, as single beams meet it. Implementations are immutable and allocate nothing here: the loop

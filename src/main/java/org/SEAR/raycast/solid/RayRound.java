@@ -1,4 +1,4 @@
-package org.SEAR.raycast;
+package org.SEAR.raycast.solid;
 
 /** A solid of revolution about the y axis whose radius is r + slope * y for |y| &lt;= h. Immutable. */
 public final class RayRound implements RaySolid {

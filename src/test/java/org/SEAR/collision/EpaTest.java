@@ -57,6 +57,31 @@ public class EpaTest {
         }
     }
 
+    @Test
+    public void spheresPartAlongTheLineOfTheirCentres() {
+        for (int i = 0; i < 200; i++) {
+            double[] n = shapes.direction(3);
+            double radius = shapes.size();
+            double apart = (0.3 + 0.65 * shapes.random.nextDouble()) * (radius + 0.5);
+            assertTrue(what(i), gjk.measure(RandomShapes.at(new ConvexEllipsoid(radius, radius, radius), apart * n[0], apart * n[1], apart * n[2]),
+                RandomShapes.at(new ConvexEllipsoid(0.5, 0.5, 0.5), 0, 0, 0), 0));
+            assertEquals(what(i), apart - radius - 0.5, gjk.distance, 2 * CURVED);
+        }
+    }
+
+    /** As deep as contacts are: a tenth of a millimetre, where the polytope is done at once. */
+    @Test
+    public void aSphereThatTouchesABoxIsAsDeepAsItsLowestPoint() {
+        for (int i = 0; i < 200; i++) {
+            double radius = shapes.size();
+            double depth = 1e-4 * shapes.random.nextDouble();
+            assertTrue(what(i), gjk.measure(RandomShapes.at(new ConvexEllipsoid(radius, radius, radius), 0.3, 1 + radius - depth, -0.2),
+                RandomShapes.at(new ConvexBox(1, 1, 1), 0, 0, 0), 0));
+            assertEquals(what(i), -depth, gjk.distance, FLAT);
+            assertEquals(what(i), 1, gjk.ny, 1e-4);
+        }
+    }
+
     /** No direction needs less way to part them, and along its own normal the depth is what it says. */
     @Test
     public void noDirectionPartsThemSooner() {

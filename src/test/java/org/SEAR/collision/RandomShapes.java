@@ -24,13 +24,15 @@ final class RandomShapes {
 
     /** A shape of 0.1 to 1 m half size. */
     ConvexShape shape() {
-        switch (random.nextInt(4)) {
+        switch (random.nextInt(5)) {
             case 0:
                 return new ConvexBox(size(), size(), size());
             case 1:
                 return ConvexRound.cylinder(size(), size());
             case 2:
                 return ConvexRound.cone(size(), size());
+            case 3:
+                return new ConvexEllipsoid(size(), size(), size());
             default:
                 return ConvexHull.of(cloud(POINTS));
         }

@@ -24,6 +24,7 @@ import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.Sphere;
 import org.SEAR.POJOs.Wheel;
 import org.junit.Before;
 import org.junit.Rule;
@@ -74,6 +75,7 @@ public class DoorTest {
         refused(() -> new Box("b", 1, -1, Double.NaN, -2), "width is -1", "height is NaN",
             "mass is -2, legal: 0, or a number from 0.000001 to 1000000 kg");
         refused(() -> new Cylinder("c", Double.POSITIVE_INFINITY, 1, 1), "radius is Infinity");
+        refused(() -> new Sphere("s", -1, 1), "radius is -1");
         refused(() -> new Cone("a/b", 1, 1, 1), "name is \"a/b\"", "can be a file name");
         refused(() -> new Cone(null, 1, 1, 1), "name is missing");
         refused(() -> new Floor("NUL", 1, 1), "name is \"NUL\"", "device name");

@@ -22,6 +22,7 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SensorObject;
 import org.SEAR.POJOs.Shape;
+import org.SEAR.POJOs.Sphere;
 import org.SEAR.POJOs.Wheel;
 
 /** Creates random legal projects: any class, any legal value, odd names. The same seed gives the same project. */
@@ -85,7 +86,7 @@ final class RandomProjects {
     private Shape shape(boolean environment) {
         Shape shape;
         double mass = random.nextInt(4) == 0 ? 0 : number(1e-6, 1e6);
-        switch (random.nextInt(environment ? 5 : 4)) {
+        switch (random.nextInt(environment ? 6 : 5)) {
             case 0:
                 shape = new Box(name(), size(), size(), size(), mass);
                 break;
@@ -96,6 +97,9 @@ final class RandomProjects {
                 shape = new Cone(name(), size(), size(), mass);
                 break;
             case 3:
+                shape = new Sphere(name(), size(), mass);
+                break;
+            case 4:
                 shape = new Model(name(), "models/Tree/Tree.mesh.xml", mass);
                 break;
             default:

@@ -13,6 +13,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
+import org.SEAR.raycast.solid.RayEllipsoid;
 import org.SEAR.raycast.solid.RayRound;
 import org.junit.Test;
 
@@ -40,6 +41,26 @@ public class BeamSceneTest {
         double[] ranges = new double[BEAMS];
         scene.castFan(pose, START, STEP, BEAMS, RANGE, BeamScene.WORLD, ranges, null);
         return ranges;
+    }
+
+    @Test
+    public void beamsMeetAnEllipsoidWhereItsEquationSays() {
+        int shape = scene.addSolid(new RayEllipsoid(1, 2, 3), BeamScene.WORLD);
+        scene.setPose(shape, 10, 0, 0, 0, 0, 0, 1);
+        scene.commit();
+        assertEquals(9, scene.cast(0, 0, 0, 1, 0, 0, 100, BeamScene.WORLD, hit), EXACT);
+        assertEquals(-1, hit.nx, EXACT);
+        assertEquals("at half of its height", 10 - Math.sqrt(0.75), scene.cast(0, 1, 0, 1, 0, 0, 100, BeamScene.WORLD, hit), EXACT);
+        double length = Math.hypot(Math.sqrt(0.75), 0.25);
+        assertEquals(-Math.sqrt(0.75) / length, hit.nx, EXACT);
+        assertEquals(0.25 / length, hit.ny, EXACT);
+        assertEquals("from inside", 3, scene.cast(10, 0, 0, 0, 0, 1, 100, BeamScene.WORLD, null), EXACT);
+        assertEquals("from its surface", 0, scene.cast(9, 0, 0, 1, 0, 0, 100, BeamScene.WORLD, null), EXACT);
+        assertEquals("beside it", NOTHING, scene.cast(0, 2.001, 0, 1, 0, 0, 100, BeamScene.WORLD, null), 0);
+        double[] ranges = new double[3];
+        scene.castFan(Pose.ofDegrees(0, 0, 0, 0, 90, 0), -0.1, 0.1, 3, 100, BeamScene.WORLD, ranges, null);
+        assertEquals("ahead in a fan", 9, ranges[1], 1e-9);
+        assertEquals("both sides are alike", ranges[0], ranges[2], 1e-9);
     }
 
     @Test

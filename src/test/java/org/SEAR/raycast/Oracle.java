@@ -125,6 +125,33 @@ final class Oracle {
         };
     }
 
+    /** Points whose coordinates along the axes, each by its half size, have squares that make 1, sought from the beam's point beside the centre. */
+    static Surface ellipsoid(Pose pose, double... half) {
+        double[] centre = {pose.x, pose.y, pose.z};
+        double[][] axes = axes(pose);
+        return (o, d) -> {
+            double beside = dot(add(centre, o, -1), d);
+            double[] w = add(add(o, d, beside), centre, -1);
+            double a = 0;
+            double b = 0;
+            double c = -1;
+            for (int k = 0; k < 3; k++) {
+                double along = dot(d, axes[k]) / half[k];
+                double at = dot(w, axes[k]) / half[k];
+                a += along * along;
+                b += 2 * along * at;
+                c += at * at;
+            }
+            double rest = b * b - 4 * a * c;
+            if (rest < 0) {
+                return MISS;
+            }
+            double near = beside + (-b - Math.sqrt(rest)) / (2 * a);
+            double far = beside + (-b + Math.sqrt(rest)) / (2 * a);
+            return near >= 0 ? near : far >= 0 ? far : MISS;
+        };
+    }
+
     /** Every triangle: plane, then the side of its three edges. */
     static Surface mesh(Pose pose, Triangles triangles, double sx, double sy, double sz) {
         double[][] corner = new double[triangles.vertices.length / 3][];

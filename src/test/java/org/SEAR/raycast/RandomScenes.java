@@ -3,6 +3,7 @@ package org.SEAR.raycast;
 import java.util.Random;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
+import org.SEAR.raycast.solid.RayEllipsoid;
 import org.SEAR.raycast.solid.RayRound;
 
 /** A scene of random shapes together with its {@link Oracle}. */
@@ -44,7 +45,7 @@ final class RandomScenes {
             double a = between(0.05, 0.8);
             double b = between(0.05, 0.8);
             double c = between(0.05, 0.8);
-            switch (random.nextInt(4)) {
+            switch (random.nextInt(5)) {
                 case 0:
                     place(scene.addBox(a, b, c, BeamScene.WORLD), pose);
                     oracle.surfaces.add(Oracle.box(pose, a, b, c));
@@ -56,6 +57,10 @@ final class RandomScenes {
                 case 2:
                     place(scene.addSolid(RayRound.cone(a, b), BeamScene.WORLD), pose);
                     oracle.surfaces.add(Oracle.cone(pose, a, b));
+                    break;
+                case 3:
+                    place(scene.addSolid(new RayEllipsoid(a, b, c), BeamScene.WORLD), pose);
+                    oracle.surfaces.add(Oracle.ellipsoid(pose, a, b, c));
                     break;
                 default:
                     Triangles soup = soup(random.nextInt(60) + 1);

@@ -13,6 +13,7 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Sphere;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
@@ -59,6 +60,14 @@ public class ClosedFormsTest {
         put(new Cylinder("thing", 0.1, 0.3, 2), 0.1, 10, 90, 0, 0);
         double slope = Math.toRadians(10);
         near("a cylinder rolls down 10 degrees, 3 s", G * (Math.sin(slope) - 0.002 * Math.cos(slope)) * 2 / 3 * 4.5, gone(3));
+    }
+
+    @Test
+    public void aSphereRollsDownASlope() throws Exception {
+        new Floor("slope", 400, 10).rotate(0, 0, 10);
+        put(new Sphere("thing", 0.1, 2), 0.1, 10, 0, 0, 0);
+        double slope = Math.toRadians(10);
+        near("a sphere rolls down 10 degrees, 3 s", G * (Math.sin(slope) - 0.002 * Math.cos(slope)) * 5 / 7 * 4.5, gone(3));
     }
 
     @Test

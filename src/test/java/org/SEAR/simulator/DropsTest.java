@@ -15,6 +15,7 @@ import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Sphere;
 import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
@@ -56,12 +57,16 @@ public class DropsTest {
             String name = "thing" + i;
             double mass = Math.pow(10, 3 * random.nextDouble() - 2);
             SearObject thing;
-            switch (random.nextInt(3)) {
+            switch (random.nextInt(4)) {
                 case 0:
                     thing = new Box(name, size, size * (0.2 + random.nextDouble()), size, mass);
                     break;
                 case 1:
                     thing = new Cylinder(name, size / 2, size * (0.3 + random.nextDouble()), mass);
+                    break;
+                case 2:
+                    thing = new Sphere(name, size / 2, mass);
+                    ((Sphere) thing).scale(1, random.nextBoolean() ? 1 : 0.3 + random.nextDouble(), 1);
                     break;
                 default:
                     thing = new Cone(name, size / 2, size, mass);

@@ -8,6 +8,7 @@ import org.SEAR.POJOs.Cone;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Sphere;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
 import org.junit.Before;
@@ -50,6 +51,29 @@ public class RestingTest {
         place(new Cone("cone", 0.2, 0.6, 3), 4, 0.3, 0, 0, 0, 0);
         place(new Cone("lyingCone", 0.2, 0.6, 3), 6, 0.3 * Math.sin(slope), 0, 0, 0, 90 + Math.toDegrees(slope));
         staysPut(3, "standing", "lying", "cone", "lyingCone");
+    }
+
+    @Test
+    public void spheresRestOnTheirLowestPoint() throws Exception {
+        place(new Sphere("ball", 0.2, 3), 0, 0.2, 0, 0, 0, 0);
+        place(new Sphere("small", 0.02, 0.05), 1, 0.02, 0, 30, 40, 50);
+        Sphere flat = new Sphere("flat", 0.2, 3);
+        flat.scale(1, 0.5, 1.5);
+        place(flat, 2, 0.1, 0, 0, 20, 0);
+        staysPut(3, "ball", "small", "flat");
+    }
+
+    @Test
+    public void aSphereThatFallsStopsAtItsRadius() throws Exception {
+        place(new Sphere("ball", 0.2, 3), 0, 1.2, 0, 10, 20, 30);
+        Sphere egg = new Sphere("egg", 0.2, 1);
+        egg.scale(0.7, 1, 0.7);
+        place(egg, 3, 0.5, 0, 0, 0, 20);
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 40);
+        assertEquals(0.2, simulation.getPose("ball").y, 1e-3);
+        assertEquals("an egg lies on its side", 0.14, simulation.getPose("egg").y, 2e-3);
+        assertEquals(0, simulation.getWorld().getPhysics().getBusyBodies());
     }
 
     @Test

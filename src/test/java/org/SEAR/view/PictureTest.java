@@ -39,7 +39,7 @@ public class PictureTest {
     }
 
     @Test
-    public void boxesCylinderConeAndModelStandWhereTheyAreInTheirPictures() throws Exception {
+    public void boxesCylinderConeSphereAndModelStandWhereTheyAreInTheirPictures() throws Exception {
         view.press("F2");
         view.ask(() -> {
             view.scene().camera().fly(new Vector3f(0, 2.5f, -1.5f), 0, HIGH);
@@ -51,6 +51,7 @@ public class PictureTest {
         assertHue("BlueBox", 2 / 3f, at(picture, -2, 0.25, 1.95));
         assertHue("Drum", 0.153f, at(picture, 1, 0.5, 3.15));
         assertHue("Spike", 0, at(picture, -1, 0.2, 3.2));
+        assertHue("Egg", 1 / 3f, at(picture, 2, 0.6, 3.2));
         Color floor = at(picture, 0, 0, 1);
         assertTrue("the floor is grey: " + floor, Math.abs(floor.getRed() - floor.getBlue()) < 30);
     }

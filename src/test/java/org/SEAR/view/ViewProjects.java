@@ -21,6 +21,7 @@ import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.Odometer;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.Sphere;
 import org.SEAR.POJOs.Wheel;
 
 /** Small projects for the window's tests. */
@@ -51,6 +52,9 @@ final class ViewProjects {
         }
         new Cylinder("Drum", 0.25, 0.7, 0, "yellow.png").move(1, 0.35, 3.4);
         new Cone("Spike", 0.25, 0.7, 0, "red.png").move(-1, 0.35, 3.4);
+        Sphere egg = new Sphere("Egg", 0.25, 0, "green.png");
+        egg.move(2, 0.35, 3.4);
+        egg.scale(0.8, 1.4, 0.8);
         Model wedge = new Model("Wedge", "wedge.obj");
         wedge.setImage("blue.png");
         wedge.move(3.2, 0, 0.5);

@@ -20,6 +20,7 @@ import org.openqa.selenium.interactions.Actions;
 
 /** The SEAR tab while a world runs: view, driving, run control, tables. */
 public class SearTabTest {
+    private static final long BALL = 0x9b6fb0ffL;
     @ClassRule
     public static final Tabs TABS = new Tabs("Runtime.start('sear', 'SEAR')");
     @Rule
@@ -79,6 +80,18 @@ public class SearTabTest {
         double z = tab.number(object + ".pose[2]");
         browser.until("a green tree", () -> tab.colour(x + 0.05, z + 0.05) == 0x6b8e23ffL);
         assertNotEquals("a metre beside it", 0x6b8e23ffL, tab.colour(x - 1, z));
+    }
+
+    @Test
+    public void aSphereIsDrawnAsLargeAsItIs() {
+        robotLab.run("from org.SEAR.POJOs import Floor, Sphere\nsear.newProject()\nFloor('floor', 8, 8, False)\n"
+            + "Sphere('ball', 0.5, 0, 1, 0.5, -1)\nSphere('egg', 0.5, 0, -2, 0.5, 1).scale(1, 1, 2)\n");
+        tab.start();
+        browser.seeText(".sear-tree", "ball Sphere");
+        browser.until("the ball", () -> tab.colour(1, -1) == BALL && tab.colour(1.4, -1) == BALL && tab.colour(1, -0.6) == BALL);
+        assertNotEquals("beside the ball", BALL, tab.colour(1.42, -0.58));
+        assertEquals("the end of the egg", BALL, tab.colour(-2, 1.9));
+        assertNotEquals("beside the egg", BALL, tab.colour(-1.4, 1));
     }
 
     @Test

@@ -1,6 +1,6 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
 from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, LIDAR, Model, Noise, \
-    Odometer, SEARrobot, Wheel
+    Odometer, SEARrobot, Sphere, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
 TREE = "models/Tree/Tree.mesh.xml"
@@ -114,3 +114,10 @@ for kind in (Accelerometer, Gyroscope):
     add(kind(name(), 20, *pose)).setBandwidth(30)
 add(Accelerometer(name())).setGravity(True)
 add(Odometer(name()))
+
+Sphere(name(), 0.5)
+Sphere(name(), 0.5, 4)
+Sphere(name(), 0.5, 4, "textures/brick.png")
+Sphere(name(), 0.5, 4, *pose[:3])
+Sphere(name(), 0.5, 4, *pose)
+Sphere(name(), 0.5, 4, "textures/brick.png", *pose)

@@ -13,6 +13,7 @@ import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.ObjectTypes;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
+import org.SEAR.POJOs.Sphere;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.Project;
 import org.SEAR.project.models.ModelLoader;
@@ -30,6 +31,7 @@ public final class Solids implements ObjectTypes {
         add(Box.class, (box, models) -> BoxSolid.of(box));
         add(Cylinder.class, (cylinder, models) -> RoundSolid.of(cylinder));
         add(Cone.class, (cone, models) -> RoundSolid.of(cone));
+        add(Sphere.class, (sphere, models) -> EllipsoidSolid.of(sphere));
         add(Floor.class, (floor, models) -> BoxSolid.of(floor));
         add(Model.class, MeshSolid::of);
         add(Wheel.class, (wheel, models) -> RoundSolid.of(wheel));

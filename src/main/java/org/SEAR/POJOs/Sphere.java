@@ -1,0 +1,65 @@
+package org.SEAR.POJOs;
+
+/** A sphere, centred on its origin; scaled, an ellipsoid. Its default picture is that of the traffic cone, around its y axis. */
+@Described("a sphere; scaled differently along its axes, an ellipsoid")
+public class Sphere extends Shape {
+    @Param(doc = "radius", unit = "m", min = SMALL, max = LARGE, required = true)
+    private double radius;
+
+    /** For reading from a file. */
+    protected Sphere() {
+    }
+
+    /** Fixed in place, mass 0. */
+    public Sphere(String name, double radius) {
+        this(name, radius, 0);
+    }
+
+    /**
+     * With its centre in the origin and the default picture.
+     *
+     * @param mass kg, 0 fixes it in place
+     */
+    public Sphere(String name, double radius, double mass) {
+        this(name, radius, mass, null);
+    }
+
+    /** @param image path below assets; null for the default picture */
+    public Sphere(String name, double radius, double mass, String image) {
+        this(name, radius, mass, image, 0, 0, 0, 0, 0, 0);
+    }
+
+    /** With its centre at (x, y, z), metres. */
+    public Sphere(String name, double radius, double mass, double x, double y, double z) {
+        this(name, radius, mass, null, x, y, z, 0, 0, 0);
+    }
+
+    /** With its centre at (x, y, z), metres, turned by (rx, ry, rz), degrees. */
+    public Sphere(String name, double radius, double mass, double x, double y, double z, double rx, double ry, double rz) {
+        this(name, radius, mass, null, x, y, z, rx, ry, rz);
+    }
+
+    /** With everything. */
+    public Sphere(String name, double radius, double mass, String image, double x, double y, double z, double rx, double ry, double rz) {
+        super(name, mass);
+        this.radius = radius;
+        wrap(image);
+        place(x, y, z, rx, ry, rz);
+        created(Sphere.class);
+    }
+
+    /** Metres, before scaling. */
+    public double getRadius() {
+        return radius;
+    }
+
+    @Override
+    protected String defaultPicture() {
+        return "textures/cone.png";
+    }
+
+    @Override
+    public String getColour() {
+        return "#9b6fb0";
+    }
+}

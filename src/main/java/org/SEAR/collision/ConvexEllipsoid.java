@@ -1,0 +1,60 @@
+package org.SEAR.collision;
+
+/** An ellipsoid with its axes along x, y and z, centred in the origin; a sphere if they are equal. Immutable. */
+public final class ConvexEllipsoid implements ConvexShape {
+    private final double a;
+    private final double b;
+    private final double c;
+
+    /** @param a half size along x, metres, likewise b along y and c along z */
+    public ConvexEllipsoid(double a, double b, double c) {
+        this.a = a;
+        this.b = b;
+        this.c = c;
+    }
+
+    @Override
+    public void support(double dx, double dy, double dz, double[] into) {
+        double length = Math.sqrt(a * dx * (a * dx) + b * dy * (b * dy) + c * dz * (c * dz));
+        into[0] = a * a * dx / length;
+        into[1] = b * b * dy / length;
+        into[2] = c * c * dz / length;
+    }
+
+    /** The one point whose normal the direction is. */
+    @Override
+    public void feature(double dx, double dy, double dz, ContactFeature into) {
+        double length = Math.sqrt(a * dx * (a * dx) + b * dy * (b * dy) + c * dz * (c * dz));
+        into.add(a * a * dx / length, b * b * dy / length, c * c * dz / length);
+    }
+
+    @Override
+    public double volume() {
+        return 4 * Math.PI / 3 * a * b * c;
+    }
+
+    @Override
+    public double[] centre() {
+        return new double[3];
+    }
+
+    @Override
+    public double[] inertia() {
+        return new double[] {(b * b + c * c) / 5, (a * a + c * c) / 5, (a * a + b * b) / 5};
+    }
+
+    @Override
+    public double radius() {
+        return Math.max(a, Math.max(b, c));
+    }
+
+    @Override
+    public double least() {
+        return Math.min(a, Math.min(b, c));
+    }
+
+    @Override
+    public boolean isTurned() {
+        return a == c;
+    }
+}

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Random;
 import java.util.function.Function;
 import org.SEAR.Bytes;
+import org.SEAR.Fuzz;
 import org.SEAR.devices.gps.GpsModel;
 import org.SEAR.devices.gps.Mt3301;
 import org.SEAR.devices.lms.Devices;
@@ -14,10 +15,8 @@ import org.SEAR.devices.oi.Roomba;
 import org.SEAR.sensors.GpsFix;
 import org.junit.Test;
 
-/** Random bytes, whole commands among them, never stop a device; -Dsear.fuzzBytes sets how many. */
+/** Random bytes, whole commands among them, never stop a device; see {@link Fuzz} for how many. */
 public class FuzzTest {
-    private static final int BYTES = Integer.getInteger("sear.fuzzBytes", 300_000);
-    private static final long SEED = Long.getLong("sear.fuzzSeed", 20261121L);
     private static final int BLOCK = 1000;
     private static final double MAX_SECONDS_BEHIND = 30;
 
@@ -27,17 +26,17 @@ public class FuzzTest {
      * @param flush what ends any unfinished command; null for power off and on
      */
     private void fuzz(Function<FakeContext, SerialDevice> maker, int[] likely, String flush, String probe, String answer) {
-        Random random = new Random(SEED);
+        Random random = new Random(Fuzz.SEED);
         FakeContext line = new FakeContext();
         line.reading = new GpsFix(1, 2, 3, 0, 0, 0);
         SerialDevice device = line.attach(maker.apply(line));
-        for (int done = 0; done < BYTES; done += BLOCK) {
+        for (int done = 0; done < Fuzz.BYTES; done += BLOCK) {
             for (int i = 0; i < BLOCK; i++) {
                 line.host(random.nextInt(3) == 0 ? likely[random.nextInt(likely.length)] : random.nextInt(256));
             }
             line.pass(random.nextDouble() * 0.05);
             line.take();
-            String where = "seed " + SEED + " after " + done + " bytes, " + device.status();
+            String where = "seed " + Fuzz.SEED + " after " + done + " bytes, " + device.status();
             assertTrue(where + ": output queue", (line.lineFreeAt() - line.now) < MAX_SECONDS_BEHIND);
             if (done % (BLOCK * 50) == 0) {
                 if (flush == null) {
@@ -63,7 +62,7 @@ public class FuzzTest {
 
     @Test
     public void lms200AnswersWithoutPowerOff() {
-        Random random = new Random(SEED);
+        Random random = new Random(Fuzz.SEED);
         FakeContext line = new FakeContext();
         SerialDevice device = line.attach(Devices.lms200(line));
         for (int round = 0; round < 200; round++) {
@@ -74,7 +73,7 @@ public class FuzzTest {
             line.take();
             line.host("02 00 01 00 32 16 12");
             line.pass(1);
-            assertTrue("seed " + SEED + " round " + round + " " + device.status(), line.takeHex().contains("06 02 80 02 00 B2 10 3F 13"));
+            assertTrue("seed " + Fuzz.SEED + " round " + round + " " + device.status(), line.takeHex().contains("06 02 80 02 00 B2 10 3F 13"));
         }
     }
 

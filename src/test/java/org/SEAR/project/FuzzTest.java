@@ -13,6 +13,7 @@ import java.util.Random;
 import java.util.TreeMap;
 import java.util.logging.Level;
 import java.util.logging.Logger;
+import org.SEAR.Fuzz;
 import org.SEAR.POJOs.Model;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.models.MutableModels;
@@ -23,12 +24,10 @@ import org.junit.Rule;
 import org.junit.Test;
 
 /**
- * Bundles and models that are changed at random are opened or refused with a message, never anything else. {@code -Dsear.fuzz=100000} for so many
- * of each, {@code -Dsear.fuzzSeed=N} for the same again.
+ * Bundles and models that are changed at random are opened or refused with a message, never anything else. How many and with which seed: see
+ * {@link Fuzz}.
  */
 public class FuzzTest {
-    private static final int COUNT = Integer.getInteger("sear.fuzz", 2000);
-    private static final long SEED = Long.getLong("sear.fuzzSeed", System.nanoTime());
     private static final int[] ODD = {0, 1, 0x7f, 0x80, 0xff, '<', '"', '-', '9', 'e', '{', '\n'};
 
     @Rule
@@ -40,7 +39,6 @@ public class FuzzTest {
     public void beQuiet() {
         level = engine.getLevel();
         engine.setLevel(Level.OFF);
-        System.out.println("FuzzTest: -Dsear.fuzzSeed=" + SEED);
     }
 
     @After
@@ -90,30 +88,30 @@ public class FuzzTest {
             "dissertation/windows-powershell.sear"}) {
             originals.add(Bundle.class.getResourceAsStream(name).readAllBytes());
         }
-        Random random = new Random(SEED);
+        Random random = new Random(Fuzz.SEED);
         Path file = project.getRoot().toPath().resolve("fuzz.sear");
         int refused = 0;
-        for (int i = 0; i < COUNT; i++) {
+        for (int i = 0; i < Fuzz.FILES; i++) {
             Files.write(file, mutated(originals.get(i % originals.size()), random));
             try {
                 Bundle.check(file);
             } catch (ProjectException e) {
-                assertTrue("seed " + SEED + ", bundle " + i + ": " + e.getMessage(), e.getMessage().contains("legal: "));
+                assertTrue("seed " + Fuzz.SEED + ", bundle " + i + ": " + e.getMessage(), e.getMessage().contains("legal: "));
                 refused++;
             }
         }
-        assertTrue("refused " + refused, refused > COUNT / 2);
+        assertTrue("refused " + refused, refused > Fuzz.FILES / 2);
     }
 
     @Test
     public void changedModelsAreLoadedOrRefused() throws Exception {
         TreeMap<String, byte[]> originals = MutableModels.all();
         List<String> endings = new ArrayList<>(originals.keySet());
-        Random random = new Random(SEED);
+        Random random = new Random(Fuzz.SEED);
         Path assets = Files.createDirectories(project.folder().resolve("assets"));
         project.put("environment/fuzz.xml", "<Box><name>fuzz</name><length>1</length><width>1</width><height>1</height></Box>");
         int refused = 0;
-        for (int i = 0; i < COUNT; i++) {
+        for (int i = 0; i < Fuzz.FILES; i++) {
             String ending = endings.get(i % endings.size());
             byte[] bytes = mutated(originals.get(ending), random);
             Files.write(assets.resolve("m" + ending), bytes);
@@ -127,10 +125,10 @@ public class FuzzTest {
             }
             Files.deleteIfExists(project.folder().resolve("environment/m" + i + ".xml"));
         }
-        assertTrue("refused " + refused, refused > COUNT / 10);
+        assertTrue("refused " + refused, refused > Fuzz.FILES / 10);
     }
 
     private static String text(int number, String ending, byte[] bytes) {
-        return "seed " + SEED + ", model " + number + ending + ": " + new String(bytes, StandardCharsets.ISO_8859_1) + "\n";
+        return "seed " + Fuzz.SEED + ", model " + number + ending + ": " + new String(bytes, StandardCharsets.ISO_8859_1) + "\n";
     }
 }

@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.SEAR.Fuzz;
 import org.SEAR.protocol.nmea.Nmea;
 import org.SEAR.protocol.nmea.SentenceReader;
 import org.junit.Test;
@@ -24,14 +25,13 @@ public class GgaFixTest {
         reader.feed(text.getBytes(StandardCharsets.ISO_8859_1));
     }
 
-    /** Whole sentences with the right check sum and any fields, among any bytes; -Dsear.fuzzBytes sets how many. */
+    /** Whole sentences with the right check sum and any fields, among any bytes. */
     @Test
     public void noSentenceStopsTheReader() {
-        long seed = Long.getLong("sear.fuzzSeed", 20261121L);
-        Random random = new Random(seed);
+        Random random = new Random(Fuzz.SEED);
         String letters = "0123456789.,,,,,,-NSEWMA$*\u00e4 ";
         byte[] garbage = new byte[200];
-        for (int done = 0; done < Integer.getInteger("sear.fuzzBytes", 300_000);) {
+        for (int done = 0; done < Fuzz.BYTES;) {
             StringBuilder body = new StringBuilder("GPGGA,");
             for (int i = random.nextInt(90); i > 0; i--) {
                 body.append(letters.charAt(random.nextInt(letters.length())));
@@ -44,13 +44,13 @@ public class GgaFixTest {
                 try {
                     new GgaFix(sentence);
                 } catch (IllegalArgumentException e) {
-                    assertTrue("seed " + seed + ": " + e, e.getMessage() != null);
+                    assertTrue("seed " + Fuzz.SEED + ": " + e, e.getMessage() != null);
                 }
             }
             found.clear();
         }
         feed("\r\n" + GGA + "\r\n");
-        assertEquals("seed " + seed, "[" + GGA + "]", found.toString());
+        assertEquals("seed " + Fuzz.SEED, "[" + GGA + "]", found.toString());
     }
 
     @Test

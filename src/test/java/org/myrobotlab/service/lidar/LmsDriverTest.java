@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.SEAR.Bytes;
+import org.SEAR.Fuzz;
 import org.SEAR.protocol.lms.Command;
 import org.SEAR.protocol.lms.OperatingMode;
 import org.junit.Before;
@@ -93,14 +94,12 @@ public class LmsDriverTest {
         assertTrue(driver.isIdle());
     }
 
-    /** -Dsear.fuzzBytes sets how many. */
     @Test
     public void afterAnyBytesTheNextScanIsAnswered() {
-        long seed = Long.getLong("sear.fuzzSeed", 20261121L);
-        Random random = new Random(seed);
+        Random random = new Random(Fuzz.SEED);
         byte[][] telegrams = {MODE_REPLY, SCAN_REPLY, {0x02, (byte) 0x80}, {0x06}, {0x15}};
         byte[] block = new byte[1000];
-        for (int done = 0; done < Integer.getInteger("sear.fuzzBytes", 300_000); done += block.length) {
+        for (int done = 0; done < Fuzz.BYTES; done += block.length) {
             random.nextBytes(block);
             for (int i = 0; i < 20; i++) {
                 byte[] piece = telegrams[random.nextInt(telegrams.length)];
@@ -113,7 +112,7 @@ public class LmsDriverTest {
                 answers.clear();
                 askScan();
                 driver.receive(SCAN_REPLY);
-                assertTrue("seed " + seed + " after " + done + " bytes", answers.contains("scan"));
+                assertTrue("seed " + Fuzz.SEED + " after " + done + " bytes", answers.contains("scan"));
                 sent.clear();
                 errors.clear();
                 infos.clear();

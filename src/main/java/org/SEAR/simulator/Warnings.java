@@ -7,6 +7,9 @@ import org.SEAR.devices.RepeatedWarnings;
 
 /** What the user should know, each cause once, in the order in which it came up. Simulation thread. */
 final class Warnings {
+    /** Ends the key of how many of a cause there were. */
+    private static final String COUNTED = " counted";
+
     private final Map<String, String> byCause = new LinkedHashMap<>();
     private final RepeatedWarnings repeats = new RepeatedWarnings();
     private List<String> list = List.of();
@@ -18,11 +21,11 @@ final class Warnings {
         }
     }
 
-    /** Something that has happened: the first of its cause is shown, then how many there were, see {@link RepeatedWarnings}. */
+    /** Something that has happened: the first of its cause stays, beside it stands how many there were, see {@link RepeatedWarnings}. */
     void count(String cause, String warning) {
         String text = repeats.count(cause, warning);
         if (text != null) {
-            byCause.put(cause, text);
+            byCause.put(byCause.containsKey(cause) ? cause + COUNTED : cause, text);
             list = List.copyOf(byCause.values());
         }
     }

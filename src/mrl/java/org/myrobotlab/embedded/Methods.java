@@ -98,6 +98,9 @@ public final class Methods {
             return method.invoke(target, converted);
         } catch (IllegalAccessException e) {
             throw new IllegalStateException(method + " can't be reached", e);
+        } catch (InvocationTargetException e) {
+            OutOfMemory.tell(e.getCause());
+            throw e;
         }
     }
 

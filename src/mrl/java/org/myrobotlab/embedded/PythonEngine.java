@@ -181,6 +181,7 @@ public final class PythonEngine {
             work.run();
             return ScriptResult.GOOD;
         } catch (PyException e) {
+            OutOfMemory.tell(e);
             return run.isStopped ? ScriptResult.STOPPED : ScriptResult.of(e);
         } catch (StackOverflowError e) {
             return ScriptResult.failed("RuntimeError: maximum recursion depth exceeded");

@@ -4,7 +4,10 @@ import java.util.function.Consumer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Hears of threads of this program that end because there is no memory left; other ends go to whoever heard of them before. Any thread. */
+/**
+ * Hears of threads of this program that end because there is no memory left, and of those of the embedded MyRobotLab that go on with a message
+ * instead; other ends go to whoever heard of them before. Any thread.
+ */
 final class OutOfMemoryWatch implements Thread.UncaughtExceptionHandler {
     private static final Logger log = LoggerFactory.getLogger(OutOfMemoryWatch.class);
 
@@ -40,7 +43,7 @@ final class OutOfMemoryWatch implements Thread.UncaughtExceptionHandler {
         if (next != null) {
             next.uncaughtException(thread, end);
         } else {
-            log.error("thread {} has ended", thread.getName(), end);
+            log.error("thread {} has failed", thread.getName(), end);
         }
     }
 }

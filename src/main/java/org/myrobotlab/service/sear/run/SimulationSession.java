@@ -65,6 +65,7 @@ public final class SimulationSession {
     private final SleepingThreads sleepers = new SleepingThreads();
     private final Set<String> told = new HashSet<>();
     private final OutOfMemoryWatch memoryWatch = new OutOfMemoryWatch(this::outOfMemory);
+    private final MemoryAlarm memoryAlarm;
     private volatile boolean driven;
     private volatile long lastDriven;
 
@@ -78,6 +79,7 @@ public final class SimulationSession {
         clockTrap = new ClockTrap(host);
         clock = new SimulationClock(simulation, lockStep);
         quiescence = new Quiescence(host, sleepers);
+        memoryAlarm = new MemoryAlarm(MemoryAlarm.NEARLY_FULL, host::warn);
         thread = new Thread(this::run, "SEAR simulation");
         thread.setDaemon(true);
     }
@@ -105,6 +107,7 @@ public final class SimulationSession {
     private void open(RunSettings settings, boolean debugShapes) throws IOException {
         clock.install();
         memoryWatch.open();
+        memoryAlarm.open();
         for (SerialLine line : simulation.getLines()) {
             UartLine uart = new UartLine(line, host);
             lines.add(uart);
@@ -191,6 +194,7 @@ public final class SimulationSession {
         clock.uninstall();
         end();
         memoryWatch.close();
+        memoryAlarm.close();
         closeLines();
         simulation.close();
     }

@@ -19,7 +19,9 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.framework.Message;
 import org.myrobotlab.serial.SerialDeviceFactory;
+import org.myrobotlab.service.Python;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.sear.RecordingHost;
 import org.myrobotlab.service.sear.run.SimulationControl;
@@ -92,6 +94,37 @@ public class OutOfMemoryTest {
         awaitEnd();
         control.start(false);
         assertTrue("a new one starts", control.isRunning());
+    }
+
+    /** A service's own thread catches what a called method throws, and goes on. */
+    @Test
+    public void whereAMessageCallsAMethod() throws Exception {
+        Runtime.start("hungry", Hungry.class.getName()).in(Message.createMessage("test", "hungry", "eat", new Object[0]));
+        awaitEnd();
+    }
+
+    /** As a list that grows for ever ends a script or a callback. */
+    @Test
+    public void inAScript() throws Exception {
+        Python python = (Python) Runtime.start("python", "Python");
+        assertFalse(python.exec("from java.lang import OutOfMemoryError\nraise OutOfMemoryError('Java heap space')"));
+        awaitEnd();
+    }
+
+    /** What Jython makes of Java's error in its own code. */
+    @Test
+    public void asPythonsOwnError() throws Exception {
+        Python python = (Python) Runtime.start("python", "Python");
+        assertFalse(python.exec("raise MemoryError('too much')"));
+        awaitEnd();
+    }
+
+    @Test
+    public void aScriptThatOnlyFailsEndsNothing() {
+        Python python = (Python) Runtime.start("python", "Python");
+        assertFalse(python.exec("raise ValueError('no')"));
+        assertFalse(python.exec("Runtime.getService('nobody').stop()"));
+        assertTrue(control.isRunning());
     }
 
     @Test

@@ -100,7 +100,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         link.connect(port, baud);
         config.baud = baud;
         config.port = port;
-        lastHeard = link.now();
+        lastHeard = link.timeOutNow();
         connected = true;
         broadcastState();
     }
@@ -152,7 +152,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
             String command = Nmea.sentence(Pmtk.SET_BAUD.body(baud));
             send(command);
             nextBaud = baud;
-            changeBaudAt = link.now() + Uart.seconds(command.length(), old) + BEFORE_BAUD_CHANGE;
+            changeBaudAt = link.timeOutNow() + Uart.seconds(command.length(), old) + BEFORE_BAUD_CHANGE;
         }
         broadcastState();
     }
@@ -291,7 +291,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     }
 
     private void heard() {
-        lastHeard = link == null ? 0 : link.now();
+        lastHeard = link == null ? 0 : link.timeOutNow();
         if (silent) {
             silent = false;
             info("%s sends again", getName());
@@ -317,11 +317,11 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     }
 
     private synchronized void tick() {
-        if (connected && link.now() >= changeBaudAt) {
+        if (connected && link.timeOutNow() >= changeBaudAt) {
             changeBaudAt = Double.POSITIVE_INFINITY;
             link.setBaud(nextBaud);
         }
-        if (connected && !silent && link.now() - lastHeard > SILENCE) {
+        if (connected && !silent && link.timeOutNow() - lastHeard > SILENCE) {
             silent = true;
             Warnings.publish(this, "no data from %s on port %s at %d baud for %s s: is it switched on, and is this its baud rate?", getName(),
                 link.getPortName(), link.getBaud(), SILENCE);

@@ -14,7 +14,7 @@ import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Outbox;
 import org.myrobotlab.framework.interfaces.MessageListener;
 
-/** As fast as possible without lock-step: MyRobotLab's outboxes, which complain beyond 1024 messages, don't overrun, and no byte is lost. */
+/** As fast as possible without lock-step: MyRobotLab's outboxes, which complain beyond 1024 messages, don't overrun, no byte is lost, nobody is thought silent. */
 public class FullSpeedTest {
     private static final int OVERRUN = 1024;
     private static final double SECONDS = 20;
@@ -40,7 +40,7 @@ public class FullSpeedTest {
 
     @After
     public void release() {
-        for (String name : new String[] {"fastLidar", "fastSear", "fastStatus"}) {
+        for (String name : new String[] {"fastLidar", "fastGps", "fastSear", "fastStatus"}) {
             Runtime.releaseService(name);
         }
         System.clearProperty("sear.project");
@@ -59,6 +59,18 @@ public class FullSpeedTest {
                 most.accumulateAndGet(outbox.size(), Math::max);
             }
         });
+    }
+
+    @Test
+    public void aReceiverIsNotSaidToBeSilent() throws Exception {
+        GPS gps = (GPS) Runtime.start("fastGps", "GPS");
+        gps.addListener("publishStatus", "fastStatus", "onStatus");
+        gps.connect(TestWorld.GPS_PORT);
+        for (int i = 0; i < 20; i++) {
+            sear.simSleep(50);
+        }
+        assertTrue(gps.getSentenceCount() + " sentences", gps.getSentenceCount() > 1000);
+        assertFalse(heard.getStatuses().toString(), heard.getStatuses().toString().contains("no data"));
     }
 
     @Test

@@ -27,7 +27,9 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.serial.PortClock;
 import org.myrobotlab.serial.SerialDeviceFactory;
+import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.sear.SensorReading;
 
 /** The SEAR service on a small world in lock-step. */
@@ -313,6 +315,8 @@ public class SearServiceTest {
         double[] first = sear.getPose("roomba");
         sear.reset();
         assertEquals(0, sear.getTime(), 0);
+        PortClock ofPort = ((VirtualSerialPort) SerialDeviceFactory.get(TestWorld.GPS_PORT)).getClock();
+        assertSame("time-outs of drivers go on with the steps", PortClock.current(), ofPort);
         sear.simSleep(1);
         sear.drive(0.2, STRAIGHT);
         sear.simSleep(1);

@@ -271,7 +271,7 @@ public final class LmsDevice {
 
         @Override
         public double now() {
-            return link.now();
+            return link.timeOutNow();
         }
     }
 }

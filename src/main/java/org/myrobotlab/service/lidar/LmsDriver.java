@@ -31,7 +31,7 @@ final class LmsDriver implements TelegramReader.Listener {
 
         int getBaud();
 
-        /** Seconds by the port's clock. */
+        /** Seconds for time-outs. */
         double now();
     }
 

@@ -28,7 +28,7 @@ public final class SerialLink {
     private final Runnable tick;
     private final Runnable lost;
     private ScheduledExecutorService timer;
-    private volatile PortClock clock = PortClock.WALL;
+    private final TimeOutClock timeOuts = new TimeOutClock(this::clock, System::nanoTime);
     private volatile Port opened;
     private volatile int baud;
     private volatile String portName;
@@ -69,12 +69,18 @@ public final class SerialLink {
                 + known());
         }
         opened = serial.getPort();
-        clock = opened instanceof VirtualSerialPort ? ((VirtualSerialPort) opened).getClock() : PortClock.WALL;
         baud = newBaud;
         portName = port;
-        clock.addTicker(tick);
+        timeOuts.restart();
+        clock().addTicker(tick);
         timer = Executors.newSingleThreadScheduledExecutor(SerialLink::daemon);
         timer.scheduleWithFixedDelay(this::tickByWall, TICK_MILLIS, TICK_MILLIS, TimeUnit.MILLISECONDS);
+    }
+
+    /** The clock of the port that is or was open; a simulation that is reset has another one afterwards. */
+    private PortClock clock() {
+        Port port = opened;
+        return port instanceof VirtualSerialPort ? ((VirtualSerialPort) port).getClock() : PortClock.WALL;
     }
 
     private static Thread daemon(Runnable work) {
@@ -86,7 +92,7 @@ public final class SerialLink {
     private void tickByWall() {
         if (isLost()) {
             lost.run();
-        } else if (!clock.isLockStep()) {
+        } else if (!clock().isLockStep()) {
             tick.run();
         }
     }
@@ -111,7 +117,7 @@ public final class SerialLink {
     /** The port is gone already: stops the time-outs. */
     public synchronized void close() {
         portName = null;
-        clock.removeTicker(tick);
+        clock().removeTicker(tick);
         if (timer != null) {
             timer.shutdownNow();
             timer = null;
@@ -150,7 +156,12 @@ public final class SerialLink {
 
     /** Seconds, by the clock of the simulation behind the port or by the computer's. */
     public double now() {
-        return clock.now();
+        return clock().now();
+    }
+
+    /** Seconds for time-outs, see {@link TimeOutClock}. */
+    public double timeOutNow() {
+        return timeOuts.now();
     }
 
     /**

@@ -438,6 +438,7 @@ public final class SimulationSession {
             forgetWarnings();
             scriptTime = runner.getAdvancedTime();
             SimulationClock fresh = new SimulationClock(simulation, lockStep);
+            lines.forEach(line -> line.setClock(fresh));
             clock.moveTickersTo(fresh);
             fresh.install();
             clock.wake();

@@ -62,10 +62,10 @@ final class UartLine {
      */
     void open(PortClock clock) throws IOException {
         VirtualSerialPort.makeNullModem(uart, user);
+        setClock(clock);
         String owner = line.getObjectType() + " " + line.getObjectName() + " of the running simulation";
         for (VirtualSerialPort port : new VirtualSerialPort[] {uart, user}) {
             port.setPaced(false);
-            port.setClock(clock);
             SerialDeviceFactory.add(port);
             port.setOwner(owner);
         }
@@ -82,6 +82,12 @@ final class UartLine {
         serial.connect(uart.getName());
         serial.addListener(PUBLISHER, host.getName(), CALLBACK);
         line.setSink(this::toUser);
+    }
+
+    /** The time by which both ports go. */
+    void setClock(PortClock clock) {
+        uart.setClock(clock);
+        user.setClock(clock);
     }
 
     /** A saved configuration starts the services that the Runtime's names: this one belongs to the simulation, not to the user. */

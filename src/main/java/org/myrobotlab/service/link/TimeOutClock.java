@@ -1,0 +1,55 @@
+package org.myrobotlab.service.link;
+
+import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+import org.myrobotlab.serial.PortClock;
+
+/**
+ * The time by which a driver waits for answers: that of its port's clock, but never faster than the computer's, because the threads that bring the
+ * answer need the computer's time. So a simulation at hundreds of times real time gives no false alarm. In lock-step the steps wait for these threads,
+ * and this is exactly the port's clock. A reset of the simulation doesn't set it back. Any thread.
+ */
+final class TimeOutClock {
+    /** Of real time that went by without simulated time so much counts later: steps and calls come unevenly. Seconds. */
+    private static final double MOST_SAVED = 0.25;
+    private static final double NANOS = TimeUnit.SECONDS.toNanos(1);
+
+    private final Supplier<PortClock> clock;
+    private final LongSupplier nanoTime;
+    private double last;
+    private long lastNanos;
+    private double saved;
+    /** By which the port's clock is ahead of this one. */
+    private double ahead;
+
+    TimeOutClock(Supplier<PortClock> clock, LongSupplier nanoTime) {
+        this.clock = clock;
+        this.nanoTime = nanoTime;
+    }
+
+    /** Begins with the clock of another port. */
+    synchronized void restart() {
+        last = clock.get().now();
+        lastNanos = nanoTime.getAsLong();
+        saved = 0;
+        ahead = 0;
+    }
+
+    /** Seconds. */
+    synchronized double now() {
+        PortClock port = clock.get();
+        double now = port.now();
+        long nanos = nanoTime.getAsLong();
+        if (!port.isLockStep()) {
+            double passed = now - last;
+            saved = Math.min(MOST_SAVED, saved + (nanos - lastNanos) / NANOS);
+            double counted = Math.max(0, Math.min(passed, saved));
+            saved -= counted;
+            ahead += passed - counted;
+        }
+        last = now;
+        lastNanos = nanos;
+        return now - ahead;
+    }
+}

@@ -43,6 +43,7 @@ final class GuardedLoaders {
     private static final int JSON_CHUNK = 0x4e4f534a;
     /** Where the JSON of a .glb starts. */
     private static final int GLB_DATA = 20;
+    private static final int PIECE = 1 << 16;
     private static final byte[] GZIP = {0x1f, (byte) 0x8b};
     /** Numbers of elements that OGRE's reader makes room for before it has read them. */
     private static final Pattern COUNT = Pattern.compile("\\b(?:vertex)?count\\s*=\\s*[\"'](\\d+)", Pattern.CASE_INSENSITIVE);
@@ -194,14 +195,26 @@ final class GuardedLoaders {
             if (!Arrays.equals(GZIP, Arrays.copyOf(bytes, GZIP.length))) {
                 return bytes;
             }
-            try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(bytes))) {
-                byte[] plain = in.readNBytes(ModelLimits.MAX_BLEND + 1);
-                if (plain.length > ModelLimits.MAX_BLEND) {
-                    throw ModelLimits.wrong(info.getKey().getName(), "the unpacked size", "more than " + ModelLimits.MAX_BLEND,
-                        "at most " + ModelLimits.MAX_BLEND + " bytes; save it unpacked in Blender, or export .glb");
-                }
-                return plain;
+            int size = unpackedSize(bytes);
+            if (size > ModelLimits.MAX_BLEND) {
+                throw ModelLimits.wrong(info.getKey().getName(), "the unpacked size", "more than " + ModelLimits.MAX_BLEND,
+                    "at most " + ModelLimits.MAX_BLEND + " bytes; save it unpacked in Blender, or export .glb");
             }
+            try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(bytes))) {
+                return in.readNBytes(size);
+            }
+        }
+
+        /** Without keeping what is unpacked, and not much further than the limit. */
+        private static int unpackedSize(byte[] packed) throws IOException {
+            byte[] piece = new byte[PIECE];
+            int size = 0;
+            try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(packed))) {
+                for (int read = in.read(piece); read >= 0 && size <= ModelLimits.MAX_BLEND; read = in.read(piece)) {
+                    size += read;
+                }
+            }
+            return size;
         }
     }
 

@@ -18,15 +18,16 @@ import java.util.zip.DeflaterOutputStream;
 import java.util.zip.GZIPOutputStream;
 
 /** Models and pictures that are broken in one way each, and what is said of them. */
-final class BrokenModels {
+public final class BrokenModels {
     static final ModelFiles TRIANGLE = new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, 2, 0}, new int[] {0, 1, 2}, 1, 0, -3);
 
     /** Name of the file: content. */
-    final Map<String, byte[]> files = new LinkedHashMap<>();
+    public final Map<String, byte[]> files = new LinkedHashMap<>();
     /** Name of the file: a part of the message. */
-    final Map<String, String> messages = new LinkedHashMap<>();
+    public final Map<String, String> messages = new LinkedHashMap<>();
 
-    static BrokenModels models() throws IOException {
+    /** Models. */
+    public static BrokenModels models() throws IOException {
         BrokenModels all = new BrokenModels();
         all.obj();
         all.gltfNodes();
@@ -39,7 +40,8 @@ final class BrokenModels {
         return all;
     }
 
-    static BrokenModels pictures() throws IOException {
+    /** Pictures. */
+    public static BrokenModels pictures() throws IOException {
         BrokenModels all = new BrokenModels();
         all.hugePictures();
         return all;

@@ -53,13 +53,15 @@ public class EdgesTest {
     }
 
     @Test
-    public void tooManyThingsOnOneSpotAreRefused() {
-        for (int i = 0; i < 220; i++) {
-            new Box("box" + i, 0.2, 0.2, 0.2, 1).move(0, 0.1, 0);
+    public void tooManyThingsOnOneSpotAreRefused() throws Exception {
+        Worlds.roomba("roomba", 0, 0, 0);
+        for (int i = 0; i < 9995; i++) {
+            project.put("environment/box" + i + ".xml", "<Box><name>box" + i + "</name><length>0.2</length><width>0.2</width><height>0.2</height>"
+                + "<mass>1</mass><y>0.1</y></Box>");
         }
         try {
             Worlds.start(project);
-            fail("220 boxes on one spot were taken");
+            fail("9995 boxes on one spot were taken");
         } catch (ProjectException e) {
             assertTrue(e.getMessage(), e.getMessage().contains("more than 20000 pairs of things with mass start inside one another, as box"));
         }

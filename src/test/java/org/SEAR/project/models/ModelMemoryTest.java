@@ -5,15 +5,20 @@ import static org.junit.Assert.assertTrue;
 
 import java.lang.management.BufferPoolMXBean;
 import java.lang.management.ManagementFactory;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.SEAR.POJOs.Model;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
+import org.myrobotlab.embedded.Json;
+import org.myrobotlab.service.sear.panel.Preview;
 
-/** A thread that lives long makes many worlds: nothing of their models stays. */
+/** A thread that lives long makes many worlds: nothing of their models stays. {@code -Dsear.starts=1000} for so many of them. */
 public class ModelMemoryTest {
-    private static final int STARTS = 20;
+    private static final int STARTS = Integer.getInteger("sear.starts", 20);
     private static final int IDLE_COLLECTIONS = 10;
     private static final long MEGABYTE = 1 << 20;
 
@@ -39,8 +44,8 @@ public class ModelMemoryTest {
         return least;
     }
 
-    @Test
-    public void manyStartsHoldNoMoreDirectMemoryThanOne() throws Exception {
+    /** 45000 triangles. */
+    private void haveGround() throws Exception {
         int side = 150;
         float[] corners = new float[side * side * 3];
         for (int i = 0; i < side * side; i++) {
@@ -55,13 +60,40 @@ public class ModelMemoryTest {
             indices[3 * i + 2] = corner + 1;
         }
         new Model("ground", new ModelFiles(corners, indices, 0, 0, 0).put(project, ".glb"));
-        start();
+    }
+
+    private void holdsNoMore(Callable<?> work) throws Exception {
+        work.call();
         long before = held(0);
         for (int i = 0; i < STARTS; i++) {
-            start();
+            work.call();
         }
         long after = held(before + MEGABYTE);
-        assertTrue(before + " bytes became " + after, after < before + MEGABYTE);
+        assertTrue(before + " bytes became " + after + " in " + STARTS + " times", after < before + MEGABYTE);
+    }
+
+    @Test
+    public void manyStartsHoldNoMoreDirectMemoryThanOne() throws Exception {
+        haveGround();
+        holdsNoMore(() -> {
+            start();
+            return null;
+        });
+    }
+
+    /** The tab makes the world anew each time that a file has changed. */
+    @Test
+    public void manyPreviewsHoldNoMoreDirectMemoryThanOne() throws Exception {
+        haveGround();
+        Preview preview = new Preview();
+        AtomicInteger changes = new AtomicInteger();
+        holdsNoMore(() -> {
+            String edge = "1." + changes.incrementAndGet();
+            project.put("environment/box.xml", "<Box><name>box</name><length>" + edge + "</length><width>1</width><height>1</height></Box>");
+            Map<String, Object> answer = preview.of(project.folder(), "");
+            assertTrue(answer.toString(), answer.get("world") != null && Json.write(answer.get("world")).contains("\"box\""));
+            return answer;
+        });
     }
 
     private void start() throws Exception {

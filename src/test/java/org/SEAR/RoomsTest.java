@@ -42,6 +42,8 @@ public class RoomsTest {
         "org.SEAR.project.bundle", "org.SEAR.project", "org.SEAR.project.xml", "org.SEAR.project.models", "org.SEAR.project.problems",
         "org.SEAR.geometry", "org.SEAR.POJOs", "org.SEAR.protocol.lms", "org.SEAR.protocol.nmea", "org.SEAR.protocol");
     private static final List<String> CORE = ROOMS.subList(ROOMS.indexOf("org.SEAR.simulator"), ROOMS.size());
+    /** The one that makes a thread, for a model's loading only, and waits for it: see there. */
+    private static final String LOADER = "EngineThread.java";
     /** Files that all use each other, directly or through others. */
     private static final int LARGEST_KNOT = 6;
     /** The objects of the grammar know their robot, their shapes and how they are kept. */
@@ -76,7 +78,7 @@ public class RoomsTest {
             + "com\\.jme3\\.(app|renderer|input|system)\\.|new Thread\\(");
         List<String> wrong = new ArrayList<>();
         for (Path file : sources()) {
-            if (CORE.contains(packageOf(file))) {
+            if (CORE.contains(packageOf(file)) && !file.endsWith(LOADER)) {
                 lines(file).filter(line -> forbidden.matcher(line).find() && !line.contains("com.jme3.system.JmeSystem"))
                     .forEach(line -> wrong.add(file + ": " + line.trim()));
             }

@@ -17,6 +17,7 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.project.bundle.Bundle;
 import org.junit.Rule;
 import org.junit.Test;
+import org.myrobotlab.service.sear.files.Projects;
 
 /**
  * A process that may write only so much: the system refuses the rest in the middle of a file, as a full disk does. What was there stays whole, and
@@ -25,14 +26,20 @@ import org.junit.Test;
 public class DiskFullTest {
     /** Blocks of 512 bytes that a file may have. */
     private static final int LIMIT = 600;
+    /** Less than a template has. */
+    private static final int LITTLE = 4;
     private static final int TOO_MUCH = 500_000;
 
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    /** Tries to save, to load and to write one object's file, and says what became of each. */
-    public static void main(String[] places) throws Exception {
-        Path root = Paths.get(places[0]);
+    /** Tries to save, to load and to write one object's file, or only to copy a template, and says what became of each. */
+    public static void main(String[] arguments) throws Exception {
+        Path root = Paths.get(arguments[1]);
+        if (Integer.parseInt(arguments[0]) == LITTLE) {
+            attempt("template", () -> new Projects(null, null).copyTemplate("controller.py", root.toString()));
+            return;
+        }
         attempt("save", () -> Bundle.save(root.resolve("big"), root.resolve("old.sear")));
         attempt("load", () -> Bundle.load(root.resolve("big.sear"), root.resolve("SEARproject")));
         attempt("object", () -> FileStore.writeAtomically(root.resolve("SEARproject/environment/box.xml"), new byte[TOO_MUCH]));
@@ -62,10 +69,11 @@ public class DiskFullTest {
         return Files.move(project.folder(), project.getRoot().toPath().resolve("big"));
     }
 
-    private String runLimited() throws IOException, InterruptedException {
+    private String runLimited(int limit) throws IOException, InterruptedException {
         String java = System.getProperty("java.home") + File.separator + "bin" + File.separator + "java";
-        Process process = new ProcessBuilder("sh", "-c", "ulimit -f " + LIMIT + "; exec \"$0\" \"$@\"", java, "-XX:-UsePerfData", "-Xshare:auto",
-            "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), DiskFullTest.class.getName(), project.getRoot().getPath())
+        Process process = new ProcessBuilder("sh", "-c", "ulimit -f " + limit + "; exec \"$0\" \"$@\"", java, "-XX:-UsePerfData", "-Xshare:auto",
+            "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"),
+            DiskFullTest.class.getName(), String.valueOf(limit), project.getRoot().getPath())
             .redirectErrorStream(true).start();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(said, 0, process.waitFor());
@@ -82,7 +90,7 @@ public class DiskFullTest {
         Map<String, String> files = project.files();
         Set<String> names = names(root);
 
-        assertEquals("save refused: IOException\nload refused: IOException\nobject refused: IOException\nsmall done\n", runLimited());
+        assertEquals("save refused: IOException\nload refused: IOException\nobject refused: IOException\nsmall done\n", runLimited(LIMIT));
 
         assertArrayEquals(bundle, Files.readAllBytes(root.resolve("old.sear")));
         assertArrayEquals(bundle, Files.readAllBytes(root.resolve("new.sear")));
@@ -91,6 +99,14 @@ public class DiskFullTest {
         Set<String> left = names(root);
         left.remove(".SEARproject.lock");
         assertEquals(names, left);
+    }
+
+    @Test
+    public void noHalfTemplateIsLeft() throws Exception {
+        Path root = project.getRoot().toPath();
+        Set<String> names = names(root);
+        assertEquals("template refused: IOException\n", runLimited(LITTLE));
+        assertEquals(names, names(root));
     }
 
     private static Set<String> names(Path folder) {

@@ -21,8 +21,8 @@ import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
 /**
- * Whatever broken model, picture or folder {@code sear check} is given, it ends with status 2 and the message for it, within 5 s of processor time and
- * 200 MB above the idle program, which takes more than 20: it runs in a Java that has no more than 220 MB of heap and direct memory.
+ * Whatever broken model, picture or folder {@code sear check} is given, it ends with status 2 and the message for it, within 5 s of processor time
+ * and 200 MB above the idle program, which takes more than 20: it runs in a Java that has no more than 220 MB of heap and direct memory.
  */
 public class BrokenCorpusTest {
     private static final int LEAST = 120;

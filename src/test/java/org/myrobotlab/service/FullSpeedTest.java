@@ -14,7 +14,10 @@ import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Outbox;
 import org.myrobotlab.framework.interfaces.MessageListener;
 
-/** As fast as possible without lock-step: MyRobotLab's outboxes, which complain beyond 1024 messages, don't overrun, no byte is lost, nobody is thought silent. */
+/**
+ * As fast as possible without lock-step: MyRobotLab's outboxes, which complain beyond 1024 messages, don't overrun, no byte is lost, and nobody is
+ * thought silent.
+ */
 public class FullSpeedTest {
     private static final int OVERRUN = 1024;
     private static final double SECONDS = 20;

@@ -7,8 +7,8 @@ import org.myrobotlab.serial.PortClock;
 
 /**
  * The time by which a driver waits for answers: that of its port's clock, but never faster than the computer's, because the threads that bring the
- * answer need the computer's time. So a simulation at hundreds of times real time gives no false alarm. In lock-step the steps wait for these threads,
- * and this is exactly the port's clock. A reset of the simulation doesn't set it back. Any thread.
+ * answer need the computer's time. So a simulation at hundreds of times real time gives no false alarm. In lock-step the steps wait for these
+ * threads, and this is exactly the port's clock. A reset of the simulation doesn't set it back. Any thread.
  */
 final class TimeOutClock {
     /** Of real time that went by without simulated time so much counts later: steps and calls come unevenly. Seconds. */

@@ -81,7 +81,7 @@ final class MemoryAlarm implements NotificationListener {
             told = true;
         }
         MemoryUsage heap = ManagementFactory.getMemoryMXBean().getHeapMemoryUsage();
-        listener.accept(String.format(Locale.ROOT, "Java's memory is nearly full: %.0f %% of %.0f MB are in use; start Java with more (-Xmx), or make the"
-            + " world or what the script keeps smaller", PERCENT * heap.getUsed() / heap.getMax(), heap.getMax() / MEGABYTE));
+        listener.accept(String.format(Locale.ROOT, "Java's memory is nearly full: %.0f %% of %.0f MB are in use; start Java with more (-Xmx), or"
+            + " make the world or what the script keeps smaller", PERCENT * heap.getUsed() / heap.getMax(), heap.getMax() / MEGABYTE));
     }
 }

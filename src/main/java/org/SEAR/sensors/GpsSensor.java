@@ -64,6 +64,11 @@ public final class GpsSensor extends Sensor<GpsFix> {
         }
 
         @Override
+        public String unit() {
+            return "deg, deg, m";
+        }
+
+        @Override
         public Sensor<?> create(SearObject parameters, long seed) {
             return new GpsSensor((GPS) parameters, seed);
         }

@@ -13,7 +13,10 @@ public interface SensorType {
     /** What it measures and what its reading is, with unit, in one sentence; {@code sear sensors} prints it. */
     String description();
 
-    /** The unit in which its reading is shown to people, for example {@code deg} or {@code m/s2}; empty for what has none or several. */
+    /**
+     * The unit in which its reading is shown to people, for example {@code deg} or {@code m/s2}; where values differ, one for each,
+     * {@code deg, deg, m}; empty for what has none.
+     */
     default String unit() {
         return "";
     }

@@ -71,9 +71,11 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     }
 
     /**
-     * Connects at the configured baud rate, 38400 unless set.
+     * Connects to the port the receiver is on, at the configured baud rate, 38400 unless set.
      *
-     * @throws IOException that says what is wrong
+     * @param port the port's name, for example {@code "/dev/SEAR_GPS_01"} or {@code "COM3"}
+     * @throws IOException if there is no such port, or it is in use
+     * @example gps.connect("/dev/SEAR_GPS_01")
      */
     public void connect(String port) throws IOException {
         connect(port, config.baud);
@@ -83,8 +85,10 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
      * Connects to the port the receiver is on. When the first sentence has come, a receiver is asked for its firmware (unless the model is NMEA),
      * and the model becomes the one it names.
      *
+     * @param port the port's name
      * @param baud 4800, 9600, 14400, 19200, 38400, 57600 or 115200
      * @throws IOException if there is no such port, or it is in use
+     * @example gps.connect("/dev/SEAR_GPS_01", 38400)
      */
     public void connect(String port, int baud) throws IOException {
         if (link == null) {
@@ -105,7 +109,12 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         broadcastState();
     }
 
-    /** Connects again to the port last used. */
+    /**
+     * Connects again to the port last used.
+     *
+     * @throws IOException if there was none, or it is gone, or in use
+     * @example gps.reconnectSerial()
+     */
     public void reconnectSerial() throws IOException {
         if (config.port == null) {
             throw new IOException(getName() + " was never connected: call connect(port) first");
@@ -113,7 +122,11 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         connect(config.port, config.baud);
     }
 
-    /** Closes the port. */
+    /**
+     * Closes the port.
+     *
+     * @example gps.disconnect()
+     */
     public void disconnect() {
         if (link != null) {
             link.disconnect();
@@ -142,6 +155,8 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
      * Tells the receiver to talk at another rate ({@code $PMTK251}) and follows it; not connected, or of model NMEA: the rate of the port.
      *
      * @param baud 4800, 9600, 14400, 19200, 38400, 57600 or 115200
+     * @throws IllegalArgumentException that names those there are
+     * @example gps.setBaud(38400)
      */
     public synchronized void setBaud(int baud) {
         int old = link != null && connected ? link.getBaud() : config.baud;
@@ -164,7 +179,13 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         return baud;
     }
 
-    /** @param model FV-M8 (FV_M8 as well), MT3301, MT3329 (these take PMTK commands) or NMEA (never sent anything) */
+    /**
+     * The receiver's type.
+     *
+     * @param model FV-M8 (FV_M8 as well), MT3301, MT3329 (these take PMTK commands) or NMEA (never sent anything)
+     * @throws IllegalArgumentException that names those there are
+     * @example gps.setModel("FV-M8")
+     */
     public void setModel(String model) {
         String known = model == null ? null : model.replace('_', '-');
         if (!MODELS.contains(known)) {
@@ -174,7 +195,13 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         broadcastState();
     }
 
-    /** Sends a command of the receiver, given without {@code $} and check sum: {@code "PMTK220,200"}. */
+    /**
+     * Sends a command of the receiver.
+     *
+     * @param body without {@code $} and check sum; {@code "PMTK220,200"} asks for five fixes a second
+     * @throws IllegalStateException if it is not connected
+     * @example gps.sendCommand("PMTK220,200")
+     */
     public void sendCommand(String body) {
         send(Nmea.sentence(body));
     }
@@ -187,37 +214,66 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         link.write(sentence.getBytes(StandardCharsets.US_ASCII));
     }
 
-    /** Whether a port is open. */
+    /**
+     * Whether a port is open.
+     *
+     * @example print gps.isConnected()
+     */
     public boolean isConnected() {
         return connected && !link.isLost();
     }
 
-    /** Names of the ports that there are, in order; published to the panel. */
+    /**
+     * Names of the ports that there are, in order; published to the panel.
+     *
+     * @example print gps.getPortNames()
+     */
     public List<String> getPortNames() {
         return link == null ? Collections.emptyList() : link.getPortNames();
     }
 
-    /** Whether the last GGA sentence had a position. */
+    /**
+     * Whether the last GGA sentence had a position.
+     *
+     * @example print gps.hasFix()
+     */
     public boolean hasFix() {
         return fix;
     }
 
-    /** The firmware as the receiver names it, for example {@code "MTK3301_1.0"}; null before it did. */
+    /**
+     * The firmware as the receiver names it, for example {@code "MTK3301_1.0"}; None before it did.
+     *
+     * @example print gps.getFirmware()
+     */
     public String getFirmware() {
         return firmware;
     }
 
-    /** The last GGA sentence; null before the first. */
+    /**
+     * The last GGA sentence; None before the first. It has latitude and longitude (decimal degrees, + north and east), altitude (m), quality
+     * (0 = no fix), satellites, utc (hhmmss.sss) and tokens.
+     *
+     * @example fix = gps.getLastFix()
+     */
     public GgaFix getLastFix() {
         return lastFix;
     }
 
-    /** Good sentences received since the service was made. */
+    /**
+     * Good sentences received since the service was made.
+     *
+     * @example print gps.getSentenceCount()
+     */
     public long getSentenceCount() {
         return sentences;
     }
 
-    /** Sentences left out because they were damaged. */
+    /**
+     * Sentences left out because they were damaged.
+     *
+     * @example print gps.getDamagedCount()
+     */
     public long getDamagedCount() {
         return reader.getDamaged();
     }
@@ -225,22 +281,36 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     /**
      * The fields of a GGA sentence. Token 0 is {@code "$GPGGA"}, 2 the latitude as ddmm.mmmm and 4 the longitude as dddmm.mmmm, both negative in
      * the south and west ({@code "-08051.8999"}), 6 the quality of the fix, 9 the altitude in metres.
+     *
+     * @example gps.addListener("publishGGAData", python.getName(), "onGuideGga")
      */
     public String[] publishGGAData(String[] tokens) {
         return tokens;
     }
 
-    /** The same as {@link #publishGGAData}, under the name that the dissertation's Listing 8 has. */
+    /**
+     * The same as {@link #publishGGAData}, under the name that the dissertation's Listing 8 has.
+     *
+     * @example gps.addListener("publishGGADData", python.getName(), "onGuideGgad")
+     */
     public String[] publishGGADData(String[] tokens) {
         return tokens;
     }
 
-    /** [latitude, longitude, altitude]: decimal degrees, + north and east, and metres. */
+    /**
+     * [latitude, longitude, altitude]: decimal degrees, + north and east, and metres.
+     *
+     * @example gps.addListener("publishGPS", python.getName(), "onGuidePosition")
+     */
     public double[] publishGPS(double[] position) {
         return position;
     }
 
-    /** Each good sentence whole, from {@code $} to check sum. */
+    /**
+     * Each good sentence whole, from {@code $} to check sum.
+     *
+     * @example gps.addListener("publishSentence", python.getName(), "onGuideSentence")
+     */
     public String publishSentence(String sentence) {
         return sentence;
     }

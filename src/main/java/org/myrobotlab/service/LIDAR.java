@@ -60,9 +60,12 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
     }
 
     /**
-     * Connects at the configured baud rate, 9600 unless set: the device's own after power-on.
+     * Connects to the port the LIDAR is on, at the configured baud rate, 9600 unless set: the device's own after power-on. If it answers at another
+     * rate, the port follows.
      *
-     * @throws IOException that says what is wrong
+     * @param port the port's name, for example {@code "/dev/SEAR_LIDAR_01"} or {@code "COM3"}
+     * @throws IOException if there is no such port, or it is in use
+     * @example lidar.connect("/dev/SEAR_LIDAR_01")
      */
     public void connect(String port) throws IOException {
         connect(port, config.baud);
@@ -71,8 +74,10 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
     /**
      * Connects to the port the LIDAR is on, and asks the device for its unit and its modes. If it answers at another rate, the port follows.
      *
+     * @param port the port's name
      * @param baud 9600, 19200, 38400 or 500000
      * @throws IOException if there is no such port, or it is in use
+     * @example lidar.connect("/dev/SEAR_LIDAR_01", 38400)
      */
     public void connect(String port, int baud) throws IOException {
         if (link == null) {
@@ -88,7 +93,12 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
         broadcastState();
     }
 
-    /** Connects again to the port last used, for example after a cable came loose. */
+    /**
+     * Connects again to the port last used, for example after a cable came loose.
+     *
+     * @throws IOException if there was none, or it is gone, or in use
+     * @example lidar.reconnectSerial()
+     */
     public void reconnectSerial() throws IOException {
         if (config.port == null) {
             throw new IOException(getName() + " was never connected: call connect(port) first");
@@ -96,7 +106,11 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
         connect(config.port, config.baud);
     }
 
-    /** Closes the port; what was not answered is forgotten. */
+    /**
+     * Closes the port; what was not answered is forgotten.
+     *
+     * @example lidar.disconnect()
+     */
     public void disconnect() {
         if (link != null) {
             link.disconnect();
@@ -123,7 +137,13 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
         }
     }
 
-    /** @param model LMS200, LMS211, LMS220, LMS221 or LMS291: they talk alike */
+    /**
+     * The device's type.
+     *
+     * @param model LMS200, LMS211, LMS220, LMS221 or LMS291: they talk alike
+     * @throws IllegalArgumentException that names those there are
+     * @example lidar.setModel("LMS200")
+     */
     public void setModel(String model) {
         config.model = LmsDevice.checkedModel(model);
         broadcastState();
@@ -133,6 +153,8 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
      * Tells the device to talk at another rate, and follows it there; not connected: the rate of the next {@link #connect}.
      *
      * @param baud 9600, 19200, 38400 or 500000
+     * @throws IllegalArgumentException that names those there are
+     * @example lidar.setBaud(38400)
      */
     public void setBaud(int baud) {
         LmsDevice.checkedBaud(baud);
@@ -148,32 +170,60 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
      *
      * @param spread 100 or 180
      * @param resolution 1, 0.5 or (with 100) 0.25
+     * @throws IllegalArgumentException for other values
+     * @throws IllegalStateException if it is not connected
+     * @example lidar.setScanMode(180, 1)
      */
     public void setScanMode(int spread, double resolution) {
         ready().setVariant(spread, resolution);
     }
 
-    /** Values in centimetres, up to 81.83 m. */
+    /**
+     * Values in centimetres, up to 81.83 m.
+     *
+     * @throws IllegalStateException if it is not connected
+     * @example lidar.setToCM()
+     */
     public void setToCM() {
         ready().setUnit(false);
     }
 
-    /** Values in millimetres, up to 8.183 m. */
+    /**
+     * Values in millimetres, up to 8.183 m.
+     *
+     * @throws IllegalStateException if it is not connected
+     * @example lidar.setToMM()
+     */
     public void setToMM() {
         ready().setUnit(true);
     }
 
-    /** Asks for one scan; it comes to whoever listens to publishLidarData or publishScan. */
+    /**
+     * Asks for one scan; it comes to whoever listens to publishLidarData or publishScan.
+     *
+     * @throws IllegalStateException if it is not connected
+     * @example lidar.singleScan()
+     */
     public void singleScan() {
         ready().singleScan();
     }
 
-    /** Has the device send scan after scan. */
+    /**
+     * Has the device send scan after scan.
+     *
+     * @throws IllegalStateException if it is not connected
+     * @example lidar.startStreaming()
+     */
     public void startStreaming() {
         ready().setStreaming(true);
     }
 
-    /** Ends {@link #startStreaming}. */
+    /**
+     * Ends {@link #startStreaming}.
+     *
+     * @throws IllegalStateException if it is not connected
+     * @example lidar.stopStreaming()
+     */
     public void stopStreaming() {
         ready().setStreaming(false);
     }
@@ -186,17 +236,30 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
         return device;
     }
 
-    /** Whether a port is open. */
+    /**
+     * Whether a port is open.
+     *
+     * @example print lidar.isConnected()
+     */
     public boolean isConnected() {
         return connected && !link.isLost();
     }
 
-    /** Names of the ports that there are, in order; published to the panel. */
+    /**
+     * Names of the ports that there are, in order; published to the panel.
+     *
+     * @example print lidar.getPortNames()
+     */
     public List<String> getPortNames() {
         return link == null ? Collections.emptyList() : link.getPortNames();
     }
 
-    /** The last scan; null before the first. */
+    /**
+     * The last scan; None before the first. Its arrays run right to left: raw (in its unit, "mm" or "cm"), metres (None where nothing was hit),
+     * angles (degrees, 0 right, 90 ahead, 180 left).
+     *
+     * @example scan = lidar.getLastScan()
+     */
     public LmsScan getLastScan() {
         return device == null ? null : device.getLastScan();
     }
@@ -204,12 +267,18 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
     /**
      * A scan's values, right to left, in the device's unit, without flag bits: up to 8182 a distance, from 8183 a code, 8191 = nothing hit
      * (measuring modes 0 to 2).
+     *
+     * @example lidar.addListener("publishLidarData", python.getName(), "onGuideScan")
      */
     public int[] publishLidarData(int[] values) {
         return values;
     }
 
-    /** The same scan with angles, metres and unit. */
+    /**
+     * The same scan with angles, metres and unit, as {@link #getLastScan} answers it.
+     *
+     * @example lidar.addListener("publishScan", python.getName(), "onGuideMetres")
+     */
     public LmsScan publishScan(LmsScan scan) {
         return scan;
     }
@@ -244,27 +313,47 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
         broadcastState();
     }
 
-    /** Whether scans come by themselves. */
+    /**
+     * Whether scans come by themselves.
+     *
+     * @example print lidar.isStreaming()
+     */
     public boolean isStreaming() {
         return streaming;
     }
 
-    /** {@code "mm"} or {@code "cm"}: what the device measures in. */
+    /**
+     * {@code "mm"} or {@code "cm"}: what the device measures in.
+     *
+     * @example print lidar.getUnit()
+     */
     public String getUnit() {
         return unit;
     }
 
-    /** Degrees from the first to the last beam, as the device told; 0 before it did. */
+    /**
+     * Degrees from the first to the last beam, as the device told; 0 before it did.
+     *
+     * @example print lidar.getSpread()
+     */
     public double getSpread() {
         return spread;
     }
 
-    /** Degrees between beams, as the device told; 0 before it did. */
+    /**
+     * Degrees between beams, as the device told; 0 before it did.
+     *
+     * @example print lidar.getResolution()
+     */
     public double getResolution() {
         return resolution;
     }
 
-    /** Scans received since the service was made. */
+    /**
+     * Scans received since the service was made.
+     *
+     * @example print lidar.getScanCount()
+     */
     public long getScanCount() {
         return scans;
     }

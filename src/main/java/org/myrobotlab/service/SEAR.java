@@ -5,11 +5,8 @@ import java.nio.file.Paths;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import org.SEAR.POJOs.ScriptText;
 import org.SEAR.project.problems.Problem;
-import org.SEAR.project.problems.ProjectException;
-import org.SEAR.project.problems.Reasons;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.SEARConfig;
@@ -25,7 +22,7 @@ import org.myrobotlab.service.sear.run.SimulationSession;
  * <pre>
  * sear = Runtime.start("sear", "SEAR")
  * sear.startSimulation()
- * sear.drive(0.2, float("inf"))
+ * sear.driveStraight(0.2)
  * sear.simSleep(2)
  * print sear.getDistanceResult("Ping1")
  * sear.stopSimulation()
@@ -42,6 +39,7 @@ public class SEAR extends Service<SEARConfig> {
         PanelFiles.install(SEAR.class);
     }
 
+    private final transient SearCalls calls = new SearCalls(this);
     private transient SearParts parts;
     private boolean simulating;
     private boolean paused;
@@ -58,234 +56,565 @@ public class SEAR extends Service<SEARConfig> {
             try {
                 parts = new SearParts(new SearHost(this));
             } catch (LinkageError e) {
-                error("%s", missing(e));
+                error("%s", SearCalls.missing(e));
             }
         }
     }
 
-    // ---- the simulation --------------------------------------------------------------------------------------------
+    // ---- simulation ------------------------------------------------------------------------------------------------
 
-    /** Starts the world of the project folder, {@code SEARproject} in MyRobotLab's working folder. */
+    /**
+     * Starts the world of the project folder, {@code SEARproject} in MyRobotLab's working folder.
+     *
+     * @throws IllegalStateException with every problem of the project; if a simulation runs already
+     * @example sear.startSimulation()
+     */
     public void startSimulation() {
         startSimulation(false);
     }
 
-    /** @param debugShapes whether the window shows collision shapes, contact points and wheel rays */
+    /**
+     * The same, with a look at the physics.
+     *
+     * @param debugShapes whether the window shows collision shapes, contact points and wheel rays
+     * @throws IllegalStateException with every problem of the project; if a simulation runs already
+     * @example sear.startSimulation(True)
+     */
     public void startSimulation(boolean debugShapes) {
-        attempt(() -> {
-            parts.control().start(debugShapes);
-            return null;
-        });
+        calls.act(() -> parts.control().start(debugShapes));
         changed();
     }
 
-    /** Ends the simulation; ports, window and thread go away. */
+    /**
+     * Ends the simulation; ports, window and thread go away.
+     *
+     * @throws IllegalStateException if none runs
+     * @example sear.stopSimulation()
+     */
     public void stopSimulation() {
-        attempt(() -> {
+        calls.act(() -> {
             parts.control().session();
             parts.stop();
-            return null;
         });
         changed();
     }
 
-    /** Time stands still until {@link #resume}. */
-    public void pause() {
-        attempt(() -> {
-            parts.control().session().pause();
-            return null;
-        });
-        changed();
-    }
-
-    /** Ends {@link #pause}. */
-    public void resume() {
-        attempt(() -> {
-            parts.control().session().resume();
-            return null;
-        });
-        changed();
-    }
-
-    /** Advances by so many steps of 1/60 s; pauses a simulation whose time runs by itself. */
-    public void step(int n) {
-        attempt(() -> {
-            parts.control().session().step(n);
-            return null;
-        });
-        changed();
-    }
-
-    /** Everything back to the start, as a fresh start with the same seed. */
-    public void reset() {
-        attempt(() -> {
-            parts.control().session().reset();
-            return null;
-        });
-    }
-
-    /** @param factor simulated seconds a second, above 0; 1 = real time, infinity = as fast as possible; holds for later simulations too */
-    public void setSpeed(double factor) {
-        attempt(() -> {
-            parts.control().setSpeed(factor);
-            return null;
-        });
-    }
-
-    /** Whether simulated time advances only inside {@link #simSleep} and {@link #step}; holds for later simulations too. */
-    public void setLockStep(boolean on) {
-        attempt(() -> {
-            parts.control().setLockStep(on);
-            return null;
-        });
+    /**
+     * Whether a simulation runs (a paused one too).
+     *
+     * @example if not sear.isSimulating(): sear.startSimulation()
+     */
+    public boolean isSimulating() {
+        return parts != null && parts.control().isRunning();
     }
 
     /**
      * Whether beams of all sensors see floors and terrain in the next simulations; true unless set. False: they pass through all of them, as a real
      * ultrasonic beam glances off a smooth floor. A single one is hidden by its object, {@code floor.setVisibleToSensors(False)}.
+     *
+     * @throws IllegalStateException while a simulation runs
+     * @example sear.setGroundVisible(False)
      */
     public void setGroundVisible(boolean on) {
-        attempt(() -> {
-            parts.control().setGroundVisible(on);
-            return null;
-        });
+        calls.act(() -> parts.control().setGroundVisible(on));
     }
 
-    /** Whether a simulation runs whose time advances only inside {@link #simSleep} and {@link #step}. */
+    // ---- time (a simulation must run, except for the settings) -----------------------------------------------------
+
+    /**
+     * Waits so many simulated seconds; in lock-step it makes them pass.
+     *
+     * @param seconds 0 or more
+     * @throws IllegalStateException if the simulation ends meanwhile
+     * @example sear.simSleep(0.5)
+     */
+    public void simSleep(double seconds) {
+        calls.act(() -> parts.control().session().simSleep(seconds));
+    }
+
+    /**
+     * Simulated seconds since start or reset.
+     *
+     * @example print "%.2f s" % sear.getTime()
+     */
+    public double getTime() {
+        return calls.attempt(() -> parts.control().session().time());
+    }
+
+    /**
+     * Time stands still until {@link #resume}.
+     *
+     * @example sear.pause()
+     */
+    public void pause() {
+        calls.act(() -> parts.control().session().pause());
+        changed();
+    }
+
+    /**
+     * Ends {@link #pause}.
+     *
+     * @example sear.resume()
+     */
+    public void resume() {
+        calls.act(() -> parts.control().session().resume());
+        changed();
+    }
+
+    /**
+     * Whether the simulation is paused.
+     *
+     * @example print sear.isPaused()
+     */
+    public boolean isPaused() {
+        return paused;
+    }
+
+    /**
+     * Advances by so many steps of 1/60 s; pauses a simulation whose time runs by itself.
+     *
+     * @param n steps, 1 or more
+     * @example sear.step(60)
+     */
+    public void step(int n) {
+        calls.act(() -> parts.control().session().step(n));
+        changed();
+    }
+
+    /**
+     * Everything back to the start, as a fresh start with the same seed.
+     *
+     * @example sear.reset()
+     */
+    public void reset() {
+        calls.act(() -> parts.control().session().reset());
+    }
+
+    /**
+     * How fast time passes, in this and later simulations.
+     *
+     * @param factor simulated seconds a second, above 0; 1 = real time, infinity = as fast as possible
+     * @example sear.setSpeed(2)
+     */
+    public void setSpeed(double factor) {
+        calls.act(() -> parts.control().setSpeed(factor));
+    }
+
+    /**
+     * Whether simulated time advances only inside {@link #simSleep} and {@link #step}; holds for later simulations too.
+     *
+     * @example sear.setLockStep(True)
+     */
+    public void setLockStep(boolean on) {
+        calls.act(() -> parts.control().setLockStep(on));
+    }
+
+    /**
+     * Whether a simulation runs whose time advances only inside {@link #simSleep} and {@link #step}.
+     *
+     * @example print sear.isLockStep()
+     */
     public boolean isLockStep() {
         SimulationSession session = parts == null ? null : parts.control().sessionOrNull();
         return session != null && session.isLockStep();
     }
 
-    /** Whether a simulation runs (a paused one too). */
-    public boolean isSimulating() {
-        return parts != null && parts.control().isRunning();
-    }
-
-    /** Simulated seconds since start or reset. */
-    public double getTime() {
-        return attempt(() -> parts.control().session().time());
-    }
-
-    /** Waits so many simulated seconds; in lock-step it makes them pass. */
-    public void simSleep(double seconds) {
-        attempt(() -> {
-            parts.control().session().simSleep(seconds);
-            return null;
-        });
-    }
-
-    // ---- driving and reading ---------------------------------------------------------------------------------------
+    // ---- driving (a simulation must run) ---------------------------------------------------------------------------
 
     /**
-     * Drives the first robot.
+     * Drives the first robot straight on, until the next command.
      *
-     * @param speed m/s, + forward
+     * @param speed m/s, + forward, -100 to 100; 0 stops
+     * @example sear.driveStraight(0.3)
+     */
+    public void driveStraight(double speed) {
+        driveStraight(null, speed);
+    }
+
+    /**
+     * Drives a robot straight on, until the next command.
+     *
+     * @param robot its name
+     * @param speed m/s, + forward, -100 to 100; 0 stops
+     * @throws IllegalArgumentException that names the robots there are, or the legal range
+     * @example sear.driveStraight("myRoomba", -0.1)
+     */
+    public void driveStraight(String robot, double speed) {
+        calls.act(() -> parts.driving().straight(robot, speed));
+    }
+
+    /**
+     * Turns the first robot in place, until the next command.
+     *
+     * @param degPerSecond degrees a second, + to the left (counter-clockwise from above), -3600 to 3600; 0 stops
+     * @example sear.spin(45); sear.simSleep(2); sear.spin(0)
+     */
+    public void spin(double degPerSecond) {
+        spin(null, degPerSecond);
+    }
+
+    /**
+     * Turns a robot in place, until the next command.
+     *
+     * @param robot its name
+     * @param degPerSecond degrees a second, + to the left (counter-clockwise from above), -3600 to 3600; 0 stops
+     * @throws IllegalArgumentException that names the robots there are, or the legal range, or says that the robot has no two sides that are driven
+     * @example sear.spin("myRoomba", -90)
+     */
+    public void spin(String robot, double degPerSecond) {
+        calls.act(() -> parts.driving().spin(robot, degPerSecond));
+    }
+
+    /**
+     * Sets the wheels of the first robot, until the next command.
+     *
+     * @param left m/s over ground of the driven wheels on the left, + forward, -100 to 100
+     * @param right likewise on the right
+     * @example sear.setWheelSpeeds(0.2, 0.25)
+     */
+    public void setWheelSpeeds(double left, double right) {
+        setWheelSpeeds(null, left, right);
+    }
+
+    /**
+     * Sets the wheels of a robot, until the next command.
+     *
+     * @param robot its name
+     * @param left m/s over ground of the driven wheels on the left, + forward, -100 to 100
+     * @param right likewise on the right
+     * @throws IllegalArgumentException that names the robots there are, or the legal range
+     * @example sear.setWheelSpeeds("myRoomba", 0, 0)
+     */
+    public void setWheelSpeeds(String robot, double left, double right) {
+        calls.act(() -> parts.driving().wheels(robot, left, right));
+    }
+
+    /**
+     * Drives the first robot along a circle, as the Roomba's own command does, until the next command.
+     *
+     * @param speed m/s, + forward, -100 to 100
      * @param radius metres, + to the left; infinity = straight, 0 = in place to the left
+     * @example sear.drive(0.2, 0.5)
      */
     public void drive(double speed, double radius) {
         drive(null, speed, radius);
     }
 
-    /** Drives a robot by name. */
+    /**
+     * Drives a robot along a circle.
+     *
+     * @param robot its name
+     * @param speed m/s, + forward, -100 to 100
+     * @param radius metres, + to the left; infinity = straight, 0 = in place to the left
+     * @throws IllegalArgumentException that names the robots there are, or the legal range
+     * @example sear.drive("myRoomba", 0.2, float("inf"))
+     */
     public void drive(String robot, double speed, double radius) {
-        attempt(() -> {
-            parts.readings().drive(robot, speed, radius);
-            return null;
-        });
+        calls.act(() -> parts.driving().circle(robot, speed, radius));
     }
 
-    /** Metres to the nearest hit of a distance sensor; its range where nothing was hit. */
+    // ---- reading (a simulation must run) ---------------------------------------------------------------------------
+
+    /**
+     * Names of all sensors.
+     *
+     * @example print ", ".join(sear.getSensorNames())
+     */
+    public List<String> getSensorNames() {
+        return calls.attempt(() -> parts.readings().names());
+    }
+
+    /**
+     * What any sensor reads now, one from another jar, too: what the call for its kind answers, which is named below. An odometer is not cleared
+     * by it.
+     *
+     * @param name of the sensor
+     * @throws IllegalArgumentException that names the sensors there are
+     * @example print sear.getReading("frontPing"), sear.getSensorUnit("frontPing")
+     */
+    public Object getReading(String name) {
+        return calls.attempt(() -> parts.readings().any(name));
+    }
+
+    /**
+     * The unit of a sensor's reading, for example {@code m}, {@code deg}, {@code m/s2}, {@code rad/s}; {@code deg, deg, m} for a GPS; empty if it has
+     * none.
+     *
+     * @param name of the sensor
+     * @throws IllegalArgumentException that names the sensors there are
+     * @example print sear.getSensorUnit("compass")
+     */
+    public String getSensorUnit(String name) {
+        return calls.attempt(() -> parts.readings().unit(name));
+    }
+
+    /**
+     * Metres to the nearest hit of a distance sensor; its range where nothing was hit.
+     *
+     * @param name of the sensor
+     * @throws IllegalArgumentException that names the sensors there are, and what they are
+     * @example print "%.2f m ahead" % sear.getDistanceResult("frontPing")
+     */
     public double getDistanceResult(String name) {
-        return attempt(() -> parts.readings().distance(name));
+        return calls.attempt(() -> parts.readings().distance(name));
     }
 
-    /** "x,y,z" of an accelerometer, m/s^2, body axes. */
-    public String getAccelResult(String name) {
-        return attempt(() -> parts.readings().acceleration(name));
+    /**
+     * Metres of a LIDAR's beams, right to left; its range where nothing was hit.
+     *
+     * @param name of the sensor
+     * @throws IllegalArgumentException that names the sensors there are, and what they are
+     * @example print "%.2f m" % min(sear.getLidarResult("myLidar"))
+     */
+    public float[] getLidarResult(String name) {
+        return calls.attempt(() -> parts.readings().scan(name));
     }
 
-    /** "x,y,z" of a gyroscope, rad/s, body axes. */
-    public String getGyroResult(String name) {
-        return attempt(() -> parts.readings().rates(name));
+    /**
+     * [latitude, longitude, altitude] of a GPS sensor: degrees, + north; degrees, + east; metres.
+     *
+     * @param name of the sensor
+     * @throws IllegalArgumentException that names the sensors there are, and what they are
+     * @example latitude, longitude, altitude = sear.getGpsResult("gpsUnit1")
+     */
+    public double[] getGpsResult(String name) {
+        return calls.attempt(() -> parts.readings().position(name));
     }
 
-    /** Degrees of a compass, clockwise from north, (-180, 180]. */
+    /**
+     * Degrees of a compass, clockwise from north, (-180, 180].
+     *
+     * @param name of the sensor
+     * @throws IllegalArgumentException that names the sensors there are, and what they are
+     * @example print "%.0f degrees" % sear.getCompassResult("compass")
+     */
     public double getCompassResult(String name) {
-        return attempt(() -> parts.readings().heading(name));
+        return calls.attempt(() -> parts.readings().heading(name));
+    }
+
+    /**
+     * "x,y,z" of an accelerometer, m/s^2, in the sensor's axes: x left, y up, z forward unless it is turned.
+     *
+     * @param name of the sensor
+     * @throws IllegalArgumentException that names the sensors there are, and what they are
+     * @example ax, ay, az = [float(a) for a in sear.getAccelResult("accel").split(",")]
+     */
+    public String getAccelResult(String name) {
+        return calls.attempt(() -> parts.readings().acceleration(name));
+    }
+
+    /**
+     * "x,y,z" of a gyroscope, rad/s, in the sensor's axes as for an accelerometer; a turn to the left is + y.
+     *
+     * @param name of the sensor
+     * @throws IllegalArgumentException that names the sensors there are, and what they are
+     * @example turning = float(sear.getGyroResult("gyro").split(",")[1])
+     */
+    public String getGyroResult(String name) {
+        return calls.attempt(() -> parts.readings().rates(name));
     }
 
     /**
      * Signed path of the first robot's centre, metres: since the last call if it has an Odometer object (which counts to 32.767 m, as a Roomba's),
      * else since start or reset.
+     *
+     * @example print "%.3f m" % sear.getOdomResult()
      */
     public double getOdomResult() {
         return getOdomResult(null);
     }
 
-    /** The same of a robot by name. */
+    /**
+     * The same of a robot by name.
+     *
+     * @param robot its name
+     * @throws IllegalArgumentException that names the robots there are
+     * @example print "%.3f m" % sear.getOdomResult("myRoomba")
+     */
     public double getOdomResult(String robot) {
-        return attempt(() -> parts.readings().odometer(robot));
+        return calls.attempt(() -> parts.readings().odometer(robot));
     }
 
-    /** Metres of a LIDAR's beams, right to left; its range where nothing was hit. */
-    public float[] getLidarResult(String name) {
-        return attempt(() -> parts.readings().scan(name));
-    }
-
-    /** [latitude, longitude, altitude] of a GPS sensor: degrees, degrees, metres. */
-    public double[] getGpsResult(String name) {
-        return attempt(() -> parts.readings().position(name));
-    }
-
-    /** [x, y, z, rx, ry, rz] in the world of a robot, part, sensor or object: metres and degrees. */
+    /**
+     * [x, y, z, rx, ry, rz] in the world of a robot, part, sensor or object: metres north, up and east, degrees about the three axes. The heading of
+     * what stands upright is 90 - ry.
+     *
+     * @param name of the robot, part, sensor or object
+     * @throws IllegalArgumentException if there is none of that name
+     * @example x, y, z, rx, ry, rz = sear.getPose("myRoomba")
+     */
     public double[] getPose(String name) {
-        return attempt(() -> parts.readings().pose(name));
+        return calls.attempt(() -> parts.readings().pose(name));
     }
 
-    /** Names of all sensors. */
-    public List<String> getSensorNames() {
-        return attempt(() -> parts.readings().names());
-    }
+    // ---- readings that come by themselves --------------------------------------------------------------------------
 
-    // ---- publishing ------------------------------------------------------------------------------------------------
+    /**
+     * Comes with each reading: its name, time (simulated seconds) and value, which is what {@link #getReading} answers.
+     *
+     * @example sear.addListener("publishReading", python.getName(), "onGuideReading")
+     */
+    public SensorReading publishReading(SensorReading reading) {
+        return reading;
+    }
 
     /**
      * Publishes a sensor's readings again and again, for those who subscribe to publishReading.
      *
-     * @param rate readings a simulated second, to 60
+     * @param sensor its name
+     * @param rate readings a simulated second, above 0 to 60
+     * @throws IllegalArgumentException that names the sensors there are, or the legal range
+     * @example sear.startPublishing("frontPing", 10)
      */
     public void startPublishing(String sensor, double rate) {
-        attempt(() -> {
-            parts.publisher().start(sensor, rate);
-            return null;
-        });
+        calls.act(() -> parts.publisher().start(sensor, rate));
     }
 
-    /** Ends {@link #startPublishing}. */
+    /**
+     * Ends {@link #startPublishing}.
+     *
+     * @param sensor its name
+     * @example sear.stopPublishing("frontPing")
+     */
     public void stopPublishing(String sensor) {
-        attempt(() -> {
-            parts.publisher().stop(sensor);
-            return null;
-        });
+        calls.act(() -> parts.publisher().stop(sensor));
     }
 
-    /** A reading, with the sensor's name and the simulated time. */
-    public SensorReading publishReading(SensorReading reading) {
-        return reading;
+    // ---- projects (no simulation may run, except to save and to check) ---------------------------------------------
+
+    /**
+     * Begins an empty project; the present one is kept.
+     *
+     * @return where it was put; None if there was none
+     * @throws IllegalStateException while a simulation runs
+     * @example sear.newProject()
+     */
+    public String newProject() {
+        return calls.attempt(() -> text(parts.projects().startAnew()));
     }
+
+    /**
+     * Saves the project as a bundle. A file of that name is replaced.
+     *
+     * @param path for example {@code "robot.sear"}; the ending .sear may be left out, its folder must be there
+     * @throws IllegalStateException if it can't be written
+     * @example sear.saveProject("mine.sear")
+     */
+    public void saveProject(String path) {
+        calls.act(() -> parts.projects().save(bundle(path)));
+    }
+
+    /**
+     * Replaces the project by a bundle's, or a copy of a project folder, once that is read whole and valid; the present one is kept as backup.
+     *
+     * @param path a bundle or a folder; {@code "examples/NAME.sear"} for those that come with SEAR, in every working folder
+     * @throws IllegalStateException with every problem of the project; while a simulation runs
+     * @example sear.loadProject("examples/office.sear")
+     */
+    public void loadProject(String path) {
+        calls.act(() -> parts.projects().load(bundle(path)));
+    }
+
+    /**
+     * Adds a robot of a bundle or project folder to the present project, which is kept as backup. Names and ports that are taken get a number.
+     *
+     * @param path a bundle or a folder
+     * @param name the robot's name there; None or empty if it is the only one
+     * @return its name here
+     * @throws IllegalStateException with every problem of the project; while a simulation runs
+     * @example second = sear.importRobot("examples/maze.sear", "maze Roomba")
+     */
+    public String importRobot(String path, String name) {
+        return calls.attempt(() -> parts.projects().importRobot(bundle(path), name == null ? null : ScriptText.of(name)));
+    }
+
+    /**
+     * Adds the environment of a bundle or project folder to the present project, as {@link #importRobot} a robot.
+     *
+     * @param path a bundle or a folder
+     * @return the objects' names here
+     * @throws IllegalStateException with every problem of the project; while a simulation runs
+     * @example walls = sear.importEnvironment("examples/maze.sear")
+     */
+    public List<String> importEnvironment(String path) {
+        return calls.attempt(() -> parts.projects().importEnvironment(bundle(path)));
+    }
+
+    /**
+     * What is wrong with the project: file, line, field, value, what is legal; empty if nothing.
+     *
+     * @example for problem in sear.getProblems(): print problem
+     */
+    public List<Problem> getProblems() {
+        return calls.attempt(() -> parts.problems());
+    }
+
+    /**
+     * Copies a template into a folder.
+     *
+     * @param name {@code controller.py} or {@code userCode.py}
+     * @param folder is made if it is missing
+     * @return the copy's path
+     * @throws IllegalStateException if there is such a file already
+     * @example print sear.copyTemplate("controller.py", "SEARproject")
+     */
+    public String copyTemplate(String name, String folder) {
+        return calls.attempt(() -> text(parts.projects().copyTemplate(name, folder)));
+    }
+
+    // ---- ports for other programs (a simulation must run) ----------------------------------------------------------
+
+    /**
+     * Lets any program on this computer open a virtual port, as a pseudo-terminal (Linux, macOS).
+     *
+     * @param userPort the port's name, for example {@code "/dev/SEAR_LIDAR_01"}
+     * @return the path to open
+     * @throws IllegalStateException if there is no such port, or it is in use
+     * @example path = sear.exportPort("/dev/SEAR_LIDAR_01")
+     */
+    public String exportPort(String userPort) {
+        return exportPort(userPort, null);
+    }
+
+    /**
+     * The same, by a path that stays.
+     *
+     * @param userPort the port's name
+     * @param link path of a symbolic link that is to lead to the pseudo-terminal, so that its name stays the same
+     * @return the path to open
+     * @throws IllegalStateException if there is no such port, or it is in use, or something else has the link's name
+     * @example path = sear.exportPort("/dev/SEAR_GPS_01", "ttyGPS")
+     */
+    public String exportPort(String userPort, String link) {
+        return calls.attempt(() -> parts.exports().terminal(userPort, link));
+    }
+
+    /**
+     * The same as a TCP server on the loopback address, raw bytes, on every system.
+     *
+     * @param userPort the port's name
+     * @param number TCP port, 0 for any free one
+     * @return the number
+     * @throws IllegalStateException if there is no such port, or it is in use, or the number is
+     * @example number = sear.exportTcp("/dev/SEAR_Robot_01", 0)
+     */
+    public int exportTcp(String userPort, int number) {
+        return calls.attempt(() -> parts.exports().tcp(userPort, number));
+    }
+
+    // ---- for panels ------------------------------------------------------------------------------------------------
 
     /**
      * The world for panels, ten times a second while somebody subscribes: the whole when it begins, then what has changed; the form stands at
      * {@code WorldFeed}.
      */
     public Map<String, Object> publishSimulation() {
-        return attempt(parts::nextState);
+        return calls.attempt(() -> parts.nextState());
     }
 
     /** The whole world as it is now, for a panel that opens while it runs. */
     public Map<String, Object> getWorld() {
-        return attempt(parts::wholeState);
+        return calls.attempt(() -> parts.wholeState());
     }
 
     /**
@@ -297,13 +626,8 @@ public class SEAR extends Service<SEARConfig> {
         try {
             return parts == null ? Collections.emptyMap() : parts.preview(known);
         } catch (LinkageError e) {
-            return Preview.none(missing(e));
+            return Preview.none(SearCalls.missing(e));
         }
-    }
-
-    /** What is wrong with the project, for panels; empty if nothing. */
-    public List<Problem> getProblems() {
-        return attempt(parts::problems);
     }
 
     /** Tells panels why a project could not be started or loaded. */
@@ -311,61 +635,14 @@ public class SEAR extends Service<SEARConfig> {
         return problems;
     }
 
-    // ---- projects and ports ----------------------------------------------------------------------------------------
-
-    /**
-     * Begins an empty project; the present one is kept.
-     *
-     * @return where it was put; null if there was none
-     */
-    public String newProject() {
-        return attempt(() -> text(parts.projects().startAnew()));
-    }
-
-    /** Saves the project as a bundle, for example {@code "robot.sear"}; the ending .sear may be left out. A file of that name is replaced. */
-    public void saveProject(String path) {
-        attempt(() -> {
-            parts.projects().save(bundle(path));
-            return null;
-        });
-    }
-
-    /** The same for a panel: a file of that name is only replaced if that is asked for; the answer's form stands at {@code Projects}. */
+    /** Saves the project for a panel: a file of that name is only replaced if that is asked for; the answer's form stands at {@code Projects}. */
     public Map<String, Object> saveProjectAs(String path, boolean overwrite) {
-        return attempt(() -> parts.projects().saveAs(bundle(path).toString(), overwrite));
-    }
-
-    /** Replaces the project by a bundle's, or a copy of a project folder, once that is read whole and valid; the present one is kept as backup. */
-    public void loadProject(String path) {
-        attempt(() -> {
-            parts.projects().load(bundle(path));
-            return null;
-        });
-    }
-
-    /**
-     * Adds a robot of a bundle or project folder to the present project, which is kept as backup. Names and ports that are taken get a number.
-     *
-     * @param path a bundle or a folder
-     * @param name the robot's name there; None or empty if it is the only one
-     * @return its name here
-     */
-    public String importRobot(String path, String name) {
-        return attempt(() -> parts.projects().importRobot(bundle(path), name == null ? null : ScriptText.of(name)));
-    }
-
-    /**
-     * Adds the environment of a bundle or project folder to the present project, as {@link #importRobot} a robot.
-     *
-     * @return the objects' names here
-     */
-    public List<String> importEnvironment(String path) {
-        return attempt(() -> parts.projects().importEnvironment(bundle(path)));
+        return calls.attempt(() -> parts.projects().saveAs(bundle(path).toString(), overwrite));
     }
 
     /** Takes a part of a bundle from a panel, base64; the last part loads the project and publishes publishUploaded. */
     public void uploadProject(String name, int index, int count, String data) {
-        if (attempt(() -> parts.transfers().receive(name, index, count, data))) {
+        if (calls.attempt(() -> parts.transfers().receive(name, index, count, data))) {
             invoke("publishUploaded", "loaded " + name);
         }
     }
@@ -377,48 +654,12 @@ public class SEAR extends Service<SEARConfig> {
 
     /** A part of the project's bundle for a panel: index, count, data in base64; part 0 makes the bundle. */
     public Map<String, Object> getBundle(int index) {
-        return attempt(() -> parts.transfers().part(index));
+        return calls.attempt(() -> parts.transfers().part(index));
     }
 
     /** Paths of example projects, for panels. */
     public List<String> getExamples() {
-        return attempt(() -> parts.projects().examples());
-    }
-
-    /**
-     * Copies a template, {@code controller.py} or {@code userCode.py}, into a folder.
-     *
-     * @return the copy's path
-     */
-    public String copyTemplate(String name, String folder) {
-        return attempt(() -> text(parts.projects().copyTemplate(name, folder)));
-    }
-
-    /**
-     * Lets any program on this computer open a virtual port, as a pseudo-terminal (Linux, macOS).
-     *
-     * @return the path to open
-     */
-    public String exportPort(String userPort) {
-        return exportPort(userPort, null);
-    }
-
-    /**
-     * @param link path of a symbolic link that is to lead to the pseudo-terminal, so that its name stays the same
-     * @return the path to open
-     */
-    public String exportPort(String userPort, String link) {
-        return attempt(() -> parts.exports().terminal(userPort, link));
-    }
-
-    /**
-     * The same as a TCP server on the loopback address, raw bytes, on every system.
-     *
-     * @param number TCP port, 0 for any free one
-     * @return the number
-     */
-    public int exportTcp(String userPort, int number) {
-        return attempt(() -> parts.exports().tcp(userPort, number));
+        return calls.attempt(() -> parts.projects().examples());
     }
 
     private static Path bundle(String path) {
@@ -462,49 +703,15 @@ public class SEAR extends Service<SEARConfig> {
         return true;
     }
 
+    boolean isWhole() {
+        return parts != null;
+    }
+
     /** The simulation has changed its state. */
     void changed() {
         simulating = isSimulating();
         paused = simulating && parts.control().session().isPaused();
         broadcastState();
-    }
-
-    /** Whether the simulation is paused. */
-    public boolean isPaused() {
-        return paused;
-    }
-
-    private <T> T attempt(Callable<T> work) {
-        try {
-            if (parts == null) {
-                throw new IllegalStateException(getName() + " is not started: Runtime.start(\"" + getName() + "\", \"SEAR\")");
-            }
-            return work.call();
-        } catch (IllegalArgumentException e) {
-            error("%s", message(e));
-            throw e;
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new IllegalStateException("the script was stopped while it waited", e);
-        } catch (LinkageError e) {
-            error("%s", missing(e));
-            throw new IllegalStateException(missing(e), e);
-        } catch (Exception e) {
-            if (e instanceof ProjectException) {
-                invoke("publishProblems", ((ProjectException) e).getProblems());
-            }
-            error("%s", message(e));
-            throw e instanceof IllegalStateException ? (IllegalStateException) e : new IllegalStateException(message(e), e);
-        }
-    }
-
-    private static String message(Exception e) {
-        return Reasons.of(e);
-    }
-
-    private static String missing(LinkageError e) {
-        return "SEAR can't work here, a library is missing or broken (" + e + "): run \"sear install\" for this MyRobotLab again, or put the jars"
-            + " that come with SEAR into libraries/jar";
     }
 
     @Override

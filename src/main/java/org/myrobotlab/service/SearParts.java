@@ -18,6 +18,7 @@ import org.myrobotlab.service.sear.lockstep.FencePass;
 import org.myrobotlab.service.sear.panel.Preview;
 import org.myrobotlab.service.sear.panel.WorldFeed;
 import org.myrobotlab.service.sear.readings.Publisher;
+import org.myrobotlab.service.sear.readings.ScriptDriving;
 import org.myrobotlab.service.sear.readings.ScriptReadings;
 import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
@@ -26,6 +27,7 @@ import org.myrobotlab.service.sear.run.SimulationSession;
 final class SearParts {
     private final SimulationControl control;
     private final ScriptReadings readings;
+    private final ScriptDriving driving;
     private final Projects projects;
     private final Publisher publisher;
     private final Exports exports;
@@ -37,6 +39,7 @@ final class SearParts {
     SearParts(Host host) {
         control = new SimulationControl(host, Projects::folder);
         readings = new ScriptReadings(control);
+        driving = new ScriptDriving(control);
         projects = new Projects(control, host);
         publisher = new Publisher(host, control, readings);
         exports = new Exports(host, control);
@@ -65,6 +68,10 @@ final class SearParts {
 
     public ScriptReadings readings() {
         return readings;
+    }
+
+    public ScriptDriving driving() {
+        return driving;
     }
 
     public Projects projects() {

@@ -4,14 +4,12 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -96,13 +94,6 @@ public class ReadmeTest {
         }
         Path file = folder.getRoot().toPath().resolve("first.py");
         Files.writeString(file, script);
-        Path output = folder.newFile().toPath();
-        Process process = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
-            System.getProperty("sear.cliClasspath"), "org.SEAR.cli.SearCommand", file.toString(), "--headless", "--speed", "max", "--port", "none")
-            .directory(folder.getRoot()).redirectErrorStream(true).redirectOutput(output.toFile()).start();
-        assertTrue("the script ends", process.waitFor(240, TimeUnit.SECONDS));
-        String text = Files.readString(output, StandardCharsets.UTF_8);
-        assertEquals(text, 0, process.exitValue());
-        return text;
+        return ScriptProcess.run(folder.getRoot().toPath(), file);
     }
 }

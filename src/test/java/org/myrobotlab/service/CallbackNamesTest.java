@@ -96,7 +96,7 @@ public class CallbackNamesTest {
     public void everyListenerIsSeen() {
         long calls = code.values().stream().flatMap(text -> ANY_LISTENER.matcher(text).results()).count();
         assertEquals(listeners.toString(), calls, listeners.size());
-        for (String file : new String[] {"README.md", "docs/sensors.md", "scripts/demo.py", "scripts/listing08.py", "scripts/listing10.py",
+        for (String file : new String[] {"README.md", "docs/scripting.md", "scripts/demo.py", "scripts/listing08.py", "scripts/listing10.py",
             "resources/templates/controller.py", "resources/templates/userCode.py", "resources/resource/LIDAR/LIDAR.py",
             "resources/resource/GPS/GPS.py", "src/main/java/org/myrobotlab/service/LIDAR.java"}) {
             assertTrue(file + " is not in " + listeners, listeners.stream().anyMatch(one -> one.file.equals(file)));

@@ -17,9 +17,9 @@ final class ExampleBundles {
     private static final String LIST = "/org/SEAR/examples.txt";
 
     /** What is done with a bundle's file. */
-    public interface Work {
+    public interface Work<T> {
         /** @throws ProjectException with every problem of the bundle */
-        void on(Path bundle) throws IOException, ProjectException;
+        T on(Path bundle) throws IOException, ProjectException;
     }
 
     private ExampleBundles() {
@@ -38,23 +38,18 @@ final class ExampleBundles {
         return paths;
     }
 
-    /**
-     * Gives an example to somebody as a file.
-     *
-     * @return whether there is one of that path
-     */
-    static boolean with(Path path, Work work) throws IOException, ProjectException {
+    /** Gives somebody a bundle as a file: the one of that path; where there is none, the example of that path. */
+    static <T> T with(Path path, Work<T> work) throws IOException, ProjectException {
         String name = path.toString().replace('\\', '/');
-        if (!paths().contains(name)) {
-            return false;
+        if (Files.exists(path) || !paths().contains(name)) {
+            return work.on(path);
         }
         Path file = Files.createTempFile("sear", ".sear");
         try (InputStream in = ExampleBundles.class.getResourceAsStream(IN_JAR + name.substring(FOLDER.length()))) {
             Files.write(file, in.readAllBytes());
-            work.on(file);
+            return work.on(file);
         } finally {
             Files.deleteIfExists(file);
         }
-        return true;
     }
 }

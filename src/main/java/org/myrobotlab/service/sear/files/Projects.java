@@ -139,13 +139,13 @@ public final class Projects {
     public synchronized void load(Path file) throws IOException, ProjectException {
         refuseWhileRunning("loadProject");
         Path ended = Paths.get(withEnding(file.toString()));
-        if (!Files.exists(file) && Files.isRegularFile(ended)) {
-            load(ended);
-        } else if (Files.isRegularFile(file) || Files.isDirectory(file)) {
-            Bundle.load(file, folder(), new PercentProgress("loading", file, host::progress));
-        } else if (!ExampleBundles.with(file, bundle -> Bundle.load(bundle, folder()))) {
-            throw new IOException("there is no file or folder " + file.toAbsolutePath());
-        }
+        Path meant = !Files.exists(file) && Files.isRegularFile(ended) ? ended : file;
+        ExampleBundles.with(meant, bundle -> {
+            if (!Files.isRegularFile(bundle) && !Files.isDirectory(bundle)) {
+                throw new IOException("there is no file or folder " + bundle.toAbsolutePath());
+            }
+            return Bundle.load(bundle, folder(), new PercentProgress("loading", meant, host::progress));
+        });
     }
 
     /**
@@ -156,7 +156,7 @@ public final class Projects {
      */
     public synchronized String importRobot(Path file, String robot) throws IOException, ProjectException {
         refuseWhileRunning("importRobot");
-        Map<String, String> renamed = Bundle.importRobot(file, folder(), robot);
+        Map<String, String> renamed = ExampleBundles.with(file, bundle -> Bundle.importRobot(bundle, folder(), robot));
         tell(renamed);
         return renamed.values().iterator().next();
     }
@@ -168,7 +168,7 @@ public final class Projects {
      */
     public synchronized List<String> importEnvironment(Path file) throws IOException, ProjectException {
         refuseWhileRunning("importEnvironment");
-        Map<String, String> renamed = Bundle.importEnvironment(file, folder());
+        Map<String, String> renamed = ExampleBundles.with(file, bundle -> Bundle.importEnvironment(bundle, folder()));
         tell(renamed);
         return new ArrayList<>(renamed.values());
     }

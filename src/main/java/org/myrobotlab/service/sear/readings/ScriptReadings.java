@@ -17,6 +17,7 @@ import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.OdometerReading;
 import org.SEAR.sensors.OdometerSensor;
 import org.SEAR.sensors.Sensor;
+import org.SEAR.sensors.SensorTypes;
 import org.SEAR.sensors.VectorReading;
 import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.run.SimulationControl;
@@ -62,6 +63,12 @@ public final class ScriptReadings {
     /** What the sensor's get...Result call answers, for publishing. */
     public Object any(String name) throws InterruptedException {
         return read(name, SearObject.class);
+    }
+
+    /** The unit of the sensor's reading; empty if it has none. */
+    public String unit(String asked) throws InterruptedException {
+        String name = given(asked);
+        return control.session().ask(world -> SensorTypes.load().unit(world.getSensor(name).getParameters()));
     }
 
     private Object read(String asked, Class<? extends SearObject> type) throws InterruptedException {
@@ -126,24 +133,6 @@ public final class ScriptReadings {
                 }
             }
             return asked.getHardware().getPath();
-        });
-    }
-
-    /**
-     * Drives a robot, the first if the name is null.
-     *
-     * @param speed m/s
-     * @param radius metres, + left, infinite = straight, 0 = in place
-     */
-    public void drive(String robot, double speed, double radius) throws InterruptedException {
-        if (Double.isNaN(speed) || Double.isInfinite(speed) || Double.isNaN(radius)) {
-            throw new IllegalArgumentException("drive(" + speed + ", " + radius + "), legal: a speed in m/s, and a radius in m, 0 or infinity");
-        }
-        control.session().scriptDrives();
-        control.session().ask(world -> {
-            Robot driven = robot(world, robot);
-            world.post(next -> driven.drive(speed, radius));
-            return true;
         });
     }
 

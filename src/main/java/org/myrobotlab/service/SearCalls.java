@@ -1,0 +1,58 @@
+package org.myrobotlab.service;
+
+import java.util.concurrent.Callable;
+import org.SEAR.project.problems.ProjectException;
+import org.SEAR.project.problems.Reasons;
+
+/**
+ * How a SEAR service answers calls: what goes wrong is published as an error status and thrown, as IllegalArgumentException for values and
+ * IllegalStateException for everything else. Any thread.
+ */
+final class SearCalls {
+    private final SEAR service;
+
+    SearCalls(SEAR service) {
+        this.service = service;
+    }
+
+    /** A call that answers nothing. */
+    interface Action {
+        void run() throws Exception;
+    }
+
+    void act(Action action) {
+        attempt(() -> {
+            action.run();
+            return null;
+        });
+    }
+
+    <T> T attempt(Callable<T> work) {
+        try {
+            if (!service.isWhole()) {
+                throw new IllegalStateException(service.getName() + " is not started: Runtime.start(\"" + service.getName() + "\", \"SEAR\")");
+            }
+            return work.call();
+        } catch (IllegalArgumentException e) {
+            service.error("%s", Reasons.of(e));
+            throw e;
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException("the script was stopped while it waited", e);
+        } catch (LinkageError e) {
+            service.error("%s", missing(e));
+            throw new IllegalStateException(missing(e), e);
+        } catch (Exception e) {
+            if (e instanceof ProjectException) {
+                service.invoke("publishProblems", ((ProjectException) e).getProblems());
+            }
+            service.error("%s", Reasons.of(e));
+            throw e instanceof IllegalStateException ? (IllegalStateException) e : new IllegalStateException(Reasons.of(e), e);
+        }
+    }
+
+    static String missing(LinkageError e) {
+        return "SEAR can't work here, a library is missing or broken (" + e + "): run \"sear install\" for this MyRobotLab again, or put the jars"
+            + " that come with SEAR into libraries/jar";
+    }
+}

@@ -1,0 +1,58 @@
+package org.SEAR.documents;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.junit.Test;
+
+/** The page about the calls says what the services' javadoc says, and that is whole. */
+public class ScriptDocsTest {
+    private static final Path ROOT = Path.of(System.getProperty("sear.root", "."));
+
+    @Test
+    public void thePageIsUpToDate() throws IOException {
+        assertEquals("run gradle scriptDocs", new ScriptDocs(ROOT).page(), Files.readString(ROOT.resolve("docs/scripting.md")));
+    }
+
+    @Test
+    public void thePictureIsUpToDate() throws IOException {
+        assertEquals("run gradle scriptDocs", FramesPicture.svg(), Files.readString(ROOT.resolve("docs/images/frames.svg")));
+    }
+
+    @Test
+    public void everyCallHasItsParametersAndAnExample() throws IOException {
+        assertEquals(List.of(), new ScriptDocs(ROOT).gaps());
+    }
+
+    /** An example calls what it is the example of, on the variable of its service. */
+    @Test
+    public void everyExampleCallsItsMethod() throws IOException {
+        ScriptDocs docs = new ScriptDocs(ROOT);
+        List<String> wrong = new ArrayList<>();
+        Map<String, String> variables = new TreeMap<>(Map.of("SEAR", "sear", "LIDAR", "lidar", "GPS", "gps"));
+        variables.forEach((service, variable) -> docs.calls(service).forEach(call -> {
+            String called = call.name.startsWith("publish") ? variable + ".addListener(\"" + call.name + "\"" : variable + "." + call.name + "(";
+            if (!call.example.contains(called)) {
+                wrong.add(service + "." + call.signature() + ": " + call.example);
+            }
+        }));
+        assertEquals(List.of(), wrong);
+    }
+
+    @Test
+    public void whatIsForPanelsOrMyRobotLabIsLeftOut() throws IOException {
+        String page = new ScriptDocs(ROOT).page();
+        assertTrue(page.contains("### driveStraight(speed)\n"));
+        assertTrue(page.contains("- `radius`: metres, + to the left; infinity = straight, 0 = in place to the left\n"));
+        for (String other : new String[] {"### getPreview(", "### onBytes(", "### startService("}) {
+            assertTrue(other, !page.contains(other));
+        }
+    }
+}

@@ -1,0 +1,85 @@
+package org.SEAR.documents;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.SEAR.cli.ScriptProcess;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+
+/** Every example of docs/scripting.md runs, after the preparation that the page names. */
+public class ScriptExamplesTest {
+    private static final Path ROOT = Path.of(System.getProperty("sear.root", "."));
+    private static final Pattern BLOCK = Pattern.compile("```python\n(.*?)```", Pattern.DOTALL);
+    /** Blocks of more than one example: the preparation, the callbacks, driving. */
+    private static final int LONG_BLOCKS = 3;
+    private static final List<String> WHILE_STOPPED = Arrays.asList("startSimulation", "setGroundVisible", "newProject", "loadProject",
+        "importRobot", "importEnvironment", "copyTemplate");
+
+    /** Brings about what the page takes as there before each example. */
+    private static final String READY = String.join("\n",
+        "import os",
+        "def ready(running):",
+        "    if sear.isSimulating() and not running: sear.stopSimulation()",
+        "    if running and not sear.isSimulating():",
+        "        if 'gpsUnit1.xml' not in ''.join(os.listdir('SEARproject/robot') if os.path.exists('SEARproject/robot') else []):",
+        "            sear.loadProject('examples/sensors.sear')",
+        "        sear.startSimulation()",
+        "    if not running and not os.path.exists('SEARproject'): sear.loadProject('examples/sensors.sear')",
+        "def connected(service, port, baud):",
+        "    if sear.isPaused(): sear.resume()",
+        "    if not service.isConnected(): service.connect(port, baud)",
+        "");
+
+    @Rule
+    public final TemporaryFolder folder = new TemporaryFolder();
+
+    @Test
+    public void everyExampleRuns() throws Exception {
+        List<String> blocks = new ArrayList<>();
+        Matcher found = BLOCK.matcher(Files.readString(ROOT.resolve("docs/scripting.md")));
+        while (found.find()) {
+            blocks.add(found.group(1));
+        }
+        StringBuilder script = new StringBuilder(String.join("\n", blocks.subList(0, LONG_BLOCKS))).append('\n').append(READY);
+        int count = 0;
+        ScriptDocs docs = new ScriptDocs(ROOT);
+        for (String service : ScriptDocs.SERVICES) {
+            if (!service.equals("SEAR")) {
+                script.append("ready(False)\n");
+            }
+            for (ScriptCall call : docs.calls(service)) {
+                script.append("ready(").append(WHILE_STOPPED.contains(call.name) ? "False" : "True").append(")\n");
+                if (service.equals("LIDAR") && !call.name.equals("connect")) {
+                    script.append("connected(lidar, '/dev/SEAR_LIDAR_01', 38400)\n");
+                } else if (service.equals("GPS") && !call.name.equals("connect")) {
+                    script.append("connected(gps, '/dev/SEAR_GPS_01', 38400)\n");
+                }
+                script.append(call.example).append("\nsear.simSleep(0.1) if sear.isSimulating() and not sear.isPaused() else None\n");
+                script.append("print 'example ").append(++count).append(" done'\n");
+            }
+            script.append(service.equals("LIDAR") ? "lidar.singleScan()\nsear.simSleep(30)\n" : "");
+        }
+        script.append("print 'all done'\n");
+        assertEquals("all blocks of the page are examples", LONG_BLOCKS + count, blocks.size());
+        Path file = folder.getRoot().toPath().resolve("examples.py");
+        Files.writeString(file, script);
+        String text = ScriptProcess.run(folder.getRoot().toPath(), file);
+        assertTrue(text, text.contains("\nall done"));
+        assertEquals(text, count, text.split("example \\d+ done", -1).length - 1);
+        assertTrue("a callback was called:\n" + text, Pattern.compile("\\d+ beams, the nearest at \\d+ mm").matcher(text).find());
+        assertTrue(text, Pattern.compile("frontPing at [0-9.]+ s: ").matcher(text).find());
+        assertTrue(text, Pattern.compile("33\\.6\\d{5}, -80\\.8\\d{5} degrees, 182").matcher(text).find());
+        List<String> errors = Arrays.stream(text.split("\n")).filter(line -> line.matches(".*(Traceback|\\[?ERROR).*")).collect(Collectors.toList());
+        assertEquals(text, List.of(), errors);
+    }
+}

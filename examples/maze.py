@@ -1,6 +1,9 @@
 # A maze of 6 by 6 cells, each 0.8 m wide, with one way from the start to the cone, and a Roomba with three infrared sensors.
 from org.SEAR.POJOs import Box, Cone, Cylinder, Distance, Dynamics, Floor, Odometer, SEARrobot, Wheel
 
+sear = Runtime.start("sear", "SEAR")
+sear.newProject()    # the present project, if there is one, is kept as a backup
+
 # A wall is a letter of the upper line of a cell (-) or on its left side (|); north is up.
 PLAN = ["+-+-+-+-+-+-+",
         "|   |       |",

@@ -1,6 +1,9 @@
 # An office of 8 by 6 metres with furniture, and a Roomba with a LIDAR and two PING))) sensors.
 from org.SEAR.POJOs import Box, Cone, Cylinder, Distance, Dynamics, Floor, LIDAR, Model, SEARrobot, Wheel
 
+sear = Runtime.start("sear", "SEAR")
+sear.newProject()    # the present project, if there is one, is kept as a backup
+
 Floor("floor", 8, 6, False)  # beams of the PING))) would see it in front of the robot
 
 def wall(name, length, width, x, z):

@@ -2,6 +2,9 @@
 from org.SEAR.POJOs import Accelerometer, Box, Compass, Cylinder, Dynamics, Floor, Gyroscope, Odometer, SEARrobot, Wheel
 from math import cos, radians, sin
 
+sear = Runtime.start("sear", "SEAR")
+sear.newProject()    # the present project, if there is one, is kept as a backup
+
 Floor("lawn", 16, 10, "textures/grass.png")
 
 WIDTH = 1.2

@@ -2,6 +2,9 @@
 from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, LIDAR, Model, Noise, \
     Odometer, SEARrobot, Wheel
 
+sear = Runtime.start("sear", "SEAR")
+sear.newProject()    # the present project, if there is one, is kept as a backup
+
 Floor("yard", 20, 20, False, "textures/grass.png")  # wide beams would see it in front of the robot
 
 def fixed(name, length, width, height, x, y, z, image):

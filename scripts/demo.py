@@ -5,8 +5,9 @@ from java.lang import System
 from org.SEAR.POJOs import Box, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, LIDAR, SEARrobot, Wheel
 
 sear = Runtime.start("SEAR", "SEAR")
-if os.path.exists("SEARproject") and not os.path.exists("SEARproject/robot/demoRoomba.xml"):
-    print "Your project is kept in " + sear.newProject()
+kept = sear.newProject()
+if kept is not None:
+    print "The project that was here is kept in " + kept
 
 # ---- the world: a room of 6 m by 6 m with a few things in it --------------------------------------------------------------------------------
 Floor("floor", 20, 20, False)

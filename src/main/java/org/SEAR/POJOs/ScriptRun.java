@@ -1,8 +1,11 @@
 package org.SEAR.POJOs;
 
+import java.util.Collection;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * Which names the present run of a Python script has given to objects. Jython makes a class of its own of each run of a script; a script that is run
@@ -12,21 +15,40 @@ final class ScriptRun {
     private static final String SCRIPT = "org.python.pycode.";
     private static final Set<String> NAMES = new HashSet<>();
     private static String run = "";
+    private static boolean taken;
 
     private ScriptRun() {
     }
 
     /** Whether this run of a script has given the name before; never outside of scripts. */
     static synchronized boolean isAgain(String name) {
+        return follow() && !NAMES.add(name);
+    }
+
+    /** This run of a script has taken a project, whose objects it means to have. */
+    static synchronized void hasTaken() {
+        taken = follow();
+    }
+
+    /** Which of these names this run of a script did not give; none if it gave no name at all, or has taken a project. */
+    static synchronized List<String> others(Collection<String> names) {
+        boolean builds = follow() && !NAMES.isEmpty() && !taken;
+        return builds ? names.stream().filter(name -> !NAMES.contains(name)).collect(Collectors.toList()) : List.of();
+    }
+
+    /**
+     * Looks which run is calling; another than before begins with no names.
+     *
+     * @return whether one is
+     */
+    private static boolean follow() {
         Optional<String> present = StackWalker.getInstance().walk(frames -> frames.map(StackWalker.StackFrame::getClassName)
             .filter(type -> type.startsWith(SCRIPT)).reduce((inner, outer) -> outer));
-        if (present.isEmpty()) {
-            return false;
-        }
-        if (!present.get().equals(run)) {
+        if (present.isPresent() && !present.get().equals(run)) {
             run = present.get();
             NAMES.clear();
+            taken = false;
         }
-        return !NAMES.add(name);
+        return present.isPresent();
     }
 }

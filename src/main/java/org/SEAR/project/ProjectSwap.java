@@ -12,7 +12,6 @@ import java.nio.file.SimpleFileVisitor;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.BasicFileAttributes;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeMap;
 import java.util.concurrent.locks.ReentrantLock;
@@ -158,7 +157,7 @@ public final class ProjectSwap implements AutoCloseable {
     }
 
     /**
-     * Renames the present project to a backup.
+     * Renames the present project to a backup. A backup of the same files goes, so that ten runs of one script leave the others alone.
      *
      * @return the backup; null if there was no project
      */
@@ -170,14 +169,23 @@ public final class ProjectSwap implements AutoCloseable {
         int number = backups.isEmpty() ? 1 : backups.lastKey() + 1;
         Path backup = beside(folder, BACKUP + number);
         Files.move(folder, backup, StandardCopyOption.ATOMIC_MOVE);
-        List<Integer> old = new ArrayList<>(backups.keySet());
-        for (int i = 0; i <= old.size() - BACKUPS; i++) {
-            Path doomed = beside(folder, DELETING);
-            delete(doomed);
-            Files.move(backups.get(old.get(i)), doomed, StandardCopyOption.ATOMIC_MOVE);
-            delete(doomed);
+        for (Path older : List.copyOf(backups.values())) {
+            if (SameFiles.in(older, backup)) {
+                backups.values().remove(older);
+                discard(older);
+            }
+        }
+        while (backups.size() >= BACKUPS) {
+            discard(backups.pollFirstEntry().getValue());
         }
         return backup;
+    }
+
+    private void discard(Path backup) throws IOException {
+        Path doomed = beside(folder, DELETING);
+        delete(doomed);
+        Files.move(backup, doomed, StandardCopyOption.ATOMIC_MOVE);
+        delete(doomed);
     }
 
     private TreeMap<Integer, Path> backups() throws IOException {

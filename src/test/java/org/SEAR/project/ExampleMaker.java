@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.problems.ProjectException;
+import org.myrobotlab.service.Runtime;
 import org.python.util.PythonInterpreter;
 
 /** Makes the example projects: runs each script of examples/ in an empty project and saves that. {@code gradle examples} calls it. */
@@ -50,7 +51,10 @@ public final class ExampleMaker {
         settings.setProperty("python.cachedir.skip", "true");
         PythonInterpreter.initialize(System.getProperties(), settings, new String[0]);
         try (PythonInterpreter python = new PythonInterpreter()) {
+            python.exec("from org.myrobotlab.service import Runtime");
             python.execfile(script.toString());
+        } finally {
+            Runtime.releaseService("sear");
         }
     }
 }

@@ -4,6 +4,7 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.Consumer;
@@ -72,5 +73,31 @@ public class NoticesTest {
         List<String> warnings = Project.read(project.folder()).getWarnings();
         assertEquals("the folder environments/ of the project is not read: its objects belong into environment/", warnings.get(0));
         assertEquals("the folder robots/ of the project is not read: its objects belong into robot/", warnings.get(1));
+    }
+
+    /** As a script sees it that asks what is there before it starts. */
+    private String ofOthers(String script, String... names) {
+        try (PythonInterpreter python = new PythonInterpreter()) {
+            python.set("names", Arrays.asList(names));
+            python.exec("from org.SEAR.POJOs import Box, Notices\n" + script + "\nanswer = Notices.ofOthers(names)\n");
+            return python.get("answer").toString();
+        }
+    }
+
+    @Test
+    public void whatAScriptThatBuildsDidNotMakeIsNamedInOneLine() {
+        String answer = ofOthers("Box('new name', 1, 1, 1, 0)", "new name", "old name");
+        assertEquals("in the project, but not made by this script: \"old name\" (of an earlier run or another script; with sear.newProject() at its"
+            + " beginning a script starts with an empty project)", answer);
+        answer = ofOthers("Box('new name', 1, 1, 1, 0)", "a", "b", "c", "d", "e", "f", "g");
+        assertTrue(answer, answer.contains("\"a\", \"b\", \"c\", \"d\", \"e\" and 2 more (of"));
+    }
+
+    @Test
+    public void whoOnlyStartsOrHasLoadedAProjectMeansItsObjects() {
+        assertEquals("", ofOthers("", "old name"));
+        assertEquals("", ofOthers("Notices.projectTaken()\nBox('new name', 1, 1, 1, 0)", "old name"));
+        assertEquals("", ofOthers("Box('new name', 1, 1, 1, 0)", "new name"));
+        assertEquals("not called by a script", "", Notices.ofOthers(List.of("old name")));
     }
 }

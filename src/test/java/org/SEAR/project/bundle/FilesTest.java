@@ -86,7 +86,7 @@ public class FilesTest {
         Path rest = project.folder().resolveSibling("SEARproject.deleting");
         Files.createDirectories(rest.resolve("assets"));
         for (int i = 1; i <= 12; i++) {
-            new Box("b", 1, 1, 1, 0);
+            new Box("b", 1, 1, 1, i);
             assertTrue(Bundle.newProject(project.folder()).endsWith("SEARproject.backup-" + i));
         }
         assertFalse(Files.exists(rest));
@@ -99,5 +99,28 @@ public class FilesTest {
         assertTrue(Reasons.of(new AccessDeniedException("/x/a.sear")).startsWith("/x/a.sear: permission denied"));
         assertTrue(Reasons.of(new IOException("No space left on device")).contains("the disk is full"));
         assertEquals("a reason of its own", Reasons.of(new IOException("a reason of its own")));
+    }
+
+    /** An example that is run again and again must not push the user's own projects out of the ten. */
+    @Test
+    public void theSameProjectIsKeptOnce() throws Exception {
+        new Box("mine", 1, 1, 1, 0);
+        Bundle.newProject(project.folder());
+        for (int i = 0; i < 15; i++) {
+            new Box("example", 1, 1, 1, 0);
+            new Box("second", 1, 1, 1, 0);
+            Bundle.newProject(project.folder());
+        }
+        new Box("example", 1, 1, 1, 0);
+        new Box("second", 1, 1, 1, 1);
+        Bundle.newProject(project.folder());
+        List<String> kept = new ArrayList<>();
+        for (int i = 1; i < 20; i++) {
+            Path backup = project.folder().resolveSibling("SEARproject.backup-" + i);
+            if (Files.exists(backup)) {
+                kept.add(i + (Files.exists(backup.resolve("environment/mine.xml")) ? " mine" : ""));
+            }
+        }
+        assertEquals("[1 mine, 16, 17]", kept.toString());
     }
 }

@@ -15,6 +15,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Supplier;
+import org.SEAR.POJOs.Notices;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
 import org.SEAR.project.problems.ProjectException;
@@ -146,6 +147,7 @@ public final class Projects {
             }
             return Bundle.load(bundle, folder(), new PercentProgress("loading", meant, host::progress));
         });
+        Notices.projectTaken();
     }
 
     /**
@@ -174,6 +176,7 @@ public final class Projects {
     }
 
     private void tell(Map<String, String> renamed) {
+        Notices.projectTaken();
         renamed.forEach((old, now) -> {
             if (!old.equals(now)) {
                 host.progress("\"" + old + "\" is called \"" + now + "\" here, because that name was taken");

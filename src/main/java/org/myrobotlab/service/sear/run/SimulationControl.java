@@ -3,9 +3,12 @@ package org.myrobotlab.service.sear.run;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.SEAR.POJOs.Notices;
+import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.myrobotlab.service.sear.Host;
 
@@ -49,6 +52,17 @@ public final class SimulationControl {
             session = SimulationSession.start(project, settings(), debugShapes, host, stepListener);
             running = this;
             Notices.setSimulating(this::isRunning);
+        }
+        tellOthers(session().getSimulation().getProject());
+    }
+
+    private void tellOthers(Project project) {
+        List<String> names = new ArrayList<>();
+        project.getEnvironment().forEach(object -> names.add(object.getName()));
+        project.getRobots().forEach(robot -> names.add(robot.getName()));
+        String others = Notices.ofOthers(names);
+        if (!others.isEmpty()) {
+            host.progress(others);
         }
     }
 

@@ -7,7 +7,7 @@ from org.SEAR.POJOs import Box, Compass, Cone, Cylinder, Distance, Dynamics, Flo
 sear = Runtime.start("SEAR", "SEAR")
 kept = sear.newProject()
 if kept is not None:
-    print "The project that was here is kept in " + kept
+    print "Your project is kept in " + kept
 
 # ---- the world: a room of 6 m by 6 m with a few things in it --------------------------------------------------------------------------------
 Floor("floor", 20, 20, False)

@@ -365,7 +365,7 @@
     var PATIENCE_MILLIS = 10000 // an answer that takes longer is asked for again
     var WAIT_MILLIS = 1500         // so long time stands still in lock-step before the page says so
     var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'getProblems', 'getExamples',
-        'getBundle', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate']
+        'getExampleScripts', 'getBundle', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate']
 
     angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope', '$timeout', '$interval', 'mrl', SEARGuiCtrl])
 
@@ -373,11 +373,12 @@
         var self = this
         var msg = this.msg
 
-        $scope.form = {path: NEW, speed: '1', example: '', template: 'userCode.py', folder: 'SEARproject', beams: true, follow: false,
+        $scope.form = {path: NEW, speed: '1', example: '', script: '', template: 'userCode.py', folder: 'SEARproject', beams: true, follow: false,
             robot: null}        // the one that is driven and followed
         $scope.state = null         // of the running world
         $scope.preview = null       // the project as it would start: stamp, world, problems, reason
         $scope.examples = []
+        $scope.scripts = []         // names of the examples that drive
         $scope.problems = []        // what a call found wrong
         $scope.messages = []        // newest first
         $scope.last = null          // the newest one as a line
@@ -401,6 +402,10 @@
             onBundle: onBundle,
             onExamples: function(paths) {
                 $scope.examples = paths || []
+            },
+            onExampleScripts: function(names) {
+                $scope.scripts = names || []
+                $scope.form.script = $scope.form.script || $scope.scripts[0]
             },
             onUploaded: function(text) {
                 $scope.transfer = null
@@ -743,6 +748,13 @@
             }
             asked.save = mine ? null : asked.save
         }
+        $scope.plain = function(script) {
+            return script.replace(/\.py$/, '').replace(/_/g, ' ')
+        }
+        $scope.runScript = function() {
+            say('info', 'running ' + $scope.form.script)
+            msg.send('runExampleScript', $scope.form.script)
+        }
         $scope.copyTemplate = function() {
             msg.send('copyTemplate', $scope.form.template, $scope.form.folder)
         }
@@ -936,5 +948,6 @@
         })
         msg.subscribe(this)
         msg.send('getExamples')
+        msg.send('getExampleScripts')
     }
 })()

@@ -12,6 +12,7 @@ import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.SEARConfig;
 import org.myrobotlab.service.link.PanelFiles;
 import org.myrobotlab.service.sear.SensorReading;
+import org.myrobotlab.service.sear.files.ExampleScripts;
 import org.myrobotlab.service.sear.panel.Preview;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
@@ -33,7 +34,6 @@ import org.myrobotlab.service.sear.run.SimulationSession;
  */
 public class SEAR extends Service<SEARConfig> {
     private static final long serialVersionUID = 1L;
-    private static final String UART_CALLBACK = "onUartBytes";
 
     static {
         PanelFiles.install(SEAR.class);
@@ -562,6 +562,26 @@ public class SEAR extends Service<SEARConfig> {
         return calls.attempt(() -> text(parts.projects().copyTemplate(name, folder)));
     }
 
+    /**
+     * Names of the example scripts that drive a robot, each with its project.
+     *
+     * @example print ", ".join(sear.getExampleScripts())
+     */
+    public List<String> getExampleScripts() {
+        return calls.attempt(() -> ExampleScripts.names());
+    }
+
+    /**
+     * The text of an example script.
+     *
+     * @param name one of {@link #getExampleScripts}
+     * @throws IllegalArgumentException that names those there are
+     * @example code = sear.getExampleScript("maze_solver.py")
+     */
+    public String getExampleScript(String name) {
+        return calls.attempt(() -> ExampleScripts.text(ScriptText.of(name)));
+    }
+
     // ---- ports for other programs (a simulation must run) ----------------------------------------------------------
 
     /**
@@ -662,6 +682,11 @@ public class SEAR extends Service<SEARConfig> {
         return calls.attempt(() -> parts.projects().examples());
     }
 
+    /** Has the service named python run an example script, as the tab of that does; returns at once. */
+    public void runExampleScript(String name) {
+        calls.act(() -> send(ExampleScripts.runner(), "exec", ExampleScripts.text(ScriptText.of(name)), false));
+    }
+
     private static Path bundle(String path) {
         if (path == null) {
             throw new IllegalArgumentException("the path is missing (None), legal: the path of a bundle, such as \"robot.sear\"");
@@ -678,7 +703,7 @@ public class SEAR extends Service<SEARConfig> {
     /** Bytes of a device's Serial service go straight to the device, and lock-step hears at once what it waits for; all else takes its usual way. */
     @Override
     public void in(Message message) {
-        if (!toDevice(message) && !SearParts.isFence(message)) {
+        if (!isOurs(message)) {
             super.in(message);
         }
     }
@@ -686,21 +711,11 @@ public class SEAR extends Service<SEARConfig> {
     /** Where a MyRobotLab brings messages another way than {@link #in}. */
     @Override
     public boolean preProcessHook(Message message) {
-        return !toDevice(message) && !SearParts.isFence(message) && super.preProcessHook(message);
+        return !isOurs(message) && super.preProcessHook(message);
     }
 
-    private boolean toDevice(Message message) {
-        if (!UART_CALLBACK.equals(message.method)) {
-            return false;
-        }
-        try {
-            if (parts != null && message.data != null && message.data.length == 1 && message.data[0] instanceof byte[]) {
-                parts.toDevice(message.getSrcName(), (byte[]) message.data[0]);
-            }
-        } catch (RuntimeException e) {
-            log.error("bytes from {} did not reach their device", message.sender, e);
-        }
-        return true;
+    private boolean isOurs(Message message) {
+        return SearParts.takesBytes(parts, message) || SearParts.isFence(message);
     }
 
     boolean isWhole() {

@@ -22,9 +22,14 @@ import org.myrobotlab.service.sear.readings.ScriptDriving;
 import org.myrobotlab.service.sear.readings.ScriptReadings;
 import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** All that a SEAR service is made of, in one place, so that the service class itself loads where a library is missing. */
 final class SearParts {
+    private static final Logger LOG = LoggerFactory.getLogger(SearParts.class);
+    private static final String UART_CALLBACK = "onUartBytes";
+
     private final SimulationControl control;
     private final ScriptReadings readings;
     private final ScriptDriving driving;
@@ -124,12 +129,25 @@ final class SearParts {
         }
     }
 
-    /** Brings bytes from a device's Serial service to the device. */
-    public void toDevice(String serviceName, byte[] bytes) {
-        SimulationSession session = control.anySession();
-        if (session != null) {
-            session.toDevice(serviceName, bytes);
+    /**
+     * Brings bytes from a device's Serial service to the device.
+     *
+     * @param parts null before the service has started: then they are lost
+     * @return whether the message is one with such bytes
+     */
+    static boolean takesBytes(SearParts parts, Message message) {
+        if (!UART_CALLBACK.equals(message.method)) {
+            return false;
         }
+        try {
+            SimulationSession session = parts == null ? null : parts.control.anySession();
+            if (session != null && message.data != null && message.data.length == 1 && message.data[0] instanceof byte[]) {
+                session.toDevice(message.getSrcName(), (byte[]) message.data[0]);
+            }
+        } catch (RuntimeException e) {
+            LOG.error("bytes from {} did not reach their device", message.sender, e);
+        }
+        return true;
     }
 
     /** Ends the simulation and what hangs on it. */

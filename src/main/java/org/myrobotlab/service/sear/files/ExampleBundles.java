@@ -5,13 +5,15 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.SEAR.project.problems.ProjectException;
 
 /** The example bundles inside the jar, by paths such as {@code examples/office.sear}, which hold in every working folder. Any thread. */
 final class ExampleBundles {
     private static final String FOLDER = "examples/";
+    private static final String ENDING = ".sear";
     private static final String IN_JAR = "/resource/SEAR/";
     /** A name on each line, written by the build. */
     private static final String LIST = "/org/SEAR/examples.txt";
@@ -27,15 +29,14 @@ final class ExampleBundles {
 
     /** Paths of all. */
     static List<String> paths() throws IOException {
-        List<String> paths = new ArrayList<>();
+        return list().stream().filter(name -> name.endsWith(ENDING)).map(name -> FOLDER + name).collect(Collectors.toList());
+    }
+
+    /** What the build has put into the jar: names below {@code examples}. */
+    static List<String> list() throws IOException {
         try (InputStream in = ExampleBundles.class.getResourceAsStream(LIST)) {
-            if (in != null) {
-                for (String name : new String(in.readAllBytes(), StandardCharsets.UTF_8).split("\n")) {
-                    paths.add(FOLDER + name);
-                }
-            }
+            return in == null ? List.of() : Arrays.asList(new String(in.readAllBytes(), StandardCharsets.UTF_8).split("\n"));
         }
-        return paths;
     }
 
     /** Gives somebody a bundle as a file: the one of that path; where there is none, the example of that path. */

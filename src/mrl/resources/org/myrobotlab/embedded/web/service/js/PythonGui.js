@@ -1,5 +1,5 @@
 // Panel of the Python service: an editor, run and stop, and what the script prints.
-angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$scope', '$timeout', function($scope, $timeout) {
+angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$scope', '$timeout', 'mrl', function($scope, $timeout, mrl) {
     var msg = this.msg
     var MOST_LINES = 2000
     var KEYWORDS = '\\b(?:and|as|assert|break|class|continue|def|del|elif|else|except|exec|finally|for|from|global|if|import|in|is|lambda|not|or|pass'
@@ -124,6 +124,43 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
             }
         })
     }
+    // ---- examples: of services that have some ------------------------------------------------------------------------------------------------
+    var offering = null         // the name of such a service
+    $scope.examples = []
+    function askForExamples() {
+        var service = mrl.getServices().filter(function(one) {
+            return one.methods && one.methods.indexOf('getExampleScripts') >= 0
+        })[0]
+        offering = service ? service.name : null
+        if (!offering) {
+            $scope.examples = []
+            return
+        }
+        mrl.sendBlocking(offering, 'getExampleScripts').then(function(names) {
+            $scope.examples = names || []
+        })
+    }
+    $scope.openExample = function() {
+        var name = $scope.form.example
+        if (!name) {
+            return
+        }
+        $scope.form.example = null
+        if ($scope.isUnsaved()) {
+            ask('The text below is not saved.', 'Show ' + name + ' all the same', showExample, name)
+        } else {
+            showExample(name)
+        }
+    }
+    function showExample(name) {
+        mrl.sendBlocking(offering, 'getExampleScript', name).then(function(code) {
+            $scope.form.file = name
+            $scope.form.code = kept = code
+            $scope.problem = ''
+            $scope.colour()
+        })
+    }
+
     /** @return a promise of the script as the service has it then; undefined if it could not be done */
     function call(method, data) {
         return msg.sendBlocking.apply(null, [method].concat(data)).then(function() {
@@ -230,4 +267,6 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
     msg.subscribe('getScriptList')
     msg.subscribe(this)
     msg.send('getScriptList')
+    askForExamples()
+    $scope.$on('mrl.services', askForExamples)
 }])

@@ -93,6 +93,11 @@ public final class Body {
         return compound;
     }
 
+    /** Whether its solids are children of one shape; else its only solid is where its centre of mass is. */
+    boolean isCompound() {
+        return collision instanceof CompoundShape;
+    }
+
     private boolean isAtCentre(Pose place) {
         return place.x == cx && place.y == cy && place.z == cz && place.qw == 1;
     }
@@ -220,7 +225,7 @@ public final class Body {
     /** Takes over where jbullet has moved it. */
     void follow() {
         rigid.getCenterOfMassTransform(transform);
-        transform.getRotation(rotation);
+        Turning.quaternion(transform.basis, rotation);
         double length = Math.sqrt((double) rotation.x * rotation.x + (double) rotation.y * rotation.y + (double) rotation.z * rotation.z
             + (double) rotation.w * rotation.w);
         double qx = rotation.x / length;

@@ -106,18 +106,20 @@ public final class ContactAlgorithm extends CollisionAlgorithm {
         a.getWorldTransform(placeOfA);
         b.getWorldTransform(place);
         Body.toPlacement(placeOfA, placedA.set(solidA.convex()));
+        boolean near = false;
         if (b.getCollisionShape() instanceof BvhTriangleMeshShape) {
             meetMesh(a.getCollisionShape(), b);
         } else {
             Body.toPlacement(place, placedB.set(solidB.convex()));
-            if (gjk.measure(placedA, placedB, ManifoldClipper.BREAKING)) {
+            near = gjk.measure(placedA, placedB, ManifoldClipper.BREAKING);
+            if (near) {
                 clipper.ofB.clear();
                 placedB.feature(gjk.nx, gjk.ny, gjk.nz, clipper.ofB);
                 touch();
             }
         }
         if (isFast(a) || isFast(b)) {
-            sweeps.add(a, solidA, placeOfA, b, solidB, place, gjk);
+            sweeps.add(a, solidA, placeOfA, b, solidB, place, gjk, near);
         }
         writer.give(contacts, solidA, solidB, manifold, result);
         ManifoldWriter.announce(contacts, (Body) a.getUserPointer(), (Body) b.getUserPointer());

@@ -2,7 +2,6 @@ package org.SEAR.physics;
 
 import com.bulletphysics.dynamics.RigidBody;
 import com.bulletphysics.linearmath.Transform;
-import com.bulletphysics.linearmath.TransformUtil;
 import javax.vecmath.Vector3f;
 import org.SEAR.collision.ManifoldClipper;
 
@@ -40,7 +39,12 @@ final class Motion {
     private final Vector3f normal = new Vector3f();
     private boolean oneNormal;
     private float end;
+    private int stops;
     private boolean bounceAhead;
+    private final Transform then = new Transform();
+    private float thenShare;
+    private final Turning turning = new Turning();
+    private boolean started;
 
     /**
      * @param reach distance of the body's farthest point from its centre of mass, metres
@@ -121,6 +125,9 @@ final class Motion {
             shift.scale(step / 2);
         }
         end = 1;
+        stops = 0;
+        thenShare = 0;
+        started = false;
         bounceAhead = false;
         float way = (linear.length() + angular.length() * reach) * time;
         if (!fast && way > SLOW) {
@@ -131,8 +138,21 @@ final class Motion {
     /** Where the centre of mass is after a share of the step. */
     void at(float share, Transform into) {
         float part = Math.min(share, end);
-        TransformUtil.integrateTransform(now, linear, angular, part * time, into);
-        into.origin.scaleAdd(part, shift, into.origin);
+        if (part == 0) {
+            into.set(now);
+            return;
+        }
+        if (part != thenShare) {
+            if (!started) {
+                turning.start(now.basis);
+                started = true;
+            }
+            turning.turn(angular, part * time, then);
+            then.origin.scaleAdd(part * time, linear, now.origin);
+            then.origin.scaleAdd(part, shift, then.origin);
+            thenShare = part;
+        }
+        into.set(then);
     }
 
     /** Where the centre of mass is before the contacts are solved. */
@@ -178,6 +198,11 @@ final class Motion {
         return end;
     }
 
+    /** How often it was stopped in this step. */
+    int getStops() {
+        return stops;
+    }
+
     /**
      * Stops it there.
      *
@@ -185,6 +210,7 @@ final class Motion {
      */
     void stop(float share, boolean bounce) {
         end = share;
+        stops++;
         bounceAhead = bounce;
     }
 

@@ -77,9 +77,13 @@ final class Sweeps {
         double ny;
         double nz;
         double distance;
+        /** Whether that is their distance, not only the least that it can be. */
+        boolean measured;
         /** How deep they may get when they touch, metres. */
         double depth;
         boolean bounces;
+        /** How often their bodies had been stopped when the pair was last looked at; nothing is new until that changes. */
+        int seen;
     }
 
     /** Forgets the pairs of the last step. */
@@ -91,8 +95,10 @@ final class Sweeps {
      * Adds a pair, with where its solids are now.
      *
      * @param apart what the contacts have found: a direction and the distance that they have at least along it; not for a mesh
+     * @param measured whether they have that distance; false for a mesh
      */
-    void add(CollisionObject objectA, Solid solidA, Transform placeA, CollisionObject objectB, Solid solidB, Transform placeB, GjkDistance apart) {
+    void add(CollisionObject objectA, Solid solidA, Transform placeA, CollisionObject objectB, Solid solidB, Transform placeB, GjkDistance apart,
+            boolean measured) {
         if (count == pairs.size()) {
             pairs.add(new Pair());
         }
@@ -105,6 +111,7 @@ final class Sweeps {
         pair.shapeA = objectA.getCollisionShape();
         pair.mesh = shapeB instanceof BvhTriangleMeshShape ? (BvhTriangleMeshShape) shapeB : null;
         pair.placeB.set(placeB);
+        pair.seen = -1;
         local(pair.a, placeA, pair.localA);
         local(pair.b, placeB, pair.localB);
         pair.bounces = Math.max(solidA.getSurface().restitution(), solidB.getSurface().restitution()) > 0;
@@ -113,12 +120,15 @@ final class Sweeps {
         pair.ny = apart.ny;
         pair.nz = apart.nz;
         pair.distance = apart.distance;
+        pair.measured = measured;
     }
 
-    /** Where a solid is in the frame of its body's centre of mass. */
-    private void local(Body body, Transform place, Transform into) {
-        into.inverse(body.getPlace());
-        into.mul(place);
+    /** Where a solid is in the frame of its body's centre of mass, if it is not that itself. */
+    private static void local(Body body, Transform place, Transform into) {
+        if (body.isCompound()) {
+            into.inverse(body.getPlace());
+            into.mul(place);
+        }
     }
 
     /** Stops every body where it would touch another, when the ways of the step are planned. */
@@ -133,9 +143,14 @@ final class Sweeps {
     }
 
     private boolean stop(Pair pair) {
+        int stops = stops(pair);
+        if (pair.seen == stops) {
+            return false;
+        }
+        pair.seen = stops;
         Motion a = pair.a.getMotion();
         Motion b = pair.b.getMotion();
-        float most = Math.max(a == null ? 0 : a.getEnd(), b == null ? 0 : b.getEnd());
+        float most = mostEnd(pair);
         if (most == 0 || pair.mesh == null && isClear(pair, most)) {
             return false;
         }
@@ -148,7 +163,19 @@ final class Sweeps {
         // the one that comes faster stops; the next pass looks whether the other comes, too
         boolean first = stopsA && (!stopsB || approach(pair, a, share, -1) >= approach(pair, b, share, 1));
         (first ? a : b).stop(share, pair.bounces);
+        if (mostEnd(pair) <= share) {
+            pair.seen = stops(pair);
+        }
         return true;
+    }
+
+    private static int stops(Pair pair) {
+        return (pair.a.getMotion() == null ? 0 : pair.a.getMotion().getStops()) + (pair.b.getMotion() == null ? 0 : pair.b.getMotion().getStops());
+    }
+
+    /** The share of the step at which the last of both stops. */
+    private static float mostEnd(Pair pair) {
+        return Math.max(pair.a.getMotion() == null ? 0 : pair.a.getMotion().getEnd(), pair.b.getMotion() == null ? 0 : pair.b.getMotion().getEnd());
     }
 
     /** How much of the approach is one body's. */
@@ -226,7 +253,9 @@ final class Sweeps {
     /** The box around the first solid in the mesh's frame after a share of the step. */
     private void box(Pair pair, float share, Vector3f lowest, Vector3f highest) {
         pair.a.getMotion().at(share, at);
-        at.mul(pair.localA);
+        if (pair.a.isCompound()) {
+            at.mul(pair.localA);
+        }
         inWorldOfMesh.set(inMesh);
         inWorldOfMesh.mul(at);
         pair.shapeA.getAabb(inWorldOfMesh, lowest, highest);
@@ -238,7 +267,9 @@ final class Sweeps {
         } else {
             body.getMotion().at(share, at);
         }
-        at.mul(local);
+        if (body.isCompound()) {
+            at.mul(local);
+        }
         Body.toPlacement(at, into.set(solid.convex()));
     }
 
@@ -250,9 +281,14 @@ final class Sweeps {
         float share = 0;
         double target = MET;
         for (int round = 0; round < ROUNDS; round++) {
-            place(pair, fixed, share);
             double way = (most - share) * reachOf(pair, share) + 2 * MET;
-            if (!gjk.measure(movedA, fixed == null ? movedB : fixed, way)) {
+            if (round == 0 && fixed == null && pair.measured) {
+                recall(pair);
+            } else {
+                place(pair, fixed, share);
+                gjk.measure(movedA, fixed == null ? movedB : fixed, way);
+            }
+            if (gjk.distance > way) {
                 return most;
             }
             double distance = gjk.distance;
@@ -270,6 +306,14 @@ final class Sweeps {
             }
         }
         return share;
+    }
+
+    /** Takes over what the contacts have measured. */
+    private void recall(Pair pair) {
+        gjk.nx = pair.nx;
+        gjk.ny = pair.ny;
+        gjk.nz = pair.nz;
+        gjk.distance = pair.distance;
     }
 
     private void place(Pair pair, ContactTriangle fixed, float share) {

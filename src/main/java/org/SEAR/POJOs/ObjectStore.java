@@ -26,6 +26,14 @@ public interface ObjectStore {
     void remove(String name, boolean part) throws IOException;
 
     /**
+     * The place of a robot that is made now in the order of the project's robots: behind all others. One that is made again keeps its place as long
+     * as this program has made none before it that stands behind.
+     *
+     * @return null for the first robot of a project
+     */
+    Integer orderOfRobot(String name);
+
+    /**
      * A named beam: one of the project's own ({@code beams/} of the folder), or a built-in one.
      *
      * @throws IllegalArgumentException that names the beams there are

@@ -50,7 +50,7 @@ public final class Parameter {
         if (type == double.class || type == Double.class) {
             return Kind.NUMBER;
         }
-        if (type == int.class) {
+        if (type == int.class || type == Integer.class) {
             return Kind.WHOLE;
         }
         if (type == boolean.class) {
@@ -137,7 +137,7 @@ public final class Parameter {
         return format(param.min()) + " to " + format(param.max()) + (param.unit().isEmpty() ? "" : " " + param.unit());
     }
 
-    /** Whether a single value (an entry of a list) is legal. Null is legal for an optional text, group or Double. */
+    /** Whether a single value (an entry of a list) is legal. Null is legal for an optional text, group, Double or Integer. */
     public boolean isLegal(Object value) {
         if (value == null) {
             return !param.required() && !type.isPrimitive();

@@ -19,7 +19,10 @@ public class SEARrobot extends SearObject {
     private static final int MAX_COMPONENTS = 1000;
     /** Most wheels of a robot. */
     private static final int MAX_WHEELS = 100;
+    private static final double MAX_ORDER = 1e9;
 
+    @Param(doc = "its place in the order in which the project's robots were made; robots without come first, by name", min = 1, max = MAX_ORDER)
+    private Integer order;
     @Param(doc = "name of a component, whose file lies beside this one", element = "component", text = TextRule.NAME, maxEntries = MAX_COMPONENTS)
     private List<String> componentNames = new ArrayList<>();
     @Param(doc = "a wheel", element = "wheel", maxEntries = MAX_WHEELS)
@@ -30,9 +33,10 @@ public class SEARrobot extends SearObject {
     protected SEARrobot() {
     }
 
-    /** A robot without parts. A robot of that name in the project is replaced. */
+    /** A robot without parts, the last of the project's robots. A robot of that name in the project is replaced. */
     public SEARrobot(String name) {
         super(name);
+        order = TextRule.NAME.isLegal(getName()) ? Stores.get().orderOfRobot(getName()) : null;
         created(SEARrobot.class);
     }
 
@@ -155,6 +159,11 @@ public class SEARrobot extends SearObject {
     /** The components in the order they were added; a view. */
     public List<SearObject> getComponents() {
         return Collections.unmodifiableList(components);
+    }
+
+    /** Its place in the order in which the project's robots were made; null for the first, and in files of older versions. */
+    public Integer getOrder() {
+        return order;
     }
 
     /** Names of the components in the order they were added; a view. */

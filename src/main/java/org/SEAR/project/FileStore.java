@@ -22,6 +22,8 @@ public final class FileStore implements ObjectStore {
     /** Keeps the temporary files of two programs that work on one project apart. */
     private static final long PROCESS = ProcessHandle.current().pid();
 
+    private final RobotOrder order = new RobotOrder();
+
     @Override
     public void write(SearObject object, boolean part) throws IOException {
         change(() -> {
@@ -70,6 +72,11 @@ public final class FileStore implements ObjectStore {
             Files.deleteIfExists(temporary);
             throw e;
         }
+    }
+
+    @Override
+    public Integer orderOfRobot(String name) {
+        return order.next(ProjectFolder.present(), name);
     }
 
     @Override

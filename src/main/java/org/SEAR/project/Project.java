@@ -47,7 +47,7 @@ public final class Project {
         return environment;
     }
 
-    /** All robots with their components in place, ordered by name. */
+    /** All robots with their components in place, in the order in which they were made; those that don't know it come first, by name. */
     public List<SEARrobot> getRobots() {
         return robots;
     }

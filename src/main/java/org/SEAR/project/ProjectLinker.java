@@ -1,6 +1,7 @@
 package org.SEAR.project;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -164,9 +165,11 @@ final class ProjectLinker {
         return objects;
     }
 
+    /** In the order in which they were made; parts come by the names of their files. */
     List<SEARrobot> robots() {
         List<SEARrobot> robots = new ArrayList<>();
         parts.values().stream().filter(p -> p.object instanceof SEARrobot).forEach(p -> robots.add((SEARrobot) p.object));
+        robots.sort(Comparator.comparing(SEARrobot::getOrder, Comparator.nullsFirst(Comparator.naturalOrder())));
         return robots;
     }
 

@@ -39,6 +39,8 @@ final class Import {
     private final Path target;
     private final Set<String> names = new HashSet<>();
     private final Set<String> ports = new HashSet<>();
+    /** Place of the last robot in the order in which they were made; 0 if there is none. */
+    private int lastRobot;
 
     /** @param present the project that the target folder holds; null if that is empty */
     Import(Project source, Project present, Path target) {
@@ -47,6 +49,7 @@ final class Import {
         if (present != null) {
             present.getEnvironment().forEach(this::take);
             for (SEARrobot robot : present.getRobots()) {
+                lastRobot = Math.max(lastRobot, robot.getOrder() == null ? 1 : robot.getOrder());
                 take(robot);
                 robot.getComponents().forEach(this::take);
             }
@@ -77,7 +80,7 @@ final class Import {
     }
 
     /**
-     * A robot with all its parts.
+     * A robot with all its parts, the last of the target's robots.
      *
      * @return new names by the old ones; the robot's is the first
      */
@@ -87,6 +90,7 @@ final class Import {
         robot.getComponents().stream().filter(part -> !(part instanceof Wheel)).forEach(all::add);
         Map<String, String> renamed = new LinkedHashMap<>();
         reserve(all, renamed);
+        ParameterTable.of(SEARrobot.class).find("order").set(robot, lastRobot == 0 ? null : Integer.valueOf(lastRobot + 1));
         String prefix = copyAssets();
         for (SearObject object : all) {
             write(object, ProjectFolder.ROBOT, renamed, prefix);
@@ -98,10 +102,7 @@ final class Import {
         objects.forEach(object -> renamed.put(object.getName(), unique(object.getName(), names)));
     }
 
-    /**
-     * The name itself, or with the first number that makes it new: {@code rover}, {@code rover_2}. Files are read in the order
-     * of their names, so the first robot stays the first.
-     */
+    /** The name itself, or with the first number that makes it new: {@code rover}, {@code rover_2}. */
     private static String unique(String name, Set<String> taken) {
         String free = name;
         for (int number = 2; !taken.add(free.toLowerCase(Locale.ROOT)); number++) {

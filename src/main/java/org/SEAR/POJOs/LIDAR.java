@@ -121,9 +121,21 @@ public class LIDAR extends SensorObject implements SerialObject {
 
     private void checkFan(int type) {
         if (type == 1 && Variant.ofDegrees(spread, resolution) == null) {
-            throw new IllegalArgumentException(label() + ": at a port there is an LMS200, and none has spread " + Parameter.format(spread)
-                + " with resolution " + Parameter.format(resolution) + " deg, legal: 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5;"
-                + " without setPorts every fan, read by sear.getLidarResult(\"" + getName() + "\")");
+            throw new IllegalArgumentException(noSuchFan());
+        }
+    }
+
+    private String noSuchFan() {
+        return label() + ": at a port there is an LMS200, and none has spread " + Parameter.format(spread) + " with resolution "
+            + Parameter.format(resolution) + " deg, legal: 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5; without setPorts every fan, read by"
+            + " sear.getLidarResult(\"" + getName() + "\")";
+    }
+
+    /** The fan has changed. What is wrong now may be right when the other half of it is changed, too, so this is no error. */
+    private void fanChanged() {
+        changed();
+        if (serial.getUartPort() != null && lms == 1 && Variant.ofDegrees(spread, resolution) == null) {
+            Notices.say(noSuchFan() + "; until that is changed its device starts with 180 and 0.5");
         }
     }
 
@@ -133,16 +145,24 @@ public class LIDAR extends SensorObject implements SerialObject {
         changed();
     }
 
-    /** @param degrees from the rightmost to the leftmost beam, 0.01 to 360 */
+    /**
+     * Warns at once if an LMS200 at a port can't do it.
+     *
+     * @param degrees from the rightmost to the leftmost beam, 0.01 to 360
+     */
     public void setSpread(double degrees) {
         spread = checked("spread", degrees);
-        changed();
+        fanChanged();
     }
 
-    /** @param degrees between two beams, 0.01 to 360 */
+    /**
+     * Warns at once if an LMS200 at a port can't do it.
+     *
+     * @param degrees between two beams, 0.01 to 360
+     */
     public void setResolution(double degrees) {
         resolution = checked("resolution", degrees);
-        changed();
+        fanChanged();
     }
 
     /** @param newBaud speed at power-on, 300 to 1000000 */

@@ -76,7 +76,7 @@ public final class Notices {
             + " beginning a script starts with an empty project)";
     }
 
-    private static void say(String text) {
+    static void say(String text) {
         LISTENERS.forEach(one -> one.accept(text));
         if (LISTENERS.isEmpty()) {
             LOG.log(System.Logger.Level.WARNING, text);

@@ -9,6 +9,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.function.Consumer;
 import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Notices;
 import org.junit.After;
 import org.junit.Before;
@@ -63,6 +64,28 @@ public class NoticesTest {
         Notices.setSimulating(() -> true);
         new Box("late", 1, 1, 1, 0);
         assertEquals("[Box \"late\" was made while a simulation runs: it will be there after the next startSimulation()]", said.toString());
+    }
+
+    @Test
+    public void aFanThatNoLms200HasIsSaidWhereItIsSet() {
+        LIDAR lidar = new LIDAR("scanner", 8, 180, 0.5);
+        lidar.setResolution(0.3);
+        lidar.setResolution(0.5);
+        assertEquals("[]", said.toString());
+        lidar.setPorts("A", "B");
+        lidar.setSpread(100);
+        assertEquals("[]", said.toString());
+        lidar.setSpread(270);
+        assertEquals(said.toString(), 1, said.size());
+        assertTrue(said.get(0), said.get(0).startsWith("LIDAR \"scanner\": at a port there is an LMS200, and none has spread 270 with resolution 0.5"
+            + " deg, legal: 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5; without setPorts"));
+        assertTrue(said.get(0), said.get(0).endsWith("until that is changed its device starts with 180 and 0.5"));
+        lidar.setSpread(180);
+        lidar.setResolution(0.25);
+        assertEquals(said.toString(), 2, said.size());
+        lidar.LMS(0);
+        lidar.setResolution(0.3);
+        assertEquals(said.toString(), 2, said.size());
     }
 
     @Test

@@ -9,6 +9,7 @@ import javax.vecmath.Quat4f;
 import javax.vecmath.Vector3f;
 import org.junit.Test;
 
+/** Where a turning body will be is worked out as jbullet does. */
 public class TurningTest {
     private final Random random = new Random(7);
 

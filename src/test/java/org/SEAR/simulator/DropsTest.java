@@ -17,6 +17,7 @@ import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Sphere;
 import org.SEAR.project.ProjectRule;
+import org.SEAR.project.bundle.Bundle;
 import org.junit.Rule;
 import org.junit.Test;
 
@@ -24,6 +25,9 @@ import org.junit.Test;
 public class DropsTest {
     private static final int DROPS = Integer.getInteger("sear.drops", 10000);
     private static final int AT_ONCE = 500;
+    private static final int FAST_DROPS = Integer.getInteger("sear.fastDrops", 500);
+    private static final int FAST_AT_ONCE = 250;
+    private static final long SEED = Long.getLong("sear.seed", 4);
     private static final double APART = 6;
 
     @Rule
@@ -31,61 +35,88 @@ public class DropsTest {
 
     @Test
     public void nothingThatFallsIsLost() throws Exception {
-        long seed = Long.getLong("sear.seed", 4);
-        Random random = new Random(seed);
-        List<String> lost = new ArrayList<>();
-        for (int done = 0; done < DROPS; done += AT_ONCE) {
-            lost.addAll(drop(random, Math.min(AT_ONCE, DROPS - done), done));
-        }
-        assertEquals("seed " + seed, Collections.emptyList(), lost);
+        assertEquals("seed " + SEED, Collections.emptyList(), drops(DROPS, AT_ONCE, 0, 50, 4, Integer.MAX_VALUE));
     }
 
-    private List<String> drop(Random random, int count, int first) throws Exception {
-        double side = APART * Math.ceil(Math.sqrt(count)) + 20;
-        boolean mesh = random.nextBoolean();
-        if (mesh) {
-            ground(side, random);
-        } else {
-            new Floor("ground", side, side).move(side / 2 - 10, 0, side / 2 - 10);
-        }
-        List<SearObject> things = new ArrayList<>();
-        List<String> what = new ArrayList<>();
-        int row = (int) Math.ceil(Math.sqrt(count));
-        for (int i = 0; i < count; i++) {
-            double size = 0.02 * Math.pow(50, random.nextDouble());
-            double height = size + 50 * random.nextDouble();
-            String name = "thing" + i;
-            double mass = Math.pow(10, 3 * random.nextDouble() - 2);
-            SearObject thing;
-            switch (random.nextInt(4)) {
-                case 0:
-                    thing = new Box(name, size, size * (0.2 + random.nextDouble()), size, mass);
-                    break;
-                case 1:
-                    thing = new Cylinder(name, size / 2, size * (0.3 + random.nextDouble()), mass);
-                    break;
-                case 2:
-                    thing = new Sphere(name, size / 2, mass);
-                    ((Sphere) thing).scale(1, random.nextBoolean() ? 1 : 0.3 + random.nextDouble(), 1);
-                    break;
-                default:
-                    thing = new Cone(name, size / 2, size, mass);
-            }
-            thing.move(APART * (i % row), height + 0.2, APART * (i / row));
-            thing.rotate(360 * random.nextDouble(), 360 * random.nextDouble(), 360 * random.nextDouble());
-            things.add(thing);
-            what.add((mesh ? "mesh " : "floor ") + thing.getClass().getSimpleName() + " of " + size + " from " + height + ", number " + (first + i));
-        }
+    /** From 130 m they arrive with 50 m/s. */
+    @Test
+    public void nothingAndNoRobotIsLostAt50MetresASecond() throws Exception {
+        assertEquals("seed " + SEED, Collections.emptyList(), drops(FAST_DROPS, FAST_AT_ONCE, 40, 130, 6, 4));
+    }
+
+    /**
+     * Drops things, and robots among them.
+     *
+     * @param low least height, metres, likewise high
+     * @param seconds that the world runs
+     * @param robotEach each so many is a robot
+     * @return what is lost
+     */
+    private List<String> drops(int all, int atOnce, double low, double high, double seconds, int robotEach) throws Exception {
+        Random random = new Random(SEED);
         List<String> lost = new ArrayList<>();
-        try (Simulation simulation = Worlds.start(project)) {
-            Worlds.run(simulation, 4);
+        for (int done = 0; done < all; done += atOnce) {
+            boolean mesh = robotEach < atOnce ? done / atOnce % 2 == 1 : random.nextBoolean();
+            int count = Math.min(atOnce, all - done);
+            double side = APART * Math.ceil(Math.sqrt(count)) + 20;
+            Bundle.newProject(project.folder());
+            if (mesh) {
+                ground(side, random);
+            } else {
+                new Floor("ground", side, side).move(side / 2 - 10, 0, side / 2 - 10);
+            }
+            List<String> what = new ArrayList<>();
+            int row = (int) Math.ceil(Math.sqrt(count));
             for (int i = 0; i < count; i++) {
+                double size = 0.02 * Math.pow(50, random.nextDouble());
+                double height = size + low + (high - low) * random.nextDouble();
+                String kind = i % robotEach == robotEach - 1 ? robot("thing" + i, size, height, APART * (i % row), APART * (i / row), random)
+                    : thing("thing" + i, size, height, APART * (i % row), APART * (i / row), random);
+                what.add((mesh ? "mesh " : "floor ") + kind + " of " + size + " from " + height + ", number " + (done + i));
+            }
+            run(seconds, what, lost);
+        }
+        return lost;
+    }
+
+    private static String thing(String name, double size, double height, double x, double z, Random random) {
+        double mass = Math.pow(10, 3 * random.nextDouble() - 2);
+        SearObject thing;
+        switch (random.nextInt(4)) {
+            case 0:
+                thing = new Box(name, size, size * (0.2 + random.nextDouble()), size, mass);
+                break;
+            case 1:
+                thing = new Cylinder(name, size / 2, size * (0.3 + random.nextDouble()), mass);
+                break;
+            case 2:
+                thing = new Sphere(name, size / 2, mass);
+                ((Sphere) thing).scale(1, random.nextBoolean() ? 1 : 0.3 + random.nextDouble(), 1);
+                break;
+            default:
+                thing = new Cone(name, size / 2, size, mass);
+        }
+        thing.move(x, height + 0.2, z);
+        thing.rotate(360 * random.nextDouble(), 360 * random.nextDouble(), 360 * random.nextDouble());
+        return thing.getClass().getSimpleName();
+    }
+
+    private static String robot(String name, double size, double height, double x, double z, Random random) {
+        double track = 0.05 + size / 2;
+        Worlds.cart(name, 1 + 10 * random.nextDouble(), 0.3 * track, track, new double[] {0}, -track, x, z, 360 * random.nextDouble())
+            .move(0, height, 0);
+        return "robot";
+    }
+
+    private void run(double seconds, List<String> what, List<String> lost) throws Exception {
+        try (Simulation simulation = Worlds.start(project)) {
+            Worlds.run(simulation, seconds);
+            for (int i = 0; i < what.size(); i++) {
                 if (simulation.getPose("thing" + i).y < -0.05) {
                     lost.add(what.get(i) + " is at " + simulation.getPose("thing" + i).y);
                 }
             }
         }
-        return lost;
     }
 
     /** A sheet of triangles without a thick side. */

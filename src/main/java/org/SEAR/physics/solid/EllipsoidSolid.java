@@ -14,7 +14,7 @@ final class EllipsoidSolid extends Solid {
     private static final int SIDES = 32;
     private static final int STRIPS = 16;
     /** Points for the tab's outline. */
-    private static final int POINTS = 96;
+    private static final int POINTS = 128;
     private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
 
     private EllipsoidSolid(double halfX, double halfY, double halfZ) {

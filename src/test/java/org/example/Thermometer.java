@@ -3,7 +3,7 @@ package org.example;
 import org.SEAR.POJOs.Param;
 import org.SEAR.POJOs.SensorObject;
 
-/** The parameters of a sensor from outside SEAR: the example of docs/add-a-sensor.md. */
+/** The parameters of a sensor from outside SEAR, the example of docs/add-a-sensor.md. */
 public class Thermometer extends SensorObject {
     @Param(doc = "temperature at the world's origin", unit = "degC", min = -100, max = 100)
     private double ground = 20;

@@ -1,0 +1,100 @@
+package org.SEAR.documents;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.spi.ToolProvider;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+
+/** Follows docs/add-a-sensor.md word for word: writes its files, runs its commands. */
+public class AddASensorTest {
+    private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
+    private static final Pattern BLOCK = Pattern.compile("(?:`([\\w./-]+)`:\n\n)?```(java|text|python|sh)\n(.*?)```", Pattern.DOTALL);
+    private static final String HOME = "SEAR=/path/to/sear\n";
+    private static final long PATIENCE_SECONDS = 300;
+
+    @Rule
+    public final TemporaryFolder temporary = new TemporaryFolder();
+
+    private Path sear;
+    private Path folder;
+
+    /** An unpacked SEAR, out of what was compiled. */
+    @Before
+    public void layOut() throws IOException {
+        sear = temporary.newFolder("unpacked sear").toPath();
+        folder = temporary.newFolder("work").toPath();
+        Files.createDirectories(sear.resolve("bin"));
+        Files.createDirectories(sear.resolve("lib"));
+        Path plugin = Files.createDirectories(sear.resolve("plugin"));
+        Path launcher = Files.copy(ROOT.resolve("src/dist/bin/sear"), sear.resolve("bin/sear"));
+        assertTrue(launcher.toFile().setExecutable(true));
+        ToolProvider jar = ToolProvider.findFirst("jar").orElseThrow();
+        int number = 0;
+        for (String entry : System.getProperty("sear.cliClasspath").split(File.pathSeparator)) {
+            Path path = Path.of(entry);
+            if (Files.isDirectory(path)) {
+                Path target = sear.resolve(entry.contains("/main") ? "plugin" : "lib").resolve("sear-" + number++ + ".jar");
+                assertEquals(0, jar.run(System.out, System.err, "--create", "--no-compress", "--file", target.toString(), "-C", path.toString(), "."));
+            } else if (Files.isRegularFile(path)) {
+                Files.createSymbolicLink(plugin.resolve(path.getFileName()), path);
+            }
+        }
+    }
+
+    @Test
+    public void itsFilesAndCommandsMakeASensorThatAScriptReads() throws Exception {
+        StringBuilder output = new StringBuilder();
+        Matcher blocks = BLOCK.matcher(Files.readString(ROOT.resolve("docs/add-a-sensor.md")));
+        int files = 0;
+        while (blocks.find()) {
+            if (blocks.group(1) != null) {
+                Files.writeString(folder.resolve(blocks.group(1)), blocks.group(3));
+                files++;
+            } else {
+                assertEquals("what is no file is a command", "sh", blocks.group(2));
+                output.append(run(blocks.group(3)));
+            }
+        }
+        assertEquals(5, files);
+        String text = output.toString();
+        assertTrue(text, text.contains("Thermometer"));
+        assertTrue(text, text.contains("ground: temperature at the world's origin. Legal: a number from -100 to 100 degC; default 20"));
+        assertTrue(text, text.contains("\n14.35 degC\n"));
+        assertTrue(text, text.contains("right: 14.3"));
+    }
+
+    /** The classes of the page are those that other tests load. */
+    @Test
+    public void itsClassesAreThoseOfTheTests() throws IOException {
+        String page = Files.readString(ROOT.resolve("docs/add-a-sensor.md"));
+        for (String file : new String[] {"Thermometer.java", "ThermometerSensor.java"}) {
+            assertTrue(file, page.contains("```java\n" + Files.readString(ROOT.resolve("src/test/java/org/example").resolve(file)) + "```"));
+        }
+    }
+
+    private String run(String commands) throws IOException, InterruptedException {
+        Path output = Files.createTempFile(temporary.getRoot().toPath(), "output", ".txt");
+        ProcessBuilder shell = new ProcessBuilder("sh", "-e", "-c", commands.replace(HOME, "")).directory(folder.toFile()).redirectErrorStream(true)
+            .redirectOutput(output.toFile());
+        shell.environment().put("SEAR", sear.toString());
+        shell.environment().put("JAVA_HOME", System.getProperty("java.home"));
+        shell.environment().merge("PATH", System.getProperty("java.home") + "/bin", (path, first) -> first + File.pathSeparator + path);
+        Process process = shell.start();
+        assertTrue(commands, process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+        String text = Files.readString(output, StandardCharsets.UTF_8);
+        assertEquals(commands + text, 0, process.exitValue());
+        return text;
+    }
+}

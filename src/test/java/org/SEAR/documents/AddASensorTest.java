@@ -46,7 +46,8 @@ public class AddASensorTest {
             Path path = Path.of(entry);
             if (Files.isDirectory(path)) {
                 Path target = sear.resolve(entry.contains("/main") ? "plugin" : "lib").resolve("sear-" + number++ + ".jar");
-                assertEquals(0, jar.run(System.out, System.err, "--create", "--no-compress", "--file", target.toString(), "-C", path.toString(), "."));
+                assertEquals(0, jar.run(System.out, System.err, "--create", "--no-compress", "--file", target.toString(), "-C", path.toString(),
+                    "."));
             } else if (Files.isRegularFile(path)) {
                 Files.createSymbolicLink(plugin.resolve(path.getFileName()), path);
             }

@@ -24,8 +24,8 @@ import org.myrobotlab.service.Runtime;
 final class RestHandler implements HttpHandler {
     /** Methods that change nothing, whatever service has them. */
     private static final Set<String> READING = Set.of("getName", "getType", "getSimpleName", "getMethodNames", "isRunning", "isConnected",
-        "isSimulating", "isPaused", "isLockStep", "getTime", "getSensorNames", "getPose", "getDistanceResult", "getLidarResult", "getGpsResult",
-        "getCompassResult", "getAccelResult", "getGyroResult", "getPortNames", "getUnit", "getServiceNames");
+        "isSimulating", "isPaused", "isLockStep", "getTime", "getSensorNames", "getSensorUnit", "getReading", "getPose", "getDistanceResult",
+        "getLidarResult", "getGpsResult", "getCompassResult", "getAccelResult", "getGyroResult", "getPortNames", "getUnit", "getServiceNames");
     private static final int NAME = 0;
     private static final int METHOD = 1;
     private static final int ARGUMENTS = 2;

@@ -10,15 +10,23 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.junit.BeforeClass;
 import org.junit.Test;
 
 /** The page about the calls says what the services' javadoc says, and that is whole. */
 public class ScriptDocsTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", "."));
 
+    private static ScriptDocs docs;
+
+    @BeforeClass
+    public static void readJavadoc() throws IOException {
+        docs = new ScriptDocs(ROOT);
+    }
+
     @Test
     public void thePageIsUpToDate() throws IOException {
-        assertEquals("run gradle scriptDocs", new ScriptDocs(ROOT).page(), Files.readString(ROOT.resolve("docs/scripting.md")));
+        assertEquals("run gradle scriptDocs", docs.page(), Files.readString(ROOT.resolve("docs/scripting.md")));
     }
 
     @Test
@@ -27,14 +35,13 @@ public class ScriptDocsTest {
     }
 
     @Test
-    public void everyCallHasItsParametersAndAnExample() throws IOException {
-        assertEquals(List.of(), new ScriptDocs(ROOT).gaps());
+    public void everyCallHasItsParametersAndAnExample() {
+        assertEquals(List.of(), docs.gaps());
     }
 
     /** An example calls what it is the example of, on the variable of its service. */
     @Test
-    public void everyExampleCallsItsMethod() throws IOException {
-        ScriptDocs docs = new ScriptDocs(ROOT);
+    public void everyExampleCallsItsMethod() {
         List<String> wrong = new ArrayList<>();
         Map<String, String> variables = new TreeMap<>(Map.of("SEAR", "sear", "LIDAR", "lidar", "GPS", "gps"));
         variables.forEach((service, variable) -> docs.calls(service).forEach(call -> {
@@ -48,7 +55,7 @@ public class ScriptDocsTest {
 
     @Test
     public void whatIsForPanelsOrMyRobotLabIsLeftOut() throws IOException {
-        String page = new ScriptDocs(ROOT).page();
+        String page = docs.page();
         assertTrue(page.contains("### driveStraight(speed)\n"));
         assertTrue(page.contains("- `radius`: metres, + to the left; infinity = straight, 0 = in place to the left\n"));
         for (String other : new String[] {"### getPreview(", "### onBytes(", "### startService("}) {

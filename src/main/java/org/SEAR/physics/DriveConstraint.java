@@ -4,14 +4,14 @@ import com.bulletphysics.dynamics.RigidBody;
 import com.bulletphysics.dynamics.constraintsolver.TypedConstraint;
 import com.bulletphysics.dynamics.constraintsolver.TypedConstraintType;
 
-/** Puts a robot's {@link Drive}, and what its body comes near to, among the constraints that jbullet solves. Simulation thread. */
+/** Puts a robot's {@link PhysicsWorld.Drive}, and what its body comes near to, among the constraints that jbullet solves. Simulation thread. */
 final class DriveConstraint extends TypedConstraint {
     private final Body body;
-    private final Drive drive;
+    private final PhysicsWorld.Drive drive;
     private final SolverBody solver = new SolverBody();
     private boolean first = true;
 
-    DriveConstraint(Body body, Drive drive) {
+    DriveConstraint(Body body, PhysicsWorld.Drive drive) {
         super(TypedConstraintType.D6_CONSTRAINT_TYPE, body.getRigid(), new RigidBody(0, null, null));
         this.body = body;
         this.drive = drive;

@@ -46,6 +46,15 @@ public final class PhysicsWorld {
         void touch(Body a, Body b, Vector3f at, Vector3f normal);
     }
 
+    /** Constraints that a robot's wheels put on its body; jbullet solves them together with the contacts. */
+    public interface Drive {
+        /** Makes the rows of a step; what is known of their impulses may already act (warm starting). */
+        void prepare(SolverBody body);
+
+        /** One iteration: brings the velocities of the body nearer to what the wheels allow. */
+        void solve(SolverBody body);
+    }
+
     private final List<Body> bodies = new ArrayList<>();
     private final List<Body> movable = new ArrayList<>();
     private SweptWorld world;

@@ -7,7 +7,7 @@ import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.physics.Body;
-import org.SEAR.physics.Drive;
+import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
 import org.SEAR.physics.SolverBody;
@@ -16,7 +16,7 @@ import org.SEAR.physics.SolverBody;
  * The wheels of one robot. jbullet solves them together with the contacts of the body: a servo of limited force on each driven wheel, grip along
  * and across it, springs on all; idlers roll freely in every direction. Simulation thread.
  */
-public final class DriveTrain implements Drive {
+public final class DriveTrain implements PhysicsWorld.Drive {
     /** Greatest force of all motors together for each kg of the robot, N/kg (climbs 20 degrees). */
     private static final double MOTOR_FORCE = 4;
     /** The same for a skid-steered robot, whose wheels scrub when it turns. */

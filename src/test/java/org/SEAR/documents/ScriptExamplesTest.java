@@ -71,6 +71,8 @@ public class ScriptExamplesTest {
         }
         script.append("print 'all done'\n");
         assertEquals("all blocks of the page are examples", LONG_BLOCKS + count, blocks.size());
+        Path drive = Files.createDirectories(folder.getRoot().toPath().resolve("examples/drive"));
+        Files.copy(ROOT.resolve("examples/drive/maze_solver.py"), drive.resolve("maze_solver.py"));
         Path file = folder.getRoot().toPath().resolve("examples.py");
         Files.writeString(file, script);
         String text = ScriptProcess.run(folder.getRoot().toPath(), file);

@@ -28,7 +28,7 @@ public class CodeOfTheDocsTest {
     /** Pages whose code other tests run, in the surroundings that it needs. */
     private static final Map<String, String> BY_OTHERS = Map.of("README.md", "ReadmeTest", "docs/scripting.md", "ScriptExamplesTest",
         "docs/add-a-sensor.md", "AddASensorTest", "docs/other-programs.md", "ReadmeTest, ExportsTest, ThirdPartyDriversTest");
-    private static final String BEFORE = "from org.SEAR.POJOs import Box, Cone, Cylinder, Floor\nsear = Runtime.start('sear', 'SEAR')\n"
+    private static final String BEFORE = "from org.SEAR.POJOs import Floor\nsear = Runtime.start('sear', 'SEAR')\n"
         + "floor = Floor('ground', 9, 9)\n";
 
     @Rule

@@ -8,7 +8,6 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
-import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
 import org.SEAR.physics.SolverBody;
 

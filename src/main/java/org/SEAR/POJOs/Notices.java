@@ -41,7 +41,7 @@ public final class Notices {
      * An object was made.
      *
      * @param label {@code Box "crate"}
-     * @param taken whether there was a file of its name already
+     * @param taken whether it replaces the file of an object of its name
      */
     static void made(String label, String name, boolean taken) {
         if (simulating.getAsBoolean()) {

@@ -9,21 +9,26 @@ import java.util.List;
  */
 public interface ObjectStore {
     /**
-     * Writes an object's file, whole or not at all.
+     * Writes an object's file, whole or not at all. Another robot's part of that name, which this program made, moves its file into its robot's own
+     * folder before.
      *
      * @param part whether it goes to {@code robot/} instead of {@code environment/}
      */
     void write(SearObject object, boolean part) throws IOException;
 
-    /** Whether there is the file of an object of that name, in either folder. */
-    boolean has(String name);
+    /** Whether an object that is made now replaces one of its name: there is a file of it, in either folder, that does not make way. */
+    boolean replaces(String name) throws IOException;
 
     /**
      * Removes the file of an object if there is one.
      *
+     * @param file as {@link SearObject#getFileName}
      * @param part whether it lies in {@code robot/}
      */
-    void remove(String name, boolean part) throws IOException;
+    void remove(String file, boolean part) throws IOException;
+
+    /** Removes the file of a part that stands in its robot's file from now on, unless another part was written there since. */
+    void removeOwn(SearObject part) throws IOException;
 
     /**
      * The place of a robot that is made now in the order of the project's robots: behind all others. One that is made again keeps its place as long

@@ -10,7 +10,7 @@ import java.util.stream.Collectors;
 /**
  * A robot: components and wheels, no shape of its own. It starts at the pose of its {@link Dynamics}, which counts from the robot's own pose; that
  * is the world's origin until {@link #move} or {@link #rotate} say otherwise. Its XML file in {@code robot/} has the names of its components, each
- * of which has a file beside it, and the wheels themselves.
+ * of which has a file beside it or in the folder {@code robot/ROBOT/}, and the wheels themselves.
  */
 @Described("a robot: the names of its components, whose files lie beside its own, and its wheels; moving or turning it moves the start pose of its"
     + " Dynamics with it")
@@ -23,7 +23,8 @@ public class SEARrobot extends SearObject {
 
     @Param(doc = "its place in the order in which the project's robots were made; robots without come first, by name", min = 1, max = MAX_ORDER)
     private Integer order;
-    @Param(doc = "name of a component, whose file lies beside this one", element = "component", text = TextRule.NAME, maxEntries = MAX_COMPONENTS)
+    @Param(doc = "name of a component, whose file lies beside this one; ROBOT/NAME, with this robot's name, for one in the folder robot/ROBOT/,"
+        + " because another robot's component has the same name", element = "component", text = TextRule.COMPONENT, maxEntries = MAX_COMPONENTS)
     private List<String> componentNames = new ArrayList<>();
     @Param(doc = "a wheel", element = "wheel", maxEntries = MAX_WHEELS)
     private List<Wheel> wheels = new ArrayList<>();
@@ -46,7 +47,8 @@ public class SEARrobot extends SearObject {
     }
 
     /**
-     * Makes an object a part of this robot: its pose now is in the body frame, and its XML file moves to {@code robot/}.
+     * Makes an object a part of this robot: its pose now is in the body frame, and its XML file moves to {@code robot/}. If a robot that was made
+     * before has a part of that name, the file of that one moves on to {@code robot/ROBOT/}.
      *
      * @param component a shape, a sensor or the dynamics, not null
      * @throws IllegalArgumentException if it is a part already, a robot, a wheel (see {@link #addWheel}), or has the name of another part
@@ -78,7 +80,7 @@ public class SEARrobot extends SearObject {
         boolean wasPart = component.isRobotPart();
         component.setRobot(this);
         components.add(component);
-        componentNames.add(component.getName());
+        componentNames.add(component.getFileName());
         boolean done = false;
         try {
             component.changed();
@@ -94,6 +96,41 @@ public class SEARrobot extends SearObject {
         if (!wasPart) {
             removeFile(component.getName(), false);
         }
+        removeFile(asideName(component), true);
+    }
+
+    private String asideName(SearObject component) {
+        return getName() + "/" + component.getName();
+    }
+
+    /**
+     * Moves a component's file into this robot's own folder. The project is whole after each step, so whatever fails, nothing of it is lost.
+     *
+     * @throws IllegalArgumentException if the two names are too long for that
+     */
+    void moveAside(SearObject component) throws IOException {
+        if (!TextRule.COMPONENT.isLegal(asideName(component))) {
+            throw new IllegalArgumentException(label() + ": " + component.label() + " has a name that another robot's part is to have, too; legal: "
+                + "names of robot and part that are short enough for \"" + asideName(component) + "\" (190 characters), or a name of its own");
+        }
+        setAside(component, true);
+        boolean done = false;
+        try {
+            component.save();
+            save();
+            done = true;
+        } finally {
+            if (!done) {
+                setAside(component, false);
+                Stores.get().remove(asideName(component), true);
+            }
+        }
+        Stores.get().remove(component.getName(), true);
+    }
+
+    private void setAside(SearObject component, boolean aside) {
+        component.setAside(aside);
+        componentNames.set(components.indexOf(component), component.getFileName());
     }
 
     /**
@@ -119,15 +156,23 @@ public class SEARrobot extends SearObject {
                 wheels.remove(wheel);
             }
         }
-        removeFile(wheel.getName(), true);
+        try {
+            Stores.get().removeOwn(wheel);
+        } catch (IOException e) {
+            throw notRemoved(wheel.getName(), e);
+        }
     }
 
     private void removeFile(String name, boolean part) {
         try {
             Stores.get().remove(name, part);
         } catch (IOException e) {
-            throw new UncheckedIOException(label() + ": the old file of \"" + name + "\" could not be removed: " + e.getMessage(), e);
+            throw notRemoved(name, e);
         }
+    }
+
+    private UncheckedIOException notRemoved(String name, IOException e) {
+        return new UncheckedIOException(label() + ": the old file of \"" + name + "\" could not be removed: " + e.getMessage(), e);
     }
 
     private void checkPart(SearObject part, String what) {
@@ -139,7 +184,7 @@ public class SEARrobot extends SearObject {
                 + ", legal: an object that isn't part of a robot");
         }
         part.checkChangeable();
-        List<String> names = new ArrayList<>(componentNames);
+        List<String> names = components.stream().map(SearObject::getName).collect(Collectors.toList());
         names.addAll(wheels.stream().map(SearObject::getName).collect(Collectors.toList()));
         names.add(getName());
         for (String taken : names) {
@@ -151,8 +196,9 @@ public class SEARrobot extends SearObject {
     }
 
     /** Puts a component that was read from its own file in its place. */
-    void link(SearObject component) {
+    void link(SearObject component, boolean aside) {
         component.setRobot(this);
+        component.setAside(aside);
         components.add(component);
     }
 
@@ -166,7 +212,7 @@ public class SEARrobot extends SearObject {
         return order;
     }
 
-    /** Names of the components in the order they were added; a view. */
+    /** The components' files (see {@link SearObject#getFileName}) in the order they were added; a view. */
     public List<String> getComponentNames() {
         return Collections.unmodifiableList(componentNames);
     }

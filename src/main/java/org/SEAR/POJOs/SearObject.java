@@ -36,6 +36,9 @@ public abstract class SearObject {
 
     private Life life;
     private SEARrobot robot;
+    /** Whether its file lies in a folder of its robot's own, because another robot's part of that name has the plain place. */
+    private boolean aside;
+    private String fullName;
 
     /** For reading from a file. */
     protected SearObject() {
@@ -63,10 +66,18 @@ public abstract class SearObject {
         if (!problems.isEmpty()) {
             throw new IllegalArgumentException(label() + ": " + String.join("; ", problems));
         }
-        boolean taken = Stores.get().has(name);
+        boolean taken = isTaken();
         life = Life.LIVE;
         changed();
         Notices.made(label(), name, taken);
+    }
+
+    private boolean isTaken() {
+        try {
+            return Stores.get().replaces(name);
+        } catch (IOException e) {
+            throw new UncheckedIOException(label() + " could not be written: " + e.getMessage(), e);
+        }
     }
 
     /** Adds what is wrong with the values together, beyond the legal range of each. Called when it is created and when it was read. */
@@ -166,9 +177,33 @@ public abstract class SearObject {
         robot = newRobot;
     }
 
+    final void setAside(boolean newAside) {
+        aside = newAside;
+    }
+
+    final void setFullName(String newFullName) {
+        fullName = newFullName;
+    }
+
     /** The name, which is also the name of the XML file. */
     public String getName() {
         return name;
+    }
+
+    /**
+     * The name of the file below {@code environment/} or {@code robot/}, without .xml: the name, or {@code robot/name} for a part that lies in its
+     * robot's own folder, because another robot's part has the same name.
+     */
+    public final String getFileName() {
+        return aside ? robot.getName() + "/" + name : name;
+    }
+
+    /**
+     * What scripts ask for: the name, or {@code robot/name} for a part of whose name another robot of the project has one, too. Only an object that
+     * was read with its project knows of the others; for every other it is the name.
+     */
+    public final String getFullName() {
+        return fullName == null ? name : fullName;
     }
 
     /** Metres. */

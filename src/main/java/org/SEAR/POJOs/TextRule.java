@@ -26,6 +26,15 @@ public enum TextRule {
                 && !DEVICES.contains(stem);
         }
     },
+    /** The file of a robot's component: its name, or the robot's and its own with a slash between. */
+    COMPONENT(NAME.legal + "; or robot/name, at most 190 characters, for a file in the robot's own folder") {
+        @Override
+        boolean allows(String text) {
+            int slash = text.indexOf('/');
+            return NAME.allows(text.substring(slash + 1))
+                && (slash < 0 || NAME.allows(text.substring(0, slash)) && text.length() <= MAX_COMPONENT);
+        }
+    },
     /** A file below assets, with forward slashes. */
     ASSET("a file below assets: forward slashes, no '..', neither drive nor leading slash, at most 200 characters") {
         @Override
@@ -65,6 +74,8 @@ public enum TextRule {
         "COM9", "LPT1", "LPT2", "LPT3", "LPT4", "LPT5", "LPT6", "LPT7", "LPT8", "LPT9");
     private static final Set<String> RECEIVERS = Set.of("MT3301", "MT3329", "FVM8", "FVM11");
     private static final int MAX_LENGTH = 200;
+    /** With {@code robot/} and {@code .xml} a path of a bundle. */
+    private static final int MAX_COMPONENT = 190;
     /** File systems end at 255 bytes, and a temporary file's name is a little longer. */
     private static final int MAX_BYTES = 200;
 

@@ -23,11 +23,15 @@ public final class FileStore implements ObjectStore {
     private static final long PROCESS = ProcessHandle.current().pid();
 
     private final RobotOrder order = new RobotOrder();
+    private final PartPlaces places = new PartPlaces();
 
     @Override
     public void write(SearObject object, boolean part) throws IOException {
+        if (part && object.getFileName().equals(object.getName())) {
+            places.take(object);
+        }
         change(() -> {
-            Path file = ProjectFolder.file(ProjectFolder.present(), part, object.getName());
+            Path file = ProjectFolder.file(ProjectFolder.present(), part, object.getFileName());
             Files.createDirectories(file.getParent());
             refuseOtherCapitals(file, object.getName());
             writeAtomically(file, Xml.write(object).getBytes(StandardCharsets.UTF_8));
@@ -35,9 +39,9 @@ public final class FileStore implements ObjectStore {
     }
 
     @Override
-    public boolean has(String name) {
+    public boolean replaces(String name) throws IOException {
         return Files.exists(ProjectFolder.file(ProjectFolder.present(), false, name))
-            || Files.exists(ProjectFolder.file(ProjectFolder.present(), true, name));
+            || Files.exists(ProjectFolder.file(ProjectFolder.present(), true, name)) && !places.givesWay(name);
     }
 
     private static void change(ProjectSwap.Change change) throws IOException {
@@ -80,8 +84,33 @@ public final class FileStore implements ObjectStore {
     }
 
     @Override
-    public void remove(String name, boolean part) throws IOException {
-        change(() -> Files.deleteIfExists(ProjectFolder.file(ProjectFolder.present(), part, name)));
+    public void remove(String file, boolean part) throws IOException {
+        change(() -> {
+            Path present = ProjectFolder.file(ProjectFolder.present(), part, file);
+            if (file.indexOf('/') < 0) {
+                Files.deleteIfExists(present);
+            } else if (Files.exists(present)) {
+                Files.delete(present);
+                deleteIfEmpty(present.getParent());
+            }
+        });
+    }
+
+    @Override
+    public void removeOwn(SearObject part) throws IOException {
+        if (places.has(part)) {
+            remove(part.getName(), true);
+        }
+    }
+
+    private static void deleteIfEmpty(Path folder) throws IOException {
+        boolean empty;
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder)) {
+            empty = !files.iterator().hasNext();
+        }
+        if (empty) {
+            Files.delete(folder);
+        }
     }
 
     @Override

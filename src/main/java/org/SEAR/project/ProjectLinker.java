@@ -5,7 +5,6 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.Dynamics;
@@ -23,7 +22,7 @@ final class ProjectLinker {
     private final Map<String, ParsedObject> parts;
     private final ProblemList problems;
     private final List<String> warnings;
-    private final Map<ParsedObject, String> owners = new LinkedHashMap<>();
+    private final Map<ParsedObject, SEARrobot> owners = new LinkedHashMap<>();
 
     ProjectLinker(Map<String, ParsedObject> environment, Map<String, ParsedObject> parts, ProblemList problems, List<String> warnings) {
         this.environment = environment;
@@ -47,7 +46,7 @@ final class ProjectLinker {
                     + " is left out; robot.addComponent(...) adds it");
             }
         }
-        checkNames();
+        new NameCheck(environment, parts, owners, problems).check();
         checkPorts();
         checkTerrain();
     }
@@ -58,59 +57,29 @@ final class ProjectLinker {
         for (String name : robot.getComponentNames()) {
             int line = parsed.line("component#" + index++);
             ParsedObject part = parts.get(name);
-            if (part == null) {
+            String own = robot.getName() + "/";
+            if (name.indexOf('/') >= 0 && !name.startsWith(own)) {
+                problems.add(parsed.file, line, "component", name, "a name alone for a file in robot/, or \"" + own
+                    + name.substring(name.indexOf('/') + 1) + "\" for one in robot/" + own);
+            } else if (part == null) {
                 problems.add(parsed.file, line, "component", name, "the name of a file in robot/, without .xml");
             } else if (part.isBroken()) {
-                owners.put(part, robot.getName());
+                owners.put(part, robot);
             } else if (part.object instanceof SEARrobot || part.object instanceof Wheel) {
                 problems.add(parsed.file, line, "component", name, "a shape, a model, a sensor or dynamics");
             } else if (owners.containsKey(part)) {
-                problems.add(parsed.file, line, "component", name, "a component that no robot has yet; " + owners.get(part) + " has it");
+                problems.add(parsed.file, line, "component", name, "a component that no robot has yet; " + owners.get(part).getName() + " has it");
             } else if (part.object instanceof Dynamics && hasDynamics) {
                 problems.add(parsed.file, line, "component", name, "only one Dynamics");
             } else {
                 hasDynamics |= part.object instanceof Dynamics;
-                owners.put(part, robot.getName());
-                Assembly.link(robot, (SearObject) part.object);
+                owners.put(part, robot);
+                Assembly.link(robot, (SearObject) part.object, name.startsWith(own));
             }
         }
         if (!hasDynamics) {
             warnings.add(parsed.file + ": " + robot + " has no Dynamics, and no simulation starts without; robot.addComponent(Dynamics(name, mass))"
                 + " adds one");
-        }
-    }
-
-    /**
-     * Scripts ask by name, so a name means one thing in the whole project; some systems take capitals for small letters. Wheels stand in their
-     * robot's file, and every robot may have a left one.
-     */
-    private void checkNames() {
-        Map<String, String> seen = new HashMap<>();
-        environment.values().forEach(parsed -> checkName(seen, parsed, "name", parsed.object));
-        for (ParsedObject parsed : parts.values()) {
-            if (parsed.object instanceof SEARrobot || owners.containsKey(parsed)) {
-                checkName(seen, parsed, "name", parsed.object);
-            }
-        }
-        for (ParsedObject parsed : parts.values()) {
-            if (parsed.object instanceof SEARrobot) {
-                Map<String, String> seenHere = new HashMap<>(seen);
-                int index = 0;
-                for (Wheel wheel : ((SEARrobot) parsed.object).getWheels()) {
-                    checkName(seenHere, parsed, "wheel#" + index++, wheel);
-                }
-            }
-        }
-    }
-
-    private void checkName(Map<String, String> seen, ParsedObject parsed, String element, Object object) {
-        if (object == null) {
-            return;
-        }
-        String name = ((SearObject) object).getName();
-        String other = seen.putIfAbsent(name.toLowerCase(Locale.ROOT), parsed.file);
-        if (other != null) {
-            problems.add(parsed.file, parsed.line(element), "name", name, "a name of its own (capitals don't count); " + other + " has it too");
         }
     }
 

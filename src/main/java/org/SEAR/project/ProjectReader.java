@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -16,6 +18,7 @@ import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Parameter;
+import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
@@ -55,6 +58,12 @@ final class ProjectReader {
         warnOfOtherSpelling("robots", ProjectFolder.ROBOT);
         Map<String, ParsedObject> environment = readFolder(ProjectFolder.ENVIRONMENT);
         Map<String, ParsedObject> parts = readFolder(ProjectFolder.ROBOT);
+        for (Map.Entry<String, ParsedObject> entry : List.copyOf(parts.entrySet())) {
+            Object object = entry.getValue().object;
+            if (object instanceof SEARrobot && ((SEARrobot) object).getName().equals(entry.getKey())) {
+                readOwnFolder((SEARrobot) object, parts);
+            }
+        }
         linkBeams(parts);
         ProjectLinker linker = new ProjectLinker(environment, parts, problems, warnings);
         linker.link();
@@ -72,19 +81,44 @@ final class ProjectReader {
 
     private Map<String, ParsedObject> readFolder(String name) {
         Map<String, ParsedObject> objects = new LinkedHashMap<>();
-        Map<String, Class<? extends SearObject>> roots = roots(name);
-        List<Path> files = list(folder.resolve(name), name);
+        read(list(folder.resolve(name), name), name, roots(name)).forEach(read -> objects.put(read.stem, read.parsed));
+        return objects;
+    }
+
+    /** The parts of a robot that lie in a folder of its own. Only those that the robot names: what else is there is kept as it is. */
+    private void readOwnFolder(SEARrobot robot, Map<String, ParsedObject> parts) {
+        String name = ProjectFolder.ROBOT + "/" + robot.getName();
+        Set<String> named = new HashSet<>(robot.getComponentNames());
+        List<Path> files = new ArrayList<>();
+        for (Path file : list(folder.resolve(name), name)) {
+            if (named.contains(robot.getName() + "/" + stem(file))) {
+                files.add(file);
+            } else {
+                warnings.add(name + "/" + file.getFileName() + " is not a component of " + robot + " and is left out; <component>"
+                    + robot.getName() + "/" + stem(file) + "</component> in the robot's file adds it");
+            }
+        }
+        read(files, name, roots(name)).forEach(read -> parts.put(robot.getName() + "/" + read.stem, read.parsed));
+    }
+
+    private List<ReadFile> read(List<Path> files, String name, Map<String, Class<? extends SearObject>> roots) {
+        List<ReadFile> all = new ArrayList<>();
         for (int from = 0; from < files.size() && !problems.isFull(); from += BATCH) {
             List<Path> batch = files.subList(from, Math.min(files.size(), from + BATCH));
             batch.parallelStream().map(file -> new ReadFile(file, name, roots)).collect(Collectors.toList()).forEach(read -> {
                 problems.addAll(read.problems);
-                objects.put(read.stem, read.parsed == null ? ParsedObject.broken(read.name, 0) : read.parsed);
-                if (read.parsed != null && !read.parsed.isBroken()) {
+                all.add(read);
+                if (!read.parsed.isBroken()) {
                     checkFile(read.parsed, (SearObject) read.parsed.object, read.stem);
                 }
             });
         }
-        return objects;
+        return all;
+    }
+
+    private static String stem(Path file) {
+        String fileName = file.getFileName().toString();
+        return fileName.substring(0, fileName.length() - ProjectFolder.XML.length());
     }
 
     /** One file and what is wrong with it. Made on any thread, because a project may have thousands. */
@@ -95,10 +129,10 @@ final class ProjectReader {
         final ParsedObject parsed;
 
         ReadFile(Path file, String folder, Map<String, Class<? extends SearObject>> roots) {
-            String fileName = file.getFileName().toString();
-            name = folder + "/" + fileName;
-            stem = fileName.substring(0, fileName.length() - ProjectFolder.XML.length());
-            parsed = Xml.read(file, name, roots, problems);
+            name = folder + "/" + file.getFileName();
+            stem = stem(file);
+            ParsedObject read = Xml.read(file, name, roots, problems);
+            parsed = read == null ? ParsedObject.broken(name, 0) : read;
         }
     }
 
@@ -110,12 +144,13 @@ final class ProjectReader {
             problems.add(parsed.file, parsed.line(element), element, Parameter.format(value), legal));
     }
 
-    /** What may stand in a folder: in environment what has a place of its own, in robot everything but floors. */
+    /** What may stand in a folder: in environment what has a place of its own, in robot everything but floors, in a robot's own no robots. */
     private Map<String, Class<? extends SearObject>> roots(String name) {
         Map<String, Class<? extends SearObject>> roots = new TreeMap<>();
         for (Class<? extends SearObject> type : classes.all()) {
             boolean environment = Shape.class.isAssignableFrom(type) && type != Wheel.class;
-            if (name.equals(ProjectFolder.ENVIRONMENT) ? environment : type != Floor.class) {
+            boolean part = type != Floor.class && (name.equals(ProjectFolder.ROBOT) || type != SEARrobot.class);
+            if (name.equals(ProjectFolder.ENVIRONMENT) ? environment : part) {
                 roots.put(type.getSimpleName(), type);
             }
         }
@@ -145,7 +180,13 @@ final class ProjectReader {
         if (!xml && name.toLowerCase(Locale.ROOT).endsWith(ProjectFolder.XML)) {
             warnings.add(folderName + "/" + name + " is not read: the name of an object's file ends in " + ProjectFolder.XML + ", in small letters");
         }
-        return xml && !name.startsWith(".");
+        return xml && !name.startsWith(".") && !isOwnFolder(file, folderName);
+    }
+
+    /** The folder of a robot whose name ends like a file's. */
+    private static boolean isOwnFolder(Path file, String folderName) {
+        return folderName.equals(ProjectFolder.ROBOT) && Files.isDirectory(file)
+            && Files.isRegularFile(file.resolveSibling(file.getFileName() + ProjectFolder.XML));
     }
 
     private void linkBeams(Map<String, ParsedObject> parts) {

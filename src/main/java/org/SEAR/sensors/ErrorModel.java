@@ -37,7 +37,7 @@ public final class ErrorModel {
      */
     public static ErrorModel of(SearObject parameters, long seed, int channels) {
         Noise noise = parameters instanceof SensorObject ? ((SensorObject) parameters).getNoise() : null;
-        return noise == null ? NONE : new ErrorModel(noise, new CounterRandom(seed, parameters.getName()), channels);
+        return noise == null ? NONE : new ErrorModel(noise, new CounterRandom(seed, parameters.getFullName()), channels);
     }
 
     /** Whether every value passes as it is. */

@@ -35,9 +35,9 @@ public abstract class Sensor<R> {
         this.mount = ObjectPose.of(parameters);
     }
 
-    /** The name that scripts ask for. */
+    /** The name that scripts ask for, as {@link SearObject#getFullName}. */
     public final String getName() {
-        return parameters.getName();
+        return parameters.getFullName();
     }
 
     /** The object that describes this sensor. */

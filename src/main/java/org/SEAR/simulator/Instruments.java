@@ -2,15 +2,18 @@ package org.SEAR.simulator;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.TreeMap;
+import java.util.Map;
 import java.util.function.BiConsumer;
+import java.util.stream.Collectors;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SerialObject;
 import org.SEAR.devices.DeviceTypes;
 import org.SEAR.devices.SerialDevice;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.geometry.Pose;
+import org.SEAR.project.PartNames;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.Hit;
 import org.SEAR.robot.RobotModel;
@@ -20,8 +23,8 @@ import org.SEAR.sensors.SensorTypes;
 /** The sensors of all robots and the devices behind their serial ports. Simulation thread. */
 final class Instruments {
     private final List<RobotModel> robots;
-    private final TreeMap<String, Sensor<?>> sensors = new TreeMap<>();
-    private final TreeMap<String, RobotModel> carriers = new TreeMap<>();
+    private final PartNames<Sensor<?>> sensors = new PartNames<>();
+    private final Map<Sensor<?>, RobotModel> carriers = new IdentityHashMap<>();
     private final List<Port> ports = new ArrayList<>();
     private final List<SerialLine> lines = new ArrayList<>();
     private final List<String> names;
@@ -37,13 +40,13 @@ final class Instruments {
                 Sensor<?> sensor = types.isSensor(part) ? types.create(part, seed) : null;
                 if (sensor != null) {
                     robot.add(sensor);
-                    sensors.putIfAbsent(sensor.getName(), sensor);
-                    carriers.putIfAbsent(sensor.getName(), robot);
+                    sensors.add(robot.getObject().getName(), part.getName(), sensor);
+                    carriers.put(sensor, robot);
                 }
                 connect(part, robot, sensor, seed, deviceTypes);
             }
         }
-        names = List.copyOf(sensors.keySet());
+        names = carriers.keySet().stream().map(Sensor::getName).sorted().collect(Collectors.toUnmodifiableList());
     }
 
     private void connect(SearObject part, RobotModel robot, Sensor<?> sensor, long seed, DeviceTypes types) {
@@ -137,7 +140,7 @@ final class Instruments {
     }
 
     Sensor<?> sensor(String name) {
-        Sensor<?> sensor = sensors.get(name);
+        Sensor<?> sensor = sensors.find(name);
         if (sensor == null) {
             throw new IllegalArgumentException("no sensor is called \"" + name + "\", legal: "
                 + (names.isEmpty() ? "none, the project has no sensors" : String.join(", ", names)));
@@ -146,7 +149,8 @@ final class Instruments {
     }
 
     Object read(String name) {
-        return sensor(name).read(carriers.get(name).truth());
+        Sensor<?> sensor = sensor(name);
+        return sensor.read(carriers.get(sensor).truth());
     }
 
     List<String> getNames() {

@@ -21,7 +21,7 @@ final class Port implements DeviceContext {
     /** @param sensor null for a robot's drive */
     Port(SearObject object, RobotModel robot, Sensor<?> sensor, long seed, BiConsumer<String, String> warnings) {
         SerialObject serial = (SerialObject) object;
-        this.cable = new Cable(object.getName(), object.getClass().getSimpleName(), serial.getUartPort(), serial.getUserPort());
+        this.cable = new Cable(object.getFullName(), object.getClass().getSimpleName(), serial.getUartPort(), serial.getUserPort());
         this.robot = robot;
         this.sensor = sensor;
         this.seed = seed;

@@ -34,6 +34,7 @@ public final class Simulation implements AutoCloseable {
     private final Project project;
     private final World world;
     private final Instruments instruments;
+    private final Places places;
     private final SnapshotRecorder observer;
     private final Warnings warnings = new Warnings();
     private final List<String> deviceWarnings;
@@ -50,6 +51,7 @@ public final class Simulation implements AutoCloseable {
         this.project = project;
         world = new World(project, epochMillis, groundVisible, warnings::add);
         instruments = new Instruments(world.getRobots(), seed, warnings::count);
+        places = new Places(project, world);
         deviceWarnings = warnings.list();
         observer = new SnapshotRecorder(world, instruments, warnings);
         robots = Collections.unmodifiableList(new ArrayList<Robot>(world.getRobots()));
@@ -216,9 +218,10 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * A sensor by name.
+     * A sensor by name; any thread, what the sensor does is up to the simulation thread.
      *
-     * @throws IllegalArgumentException that names the sensors there are. Simulation thread.
+     * @param name as {@code rover/ping}, or without the robot where only one has a sensor of that name
+     * @throws IllegalArgumentException that names the sensors there are, or the robots that have one of that name
      */
     public Sensor<?> getSensor(String name) {
         return instruments.sensor(name);
@@ -241,12 +244,12 @@ public final class Simulation implements AutoCloseable {
     /**
      * Where something is in the world. Simulation thread.
      *
-     * @param name of a robot, a part of a robot, or an environment object; a wheel is where its suspension and motor have it now, and a
-     *     Dynamics, which has no place of its own on the robot, is where the robot is
+     * @param name of a robot, a part of a robot ({@code rover/ping} where several have one of that name), or an environment object; a wheel is where
+     *     its suspension and motor have it now, and a Dynamics, which has no place of its own on the robot, is where the robot is
      * @throws IllegalArgumentException if there is none of that name
      */
     public Pose getPose(String name) {
-        return Places.find(project, world, name);
+        return places.find(name);
     }
 
     /** Whether snapshots carry the sensor's reading from now on; never changes any reading. Any thread, through {@link #post}. */

@@ -316,7 +316,8 @@ public class SEAR extends Service<SEARConfig> {
     // ---- reading (a simulation must run) ---------------------------------------------------------------------------
 
     /**
-     * Names of all sensors.
+     * Names of all sensors, as the calls below take them. Where several robots have a sensor of one name it is {@code "robot/sensor"}, for example
+     * {@code "rover/ping"}, which is legal for every other sensor and part, too.
      *
      * @example print ", ".join(sear.getSensorNames())
      */
@@ -439,8 +440,8 @@ public class SEAR extends Service<SEARConfig> {
      * [x, y, z, rx, ry, rz] in the world of a robot, part, sensor or object: metres north, up and east, degrees about the three axes. The heading of
      * what stands upright is 90 - ry.
      *
-     * @param name of the robot, part, sensor or object
-     * @throws IllegalArgumentException if there is none of that name
+     * @param name of the robot, part, sensor or object; {@code "robot/part"} where several robots have a part of that name
+     * @throws IllegalArgumentException if there is none of that name, or on several robots, which it names
      * @example x, y, z, rx, ry, rz = sear.getPose("myRoomba")
      */
     public double[] getPose(String name) {
@@ -516,7 +517,8 @@ public class SEAR extends Service<SEARConfig> {
     }
 
     /**
-     * Adds a robot of a bundle or project folder to the present project, which is kept as backup. Names and ports that are taken get a number.
+     * Adds a robot of a bundle or project folder to the present project, which is kept as backup. Names and ports that are taken get a number; parts
+     * keep their names, and where another robot has one of that name both are {@code "robot/part"}.
      *
      * @param path a bundle or a folder
      * @param name the robot's name there; None or empty if it is the only one

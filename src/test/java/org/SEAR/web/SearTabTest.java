@@ -242,17 +242,19 @@ public class SearTabTest {
         }
     }
 
+    private static final String PING = "robot.addComponent(Distance('ping', 'PING)))', 0, 0.1, 0.15, 0, 0, 0))\n";
+
     private static String robot(String name, double x) {
-        return "robot = SEARrobot('" + name + "')\nrobot.addComponent(Dynamics('" + name + " d', 4, 60, 0.3, 0.4, 10000, 0.1, " + x
-            + ", 0.1, 0, 0, 0, 0))\nrobot.addComponent(Cylinder('" + name + " body', 0.17, 0.08, 4))\n"
+        return "robot = SEARrobot('" + name + "')\nrobot.addComponent(Dynamics('drive', 4, 60, 0.3, 0.4, 10000, 0.1, " + x
+            + ", 0.1, 0, 0, 0, 0))\nrobot.addComponent(Cylinder('body', 0.17, 0.08, 4))\n"
             + "for i, x, z in ((0, 0, 0.16), (1, -0.16, 0), (1, 0.16, 0), (0, 0, -0.16)):\n"
-            + "    robot.addWheel(Wheel('" + name + " w%d' % (x * 100 + z * 10), 0.0381, 0.03, i, x, 0, z))\n";
+            + "    robot.addWheel(Wheel('w%d' % (x * 100 + z * 10), 0.0381, 0.03, i, x, 0, z))\n";
     }
 
     @Test
     public void oneOfSeveralRobotsIsChosenToDriveAndFollow() {
-        robotLab.run("from org.SEAR.POJOs import Cylinder, Dynamics, Floor, SEARrobot, Wheel\nsear.newProject()\nFloor('floor', 20, 20, False)\n"
-            + robot("anna", 0) + robot("bert", 2));
+        robotLab.run("from org.SEAR.POJOs import Cylinder, Distance, Dynamics, Floor, SEARrobot, Wheel\nsear.newProject()\n"
+            + "Floor('floor', 20, 20, False)\n" + robot("anna", 0) + PING + robot("bert", 2) + PING);
         tab.start();
         int bert = tab.isTrue("state.robots[0].name === 'bert'") ? 0 : 1;
         String driven = "state.robots[" + bert + "]";
@@ -268,6 +270,11 @@ public class SearTabTest {
         browser.until("anna drives backward", () -> tab.number(other + ".speed") < -0.1);
         browser.until("the view follows anna", () -> tab.isTrue("view.x === " + other + ".pose[0] && view.z === " + other + ".pose[2]"));
         assertTrue("and bert goes on", tab.number(driven + ".speed") > 0.1);
+        for (String sensor : new String[] {"anna/ping", "bert/ping"}) {
+            browser.seeText("[data-sensor='" + sensor + "']", sensor + " Distance");
+            browser.seeText(".sear-tree", sensor);
+        }
+        assertTrue(robotLab.call("sear", "getReading", "bert/ping").asDouble() > 0);
     }
 
     /** A page that opens while the world runs gets all of it, also what does not move any more; then it keeps up. */

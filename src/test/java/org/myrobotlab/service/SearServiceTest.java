@@ -449,8 +449,24 @@ public class SearServiceTest {
         Path bundle = temporary.getRoot().toPath().resolve("rover.sear");
         sear.saveProject(bundle.toString());
         assertEquals("roomba_2", sear.importRobot(bundle.toString(), "roomba"));
-        assertTrue(heard.getStatuses().toString(), heard.awaitStatus("\"ping\" is called \"ping_2\" here"));
+        assertTrue(heard.getStatuses().toString(), heard.awaitStatus("\"roomba\" is called \"roomba_2\" here"));
         assertTrue(sear.importEnvironment(bundle.toString()).contains("wall_2"));
+        sear.startSimulation();
+        assertTrue(sear.getSensorNames().toString(), sear.getSensorNames().containsAll(List.of("roomba/ping", "roomba_2/ping")));
+        assertEquals(sear.getReading("roomba_2/ping"), sear.getDistanceResult("roomba_2/ping"));
+        assertEquals("m", sear.getSensorUnit("roomba/ping"));
+        assertEquals(6, sear.getPose("roomba_2/drive").length);
+        String choices = "\"ping\" is on roomba and roomba_2: say \"roomba/ping\" or \"roomba_2/ping\"";
+        assertFails(choices, () -> sear.getReading("ping"));
+        assertFails(choices, () -> sear.getPose("ping"));
+        assertFails(choices, () -> sear.startPublishing("ping", 10));
+        assertFails("no sensor is called \"nobody/ping\", legal: ", () -> sear.startPublishing("nobody/ping", 10));
+        sear.startPublishing("roomba/ping", 10);
+        sear.stopPublishing("roomba/ping");
+        for (String device : List.of("roomba_scanner_LIDAR", "roomba_2_scanner_LIDAR")) {
+            assertNotNull(device, Runtime.getService(device + "simulator_Serial_Service"));
+        }
+        sear.stopSimulation();
         String backup = sear.newProject();
         sear.loadProject(backup);
         assertTrue(Files.exists(folder.resolve("robot/roomba_2.xml")) && Files.exists(folder.resolve("environment/wall_2.xml")));

@@ -63,7 +63,7 @@ public final class Solids implements ObjectTypes {
         try {
             return of((Shape) object, ModelLoader.withoutPictures(project.getAssets()));
         } catch (IOException e) {
-            String file = (project.getEnvironment().contains(object) ? "environment/" : "robot/") + object.getName() + ".xml";
+            String file = (project.getEnvironment().contains(object) ? "environment/" : "robot/") + object.getFileName() + ".xml";
             throw new ProjectException(Collections.singletonList(new Problem(file, 0, "path", ((Model) object).getPath(),
                 "a model that can be loaded (" + e.getMessage() + ")")));
         }

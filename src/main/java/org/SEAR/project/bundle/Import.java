@@ -7,11 +7,13 @@ import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -38,6 +40,8 @@ final class Import {
     private final Project source;
     private final Path target;
     private final Set<String> names = new HashSet<>();
+    /** Names of the present robots' parts. */
+    private final Set<String> parts = new HashSet<>();
     private final Set<String> ports = new HashSet<>();
     /** Place of the last robot in the order in which they were made; 0 if there is none. */
     private int lastRobot;
@@ -51,13 +55,22 @@ final class Import {
             for (SEARrobot robot : present.getRobots()) {
                 lastRobot = Math.max(lastRobot, robot.getOrder() == null ? 1 : robot.getOrder());
                 take(robot);
-                robot.getComponents().forEach(this::take);
+                robot.getComponents().forEach(this::takePart);
+                robot.getWheels().forEach(wheel -> parts.add(key(wheel.getName())));
             }
         }
     }
 
     private void take(SearObject object) {
-        names.add(object.getName().toLowerCase(Locale.ROOT));
+        names.add(key(object.getName()));
+    }
+
+    private static String key(String name) {
+        return name.toLowerCase(Locale.ROOT);
+    }
+
+    private void takePart(SearObject object) {
+        parts.add(key(object.getName()));
         if (object instanceof SerialObject) {
             ports.add(String.valueOf(((SerialObject) object).getUartPort()).toLowerCase(Locale.ROOT));
             ports.add(String.valueOf(((SerialObject) object).getUserPort()).toLowerCase(Locale.ROOT));
@@ -71,52 +84,83 @@ final class Import {
      */
     Map<String, String> environment() throws IOException {
         Map<String, String> renamed = new LinkedHashMap<>();
-        reserve(source.getEnvironment(), renamed);
+        for (SearObject object : source.getEnvironment()) {
+            renamed.put(object.getName(), unique(object.getName(), name -> names.contains(name) || parts.contains(name)));
+            names.add(key(renamed.get(object.getName())));
+        }
         String prefix = copyAssets();
         for (SearObject object : source.getEnvironment()) {
-            write(object, ProjectFolder.ENVIRONMENT, renamed, prefix);
+            write(object, ProjectFolder.ENVIRONMENT, renamed.get(object.getName()), prefix);
         }
         return renamed;
     }
 
     /**
-     * A robot with all its parts, the last of the target's robots.
+     * A robot with all its parts, the last of the target's robots. Its parts may have the names of other robots' parts.
      *
      * @return new names by the old ones; the robot's is the first
      */
     Map<String, String> robot(SEARrobot robot) throws IOException {
-        List<SearObject> all = new ArrayList<>();
-        all.add(robot);
-        robot.getComponents().stream().filter(part -> !(part instanceof Wheel)).forEach(all::add);
+        List<SearObject> components = List.copyOf(robot.getComponents());
+        Set<String> own = new HashSet<>();
+        components.forEach(part -> own.add(key(part.getName())));
+        robot.getWheels().forEach(wheel -> own.add(key(wheel.getName())));
         Map<String, String> renamed = new LinkedHashMap<>();
-        reserve(all, renamed);
-        ParameterTable.of(SEARrobot.class).find("order").set(robot, lastRobot == 0 ? null : Integer.valueOf(lastRobot + 1));
-        String prefix = copyAssets();
-        for (SearObject object : all) {
-            write(object, ProjectFolder.ROBOT, renamed, prefix);
+        String robotName = unique(robot.getName(), name -> names.contains(name) || parts.contains(name) || own.contains(name));
+        renamed.put(robot.getName(), robotName);
+        names.add(key(robotName));
+        Map<String, String> files = new LinkedHashMap<>();
+        for (SearObject part : components) {
+            String name = part.getName();
+            if (names.contains(key(name))) {
+                name = unique(name, other -> names.contains(other) || own.contains(other));
+                own.add(key(name));
+            }
+            renamed.put(part.getName(), name);
+            files.put(part.getFileName(), isPlaceTaken(name, robotName) ? robotName + "/" + name : name);
         }
+        ParameterTable.of(SEARrobot.class).find("order").set(robot, lastRobot == 0 ? null : Integer.valueOf(lastRobot + 1));
+        set(robot, "component", files::get);
+        String prefix = copyAssets();
+        Iterator<String> file = files.values().iterator();
+        for (SearObject part : components) {
+            writePart(part, renamed.get(part.getName()), file.next(), prefix);
+        }
+        write(robot, ProjectFolder.ROBOT, robotName, prefix);
         return renamed;
     }
 
-    private void reserve(List<? extends SearObject> objects, Map<String, String> renamed) {
-        objects.forEach(object -> renamed.put(object.getName(), unique(object.getName(), names)));
+    /** Whether another part or the robot itself has the file in {@code robot/}. */
+    private boolean isPlaceTaken(String name, String robot) {
+        return parts.contains(key(name)) || name.equalsIgnoreCase(robot)
+            || Files.exists(target.resolve(ProjectFolder.ROBOT).resolve(name + ProjectFolder.XML));
     }
 
     /** The name itself, or with the first number that makes it new: {@code rover}, {@code rover_2}. */
-    private static String unique(String name, Set<String> taken) {
+    private static String unique(String name, Predicate<String> taken) {
         String free = name;
-        for (int number = 2; !taken.add(free.toLowerCase(Locale.ROOT)); number++) {
+        for (int number = 2; taken.test(key(free)); number++) {
             free = name + "_" + number;
         }
         return free;
     }
 
-    private void write(SearObject object, String folder, Map<String, String> renamed, String prefix) throws IOException {
-        set(object, "name", name -> renamed.get(name));
-        set(object, "component", name -> renamed.getOrDefault(name, name));
+    private String freePort(String port) {
+        String free = unique(port, ports::contains);
+        ports.add(key(free));
+        return free;
+    }
+
+    private void writePart(SearObject part, String name, String file, String prefix) throws IOException {
+        int slash = file.indexOf('/');
+        write(part, slash < 0 ? ProjectFolder.ROBOT : ProjectFolder.ROBOT + "/" + file.substring(0, slash), name, prefix);
+    }
+
+    private void write(SearObject object, String folder, String newName, String prefix) throws IOException {
+        set(object, "name", name -> newName);
         copyBeam(object);
         ASSETS.forEach(element -> set(object, element, path -> isOwnAsset(path) ? prefix + path.replaceFirst("^(\\./)+", "") : path));
-        PORTS.forEach(element -> set(object, element, port -> unique(port, ports)));
+        PORTS.forEach(element -> set(object, element, this::freePort));
         if (object instanceof SEARrobot) {
             for (Wheel wheel : ((SEARrobot) object).getWheels()) {
                 set(wheel, "image", path -> isOwnAsset(path) ? prefix + path : path);

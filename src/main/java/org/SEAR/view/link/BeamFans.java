@@ -61,7 +61,7 @@ public final class BeamFans {
             colors[3 * i + 1] = (color >> 8 & 0xff) / BYTE;
             colors[3 * i + 2] = (color & 0xff) / BYTE;
         }
-        return new BeamFan(sensor.getName(), robot, ObjectPose.of(sensor), directions, ranges, colors, lines(sensor.getCones(), count),
+        return new BeamFan(sensor.getFullName(), robot, ObjectPose.of(sensor), directions, ranges, colors, lines(sensor.getCones(), count),
             DISTANCE_HIT, DISTANCE_RADIUS, false);
     }
 
@@ -79,7 +79,7 @@ public final class BeamFans {
             colors[3 * i + 1] = LIDAR_BEAM.g;
             colors[3 * i + 2] = LIDAR_BEAM.b;
         }
-        return new BeamFan(lidar.getName(), robot, ObjectPose.of(lidar), directions, ranges, colors, everyNth(count, stride(count)),
+        return new BeamFan(lidar.getFullName(), robot, ObjectPose.of(lidar), directions, ranges, colors, everyNth(count, stride(count)),
             LIDAR_HIT, LIDAR_RADIUS, true);
     }
 

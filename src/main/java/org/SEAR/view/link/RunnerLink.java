@@ -38,7 +38,7 @@ public final class RunnerLink implements WorldLink {
         SensorTypes types = SensorTypes.load();
         for (SEARrobot robot : project().getRobots()) {
             for (SearObject part : robot.getComponents()) {
-                sensors.put(part.getName(), types.unit(part));
+                sensors.put(part.getFullName(), types.unit(part));
             }
         }
         simulation.post(world -> watch(world, true));

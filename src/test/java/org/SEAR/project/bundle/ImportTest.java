@@ -50,12 +50,12 @@ public class ImportTest {
     @Test
     public void theSameRobotIsPlacedTwice() throws Exception {
         Map<String, String> renamed = Bundle.importRobot(bundle, project.folder(), "rover");
-        assertEquals("{rover=rover_2, drive=drive_2, body=body_2, eye=eye_2}", renamed.toString());
+        assertEquals("{rover=rover_2, drive=drive, body=body, eye=eye}", renamed.toString());
         assertEquals("rover[drive, body, eye]", parts(read().getRobots().get(0)));
-        assertEquals("rover_2[drive_2, body_2, eye_2]", parts(read().getRobots().get(1)));
-        assertTrue(project.text("robot/drive_2.xml"), project.text("robot/drive_2.xml").contains("<uartPort>COM1_2</uartPort>"));
-        assertTrue(project.text("robot/body_2.xml"), project.text("robot/body_2.xml").contains("<image>skin.png</image>"));
-        assertTrue(project.text("robot/eye_2.xml"), project.text("robot/eye_2.xml").contains("<beam>own</beam>"));
+        assertEquals("rover_2[drive, body, eye]", parts(read().getRobots().get(1)));
+        assertTrue(project.text("robot/rover_2/drive.xml"), project.text("robot/rover_2/drive.xml").contains("<uartPort>COM1_2</uartPort>"));
+        assertTrue(project.text("robot/rover_2/body.xml"), project.text("robot/rover_2/body.xml").contains("<image>skin.png</image>"));
+        assertTrue(project.text("robot/rover_2/eye.xml"), project.text("robot/rover_2/eye.xml").contains("<beam>own</beam>"));
         assertEquals("rover_3", Bundle.importRobot(bundle, project.folder(), "").get("rover"));
         assertEquals(3, read().getRobots().size());
         assertEquals(1, read().getEnvironment().size());
@@ -66,10 +66,10 @@ public class ImportTest {
         project.put("beams/own.xml", BEAM.replace("RANGE", "7"));
         project.put("assets/skin.png", "two");
         Bundle.importRobot(bundle, project.folder(), "rover");
-        assertTrue(project.text("robot/eye_2.xml"), project.text("robot/eye_2.xml").contains("<beam>own_2</beam>"));
+        assertTrue(project.text("robot/rover_2/eye.xml"), project.text("robot/rover_2/eye.xml").contains("<beam>own_2</beam>"));
         assertTrue(project.text("beams/own_2.xml"), project.text("beams/own_2.xml").contains("<range>2</range>"));
         assertTrue(project.text("beams/own.xml"), project.text("beams/own.xml").contains("<range>7</range>"));
-        assertTrue(project.text("robot/body_2.xml"), project.text("robot/body_2.xml").contains("<image>imported1/skin.png</image>"));
+        assertTrue(project.text("robot/rover_2/body.xml"), project.text("robot/rover_2/body.xml").contains("<image>imported1/skin.png</image>"));
         assertEquals("one", project.text("assets/imported1/skin.png"));
         assertEquals("two", project.text("assets/skin.png"));
     }

@@ -193,7 +193,7 @@ public final class WorldJson {
     }
 
     private static void addFixed(Map<String, Object> map, Robot robot, SearObject sensor) {
-        map.put("name", sensor.getName());
+        map.put("name", sensor.getFullName());
         map.put("type", sensor.getClass().getSimpleName());
         map.put("robot", robot.getObject().getName());
         if (sensor instanceof Distance) {

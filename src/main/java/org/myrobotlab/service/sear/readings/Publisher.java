@@ -74,9 +74,7 @@ public final class Publisher {
         if (!(rate > 0 && rate <= HIGHEST_RATE)) {
             throw new IllegalArgumentException("rate is " + rate + ", legal: above 0 to " + HIGHEST_RATE + " readings a second");
         }
-        if (!readings.names().contains(sensor)) {
-            throw new IllegalArgumentException("there is no sensor \"" + sensor + "\"; there are " + readings.names());
-        }
+        readings.check(sensor);
         subscriptions.put(sensor, new Subscription(1 / rate));
     }
 

@@ -84,6 +84,15 @@ public final class ScriptReadings {
         });
     }
 
+    /**
+     * Makes sure that there is one sensor of a name.
+     *
+     * @throws IllegalArgumentException that names the sensors there are
+     */
+    void check(String name) {
+        control.session().getSimulation().getSensor(name);
+    }
+
     private static String describe(Simulation world) {
         StringBuilder text = new StringBuilder();
         for (String name : world.getSensorNames()) {

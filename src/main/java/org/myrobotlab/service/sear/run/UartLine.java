@@ -49,10 +49,13 @@ final class UartLine {
         user = new VirtualSerialPort(line.getUserPort());
     }
 
-    /** {@code myLidar_LIDARsimulator_Serial_Service}: the dissertation's name, by which SEAR finds the sensor that bytes are for. */
+    /**
+     * {@code myLidar_LIDARsimulator_Serial_Service}: the dissertation's name, by which SEAR finds the sensor that bytes are for. Where several robots
+     * have a part of that name, {@code rover_myLidar_LIDARsimulator_Serial_Service}: the names of services have no slash.
+     */
     static String serviceName(SerialLine line) {
         String kind = DRIVE.equals(line.getObjectType()) ? "ROBOT" : line.getObjectType();
-        return line.getObjectName() + "_" + kind + "simulator_Serial_Service";
+        return line.getObjectName().replace('/', '_') + "_" + kind + "simulator_Serial_Service";
     }
 
     /**

@@ -7,24 +7,28 @@ sear.newProject()    # the present project, if there is one, is kept as a backup
 Floor("floor", 8, 6, False)  # beams of the PING))) would see it in front of the robot
 
 def wall(name, length, width, x, z):
-    part = Box(name, length, width, 1.2, 0, "textures/brick.png")
+    part = Box(name, length, width, 1.2, 0)
+    part.setColor("beige")
     part.move(x, 0.6, z)
+    return part
 
 wall("north wall", 0.1, 6.2, 4.05, 0)
 wall("south wall", 0.1, 6.2, -4.05, 0)
 wall("east wall", 8, 0.1, 0, 3.05)
 wall("west wall, north", 4.5, 0.1, 1.75, -3.05)
 wall("west wall, south", 2.5, 0.1, -2.75, -3.05)
-wall("partition", 0.06, 2.2, -0.6, 1.9)
+wall("partition", 0.06, 2.2, -0.6, 1.9).setColor("teal")
 
 def desk(name, x, z, turn):
-    top = Box(name + " top", 0.8, 1.6, 0.04, 0, "textures/container.png")
+    top = Box(name + " top", 0.8, 1.6, 0.04, 0)
+    top.setColor("#b98d5a")
     top.move(x, 0.72, z)
     top.rotate(0, turn, 0)
     side = 0.7 if turn == 0 else 0.0
     along = 0.0 if turn == 0 else 0.7
     for leg, sign in (("left", -1), ("right", 1)):
-        part = Box(name + " " + leg + " leg", 0.6 if turn == 0 else 0.05, 0.05 if turn == 0 else 0.6, 0.7, 0, "textures/container.png")
+        part = Box(name + " " + leg + " leg", 0.6 if turn == 0 else 0.05, 0.05 if turn == 0 else 0.6, 0.7, 0)
+        part.setColor("silver")
         part.move(x + sign * along, 0.35, z + sign * side)
 
 desk("desk 1", 3.4, -1.5, 0)
@@ -43,6 +47,7 @@ chair("chair 2", 2.6, 1.7, -25)
 chair("chair 3", -1.5, 1.7, 45)
 
 shelf = Box("shelf", 1.8, 0.35, 1.1, 0)
+shelf.setColor("#8b6b4a")
 shelf.move(-2.9, 0.55, -2.8)
 
 bin = Cylinder("trash Can", 0.17, 0.5, 3)

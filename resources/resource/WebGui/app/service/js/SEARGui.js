@@ -73,7 +73,7 @@
         world.robots.forEach(function(robot) {
             var body = frame(robot.pose)
             robot.parts.forEach(function(part) {
-                all.push({ground: false, robot: true, outline: outline(part, times(body, frame(part.pose)))})
+                all.push({color: colorOf(part, ROBOT), ground: false, robot: true, outline: outline(part, times(body, frame(part.pose)))})
             })
         })
         all = all.filter(function(shape) {
@@ -84,10 +84,15 @@
     /** Of an object of the environment, made anew only when that has moved. */
     function shapeOf(object) {
         if (!object.$shape || object.$shape.pose !== object.pose) {
-            object.$shape = {colour: object.colour, ground: object.type === 'Floor' || object.terrain, robot: false, pose: object.pose,
+            var ground = object.type === 'Floor' || object.terrain
+            object.$shape = {color: colorOf(object, ground ? GROUND : object.color), ground: ground, robot: false, pose: object.pose,
                 outline: outline(object, frame(object.pose))}
         }
         return object.$shape
+    }
+    /** An object's own colour, else another one. */
+    function colorOf(object, other) {
+        return object.colored ? object.color : other
     }
     function isGround(shape) {
         return shape.ground
@@ -210,7 +215,7 @@
             return at(point[0], point[1])
         }))
         pen.closePath()
-        pen.fillStyle = shape.robot ? ROBOT : shape.ground ? GROUND : shape.colour
+        pen.fillStyle = shape.color
         pen.fill()
         pen.globalAlpha = 0.6
         pen.strokeStyle = ink

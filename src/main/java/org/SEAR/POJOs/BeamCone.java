@@ -39,7 +39,7 @@ public class BeamCone {
         this(halfAngle, range, DEFAULT_COLOR);
     }
 
-    /** @param color #rrggbb */
+    /** @param color #rrggbb, or a name as for {@link Shape#setColor} */
     public BeamCone(double halfAngle, double range, String color) {
         this(halfAngle, range, color, DEFAULT_LINES);
     }
@@ -85,7 +85,7 @@ public class BeamCone {
                 return new BeamCone(n[0], n[1], (String) color, whole(n[2]), n[3], n[4]);
             }
         }
-        throw new IllegalArgumentException("cone is " + entry + ", legal: a BeamCone or [half-angle in degrees, range in metres, \"#rrggbb\","
+        throw new IllegalArgumentException("cone is " + entry + ", legal: a BeamCone or [half-angle in degrees, range in metres, colour,"
             + " lines, yaw, pitch], of which the first two are needed");
     }
 
@@ -113,7 +113,7 @@ public class BeamCone {
 
     /** #rrggbb. */
     public String getColor() {
-        return color;
+        return ColorNames.hex(color);
     }
 
     /** Number of lines around the rim. */

@@ -76,7 +76,7 @@ public class Box extends Shape {
     }
 
     @Override
-    public String getColour() {
+    protected String defaultColor() {
         return "#c49a6c";
     }
 }

@@ -49,7 +49,7 @@ public class Cone extends RoundShape {
     }
 
     @Override
-    public String getColour() {
+    protected String defaultColor() {
         return "#e8722a";
     }
 }

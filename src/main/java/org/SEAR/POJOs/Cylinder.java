@@ -49,7 +49,7 @@ public class Cylinder extends RoundShape {
     }
 
     @Override
-    public String getColour() {
+    protected String defaultColor() {
         return "#5b8c5a";
     }
 }

@@ -10,6 +10,9 @@ public class Floor extends Shape {
     private double length;
     @Param(doc = "size along z", unit = "m", min = SMALL, max = LARGE, required = true)
     private double width;
+    @Param(doc = "metres that the picture is wide and high, after which it is repeated; without it a picture of its own covers the floor once",
+        unit = "m", min = 0.01, max = LARGE)
+    private Double imageSize;
 
     /** For reading from a file. */
     protected Floor() {
@@ -55,6 +58,22 @@ public class Floor extends Shape {
     /** Size along z, metres, before scaling. */
     public double getWidth() {
         return width;
+    }
+
+    /** Metres after which the picture is repeated; null if one of its own covers the floor once. */
+    public Double getImageSize() {
+        return imageSize;
+    }
+
+    /**
+     * Repeats the picture, so that it is as fine on a large floor as on a small one. The pictures of surfaces that come with SEAR (tiles, brick,
+     * grass) are repeated in their true size unless told otherwise; a picture of its own, such as a plan or a line course, covers the floor once.
+     *
+     * @param metres that one picture is wide and high, 0.01 to 100000
+     */
+    public void setImageSize(double metres) {
+        imageSize = checked("imageSize", metres);
+        changed();
     }
 
     @Override

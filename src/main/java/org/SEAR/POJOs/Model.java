@@ -88,7 +88,7 @@ public class Model extends Shape {
     }
 
     @Override
-    public String getColour() {
+    protected String defaultColor() {
         return "#6b8e23";
     }
 }

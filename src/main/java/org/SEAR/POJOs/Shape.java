@@ -13,8 +13,11 @@ public abstract class Shape extends SearObject {
 
     @Param(doc = "mass; 0 fixes the object in place", unit = "kg", min = LIGHT, orZero = true, max = HEAVY)
     private double mass;
-    @Param(doc = "picture wrapped around the surface: a file below assets; without it the default picture", text = TextRule.ASSET)
+    @Param(doc = "picture wrapped around the surface: a file below assets; without it the default picture, or plain if it has a colour",
+        text = TextRule.ASSET)
     private String image;
+    @Param(doc = "colour of the surface where it has no picture, and in drawings", text = TextRule.COLOR)
+    private String color;
     @Param(doc = "factor on the size along x", min = 0.0001, max = 10000)
     private double scaleX = 1;
     @Param(doc = "factor on the size along y", min = 0.0001, max = 10000)
@@ -64,9 +67,12 @@ public abstract class Shape extends SearObject {
         return image;
     }
 
-    /** Path below assets of the picture to show: its own, else the default picture of its kind; null for the model's own textures. */
+    /**
+     * Path below assets of the picture to show: its own, else, if it has no colour of its own, the default picture of its kind. Null for a plain
+     * surface in {@link #getColor its colour}; for a model without a colour of its own, for the model's textures.
+     */
     public final String getPicture() {
-        String path = image == null ? defaultPicture() : image;
+        String path = image == null && color == null ? defaultPicture() : image;
         return path != null && path.startsWith("./") ? path.substring(2) : path;
     }
 
@@ -75,8 +81,18 @@ public abstract class Shape extends SearObject {
         return null;
     }
 
-    /** Its colour in drawings, which show no pictures: that of its kind, as {@code #rrggbb}. */
-    public String getColour() {
+    /** Its colour where it has no picture, and in drawings, as {@code #rrggbb}: its own, else that of its kind. */
+    public final String getColor() {
+        return color == null ? defaultColor() : ColorNames.hex(color);
+    }
+
+    /** Whether it has a colour of its own. */
+    public final boolean hasColor() {
+        return color != null;
+    }
+
+    /** The colour of a shape without one, as {@code #rrggbb}. */
+    protected String defaultColor() {
         return "#999999";
     }
 
@@ -113,6 +129,16 @@ public abstract class Shape extends SearObject {
      */
     public void setImage(String newImage) {
         image = checked("image", newImage);
+        changed();
+    }
+
+    /**
+     * Gives it a colour: without a picture its surface is plain, and drawings such as the tab's show it in this colour.
+     *
+     * @param newColor {@code #rrggbb}, or one of the names red, orange, brown ... in {@code docs/objects.md}; null for that of its kind
+     */
+    public void setColor(String newColor) {
+        color = checked("color", newColor);
         changed();
     }
 

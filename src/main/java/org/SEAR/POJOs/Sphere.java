@@ -1,6 +1,6 @@
 package org.SEAR.POJOs;
 
-/** A sphere, centred on its origin; scaled, an ellipsoid. Its default picture is that of the traffic cone, around its y axis. */
+/** A sphere, centred on its origin; scaled, an ellipsoid. Without a picture it is plain. */
 @Described("a sphere; scaled differently along its axes, an ellipsoid")
 public class Sphere extends Shape {
     @Param(doc = "radius", unit = "m", min = SMALL, max = LARGE, required = true)
@@ -16,7 +16,7 @@ public class Sphere extends Shape {
     }
 
     /**
-     * With its centre in the origin and the default picture.
+     * With its centre in the origin, plain.
      *
      * @param mass kg, 0 fixes it in place
      */
@@ -24,7 +24,7 @@ public class Sphere extends Shape {
         this(name, radius, mass, null);
     }
 
-    /** @param image path below assets; null for the default picture */
+    /** @param image path below assets; null for none */
     public Sphere(String name, double radius, double mass, String image) {
         this(name, radius, mass, image, 0, 0, 0, 0, 0, 0);
     }
@@ -54,12 +54,7 @@ public class Sphere extends Shape {
     }
 
     @Override
-    protected String defaultPicture() {
-        return "textures/cone.png";
-    }
-
-    @Override
-    public String getColour() {
+    protected String defaultColor() {
         return "#9b6fb0";
     }
 }

@@ -52,10 +52,10 @@ public enum TextRule {
         }
     },
     /** A colour. */
-    COLOR("a colour as #rrggbb") {
+    COLOR("a colour: #rrggbb, or " + String.join(", ", ColorNames.all())) {
         @Override
         boolean allows(String text) {
-            return HEX_COLOR.matcher(text).matches();
+            return ColorNames.hex(text) != null;
         }
     },
     /** A GPS receiver, in whatever spelling: fv_m8 is an FV-M8. */
@@ -68,7 +68,6 @@ public enum TextRule {
 
     private static final Pattern FORBIDDEN = Pattern.compile("[/\\\\:*?\"<>|\\p{Cntrl}\\x{fffe}\\x{ffff}]");
     private static final Pattern EDGES = Pattern.compile("^[.\\s\\p{Z}]|[.\\s\\p{Z}]$");
-    private static final Pattern HEX_COLOR = Pattern.compile("#[0-9a-fA-F]{6}");
     private static final Pattern LINE_BREAKS = Pattern.compile("[\\p{Cntrl}\\x{fffe}\\x{ffff}]");
     private static final Set<String> DEVICES = Set.of("CON", "PRN", "AUX", "NUL", "COM1", "COM2", "COM3", "COM4", "COM5", "COM6", "COM7", "COM8",
         "COM9", "LPT1", "LPT2", "LPT3", "LPT4", "LPT5", "LPT6", "LPT7", "LPT8", "LPT9");

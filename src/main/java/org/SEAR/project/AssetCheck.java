@@ -45,7 +45,7 @@ final class AssetCheck {
 
     private void checkImage(ParsedObject parsed, Shape shape) {
         if (shape.getImage() != null && !assets.has(shape.getImage())) {
-            warnings.add(parsed.file + ": there is no picture \"" + shape.getImage() + "\" in assets; " + shape + " gets the default picture");
+            warnings.add(parsed.file + ": there is no picture \"" + shape.getImage() + "\" in assets; " + shape + " is shown plain");
         } else if (shape.getImage() != null && pictures.add(shape.getImage())) {
             try {
                 assets.checkPicture(shape.getImage());

@@ -112,12 +112,12 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         X11Guard.install(this::displayLost);
         inputManager.deleteMapping(INPUT_MAPPING_EXIT);
         ModelLoader.prepare(assetManager, link.project().getAssets());
-        boolean software = isSoftware();
-        context.getSettings().setFrameRate(software ? SOFTWARE_FRAMES : HARDWARE_FRAMES);
+        context.getSettings().setFrameRate(isSoftware() ? SOFTWARE_FRAMES : HARDWARE_FRAMES);
         scene = new WindowScene(this, link, options, background);
     }
 
-    private boolean isSoftware() {
+    /** Whether OpenGL is worked out by the processor. Window thread. */
+    boolean isSoftware() {
         String card = org.lwjgl.opengl.GL11.glGetString(org.lwjgl.opengl.GL11.GL_RENDERER);
         return card == null || card.contains("llvmpipe") || card.contains("softpipe") || card.contains("SWR") || card.contains("GDI Generic");
     }

@@ -52,7 +52,7 @@ final class WindowScene {
         this.window = window;
         this.link = link;
         BitmapFont font = window.getAssetManager().loadFont("Interface/Fonts/Default.fnt");
-        Materials materials = new Materials(window.getAssetManager(), options.getWarnings());
+        Materials materials = new Materials(window.getAssetManager(), !window.isSoftware(), options.getWarnings());
         SceneBuilder builder = new SceneBuilder(new ModelLoader(link.project().getAssets()), materials, options.getWarnings());
         lighting = new Lighting(window.getAssetManager(), window.getRootNode(), window.getViewPort());
         world = new WorldView(link.project(), builder, link.beams(), materials);

@@ -94,7 +94,7 @@ public class DoorTest {
         refused(() -> new Distance("d", "PONG"), "Distance \"d\": beam is \"PONG\", legal: ", "PING)))");
         refused(() -> new Distance("d", List.of()), "cone is missing");
         refused(() -> new Distance("d", List.of(List.of(1))), "cone is [1]", "half-angle");
-        refused(() -> new Distance("d", List.of(List.of(1, 2, "red"))), "color is \"red\", legal: a colour as #rrggbb");
+        refused(() -> new Distance("d", List.of(List.of(1, 2, "rot"))), "color is \"rot\", legal: a colour: #rrggbb, or black, silver");
         refused(() -> new BeamCone(10, 1, "#000000", 361), "lines is 361, legal: a whole number from 1 to 360");
         refused(() -> new Noise(-1), "white is -1");
         assertEquals(List.of(), wrong);
@@ -108,6 +108,11 @@ public class DoorTest {
         refused(() -> box.scale(0), "scaleX is 0");
         refused(() -> box.setMass(-1), "mass is -1");
         refused(() -> box.setImage(""), "image is \"\"");
+        refused(() -> box.setColor("reddish"), "Box \"box\": color is \"reddish\", legal: a colour: #rrggbb, or black, silver, gray,", ", orange, brown");
+        refused(() -> box.setColor("#12345"), "Box \"box\": color is \"#12345\"");
+        Floor floor = new Floor("f", 1, 1);
+        refused(() -> floor.setImageSize(0), "Floor \"f\": imageSize is 0, legal: a number from 0.01 to 100000 m");
+        refused(() -> box.setColor(""), "Box \"box\": color is \"\"");
         refused(() -> lidar.setRange(0), "LIDAR \"lidar\": range is 0");
         refused(() -> lidar.setBaud(1), "baud is 1, legal: a whole number from 300 to 1000000 baud");
         refused(() -> lidar.setPorts("a", "a"), "ports are \"a\" and \"a\", legal: two different names");

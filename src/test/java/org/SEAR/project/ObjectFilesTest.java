@@ -2,6 +2,7 @@ package org.SEAR.project;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertSame;
 import static org.junit.Assert.assertTrue;
 
@@ -61,6 +62,26 @@ public class ObjectFilesTest {
         box.rotate(45, 0, 0);
         assertEquals(Set.of("environment/Box1_name.xml"), project.files().keySet());
         assertEquals(BOX, project.text("environment/Box1_name.xml"));
+    }
+
+    @Test
+    public void aColourStandsInTheFileOnceItIsSetAsItWasSet() throws Exception {
+        Box box = new Box("Box1_name", 0.25, 0.25, 0.25, 0);
+        assertEquals("#c49a6c", box.getColor());
+        assertEquals("textures/cardboard.png", box.getPicture());
+        box.setColor("Orange");
+        assertTrue(project.text("environment/Box1_name.xml"), project.text("environment/Box1_name.xml").contains("\n  <color>Orange</color>\n"));
+        Box read = (Box) Project.read(project.folder()).getEnvironment().get(0);
+        assertTrue(read.hasColor());
+        assertEquals("#ffa500", read.getColor());
+        assertNull("plain", read.getPicture());
+        box.setImage("textures/brick.png");
+        assertEquals("textures/brick.png", box.getPicture());
+        box.setImage(null);
+        box.setColor("#12AbEf");
+        assertEquals("#12abef", box.getColor());
+        box.setColor(null);
+        assertFalse(project.text("environment/Box1_name.xml").contains("color"));
     }
 
     @Test

@@ -21,6 +21,7 @@ public class ExamplesTest {
     private static final float BRICK = 0.02f;
     private static final float BLUE = 0.6f;
     private static final float RED = 0.01f;
+    private static final float TEAL = 0.5f;
     private static final float HUE_OFF = 0.075f;
     private static final float SATURATED = 0.2f;
     private static final float AWAY = 1.1f;
@@ -72,7 +73,7 @@ public class ExamplesTest {
 
     @Test
     public void office() throws Exception {
-        shows("office", "trash Can", BLUE, "wet floor", ORANGE, "parcel 3", BROWN, "partition", BRICK);
+        shows("office", "trash Can", BLUE, "wet floor", ORANGE, "parcel 3", BROWN, "partition", TEAL);
     }
 
     @Test

@@ -4,8 +4,12 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import com.jme3.math.Vector3f;
+import com.jme3.scene.Geometry;
+import com.jme3.scene.Node;
+import com.jme3.scene.VertexBuffer;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
+import java.nio.FloatBuffer;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
@@ -52,8 +56,24 @@ public class PictureTest {
         assertHue("Drum", 0.153f, at(picture, 1, 0.5, 3.15));
         assertHue("Spike", 0, at(picture, -1, 0.2, 3.2));
         assertHue("Egg", 1 / 3f, at(picture, 2, 0.6, 3.2));
+        assertHue("Plain, without a picture, is orange", 0.108f, at(picture, 1, 0.1, 1.39));
+        Color ball = at(picture, -1, 0.12, 1.41);
+        assertTrue("a ball without picture and colour is violet: " + ball, ball.getRed() > ball.getGreen() + 20 && ball.getBlue() > ball.getRed());
         Color floor = at(picture, 0, 0, 1);
         assertTrue("the floor is grey: " + floor, Math.abs(floor.getRed() - floor.getBlue()) < 30);
+    }
+
+    @Test
+    public void aFloorsPictureIsRepeatedAfterSoManyMetres() throws Exception {
+        Geometry floor = view.ask(() -> (Geometry) ((Node) view.scene().world().root().getChild("Floor")).getChild(0));
+        FloatBuffer places = floor.getMesh().getFloatBuffer(VertexBuffer.Type.TexCoord);
+        float least = Float.POSITIVE_INFINITY;
+        float most = Float.NEGATIVE_INFINITY;
+        for (int i = 0; i < places.limit(); i += 2) {
+            least = Math.min(least, places.get(i));
+            most = Math.max(most, places.get(i));
+        }
+        assertEquals("16 m of 0.5 m each", 32, most - least, 1e-3);
     }
 
     @Test
@@ -64,6 +84,19 @@ public class PictureTest {
         });
         Color sky = Colors.around(view.picture("sky"), 600, 200);
         assertTrue(sky.toString(), sky.getBlue() > sky.getRed() + 30);
+    }
+
+    @Test
+    public void theHorizonIsALineBetweenSkyAndLand() throws Exception {
+        view.ask(() -> {
+            view.scene().camera().fly(new Vector3f(0, 30, 20), 0, 0);
+            return null;
+        });
+        BufferedImage picture = view.picture("horizon");
+        Color sky = Colors.around(picture, 450, 290);
+        Color land = Colors.around(picture, 450, 310);
+        assertTrue("sky: " + sky, sky.getBlue() > sky.getRed());
+        assertTrue("land: " + land, land.getGreen() > land.getBlue() && sky.getBlue() > land.getBlue() + 20);
     }
 
     @Test

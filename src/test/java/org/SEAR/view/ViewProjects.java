@@ -42,6 +42,7 @@ final class ViewProjects {
         Files.writeString(assets.resolve("wedge.obj"), "v -0.3 0 -0.3\nv 0.3 0 -0.3\nv 0 0 0.4\nv 0 0.7 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n");
         Floor floor = new Floor("Floor", 16, 16);
         floor.setImage("grey.png");
+        floor.setImageSize(0.5);
         box("RedBox", "red.png", 2, 2.2);
         box("GreenBox", "green.png", 0, 2.6);
         box("BlueBox", "blue.png", -2, 2.2);
@@ -55,6 +56,10 @@ final class ViewProjects {
         Sphere egg = new Sphere("Egg", 0.25, 0, "green.png");
         egg.move(2, 0.35, 3.4);
         egg.scale(0.8, 1.4, 0.8);
+        Box plain = new Box("Plain", 0.2, 0.2, 0.2, 0);
+        plain.setColor("orange");
+        plain.move(1, 0.1, 1.5);
+        new Sphere("Ball", 0.1).move(-1, 0.1, 1.5);
         Model wedge = new Model("Wedge", "wedge.obj");
         wedge.setImage("blue.png");
         wedge.move(3.2, 0, 0.5);

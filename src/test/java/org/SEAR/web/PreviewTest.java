@@ -20,6 +20,7 @@ public class PreviewTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("Runtime.start('sear', 'SEAR')");
     private static final long BOX = 0xc49a6cffL;
+    private static final long TEAL = 0x008080ffL;
     private static final long PLANT = 0x6b8e23ffL;
     private static final String OBJECTS = "from org.SEAR.POJOs import Box, Floor\n";
     /** Counts what the page asks for, and the seconds since. */
@@ -98,6 +99,8 @@ public class PreviewTest {
         robotLab.run("crate.move(-2, 0.25, -1)");
         browser.until("it at its new place", () -> tab.colour(-2, -1) == BOX);
         assertNotEquals(BOX, tab.colour(1, 2));
+        robotLab.run("crate.setColor('teal')");
+        browser.until("it in its own colour", () -> tab.colour(-2, -1) == TEAL);
         robotLab.call("sear", "saveProject", "crate.sear");
         open("maze", "maze Roomba");
         assertEquals("another project, without the crate", -1, index("crate"));

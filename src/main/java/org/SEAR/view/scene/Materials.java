@@ -13,32 +13,49 @@ import com.jme3.scene.Spatial;
 import com.jme3.texture.Texture.WrapMode;
 import com.jme3.texture.Texture;
 import java.util.function.Consumer;
+import org.SEAR.POJOs.Shape;
 
 /** What surfaces look like. Window thread only. */
 public final class Materials {
-    private static final ColorRGBA PLAIN = new ColorRGBA(0.72f, 0.72f, 0.70f, 1);
+    /** Samples that a pixel at a flat angle may take. */
+    private static final int ANISOTROPY = 8;
+    private static final int OPAQUE = 0xff000000;
     private final AssetManager assets;
+    private final boolean fine;
     private final Consumer<String> warnings;
 
-    public Materials(AssetManager assets, Consumer<String> warnings) {
+    /**
+     * @param fine whether pictures get mipmaps and an anisotropic filter, so that they neither flicker far away nor smear at flat angles; software
+     *     OpenGL needs three times as long for that
+     */
+    public Materials(AssetManager assets, boolean fine, Consumer<String> warnings) {
         this.assets = assets;
+        this.fine = fine;
         this.warnings = warnings;
     }
 
-    /** Lit, wrapped in a picture below the assets folder; plain grey, with a warning, where that can't be read. */
-    Material picture(String image) {
-        Material material = lit(PLAIN);
-        if (image != null && !image.isEmpty()) {
+    /** Lit, of a shape's picture or else its colour; the colour, with a warning, where the picture can't be read. */
+    Material surface(Shape shape) {
+        String image = shape.getPicture();
+        if (image != null) {
             try {
-                Texture texture = assets.loadTexture(new TextureKey(image, true));
+                TextureKey key = new TextureKey(image, true);
+                key.setGenerateMips(fine);
+                Texture texture = assets.loadTexture(key);
+                texture.setAnisotropicFilter(fine ? ANISOTROPY : 0);
                 texture.setWrap(WrapMode.Repeat);
-                material = lit(ColorRGBA.White);
+                Material material = lit(ColorRGBA.White);
                 material.setTexture("DiffuseMap", texture);
+                return material;
             } catch (AssetNotFoundException | AssetLoadException e) {
                 warnings.accept("the picture " + image + " can't be shown (" + e.getMessage() + "); put a readable one into assets");
             }
         }
-        return material;
+        return lit(color(shape.getColor()));
+    }
+
+    private static ColorRGBA color(String hex) {
+        return new ColorRGBA().fromIntARGB(OPAQUE | Integer.parseInt(hex.substring(1), 16));
     }
 
     /**

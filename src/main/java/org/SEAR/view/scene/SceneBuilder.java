@@ -96,11 +96,19 @@ public final class SceneBuilder {
         if (solid == null) {
             return new Node(shape.getName());
         }
-        Geometry geometry = new Geometry(shape.getName(), mesh(solid, TILES.get(shape.getPicture())));
-        geometry.setMaterial(materials.picture(shape.getPicture()));
+        Geometry geometry = new Geometry(shape.getName(), mesh(solid, tile(shape)));
+        geometry.setMaterial(materials.surface(shape));
         geometry.setShadowMode(shape instanceof Floor ? ShadowMode.Receive : ShadowMode.CastAndReceive);
         place(geometry, solid.offset);
         return geometry;
+    }
+
+    /** Metres after which a shape's picture is repeated; null if the picture covers each face once. */
+    private static Float tile(Shape shape) {
+        if (shape instanceof Floor && ((Floor) shape).getImageSize() != null) {
+            return ((Floor) shape).getImageSize().floatValue();
+        }
+        return shape.getPicture() == null ? null : TILES.get(shape.getPicture());
     }
 
     /** @param tile metres of the picture of a surface, which a box repeats in its true size; null for other pictures, which cover each face once */
@@ -134,7 +142,7 @@ public final class SceneBuilder {
         Node node = new Node(wheel.getName());
         Solid solid = Solids.of(wheel, models);
         Geometry tyre = new Geometry("tyre", mesh(solid, null));
-        tyre.setMaterial(wheel.getImage() == null ? materials.lit(TYRE) : materials.picture(wheel.getPicture()));
+        tyre.setMaterial(wheel.getImage() == null && !wheel.hasColor() ? materials.lit(TYRE) : materials.surface(wheel));
         place(tyre, solid.offset);
         float radius = (float) wheel.getRadius();
         Geometry spoke = new Geometry("spoke", new Box((float) wheel.getWidth() / 2 + radius * 0.02f, radius * SPOKE, radius * 0.85f));
@@ -156,10 +164,10 @@ public final class SceneBuilder {
     private Spatial model(Model object) throws IOException {
         Node scaled = new Node(object.getName());
         Spatial model = models.spatial(object);
-        if (object.getImage() == null) {
+        if (object.getPicture() == null && !object.hasColor()) {
             materials.simplify(model);
         } else {
-            model.setMaterial(materials.picture(object.getPicture()));
+            model.setMaterial(materials.surface(object));
         }
         scaled.attachChild(model);
         scaled.setLocalScale(scale(object));

@@ -29,10 +29,11 @@ import org.myrobotlab.service.sear.readings.ScriptReadings;
  * <pre>
  * {"time": 1.5, "step": 90,
  *  "objects": [{"name": "Box1", "type": "Box", "corners": [[x, y, z], ..] (enough for its outline from any side, in its own frame),
- *               "image": null, "colour": "#c49a6c", "pose": [..]},
+ *               "image": null, "color": "#c49a6c", "colored": false (whether the colour is its own, not its kind's),
+ *               "pose": [..]},
  *              {"name": "Tree1", "type": "Model", "terrain": false, ..}],
  *  "robots": [{"name": "myRoomba", "pose": [..], "speed": 0.2, "turnRate": 0, "radius": 0.17, "path": [[x, z], ..], "status": [..],
- *              "parts": [{"name", "type", "corners", "image", "colour", "pose" (in the body)}]}],
+ *              "parts": [{"name", "type", "corners", "image", "color", "colored", "pose" (in the body)}]}],
  *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "hit": [x, y, z] or null,
  *               "cones": [{"halfAngle", "range", "yaw"}]},
  *              {"name": "myLidar", "type": "LIDAR", "pose": [..], "spread": 180, "resolution": 1, "ranges": [.., null, ..]}]}
@@ -121,7 +122,8 @@ public final class WorldJson {
         map.put("corners", corners(world.getOutline(object)));
         if (object instanceof Shape) {
             map.put("image", ((Shape) object).getImage());
-            map.put("colour", ((Shape) object).getColour());
+            map.put("color", ((Shape) object).getColor());
+            map.put("colored", ((Shape) object).hasColor());
         }
         if (object instanceof Model) {
             map.put("terrain", ((Model) object).isTerrain());

@@ -1,0 +1,49 @@
+package org.SEAR.POJOs;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
+
+/**
+ * Colours that have a name: the 16 of HTML 4.01, section 6.5, and some more of those of CSS Color Module Level 4, section 6.1, with their values
+ * there. In any capitals. Immutable, any thread.
+ */
+final class ColorNames {
+    private static final Pattern HEX = Pattern.compile("#[0-9a-f]{6}");
+    private static final Map<String, String> NAMES = new LinkedHashMap<>();
+
+    static {
+        name("black #000000, silver #c0c0c0, gray #808080, grey #808080, white #ffffff, maroon #800000, red #ff0000, purple #800080, "
+            + "fuchsia #ff00ff, green #008000, lime #00ff00, olive #808000, yellow #ffff00, navy #000080, blue #0000ff, teal #008080, aqua #00ffff");
+        name("orange #ffa500, brown #a52a2a, pink #ffc0cb, gold #ffd700, beige #f5f5dc, tan #d2b48c, violet #ee82ee, cyan #00ffff, "
+            + "magenta #ff00ff, turquoise #40e0d0");
+    }
+
+    private ColorNames() {
+    }
+
+    private static void name(String list) {
+        for (String entry : list.split(", ")) {
+            NAMES.put(entry.split(" ")[0], entry.split(" ")[1]);
+        }
+    }
+
+    /** The names, in the order in which they are told. */
+    static Set<String> all() {
+        return Collections.unmodifiableSet(NAMES.keySet());
+    }
+
+    /**
+     * A colour as numbers.
+     *
+     * @param color a name or #rrggbb
+     * @return #rrggbb in small letters; null if it is neither
+     */
+    static String hex(String color) {
+        String small = color.toLowerCase(Locale.ROOT);
+        return HEX.matcher(small).matches() ? small : NAMES.get(small);
+    }
+}

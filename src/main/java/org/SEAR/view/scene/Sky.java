@@ -1,0 +1,74 @@
+package org.SEAR.view.scene;
+
+import com.jme3.asset.AssetManager;
+import com.jme3.material.Material;
+import com.jme3.material.RenderState.FaceCullMode;
+import com.jme3.math.FastMath;
+import com.jme3.renderer.queue.RenderQueue.Bucket;
+import com.jme3.renderer.queue.RenderQueue.ShadowMode;
+import com.jme3.scene.Geometry;
+import com.jme3.scene.Mesh;
+import com.jme3.scene.Spatial.CullHint;
+import com.jme3.scene.VertexBuffer.Type;
+
+/**
+ * What is behind everything: a sky that gets deeper upwards, and below a sharp horizon the haze of far land. It is a ball around the camera, coloured
+ * corner by corner, so that a pixel of it costs no more than a plain one. Land is a background only: where nothing carries a robot, it falls.
+ */
+final class Sky {
+    private static final float RADIUS = 50;
+    private static final int SECTORS = 24;
+    /** Rings from the bottom to the top: degrees above the horizon, red, green, blue. The horizon is two rings, of land and of sky. */
+    private static final float[][] RINGS = {{-90, 0.36f, 0.40f, 0.33f}, {-40, 0.42f, 0.46f, 0.37f}, {-12, 0.54f, 0.58f, 0.48f},
+        {-3, 0.67f, 0.71f, 0.63f}, {0, 0.75f, 0.79f, 0.76f}, {0, 0.87f, 0.92f, 0.95f}, {4, 0.78f, 0.87f, 0.95f}, {12, 0.63f, 0.78f, 0.93f},
+        {30, 0.45f, 0.65f, 0.88f}, {60, 0.31f, 0.52f, 0.81f}, {90, 0.26f, 0.47f, 0.77f}};
+
+    private Sky() {
+    }
+
+    static Geometry make(AssetManager assets) {
+        Material material = new Material(assets, "Common/MatDefs/Misc/Unshaded.j3md");
+        material.setBoolean("VertexColor", true);
+        material.getAdditionalRenderState().setDepthWrite(false);
+        material.getAdditionalRenderState().setFaceCullMode(FaceCullMode.Off);
+        Geometry sky = new Geometry("sky", ball());
+        sky.setMaterial(material);
+        sky.setQueueBucket(Bucket.Sky);
+        sky.setCullHint(CullHint.Never);
+        sky.setShadowMode(ShadowMode.Off);
+        return sky;
+    }
+
+    private static Mesh ball() {
+        int corners = RINGS.length * (SECTORS + 1);
+        float[] places = new float[3 * corners];
+        float[] colors = new float[4 * corners];
+        int[] triangles = new int[6 * (RINGS.length - 1) * SECTORS];
+        for (int corner = 0; corner < corners; corner++) {
+            float[] ring = RINGS[corner / (SECTORS + 1)];
+            float around = FastMath.TWO_PI * (corner % (SECTORS + 1)) / SECTORS;
+            float up = ring[0] * FastMath.DEG_TO_RAD;
+            places[3 * corner] = RADIUS * FastMath.cos(up) * FastMath.sin(around);
+            places[3 * corner + 1] = RADIUS * FastMath.sin(up);
+            places[3 * corner + 2] = RADIUS * FastMath.cos(up) * FastMath.cos(around);
+            System.arraycopy(ring, 1, colors, 4 * corner, 3);
+            colors[4 * corner + 3] = 1;
+        }
+        int next = 0;
+        for (int corner = 0; corner < corners - SECTORS - 1; corner++) {
+            if (corner % (SECTORS + 1) < SECTORS) {
+                int above = corner + SECTORS + 1;
+                for (int one : new int[] {corner, corner + 1, above, above, corner + 1, above + 1}) {
+                    triangles[next++] = one;
+                }
+            }
+        }
+        Mesh mesh = new Mesh();
+        mesh.setBuffer(Type.Position, 3, places);
+        mesh.setBuffer(Type.Color, 4, colors);
+        mesh.setBuffer(Type.Index, 3, triangles);
+        mesh.updateBound();
+        mesh.setStatic();
+        return mesh;
+    }
+}

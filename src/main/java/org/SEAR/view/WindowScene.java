@@ -165,6 +165,9 @@ final class WindowScene {
                 setShapes(!shapes.isVisible());
                 hud.say(shapes.isVisible() ? "shapes of the physics shown" : "shapes of the physics hidden");
                 break;
+            case FOLD:
+                hud.toggleFolded();
+                break;
             case LABELS:
                 labels.toggle();
                 break;

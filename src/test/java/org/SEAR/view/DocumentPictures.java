@@ -60,7 +60,7 @@ public final class DocumentPictures {
             onWindow(view, () -> view.scene().camera().orbit(2.6f, -0.8f, 0.45f));
         });
         draw("sensors", folder, view -> {
-            view.press("F4");
+            view.press("F5");
             view.world.runner.setPaused(true);
             onWindow(view, () -> view.scene().camera().fly(new Vector3f(-4.2f, 3.4f, -3.6f), 0.85f, 0.42f));
         });

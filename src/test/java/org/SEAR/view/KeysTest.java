@@ -195,11 +195,23 @@ public class KeysTest {
     }
 
     @Test
-    public void f4HidesTheLabelsWithLiveValues() throws Exception {
+    public void f4FoldsThePanelsToTheLineWithTheTime() throws Exception {
+        Views.until("all numbers", () -> view.is(() -> view.scene().hud().shownText().contains("Odometer1: ")));
+        view.press("F4");
+        Views.until("one line", () -> view.is(() -> view.scene().hud().shownText().matches("time [^\n]*")));
+        view.picture("folded");
+        view.press("F1", "F1");
+        Views.until("one line after the help, too", () -> view.is(() -> view.scene().hud().shownText().matches("time [^\n]*")));
+        view.press("F4");
+        Views.until("all numbers again", () -> view.is(() -> view.scene().hud().shownText().contains("Odometer1: ")));
+    }
+
+    @Test
+    public void f5HidesTheLabelsWithLiveValues() throws Exception {
         String first = view.ask(() -> view.scene().labels().text("LIDAR1"));
         assertNotNull(first);
         assertTrue(first, first.startsWith("LIDAR1  "));
-        view.press("F4");
+        view.press("F5");
         assertNull(view.ask(() -> view.scene().labels().text("LIDAR1")));
     }
 

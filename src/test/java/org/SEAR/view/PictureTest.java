@@ -101,7 +101,7 @@ public class PictureTest {
 
     @Test
     public void aLidarsHitsLieOnTheBoxesItMeets() throws Exception {
-        view.press("2", "F4");
+        view.press("2", "F5");
         view.ask(() -> {
             view.scene().camera().fly(new Vector3f(0, 3, 1), 0, 1.1f);
             return null;

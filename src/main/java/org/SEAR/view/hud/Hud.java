@@ -34,6 +34,7 @@ public final class Hud {
     private float sinceRefresh = REFRESH;
     private float sinceMessage;
     private boolean helpShown;
+    private boolean folded;
     private String statusWords = "";
     private String sensorWords = "";
     private String warningWords = "";
@@ -45,7 +46,7 @@ public final class Hud {
         messages = panel(font, materials, gui, INK);
         help = panel(font, materials, gui, INK);
         hint = panel(font, materials, gui, INK);
-        hint.setText("F1 help");
+        hint.setText(hintText());
     }
 
     private static TextPanel panel(BitmapFont font, Materials materials, Node gui, ColorRGBA color) {
@@ -81,8 +82,8 @@ public final class Hud {
             statusWords = StatusText.status(sceneState, state);
             sensorWords = StatusText.sensors(sceneState, state);
             warningWords = StatusText.warnings(sceneState);
-            status.setText(helpShown ? "" : statusWords);
-            sensors.setText(helpShown ? "" : sensorWords);
+            status.setText(helpShown ? "" : folded ? statusWords.split("\n", 2)[0] : statusWords);
+            sensors.setText(helpShown || folded ? "" : sensorWords);
             warnings.setText(helpShown ? "" : warningWords);
         }
         place(width, height);
@@ -123,8 +124,24 @@ public final class Hud {
     public void toggleHelp() {
         helpShown = !helpShown;
         help.setText(helpShown ? helpText() : "");
-        hint.setText(helpShown ? "" : "F1 help");
+        hint.setText(hintText());
         sinceRefresh = REFRESH;
+    }
+
+    /** Between all numbers and one line, that of the time; warnings and messages stay. */
+    public void toggleFolded() {
+        folded = !folded;
+        hint.setText(hintText());
+        sinceRefresh = REFRESH;
+    }
+
+    private String hintText() {
+        return helpShown ? "" : folded ? "F4 numbers   F1 help" : "F1 help";
+    }
+
+    /** What can be read on the panels of numbers now. */
+    public String shownText() {
+        return (status.text() + "\n" + sensors.text()).trim();
     }
 
     public boolean isHelpShown() {

@@ -19,6 +19,8 @@ public final class Labels {
     private static final float SIZE = 14;
     private static final float LIFT = 20;
     private static final float LINE = 18;
+    /** How far a label is moved up above others; one that has to go farther is left out, because nobody would see what it belongs to. */
+    private static final int MOST_LINES = 2;
     private static final ColorRGBA INK = new ColorRGBA(1, 1, 0.85f, 1);
     private static final ColorRGBA GROUND = new ColorRGBA(0.05f, 0.07f, 0.10f, 0.5f);
     private static final float MARGIN = 4;
@@ -89,7 +91,7 @@ public final class Labels {
     }
 
     /**
-     * Writes words at a point, above what is there; hides them while the point is behind the camera.
+     * Writes words at a point, above what is there; hides them while the point is behind the camera, and where they would pile up.
      *
      * @param words null to hide
      */
@@ -101,16 +103,21 @@ public final class Labels {
         });
         Vector3f pixel = camera.getScreenCoordinates(point);
         boolean visible = words != null && pixel.z < 1;
-        label.place.setCullHint(visible ? CullHint.Never : CullHint.Always);
         if (visible) {
             if (!words.equals(label.ink.getText())) {
                 label.write(words);
             }
             float width = label.ink.getLineWidth();
             float left = Math.round(pixel.x - width / 2);
-            float top = free(left - MARGIN, left + width + MARGIN, Math.round(pixel.y + LIFT));
-            label.place.setLocalTranslation(left, top, -2);
+            float wanted = Math.round(pixel.y + LIFT);
+            float top = free(left - MARGIN, left + width + MARGIN, wanted);
+            visible = top - wanted <= MOST_LINES * LINE;
+            if (visible) {
+                taken.add(new float[] {left - MARGIN, top, left + width + MARGIN});
+                label.place.setLocalTranslation(left, top, -2);
+            }
         }
+        label.place.setCullHint(visible ? CullHint.Never : CullHint.Always);
     }
 
     /** The lowest free height at or above the wanted one. */
@@ -125,7 +132,6 @@ public final class Labels {
                 }
             }
         }
-        taken.add(new float[] {left, bottom, right});
         return bottom;
     }
 }

@@ -3,6 +3,8 @@ package org.SEAR.view;
 import com.jme3.app.SimpleApplication;
 import com.jme3.app.state.AppState;
 import com.jme3.system.AppSettings;
+import com.jme3.system.JmeContext;
+import com.jme3.system.JmeSystem;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -13,6 +15,7 @@ import org.SEAR.project.models.ModelLoader;
 import org.SEAR.view.link.WorldLink;
 import org.SEAR.view.platform.EngineVersion;
 import org.SEAR.view.platform.Glfw;
+import org.SEAR.view.platform.LateDisplay;
 import org.SEAR.view.platform.NativeMemory;
 import org.SEAR.view.platform.X11Guard;
 
@@ -44,6 +47,8 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
     private volatile boolean closing;
     private boolean closedByUser;
     private WindowScene scene;
+    /** Null where jMonkeyEngine shows its window itself. */
+    private LateDisplay display;
 
     WindowApplication(WorldLink link, WindowOptions options, Runnable onShown) {
         super(new AppState[0]);
@@ -92,6 +97,22 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
                 thread.join(TimeUnit.SECONDS.toMillis(PATIENCE));
             }
         }
+    }
+
+    @Override
+    public void start(JmeContext.Type type, boolean wait) {
+        try {
+            display = new LateDisplay();
+        } catch (LinkageError e) {
+            LOG.log(Level.FINE, "another jMonkeyEngine shows its window at once", e);
+            super.start(type, wait);
+            return;
+        }
+        JmeSystem.initialize(settings);
+        context = display;
+        context.setSettings(settings);
+        context.setSystemListener(this);
+        context.create(wait);
     }
 
     /** jMonkeyEngine tells the console about every graphics card and every missing sound loader, unless somebody wants to hear it. */
@@ -151,6 +172,9 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
         frames = frames + 1;
         if (!shown && scene.hasPicture()) {
             shown = true;
+            if (display != null) {
+                display.show();
+            }
             onShown.run();
             settled.countDown();
         }

@@ -1,37 +1,49 @@
 package org.SEAR.view;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
 
-import java.awt.Color;
-import java.awt.Robot;
-import java.util.concurrent.CompletableFuture;
+import java.lang.reflect.Proxy;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.SEAR.view.link.RunnerLink;
+import org.SEAR.view.link.WorldLink;
 import org.junit.Test;
 import org.junit.runner.RunWith;
+import org.lwjgl.glfw.GLFW;
 
 /** What a user sees first of the window. */
 @RunWith(UnderXvfb.class)
 public class FirstPictureTest {
-    private static final int MIDDLE_X = 640;
-    private static final int MIDDLE_Y = 400;
+    private static boolean isVisible() {
+        return GLFW.glfwGetWindowAttrib(GLFW.glfwGetCurrentContext(), GLFW.GLFW_VISIBLE) == GLFW.GLFW_TRUE;
+    }
 
-    /** The screen is white where no window is. */
     @Test
-    public void theFirstPictureIsTheSceneNotABlackWindow() throws Exception {
-        Robot eye = new Robot();
-        assertEquals("the screen", Color.WHITE, eye.getPixelColor(MIDDLE_X, MIDDLE_Y));
-        CompletableFuture<Color> first = CompletableFuture.supplyAsync(() -> {
-            Color[] seen = new Color[1];
-            Views.until("a window", () -> {
-                seen[0] = eye.getPixelColor(MIDDLE_X, MIDDLE_Y);
-                return !seen[0].equals(Color.WHITE);
-            });
-            return seen[0];
-        });
-        try (Views view = new Views(ViewProjects.room(), new WindowOptions())) {
-            assertEquals(0, view.warnings.size());
-            Color color = first.get();
-            assertTrue("what is seen first is " + color, color.getRed() + color.getGreen() + color.getBlue() > 100);
+    public void theWindowIsHiddenUntilTheSceneIsDrawn() throws Exception {
+        List<Boolean> asked = Collections.synchronizedList(new ArrayList<>());
+        try (RunningWorld world = new RunningWorld(ViewProjects.room())) {
+            WorldLink link = new RunnerLink(world.runner, () -> false);
+            WorldLink watched = (WorldLink) Proxy.newProxyInstance(WorldLink.class.getClassLoader(), new Class<?>[] {WorldLink.class},
+                (proxy, method, arguments) -> {
+                    if (method.getName().equals("sceneState")) {
+                        asked.add(isVisible());
+                        return asked.size() < 10 ? null : link.sceneState();
+                    }
+                    return method.invoke(link, arguments);
+                });
+            List<Boolean> shown = Collections.synchronizedList(new ArrayList<>());
+            WindowHandle window = WindowStart.open(watched, new WindowOptions(), () -> shown.add(isVisible()));
+            assertNull(window.problem());
+            try {
+                assertEquals("without anything to draw", Collections.nCopies(10, false), new ArrayList<>(asked.subList(0, 10)));
+                assertEquals(List.of(true), shown);
+                assertTrue(window.isOpen());
+            } finally {
+                window.close();
+            }
         }
     }
 }

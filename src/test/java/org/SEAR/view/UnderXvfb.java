@@ -56,7 +56,7 @@ public final class UnderXvfb extends Runner {
     public void run(RunNotifier notifier) {
         StringBuilder log = new StringBuilder();
         Map<String, Description> open = new HashMap<>(methods);
-        try (Xvfb server = new Xvfb("-wr")) {
+        try (Xvfb server = new Xvfb()) {
             Process process = Xvfb.java(server.display(), FIXED_HEAP, Inside.class.getName(), tests.getName()).start();
             BufferedReader lines = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {

@@ -108,7 +108,8 @@ public final class Hud {
         float helpScale = Math.min(1, (height - 2 * EDGE) / help.height());
         help.node().setLocalScale(helpScale);
         help.place((width - help.width() * helpScale) / 2, (height + help.height() * helpScale) / 2);
-        hint.place(width - hint.width() - EDGE, EDGE + hint.height());
+        boolean beneath = warningWords.isEmpty() || EDGE + warnings.width() < width - hint.width() - EDGE;
+        hint.place(width - hint.width() - EDGE, EDGE + hint.height() + (beneath ? 0 : warnings.height() + EDGE));
     }
 
     /** Shows a line for some seconds. */

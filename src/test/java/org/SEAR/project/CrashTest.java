@@ -30,7 +30,7 @@ public class CrashTest {
     private static final int LONGEST_MS = 120;
     /** Processes at a time, each with a folder of its own. */
     private static final int LANES = 2;
-    private static final Pattern NEEDED = Pattern.compile("xstream|xmlpull|mxparser|jme3-core|junit|hamcrest");
+    private static final Pattern NEEDED = Pattern.compile("xstream|xmlpull|mxparser|jme3-core|jbullet|vecmath|junit|hamcrest");
 
     @Rule
     public final ProjectRule project = new ProjectRule();

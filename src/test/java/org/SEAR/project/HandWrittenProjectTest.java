@@ -11,6 +11,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
@@ -74,8 +75,10 @@ public class HandWrittenProjectTest {
 
     @Test
     public void whatADeviceCantDoIsToldAtTheStartAndAfterAReset() throws Exception {
+        new Floor("floor", 10, 10).move(0, -0.2, 0);
         SEARrobot robot = new SEARrobot("r");
         robot.addComponent(new Dynamics("drive", 2));
+        robot.addWheel(new Wheel("wheel", 0.1, 0.03, 1, 0, 0, 0));
         LIDAR lidar = new LIDAR("lidar");
         lidar.setPorts("/dev/a", "/dev/b");
         lidar.setBaud(57600);

@@ -112,13 +112,14 @@ public class WorldTest {
 
     @Test
     public void robotsThatStartInsideOneAnotherAreTold() throws Exception {
+        new Floor("floor", 10, 10);
         Worlds.roomba("first", 0, 0, 0);
         Worlds.roomba("second", 0.1, 0, 0);
         Worlds.roomba("apart", 0.5, 0, 0);
         Box crate = new Box("crate", 0.2, 0.2, 0.2, 1);
         crate.move(0.5, 0.1, 0);
-        assertEquals("[crate and apart start inside one another and will be pushed apart; move one of them,"
-            + " first and second start inside one another and will be pushed apart; move one of them]",
+        assertEquals("[first and second start inside one another and will be pushed apart; move one of them,"
+            + " crate and apart start inside one another and will be pushed apart; move one of them]",
             Worlds.start(project).snapshot().warnings.toString());
     }
 

@@ -108,7 +108,7 @@ public class DoorTest {
         refused(() -> box.scale(0), "scaleX is 0");
         refused(() -> box.setMass(-1), "mass is -1");
         refused(() -> box.setImage(""), "image is \"\"");
-        refused(() -> box.setColor("reddish"), "Box \"box\": color is \"reddish\", legal: a colour: #rrggbb, or black, silver, gray,", ", orange, brown");
+        refused(() -> box.setColor("reddish"), "Box \"box\": color is \"reddish\", legal: a colour: #rrggbb, or black, silver,", ", orange, brown");
         refused(() -> box.setColor("#12345"), "Box \"box\": color is \"#12345\"");
         Floor floor = new Floor("f", 1, 1);
         refused(() -> floor.setImageSize(0), "Floor \"f\": imageSize is 0, legal: a number from 0.01 to 100000 m");

@@ -207,6 +207,16 @@ public class SearCommandTest {
     }
 
     @Test
+    public void checkKnowsPartsOfOneNameByTheirRobots() throws Exception {
+        assertEquals(err, 0, sear(script("from org.SEAR.POJOs import Distance, Dynamics, Floor, SEARrobot\nFloor('floor', 20, 20)\n"
+            + "for name, x in (('rover', 0), ('scout', 2)):\n    robot = SEARrobot(name)\n    drive = Dynamics('drive', 3)\n"
+            + "    robot.addComponent(drive)\n    drive.move(x, 0.1, 0)\n    robot.addComponent(Distance('ping'))\n"), "--port", "none"));
+        assertEquals(out + err, 0, sear("check", "."));
+        assertTrue(out + err, (out + err).contains("sensor rover/ping sees the ground") && (out + err).contains("sensor scout/ping sees the ground"));
+        assertTrue(Files.isRegularFile(folder.getRoot().toPath().resolve("SEARproject/robot/rover/ping.xml")));
+    }
+
+    @Test
     public void checkFindsWhatOnlyTheStartWouldRefuse() throws Exception {
         Path project = Files.createDirectories(folder.getRoot().toPath().resolve("project"));
         Path robot = Files.createDirectories(project.resolve("robot")).resolve("r.xml");

@@ -251,6 +251,10 @@ public class SameNamesTest {
             "environment/Eye.xml", "<Box><name>Eye</name><length>1</length><width>1</width><height>1</height></Box>");
         refused("robot/rover/eye.xml:1: <SEARrobot> is not an object here, legal: ",
             "robot/rover/eye.xml", "<SEARrobot><name>eye</name></SEARrobot>");
+        String ports = "<uartPort>a</uartPort>\n<userPort>b</userPort></Dynamics>";
+        project.put("robot/drive.xml", "<Dynamics><name>drive</name><mass>3</mass>" + ports);
+        refused("robot/drive.xml:1: uartPort is \"a\", legal: a port of its own; robot/rover/drive.xml has it too", "robot/rover/drive.xml",
+            "<Dynamics><name>drive</name><mass>3</mass>" + ports);
         project.put("robot/Drive.xml", "<Dynamics><name>Drive</name><mass>3</mass></Dynamics>");
         refused("legal: a name that differs from that of robot/Drive.xml by more than capitals",
             "robot/tug.xml", "<SEARrobot><name>tug</name><component>Drive</component></SEARrobot>");

@@ -256,10 +256,10 @@ public class SearCommandTest {
             assertEquals("", err);
         }
         Path environment = Files.createDirectories(folder.getRoot().toPath().resolve("broken/environment"));
-        Files.writeString(environment.resolve("a.xml"), "<Box>\n<name>a</name>\n<length>-1</length>\n<color>x</color>\n</Box>\n");
+        Files.writeString(environment.resolve("a.xml"), "<Box>\n<name>a</name>\n<length>-1</length>\n<wheels>x</wheels>\n</Box>\n");
         Files.writeString(environment.resolve("b.xml"), "<java.lang.ProcessBuilder/>");
         assertEquals(2, sear("check", "broken"));
-        assertTrue(out, out.contains("environment/a.xml:3: length is \"-1\", legal: ") && out.contains("environment/a.xml:4: <color> is unknown")
+        assertTrue(out, out.contains("environment/a.xml:3: length is \"-1\", legal: ") && out.contains("environment/a.xml:4: <wheels> is unknown")
             && out.contains("environment/b.xml:1: <java.lang.ProcessBuilder> is not an object here"));
         assertTrue(err, err.startsWith("broken: problems: "));
     }

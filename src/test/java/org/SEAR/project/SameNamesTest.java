@@ -14,7 +14,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
-import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Notices;

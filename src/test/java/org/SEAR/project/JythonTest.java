@@ -53,7 +53,7 @@ public class JythonTest {
         List<String> missing = new ArrayList<>();
         for (Class<? extends SearObject> type : ObjectClasses.find().all()) {
             for (Executable method : type.getMethods()) {
-                boolean reading = method.getName().matches("(get|is|to)[A-Z].*") || method.getDeclaringClass() == Object.class;
+                boolean reading = method.getName().matches("(get|has|is|to)[A-Z].*") || method.getDeclaringClass() == Object.class;
                 if (!reading && !Modifier.isStatic(method.getModifiers()) && !script.contains("." + method.getName() + "(")) {
                     missing.add(type.getSimpleName() + "." + method.getName());
                 }

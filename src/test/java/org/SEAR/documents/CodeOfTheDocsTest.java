@@ -56,7 +56,7 @@ public class CodeOfTheDocsTest {
         Map<String, List<String>> pages = pages();
         assertTrue(pages.keySet().toString(), pages.keySet().containsAll(BY_OTHERS.keySet()));
         pages.keySet().removeAll(BY_OTHERS.keySet());
-        assertEquals("[docs/objects.md, docs/physics.md, docs/sensors.md, docs/window.md]", pages.keySet().toString());
+        assertEquals("[docs/objects.md, docs/physics.md, docs/projects.md, docs/sensors.md, docs/window.md]", pages.keySet().toString());
         for (Map.Entry<String, List<String>> page : pages.entrySet()) {
             Path own = folder.newFolder(Path.of(page.getKey()).getFileName().toString()).toPath();
             Path script = own.resolve("page.py");

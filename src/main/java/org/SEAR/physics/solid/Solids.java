@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.function.Supplier;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Cone;
 import org.SEAR.POJOs.Cylinder;
@@ -39,7 +40,7 @@ public final class Solids implements ObjectTypes {
 
     /** Makes the solid of an object. */
     private interface Maker<S extends Shape> {
-        Solid make(S shape, ModelLoader models) throws IOException;
+        Solid make(S shape, Supplier<ModelLoader> models) throws IOException;
     }
 
     private static <S extends Shape> void add(Class<S> type, Maker<S> maker) {
@@ -61,7 +62,7 @@ public final class Solids implements ObjectTypes {
             return null;
         }
         try {
-            return of((Shape) object, ModelLoader.withoutPictures(project.getAssets()));
+            return of((Shape) object, () -> ModelLoader.withoutPictures(project.getAssets()));
         } catch (IOException e) {
             String file = (project.getEnvironment().contains(object) ? "environment/" : "robot/") + object.getFileName() + ".xml";
             throw new ProjectException(Collections.singletonList(new Problem(file, 0, "path", ((Model) object).getPath(),
@@ -72,9 +73,10 @@ public final class Solids implements ObjectTypes {
     /**
      * The geometry of a shape; null for one that is not in the list.
      *
+     * @param models asked for a model only: without one SEAR works without jMonkeyEngine
      * @throws IOException if a model can't be loaded
      */
-    public static Solid of(Shape shape, ModelLoader models) throws IOException {
+    public static Solid of(Shape shape, Supplier<ModelLoader> models) throws IOException {
         for (Class<?> type = shape.getClass(); type != null; type = type.getSuperclass()) {
             if (ALL.containsKey(type)) {
                 Solid solid = ALL.get(type).make(shape, models);

@@ -92,7 +92,7 @@ public final class SceneBuilder {
     }
 
     private Spatial solid(Shape shape) throws IOException {
-        Solid solid = Solids.of(shape, models);
+        Solid solid = Solids.of(shape, () -> models);
         if (solid == null) {
             return new Node(shape.getName());
         }
@@ -140,7 +140,7 @@ public final class SceneBuilder {
 
     private Spatial wheel(Wheel wheel) throws IOException {
         Node node = new Node(wheel.getName());
-        Solid solid = Solids.of(wheel, models);
+        Solid solid = Solids.of(wheel, () -> models);
         Geometry tyre = new Geometry("tyre", mesh(solid, null));
         tyre.setMaterial(wheel.getImage() == null && !wheel.hasColor() ? materials.lit(TYRE) : materials.surface(wheel));
         place(tyre, solid.offset);

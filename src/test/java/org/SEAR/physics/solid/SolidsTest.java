@@ -8,6 +8,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
+import java.util.function.Supplier;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Cone;
 import org.SEAR.POJOs.Cylinder;
@@ -31,7 +32,7 @@ public class SolidsTest {
     /** By how much the window's polygons may be smaller than what is round, and the tab's outline narrower. */
     private static final double COARSE = 0.03;
     private static final double EXACT = 1e-6;
-    private static final ModelLoader NO_MODELS = null;
+    private static final Supplier<ModelLoader> NO_MODELS = null;
 
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -118,7 +118,7 @@ public class RuntimeTest {
     }
 
     @Test
-    public void releasedServicesLeaveNoThread() {
+    public void releasedServicesLeaveNoThread() throws InterruptedException {
         Set<Thread> before = new HashSet<>(Thread.getAllStackTraces().keySet());
         Runtime.start("python", "Python");
         Runtime.start("roomba", "Roomba");
@@ -127,6 +127,9 @@ public class RuntimeTest {
         Runtime.releaseAll();
         Set<Thread> left = new HashSet<>(Thread.getAllStackTraces().keySet());
         left.removeAll(before);
+        for (Thread thread : left) {
+            thread.join(10_000); // told to end, on its way out
+        }
         left.removeIf(thread -> !thread.isAlive());
         assertEquals(Set.of(), left);
         assertFalse(Runtime.exists());

@@ -517,7 +517,6 @@
         // ---- the running world -------------------------------------------------------------------------------------------------------------
         var speed = 1               // as the simulation has it
         var missing = 0             // when the whole was asked for, 0 if nothing is awaited
-        /** Takes the whole of a world, or what has changed in the one that is shown. */
         /** The whole world, for a page that opens later: what was warned of until then, too. */
         function onWorld(state) {
             angular.forEach(state && state.warnings, function(text) {
@@ -528,6 +527,7 @@
             onSimulation(state)
         }
 
+        /** Takes the whole of a world, or what has changed in the one that is shown. */
         function onSimulation(state) {
             if (!state || !state.running || !isSimulating()) {
                 $scope.state = null

@@ -219,8 +219,8 @@ final class Motion {
         at(1, scratch);
         rigid.proceedToTransform(scratch);
         if (flies && (end < 1 || bounced)) {
-            float before = bounced ? 0 : gravity * step;
-            linear.y += before - gravity * end * time;
+            float known = bounced ? 0 : gravity * step;
+            linear.y += known - gravity * end * time;
             if (end < 1 && bounceAhead) {
                 // the next step adds its gravity before the contact is solved
                 linear.y += gravity * step;

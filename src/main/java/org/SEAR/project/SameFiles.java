@@ -1,50 +1,52 @@
 package org.SEAR.project;
 
-import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
-import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
 
 /** Whether two folders hold the same files with the same bytes. Looks at sizes first. Any thread. */
 final class SameFiles {
-    private static final int BUFFER = 65536;
+    private static final int PIECE = 65536;
+    /** In the place of a size: a folder, and whatever is no plain file, which is never the same. */
+    private static final long FOLDER = -1;
+    private static final long OTHER = -2;
 
     private SameFiles() {
     }
 
     static boolean in(Path one, Path other) throws IOException {
         Map<String, Long> sizes = sizes(one);
-        if (!sizes.equals(sizes(other))) {
+        if (sizes.containsValue(OTHER) || !sizes.equals(sizes(other))) {
             return false;
         }
-        for (String file : sizes.keySet()) {
-            if (!haveSameBytes(one.resolve(file), other.resolve(file))) {
+        for (Map.Entry<String, Long> file : sizes.entrySet()) {
+            if (file.getValue() != FOLDER && !haveSameBytes(one.resolve(file.getKey()), other.resolve(file.getKey()))) {
                 return false;
             }
         }
         return true;
     }
 
-    /** By path below the folder; -1 for a folder and for whatever is no plain file. */
+    /** By path below the folder. */
     private static Map<String, Long> sizes(Path folder) throws IOException {
         Map<String, Long> sizes = new TreeMap<>();
         Files.walkFileTree(folder, new SimpleFileVisitor<Path>() {
             @Override
             public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
-                sizes.put(folder.relativize(file).toString(), attributes.isRegularFile() ? attributes.size() : -1);
+                sizes.put(folder.relativize(file).toString(), attributes.isRegularFile() ? attributes.size() : OTHER);
                 return FileVisitResult.CONTINUE;
             }
 
             @Override
             public FileVisitResult preVisitDirectory(Path directory, BasicFileAttributes attributes) {
-                sizes.put(folder.relativize(directory).toString(), -1L);
+                sizes.put(folder.relativize(directory).toString(), FOLDER);
                 return FileVisitResult.CONTINUE;
             }
         });
@@ -52,19 +54,12 @@ final class SameFiles {
     }
 
     private static boolean haveSameBytes(Path one, Path other) throws IOException {
-        if (Files.isDirectory(one, LinkOption.NOFOLLOW_LINKS) || Files.isDirectory(other, LinkOption.NOFOLLOW_LINKS)) {
-            return Files.isDirectory(one, LinkOption.NOFOLLOW_LINKS) && Files.isDirectory(other, LinkOption.NOFOLLOW_LINKS);
-        }
-        if (!Files.isRegularFile(one, LinkOption.NOFOLLOW_LINKS) || !Files.isRegularFile(other, LinkOption.NOFOLLOW_LINKS)) {
-            return false;
-        }
-        try (InputStream a = new BufferedInputStream(Files.newInputStream(one), BUFFER);
-             InputStream b = new BufferedInputStream(Files.newInputStream(other), BUFFER)) {
-            int value = a.read();
-            while (value >= 0 && value == b.read()) {
-                value = a.read();
+        try (InputStream a = Files.newInputStream(one); InputStream b = Files.newInputStream(other)) {
+            byte[] piece = a.readNBytes(PIECE);
+            while (piece.length > 0 && Arrays.equals(piece, b.readNBytes(PIECE))) {
+                piece = a.readNBytes(PIECE);
             }
-            return value < 0;
+            return piece.length == 0;
         }
     }
 }

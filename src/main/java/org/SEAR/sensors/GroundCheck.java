@@ -47,6 +47,6 @@ final class GroundCheck {
         }
         return List.of(String.format(Locale.ROOT, "sensor %s sees the ground (%s) at %.2f m, and reads that wherever nothing is nearer: mount it"
             + " higher or tilt it up (%s.rotate(-20, 0, 0)), or let beams pass through the ground: sear.setGroundVisible(False) for all, or"
-            + " setVisibleToSensors(False) of the object", sensor, truth.objectName(ground), nearest, sensor));
+            + " setVisibleToSensors(False) of the object", sensor, truth.objectName(ground), nearest, sensor.substring(sensor.lastIndexOf('/') + 1)));
     }
 }

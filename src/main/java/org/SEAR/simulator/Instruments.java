@@ -28,12 +28,12 @@ final class Instruments {
     private final List<Port> ports = new ArrayList<>();
     private final List<SerialLine> lines = new ArrayList<>();
     private final List<String> names;
+    private final SensorTypes types = SensorTypes.load();
     private final BiConsumer<String, String> warnings;
 
     Instruments(List<RobotModel> robots, long seed, BiConsumer<String, String> warnings) {
         this.robots = robots;
         this.warnings = warnings;
-        SensorTypes types = SensorTypes.load();
         DeviceTypes deviceTypes = DeviceTypes.load();
         for (RobotModel robot : robots) {
             for (SearObject part : robot.getObject().getComponents()) {
@@ -151,6 +151,10 @@ final class Instruments {
     Object read(String name) {
         Sensor<?> sensor = sensor(name);
         return sensor.read(carriers.get(sensor).truth());
+    }
+
+    String unit(String name) {
+        return types.unit(sensor(name).getParameters());
     }
 
     List<String> getNames() {

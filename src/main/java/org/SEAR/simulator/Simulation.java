@@ -236,6 +236,15 @@ public final class Simulation implements AutoCloseable {
         return instruments.read(sensorName);
     }
 
+    /**
+     * The unit in which a sensor's reading is shown, empty if it has none. Any thread.
+     *
+     * @throws IllegalArgumentException that names the sensors there are
+     */
+    public String getUnit(String sensorName) {
+        return instruments.unit(sensorName);
+    }
+
     /** Names of all sensors, ordered. Any thread. */
     public List<String> getSensorNames() {
         return instruments.getNames();

@@ -3,16 +3,11 @@ package org.SEAR.project;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
-import java.util.function.Consumer;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Notices;
-import org.junit.After;
-import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.python.util.PythonInterpreter;
@@ -24,19 +19,10 @@ public class NoticesTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    private final List<String> said = Collections.synchronizedList(new ArrayList<>());
-    private final Consumer<String> listener = said::add;
+    @Rule
+    public final SaidRule grammar = new SaidRule();
 
-    @Before
-    public void listen() {
-        Notices.listen(listener);
-    }
-
-    @After
-    public void leave() {
-        Notices.leave(listener);
-        Notices.setSimulating(() -> false);
-    }
+    private final List<String> said = grammar.said;
 
     @Test
     public void anObjectOfANameThatTheScriptHasMadeAlready() {

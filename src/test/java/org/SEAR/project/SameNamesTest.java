@@ -8,23 +8,17 @@ import static org.junit.Assert.assertTrue;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Consumer;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Dynamics;
-import org.SEAR.POJOs.Notices;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.sensors.DistanceReading;
 import org.SEAR.simulator.Simulation;
-import org.junit.After;
-import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.python.util.PythonInterpreter;
@@ -56,18 +50,10 @@ public class SameNamesTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    private final List<String> said = Collections.synchronizedList(new ArrayList<>());
-    private final Consumer<String> listener = said::add;
+    @Rule
+    public final SaidRule grammar = new SaidRule();
 
-    @Before
-    public void listen() {
-        Notices.listen(listener);
-    }
-
-    @After
-    public void leave() {
-        Notices.leave(listener);
-    }
+    private final List<String> said = grammar.said;
 
     private static void run(String script) {
         try (PythonInterpreter python = new PythonInterpreter()) {

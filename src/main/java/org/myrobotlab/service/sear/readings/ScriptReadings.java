@@ -17,7 +17,6 @@ import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.OdometerReading;
 import org.SEAR.sensors.OdometerSensor;
 import org.SEAR.sensors.Sensor;
-import org.SEAR.sensors.SensorTypes;
 import org.SEAR.sensors.VectorReading;
 import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.run.SimulationControl;
@@ -66,9 +65,8 @@ public final class ScriptReadings {
     }
 
     /** The unit of the sensor's reading; empty if it has none. */
-    public String unit(String asked) throws InterruptedException {
-        String name = given(asked);
-        return control.session().ask(world -> SensorTypes.load().unit(world.getSensor(name).getParameters()));
+    public String unit(String asked) {
+        return control.session().getSimulation().getUnit(given(asked));
     }
 
     private Object read(String asked, Class<? extends SearObject> type) throws InterruptedException {

@@ -73,7 +73,7 @@ public final class ObjectDocs {
         out.append("\n## ").append(type.getSimpleName()).append("\n\n").append(sentence(type)).append("\n\n");
         List<String> calls = calls(type);
         if (!calls.isEmpty()) {
-            out.append("```python\n").append(String.join("\n", calls)).append("\n```\n\n");
+            out.append("```text\n").append(String.join("\n", calls)).append("\n```\n\n");
         }
         table(out, ParameterTable.of(type), known);
     }

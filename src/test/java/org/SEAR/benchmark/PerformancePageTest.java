@@ -12,9 +12,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.SEAR.documents.DocBlock;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
@@ -47,6 +49,19 @@ public class PerformancePageTest {
     private static List<Path> curves(Path docs) throws IOException {
         try (Stream<Path> files = Files.list(docs.resolve("images"))) {
             return files.filter(file -> file.getFileName().toString().matches("speed-.*\\.svg")).sorted().collect(Collectors.toList());
+        }
+    }
+
+    /** That they run is shown by a quick run with all options that make it shorter. */
+    @Test
+    public void theCommandsOfThePageHaveOptionsThatThereAre() throws Exception {
+        String help = run("--help");
+        List<String> commands = DocBlock.commands("docs/performance.md", "scripts/benchmark");
+        assertTrue(commands.toString(), commands.size() > 1);
+        for (String command : commands) {
+            for (String word : command.replaceAll(" *#.*", "").substring("scripts/benchmark".length()).trim().split(" ")) {
+                assertTrue(command, word.isEmpty() || Pattern.compile("^ +" + word + "\\b", Pattern.MULTILINE).matcher(help).find());
+            }
         }
     }
 

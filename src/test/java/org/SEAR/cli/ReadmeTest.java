@@ -4,15 +4,22 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.SEAR.documents.DocBlock;
+import org.SEAR.documents.UnpackedSear;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
@@ -20,25 +27,84 @@ import org.junit.rules.TemporaryFolder;
 /** What README and docs promise: their scripts run, their links and pictures are there. */
 public class ReadmeTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath();
-    private static final Pattern SCRIPT = Pattern.compile("```python\n(.*?)```", Pattern.DOTALL);
+    private static final Pattern TABS = Pattern.compile("tabs: (http://localhost:\\d+/)");
+    private static final long PATIENCE_SECONDS = 240;
+    private static final long LOOK_MILLIS = 100;
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)#:]+)(#[^)]*)?\\)");
 
     @Rule
     public TemporaryFolder folder = new TemporaryFolder();
 
     @Test
-    public void theScriptOfTheReadmeRuns() throws Exception {
-        String output = run(scripts("README.md").get(0));
-        assertTrue(output, output.contains("181 beams, the nearest at "));
-        assertTrue(output, output.contains("driven 1.0"));
+    public void theScriptOfTheReadmeRunsByItsCommands() throws Exception {
+        UnpackedSear.at(folder.getRoot().toPath().resolve("build/install/sear"));
+        int scripts = 0;
+        for (String command : DocBlock.commands("README.md", "build/install/sear/bin/sear")) {
+            Files.writeString(folder.getRoot().toPath().resolve("first.py"), DocBlock.of("README.md", "python").get(0));
+            String output = command.contains("first.py") ? toTheEnd(command) : untilItsTabsAreThere(command);
+            if (command.contains("first.py")) {
+                assertTrue(output, output.contains("181 beams, the nearest at "));
+                assertTrue(output, output.contains("driven 1.0"));
+                scripts++;
+            }
+        }
+        assertEquals(2, scripts);
     }
 
+    /** A command, on a computer without a display, in the folder of the test. */
+    private Process start(String command) throws IOException {
+        ProcessBuilder shell = new ProcessBuilder("sh", "-c", "exec " + command).directory(folder.getRoot()).redirectErrorStream(true)
+            .redirectOutput(output().toFile());
+        shell.environment().keySet().removeAll(List.of("DISPLAY", "WAYLAND_DISPLAY", "BROWSER"));
+        shell.environment().put("JAVA_HOME", System.getProperty("java.home"));
+        return shell.start();
+    }
+
+    private Path output() {
+        return folder.getRoot().toPath().resolve("output.txt");
+    }
+
+    private String toTheEnd(String command) throws Exception {
+        Process process = start(command);
+        try {
+            assertTrue(command + Files.readString(output()), process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+            assertEquals(command + Files.readString(output()), 0, process.exitValue());
+            return Files.readString(output());
+        } finally {
+            process.destroyForcibly();
+        }
+    }
+
+    private String untilItsTabsAreThere(String command) throws Exception {
+        Process process = start(command);
+        try {
+            long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+            Matcher address = TABS.matcher("");
+            while (!address.find()) {
+                assertTrue(command + Files.readString(output()), process.isAlive() && System.nanoTime() < end);
+                LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(LOOK_MILLIS));
+                address.reset(Files.readString(output()));
+            }
+            try (InputStream page = URI.create(address.group(1)).toURL().openStream()) {
+                return new String(page.readAllBytes(), StandardCharsets.UTF_8);
+            }
+        } finally {
+            process.destroyForcibly().waitFor();
+        }
+    }
+
+    /** All ways to export that the page shows, in the world of its script. */
     @Test
-    public void theScriptForOtherProgramsExportsAllPorts() throws Exception {
-        String output = run(scripts("docs/other-programs.md").get(1));
+    public void theScriptsForOtherProgramsExportPorts() throws Exception {
+        List<String> blocks = DocBlock.of("docs/other-programs.md", "python");
+        assertEquals(2, blocks.size());
+        Path link = folder.getRoot().toPath().resolve("ttySICK");
+        String calls = blocks.get(0).replace("/tmp/ttySICK", link.toString()).replace("5001", "0");
+        String output = run(blocks.get(1) + calls + "import os\nprint 'link', path, os.path.exists(path), 'port', port\n");
         for (String port : new String[] {"/dev/SEAR_Robot_01", "/dev/SEAR_LIDAR_01", "/dev/SEAR_GPS_01"}) {
             assertTrue(output, Pattern.compile(Pattern.quote(port) + " is /dev/\\S+").matcher(output).find());
         }
+        assertTrue(output, Pattern.compile("link " + Pattern.quote(link.toString()) + " True port [1-9]\\d+").matcher(output).find());
     }
 
     /** The dissertation's experiment 5.6.2.1: beside each obstacle of the row the sonar reads the way to its nearest point. */
@@ -73,15 +139,6 @@ public class ReadmeTest {
             }
         }
         assertEquals("[]", broken.toString());
-    }
-
-    private static List<String> scripts(String page) throws IOException {
-        List<String> scripts = new ArrayList<>();
-        Matcher blocks = SCRIPT.matcher(Files.readString(ROOT.resolve(page)));
-        while (blocks.find()) {
-            scripts.add(blocks.group(1));
-        }
-        return scripts;
     }
 
     /** Runs a script in lock-step in a folder with the examples. */

@@ -18,6 +18,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import org.SEAR.documents.DocBlock;
 import org.SEAR.project.bundle.Bundle;
 import org.junit.Rule;
 import org.junit.Test;
@@ -204,6 +205,19 @@ public class SearCommandTest {
         assertEquals(2, sear("check", "SEARproject"));
         assertTrue(out, out.contains("environment/Box1.xml:") && out.contains("mass is \"-1\", legal: ") && out.contains("width is \"x\", legal: "));
         assertEquals(2, sear("check", "nix"));
+    }
+
+    /** The pages' crate with another mass, and the page's rover without its eye. */
+    @Test
+    public void checkSaysWhatThePageAboutProjectsShows() throws Exception {
+        Path project = folder.getRoot().toPath().resolve("SEARproject");
+        List<String> files = DocBlock.of("docs/projects.md", "xml");
+        Files.writeString(Files.createDirectories(project.resolve("environment")).resolve("crate.xml"),
+            DocBlock.of("docs/objects.md", "xml").get(0).replace("<mass>2<", "<mass>-1<"));
+        Files.writeString(Files.createDirectories(project.resolve("robot")).resolve("rover.xml"), files.get(0));
+        Files.writeString(project.resolve("robot/drive.xml"), files.get(1));
+        assertEquals(2, sear("check", "SEARproject"));
+        assertEquals(DocBlock.of("docs/projects.md", "text"), List.of(out));
     }
 
     @Test

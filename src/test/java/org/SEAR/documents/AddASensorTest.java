@@ -9,9 +9,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
-import java.util.spi.ToolProvider;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
@@ -20,7 +17,6 @@ import org.junit.rules.TemporaryFolder;
 /** Follows docs/add-a-sensor.md word for word: writes its files, runs its commands. */
 public class AddASensorTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
-    private static final Pattern BLOCK = Pattern.compile("(?:`([\\w./-]+)`:\n\n)?```(java|text|python|sh)\n(.*?)```", Pattern.DOTALL);
     private static final String HOME = "SEAR=/path/to/sear\n";
     private static final long PATIENCE_SECONDS = 300;
 
@@ -35,37 +31,20 @@ public class AddASensorTest {
     public void layOut() throws IOException {
         sear = temporary.newFolder("unpacked sear").toPath();
         folder = temporary.newFolder("work").toPath();
-        Files.createDirectories(sear.resolve("bin"));
-        Files.createDirectories(sear.resolve("lib"));
-        Path plugin = Files.createDirectories(sear.resolve("plugin"));
-        Path launcher = Files.copy(ROOT.resolve("src/dist/bin/sear"), sear.resolve("bin/sear"));
-        assertTrue(launcher.toFile().setExecutable(true));
-        ToolProvider jar = ToolProvider.findFirst("jar").orElseThrow();
-        int number = 0;
-        for (String entry : System.getProperty("sear.cliClasspath").split(File.pathSeparator)) {
-            Path path = Path.of(entry);
-            if (Files.isDirectory(path)) {
-                Path target = sear.resolve(entry.contains("/main") ? "plugin" : "lib").resolve("sear-" + number++ + ".jar");
-                assertEquals(0, jar.run(System.out, System.err, "--create", "--no-compress", "--file", target.toString(), "-C", path.toString(),
-                    "."));
-            } else if (Files.isRegularFile(path)) {
-                Files.createSymbolicLink(plugin.resolve(path.getFileName()), path);
-            }
-        }
+        UnpackedSear.at(sear);
     }
 
     @Test
     public void itsFilesAndCommandsMakeASensorThatAScriptReads() throws Exception {
         StringBuilder output = new StringBuilder();
-        Matcher blocks = BLOCK.matcher(Files.readString(ROOT.resolve("docs/add-a-sensor.md")));
         int files = 0;
-        while (blocks.find()) {
-            if (blocks.group(1) != null) {
-                Files.writeString(folder.resolve(blocks.group(1)), blocks.group(3));
+        for (DocBlock block : DocBlock.of("docs/add-a-sensor.md")) {
+            if (block.file != null) {
+                Files.writeString(folder.resolve(block.file), block.text);
                 files++;
             } else {
-                assertEquals("what is no file is a command", "sh", blocks.group(2));
-                output.append(run(blocks.group(3)));
+                assertEquals("what is no file is a command", "sh", block.language);
+                output.append(run(block.text));
             }
         }
         assertEquals(5, files);

@@ -1,67 +1,133 @@
 package org.SEAR.documents;
 
+import static java.util.Map.entry;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
+import java.util.TreeSet;
+import org.SEAR.benchmark.PerformancePageTest;
+import org.SEAR.cli.ReadmeTest;
 import org.SEAR.cli.ScriptProcess;
+import org.SEAR.cli.SearCommandTest;
+import org.SEAR.cli.install.DistributionTest;
+import org.SEAR.cli.install.TryInMrlTest;
+import org.SEAR.project.HandWrittenProjectTest;
+import org.SEAR.project.ObjectDocsTest;
+import org.SEAR.web.PanelsPageTest;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.service.ThirdPartyDriversTest;
 
-/** The Python of README and docs runs: page by page, its blocks one after the other, in a project with a floor. */
+/**
+ * Every block of README, CONTRIBUTING and docs is run: Python that needs nothing but a floor here, everything else by a class of its own, in the
+ * surroundings that it needs. Commands are looked at line by line.
+ */
 public class CodeOfTheDocsTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
-    private static final Pattern BLOCK = Pattern.compile("```python\n(.*?)```", Pattern.DOTALL);
-    /** Calls as objects.md lists them, which are not code: {@code Box(name, length, width, height)}. */
-    private static final Pattern LIST = Pattern.compile("(\\w+\\(.*\\)\n)*(\\.\\w+\\(.*\\)\n)*");
-    /** Pages whose code other tests run, in the surroundings that it needs. */
-    private static final Map<String, String> BY_OTHERS = Map.of("README.md", "ReadmeTest", "docs/scripting.md", "ScriptExamplesTest",
-        "docs/add-a-sensor.md", "AddASensorTest", "docs/other-programs.md", "ReadmeTest, ExportsTest, ThirdPartyDriversTest");
+    /** Pages whose Python runs here: page by page, the blocks one after the other. */
+    private static final List<String> HERE = List.of("docs/objects.md", "docs/physics.md", "docs/projects.md", "docs/sensors.md", "docs/window.md");
+    /** By page and language, commands by how they begin, too: the class that takes it from the page and runs it. */
+    private static final Map<String, Class<?>> RUN_BY = new TreeMap<>(Map.ofEntries(
+        entry("README.md python", ReadmeTest.class),
+        entry("README.md sh build/install/sear/bin/sear", ReadmeTest.class),
+        entry("docs/add-a-sensor.md java", AddASensorTest.class),
+        entry("docs/add-a-sensor.md python", AddASensorTest.class),
+        entry("docs/add-a-sensor.md sh ", AddASensorTest.class),
+        entry("docs/add-a-sensor.md text", AddASensorTest.class),
+        entry("docs/embedded-and-real.md sh java -cp", DistributionTest.class),
+        entry("docs/embedded-and-real.md sh scripts/try-in-mrl", TryInMrlTest.class),
+        entry("docs/install.md sh bin/sear install", DistributionTest.class),
+        entry("docs/objects.md text", ObjectDocsTest.class),
+        entry("docs/objects.md xml", ObjectDocsTest.class),
+        entry("docs/other-programs.md python", ReadmeTest.class),
+        entry("docs/other-programs.md python3", ThirdPartyDriversTest.class),
+        entry("docs/other-programs.md sh gpsd ", ThirdPartyDriversTest.class),
+        entry("docs/other-programs.md sh gpspipe ", ThirdPartyDriversTest.class),
+        entry("docs/panels.md html", PanelsPageTest.class),
+        entry("docs/panels.md js", PanelsPageTest.class),
+        entry("docs/panels.md sh curl", PanelsPageTest.class),
+        entry("docs/performance.md sh scripts/benchmark", PerformancePageTest.class),
+        entry("docs/projects.md text", SearCommandTest.class),
+        entry("docs/projects.md xml", HandWrittenProjectTest.class),
+        entry("docs/python3.md python3", Python3Test.class),
+        entry("docs/scripting.md python", ScriptExamplesTest.class)));
+    private static final Map<String, String> NOT_RUN = new TreeMap<>(Map.of(
+        "CONTRIBUTING.md sh .ci/run", "it is CI, and runs this test",
+        "docs/other-programs.md sh rosrun ", "needs ROS 1, which is in no package of Debian 12; the page says that it was not tried"));
+    private static final String GRADLE = "./gradlew ";
     private static final String BEFORE = "from org.SEAR.POJOs import Floor\nsear = Runtime.start('sear', 'SEAR')\n"
         + "floor = Floor('ground', 9, 9)\n";
 
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
 
-    private static Map<String, List<String>> pages() throws IOException {
-        Map<String, List<String>> pages = new TreeMap<>();
-        List<Path> files = new ArrayList<>(List.of(ROOT.resolve("README.md")));
-        try (Stream<Path> docs = Files.list(ROOT.resolve("docs"))) {
-            docs.filter(page -> page.toString().endsWith(".md")).forEach(files::add);
-        }
-        for (Path file : files) {
-            Matcher blocks = BLOCK.matcher(Files.readString(file));
-            List<String> code = blocks.results().map(found -> found.group(1)).filter(text -> !LIST.matcher(text).matches())
-                .collect(Collectors.toList());
-            if (!code.isEmpty()) {
-                pages.put(ROOT.relativize(file).toString().replace('\\', '/'), code);
+    @Test
+    public void everyBlockIsRun() {
+        TreeSet<String> unused = new TreeSet<>(RUN_BY.keySet());
+        unused.addAll(NOT_RUN.keySet());
+        TreeSet<String> orphans = new TreeSet<>();
+        for (String page : DocBlock.pages()) {
+            for (DocBlock block : DocBlock.of(page)) {
+                if (block.language.equals("sh")) {
+                    block.text.lines().map(line -> block + " " + line).filter(line -> !isRun(line, unused)).forEach(orphans::add);
+                } else if (!(HERE.contains(page) && block.language.equals("python")) && !isRun(block.toString(), unused)) {
+                    orphans.add(block + "\n" + block.text);
+                }
             }
         }
-        return pages;
+        assertEquals("a block (or a line of commands) that no test runs: run it in a test that takes it by DocBlock, and name that test here", "",
+            String.join("\n", orphans));
+        assertEquals("not in the pages any more", "[]", unused.toString());
+    }
+
+    private static boolean isRun(String what, TreeSet<String> unused) {
+        boolean run = what.contains(".md sh " + GRADLE);
+        for (Map<String, ?> known : List.of(RUN_BY, NOT_RUN)) {
+            for (String key : known.keySet()) {
+                if (key.contains(".md sh ") ? what.startsWith(key) : what.equals(key)) {
+                    unused.remove(key);
+                    run = true;
+                }
+            }
+        }
+        return run;
+    }
+
+    /** So that what is run changes with the page. */
+    @Test
+    public void everyNamedClassTakesTheBlocksFromThePage() throws IOException {
+        for (Map.Entry<String, Class<?>> one : RUN_BY.entrySet()) {
+            String[] words = one.getKey().split(" ", 3);
+            String source = source(one.getValue());
+            boolean taken = source.contains("DocBlock.of(\"" + words[0] + "\")")
+                || source.contains("DocBlock.of(\"" + words[0] + "\", \"" + words[1] + "\")")
+                || words.length > 2 && source.contains("DocBlock.commands(\"" + words[0] + "\", \"" + words[2]);
+            assertTrue(one.toString(), taken);
+        }
+        assertTrue(source(GradleCommandsTest.class).contains("GRADLE = \"" + GRADLE + "\";"));
+        assertTrue(source(GradleCommandsTest.class).contains("DocBlock.pages().stream().flatMap(page -> DocBlock.commands(page, GRADLE)"));
+    }
+
+    private static String source(Class<?> test) throws IOException {
+        return Files.readString(ROOT.resolve("src/test/java").resolve(test.getName().replace('.', '/') + ".java"));
     }
 
     @Test
-    public void everyPageRunsHereOrInATestOfItsOwn() throws Exception {
-        Map<String, List<String>> pages = pages();
-        assertTrue(pages.keySet().toString(), pages.keySet().containsAll(BY_OTHERS.keySet()));
-        pages.keySet().removeAll(BY_OTHERS.keySet());
-        assertEquals("[docs/objects.md, docs/physics.md, docs/projects.md, docs/sensors.md, docs/window.md]", pages.keySet().toString());
-        for (Map.Entry<String, List<String>> page : pages.entrySet()) {
-            Path own = folder.newFolder(Path.of(page.getKey()).getFileName().toString()).toPath();
+    public void thePythonOfThePagesRuns() throws Exception {
+        for (String page : HERE) {
+            Path own = folder.newFolder(Path.of(page).getFileName().toString()).toPath();
             Path script = own.resolve("page.py");
-            Files.writeString(script, BEFORE + String.join("\n", page.getValue()) + "\nprint 'to the end'\n");
-            assertTrue(page.getKey(), ScriptProcess.run(own, script).contains("to the end"));
+            List<String> blocks = DocBlock.of(page, "python");
+            assertTrue(page, !blocks.isEmpty());
+            Files.writeString(script, BEFORE + String.join("\n", blocks) + "\nprint 'to the end'\n");
+            assertTrue(page, ScriptProcess.run(own, script).contains("to the end"));
         }
     }
 }

@@ -7,7 +7,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
@@ -21,8 +20,6 @@ import org.junit.rules.TemporaryFolder;
 
 /** The client of docs/python3.md, run by this computer's own python3 against the embedded MyRobotLab. */
 public class Python3Test {
-    private static final Path PAGE = Path.of(System.getProperty("sear.root", "."), "docs/python3.md");
-    private static final Pattern BLOCK = Pattern.compile("```python3\n(.*?)```", Pattern.DOTALL);
     private static final int LINES_OF_CLIENT = 10;
     private static final long PATIENCE_SECONDS = 240;
 
@@ -41,13 +38,8 @@ public class Python3Test {
         robotLab.close();
     }
 
-    private static List<String> blocks() throws IOException {
-        List<String> blocks = new ArrayList<>();
-        Matcher found = BLOCK.matcher(Files.readString(PAGE));
-        while (found.find()) {
-            blocks.add(found.group(1));
-        }
-        return blocks;
+    private static List<String> blocks() {
+        return DocBlock.of("docs/python3.md", "python3");
     }
 
     /** Runs a program beside the page's client, whose address is that of the test. */
@@ -69,7 +61,7 @@ public class Python3Test {
     }
 
     @Test
-    public void theClientHasTenLines() throws IOException {
+    public void theClientHasTenLines() {
         assertEquals(LINES_OF_CLIENT, blocks().get(0).lines().filter(line -> !line.isBlank()).count());
     }
 

@@ -5,10 +5,8 @@ import static org.junit.Assert.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.SEAR.cli.ScriptProcess;
@@ -19,7 +17,6 @@ import org.junit.rules.TemporaryFolder;
 /** Every example of docs/scripting.md runs, after the preparation that the page names. */
 public class ScriptExamplesTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", "."));
-    private static final Pattern BLOCK = Pattern.compile("```python\n(.*?)```", Pattern.DOTALL);
     /** Blocks of more than one example: the preparation, the callbacks, driving. */
     private static final int LONG_BLOCKS = 3;
     private static final List<String> WHILE_STOPPED = Arrays.asList("startSimulation", "setGroundVisible", "newProject", "loadProject",
@@ -45,11 +42,7 @@ public class ScriptExamplesTest {
 
     @Test
     public void everyExampleRuns() throws Exception {
-        List<String> blocks = new ArrayList<>();
-        Matcher found = BLOCK.matcher(Files.readString(ROOT.resolve("docs/scripting.md")));
-        while (found.find()) {
-            blocks.add(found.group(1));
-        }
+        List<String> blocks = DocBlock.of("docs/scripting.md", "python");
         StringBuilder script = new StringBuilder(String.join("\n", blocks.subList(0, LONG_BLOCKS))).append('\n').append(READY);
         int count = 0;
         ScriptDocs docs = new ScriptDocs(ROOT);

@@ -5,17 +5,15 @@ import static org.junit.Assert.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.documents.DocBlock;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
@@ -30,10 +28,9 @@ public class HandWrittenProjectTest {
 
     @Test
     public void theRobotOfThePageIsWholeAndStarts() throws Exception {
-        String page = Files.readString(Path.of(System.getProperty("sear.root", "."), "docs/projects.md"), StandardCharsets.UTF_8);
-        Matcher block = Pattern.compile("```xml\n(<(\\w+)>\n  <name>([^<]+)</name>.*?)```", Pattern.DOTALL).matcher(page);
-        while (block.find()) {
-            project.put((block.group(2).equals("Beam") ? "beams/" : "robot/") + block.group(3) + ".xml", block.group(1));
+        for (String block : DocBlock.of("docs/projects.md", "xml")) {
+            String name = block.replaceAll("(?s)<\\w+>\n  <name>([^<]+)</name>.*", "$1");
+            project.put((block.startsWith("<Beam>") ? "beams/" : "robot/") + name + ".xml", block);
         }
         Simulation world = Simulation.load(project.folder(), 1);
         world.step();

@@ -4,14 +4,19 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
+import java.lang.reflect.Constructor;
+import java.lang.reflect.Executable;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Arrays;
+import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.ParameterTable;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.documents.DocBlock;
 import org.SEAR.project.xml.ObjectClasses;
 import org.junit.Rule;
 import org.junit.Test;
@@ -31,20 +36,37 @@ public class ObjectDocsTest {
         assertEquals("run gradle objectDocs", ObjectDocs.page(), text("docs/objects.md"));
     }
 
+    /** Made by the page's script and by the page's file, the box is the same. */
     @Test
-    public void theExampleFileOfEachPageIsRead() throws Exception {
-        for (String page : new String[] {"docs/objects.md", "docs/projects.md"}) {
-            for (String block : text(page).split("```xml\n")) {
-                if (block.startsWith("<")) {
-                    String xml = block.substring(0, block.indexOf("```"));
-                    String name = xml.replaceAll("(?s).*?<name>(.*?)</name>.*", "$1");
-                    String folder = xml.startsWith("<Beam>") ? "beams/" : xml.startsWith("<Box>") ? "environment/" : "robot/";
-                    project.put(folder + name + ".xml", xml);
-                }
+    public void theFileOfThePageIsWhatItsScriptMakes() throws Exception {
+        String file = "environment/crate.xml";
+        new Box("crate", 0.5, 0.4, 0.3, 2).move(1, 0.15, 0);
+        assertTrue(DocBlock.of("docs/objects.md", "python").get(0).contains("Box(\"crate\", 0.5, 0.4, 0.3, 2)\nbox.move(1, 0.15, 0)\n"));
+        SearObject scripted = Project.read(project.folder()).getEnvironment().get(0);
+        project.put(file, DocBlock.of("docs/objects.md", "xml").get(0));
+        SearObject written = Project.read(project.folder()).getEnvironment().get(0);
+        for (Parameter parameter : ParameterTable.of(Box.class).getParameters()) {
+            assertEquals(parameter.getName(), parameter.get(scripted), parameter.get(written));
+        }
+    }
+
+    /** Each call of the page is there with that many arguments. */
+    @Test
+    public void everyCallOfThePageCanBeMade() throws Exception {
+        int calls = 0;
+        for (String block : DocBlock.of("docs/objects.md", "text")) {
+            Class<?> type = Class.forName("org.SEAR.POJOs." + block.substring(0, block.indexOf('(')));
+            for (String line : block.split("\n")) {
+                String name = line.replaceAll("^\\.|\\(.*", "");
+                String arguments = line.replaceAll("^[^(]*\\(|\\)$", "");
+                int count = arguments.isEmpty() ? 0 : arguments.split(", ").length;
+                Executable[] all = line.startsWith(".") ? type.getMethods() : type.getConstructors();
+                assertTrue(type + " " + line, Arrays.stream(all).anyMatch(one -> one.getParameterCount() == count
+                    && (one instanceof Constructor || one.getName().equals(name))));
+                calls++;
             }
         }
-        assertFalse(Project.read(project.folder()).getEnvironment().isEmpty());
-        assertFalse(Project.read(project.folder()).getRobots().isEmpty());
+        assertTrue(calls > 100);
     }
 
     @Test

@@ -2,6 +2,7 @@ package org.SEAR.web;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.File;
 import java.io.IOException;
 import java.net.ServerSocket;
 import java.net.URI;
@@ -12,6 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -32,6 +34,8 @@ public final class MyRobotLab implements AutoCloseable {
 
     private final HttpClient client = HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
     private final Path folder;
+    private final String moreClasses;
+    private final List<String> options;
     private Process process;
     private int port;
 
@@ -41,6 +45,18 @@ public final class MyRobotLab implements AutoCloseable {
      * @param script Jython code that starts services
      */
     public MyRobotLab(String script) throws IOException, InterruptedException {
+        this(script, "");
+    }
+
+    /**
+     * The same with more than what comes with SEAR.
+     *
+     * @param moreClasses a folder on its class path; empty for none
+     * @param options more options of {@code sear}; with {@code --token}, {@link #call} is refused
+     */
+    public MyRobotLab(String script, String moreClasses, String... options) throws IOException, InterruptedException {
+        this.moreClasses = moreClasses.isEmpty() ? "" : File.pathSeparator + moreClasses;
+        this.options = List.of(options);
         folder = Files.createTempDirectory("sear-web").toRealPath();
         Files.writeString(folder.resolve("start.py"), "# coding: utf-8\n" + script + "\nopen('" + STARTED + "', 'w').close()\n");
         while (process == null || log().contains(TAKEN)) {
@@ -56,9 +72,11 @@ public final class MyRobotLab implements AutoCloseable {
 
     private void startProcess() throws IOException, InterruptedException {
         Files.deleteIfExists(folder.resolve(STARTED));
-        process = new ProcessBuilder(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx384m", "-XX:TieredStopAtLevel=1",
-            "-Dfile.encoding=UTF-8", "-cp", System.getProperty("sear.cliClasspath"), "org.SEAR.cli.SearCommand", "start.py", "--headless", "--keep",
-            "--port", String.valueOf(port)).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(logFile().toFile()).start();
+        List<String> command = new ArrayList<>(List.of(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx384m",
+            "-XX:TieredStopAtLevel=1", "-Dfile.encoding=UTF-8", "-cp", System.getProperty("sear.cliClasspath") + moreClasses,
+            "org.SEAR.cli.SearCommand", "start.py", "--headless", "--keep", "--port", String.valueOf(port)));
+        command.addAll(options);
+        process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(logFile().toFile()).start();
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(START_SECONDS);
         while (Files.notExists(folder.resolve(STARTED))) {
             if (process.waitFor(LOOK_MILLIS, TimeUnit.MILLISECONDS) || System.nanoTime() > end) {

@@ -23,6 +23,7 @@ import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.documents.DocBlock;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
@@ -110,6 +111,18 @@ public class ThirdPartyDriversTest {
     }
 
     @Test
+    public void theProgramOfThePageDrivesAndReads() throws Exception {
+        String program = DocBlock.of("docs/other-programs.md", "python3").get(0);
+        assertTrue(program, program.contains("\"/dev/pts/1\", 57600"));
+        Path file = folder.newFile("page.py").toPath();
+        Files.writeString(file, program.replace("/dev/pts/1", sear.exportPort("/dev/SEAR_Robot_01")).replace("57600", "115200"));
+        List<String> output = python(file);
+        assertTrue(output.toString(), output.get(0).matches("\\(\\d+,\\)"));
+        sear.simSleep(1);
+        assertTrue("it drives", sear.getPose("create")[2] > 0.1);
+    }
+
+    @Test
     public void mrptsDriverSeesTheSameRanges() throws Exception {
         Path config = folder.newFile("grabber.ini").toPath();
         String port = sear.exportPort("/dev/SEAR_LIDAR_01", folder.getRoot().toPath().resolve("ttySICK").toString());
@@ -154,16 +167,24 @@ public class ThirdPartyDriversTest {
         String port = sear.exportPort("/dev/SEAR_GPS_01", link.toString());
         assertEquals(link.toString(), port);
         int number = freePort();
-        start(new ProcessBuilder("gpsd", "-N", "-n", "-b", "-s", "38400", "-S", Integer.toString(number), port));
+        start(new ProcessBuilder(words(DocBlock.commands("docs/other-programs.md", "gpsd "), "/dev/pts/3", "-S " + number + " " + port)));
         String fix = null;
         long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(SECONDS + 40);
         while (fix == null && System.nanoTime() < deadline) {
-            Process pipe = start(new ProcessBuilder("gpspipe", "-w", "-n", "12", "localhost:" + number));
+            Process pipe = start(new ProcessBuilder(words(DocBlock.commands("docs/other-programs.md", "gpspipe "), "localhost",
+                "-n 12 localhost:" + number)));
             fix = read(pipe, 20).stream().filter(line -> line.matches(".*\"class\":\"TPV\".*\"mode\":[23].*\"lat\":.*")).findFirst().orElse(null);
         }
         assertTrue("no fix", fix != null);
         assertEquals(LATITUDE, number(fix, "lat"), 1e-5);
         assertEquals(LONGITUDE, number(fix, "lon"), 1e-5);
+    }
+
+    /** The words of a page's only such command, one of which is another here. */
+    private static List<String> words(List<String> commands, String word, String here) {
+        assertEquals(commands.toString(), 1, commands.size());
+        assertTrue(commands.toString(), commands.get(0).contains(word));
+        return Arrays.asList(commands.get(0).replace(word, here).split(" "));
     }
 
     private static double number(String json, String field) {
@@ -196,7 +217,11 @@ public class ThirdPartyDriversTest {
     }
 
     private List<String> python(String script, String... arguments) throws Exception {
-        List<String> command = new ArrayList<>(Arrays.asList("python3", SCRIPTS.resolve(script).toString()));
+        return python(SCRIPTS.resolve(script), arguments);
+    }
+
+    private List<String> python(Path script, String... arguments) throws Exception {
+        List<String> command = new ArrayList<>(Arrays.asList("python3", script.toString()));
         command.addAll(Arrays.asList(arguments));
         ProcessBuilder builder = new ProcessBuilder(command);
         builder.environment().put("PYTHONPATH", System.getProperty("sear.drivers"));

@@ -4,7 +4,13 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
+import java.io.File;
 import java.io.IOException;
+import java.io.InputStream;
+import java.net.ConnectException;
+import java.net.ServerSocket;
+import java.net.URL;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -13,12 +19,15 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
+import org.SEAR.documents.DocBlock;
 import org.junit.BeforeClass;
 import org.junit.ClassRule;
 import org.junit.Rule;
@@ -30,6 +39,8 @@ public class DistributionTest {
     @ClassRule
     public static final TemporaryFolder SHARED = new TemporaryFolder();
     private static final String NOBODY = "65534";
+    private static final long PATIENCE_SECONDS = 120;
+    private static final long LOOK_MILLIS = 100;
 
     private static Distribution distribution;
 
@@ -212,6 +223,66 @@ public class DistributionTest {
         Distribution.Result nothing = sear("install", "--remove", mrl.toString());
         assertEquals(nothing.toString(), 1, nothing.status);
         assertTrue(nothing.err, nothing.err.startsWith("sear install: SEAR is not installed in "));
+    }
+
+    @Test
+    public void theCommandsOfThePageInstallAndRemove() throws Exception {
+        Path mrl = myRobotLab();
+        List<String> before = tree(mrl);
+        List<String> said = new ArrayList<>();
+        for (String command : DocBlock.commands("docs/install.md", "bin/sear install")) {
+            Distribution.Result result = Distribution.run(distribution.home(), folder.newFolder().toPath(),
+                List.of("sh", "-c", command.replace("/path/to/myrobotlab", "\"$0\""), mrl.toString()));
+            assertEquals(command + result, 0, result.status);
+            said.add(result.out);
+        }
+        assertEquals(3, said.size());
+        assertTrue(said.get(0), said.get(0).contains("Done. Start MyRobotLab"));
+        assertTrue(said.get(1), said.get(1).contains("Nothing to do"));
+        assertTrue(said.get(2), said.get(2).contains("SEAR was removed."));
+        assertEquals(before, tree(mrl));
+    }
+
+    /** In the unpacked folder, on a free port. */
+    @Test
+    public void theCommandOfThePageStartsTheEmbeddedMyRobotLab() throws Exception {
+        Path here = folder.newFolder("here").toPath();
+        for (String jars : new String[] {"plugin", "lib"}) {
+            Files.createSymbolicLink(here.resolve(jars), distribution.home().resolve(jars));
+        }
+        int port;
+        try (ServerSocket free = new ServerSocket(0)) {
+            port = free.getLocalPort();
+        }
+        Files.writeString(Files.createDirectories(here.resolve("data/config/default")).resolve("webgui.yml"),
+            "!!org.myrobotlab.service.config.WebGuiConfig\nport: " + port + "\ntype: WebGui\n");
+        List<String> commands = DocBlock.commands("docs/embedded-and-real.md", "java -cp");
+        assertEquals(1, commands.size());
+        File log = here.resolve("log.txt").toFile();
+        ProcessBuilder shell = new ProcessBuilder("sh", "-c", "exec " + commands.get(0)).directory(here.toFile()).redirectErrorStream(true)
+            .redirectOutput(log);
+        shell.environment().merge("PATH", Distribution.java().getParent().toString(), (path, first) -> first + File.pathSeparator + path);
+        Process process = shell.start();
+        try {
+            URL services = new URL("http://localhost:" + port + "/api/service");
+            long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+            while (!answer(services).contains("sear@")) {
+                assertTrue(Files.readString(log.toPath()), process.isAlive() && System.nanoTime() < end);
+                LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(LOOK_MILLIS));
+            }
+            assertTrue(answer(services).contains("python@"));
+        } finally {
+            process.destroyForcibly().waitFor();
+        }
+    }
+
+    /** Empty as long as nobody answers. */
+    private static String answer(URL address) throws IOException {
+        try (InputStream in = address.openStream()) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (ConnectException e) {
+            return "";
+        }
     }
 
     @Test

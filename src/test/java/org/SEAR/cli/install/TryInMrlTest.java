@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.jar.JarOutputStream;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.SEAR.documents.DocBlock;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
@@ -40,7 +41,10 @@ public class TryInMrlTest {
     }
 
     private Distribution.Result tried(String... scripts) throws Exception {
-        List<String> command = new ArrayList<>(List.of("python3", distribution.home().resolve("scripts/try-in-mrl").toString(), mrl.toString()));
+        List<String> page = DocBlock.commands("docs/embedded-and-real.md", "scripts/try-in-mrl");
+        assertEquals(List.of("scripts/try-in-mrl /path/to/myrobotlab"), page);
+        String script = page.get(0).substring(0, page.get(0).indexOf(' '));
+        List<String> command = new ArrayList<>(List.of("python3", distribution.home().resolve(script).toString(), mrl.toString()));
         command.addAll(Arrays.asList(scripts));
         return Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(), command, PATIENCE);
     }

@@ -1,0 +1,109 @@
+package org.SEAR.documents;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.PathMatcher;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+
+/**
+ * The calls of Gradle on all pages. Gradle reads the build and says what it would do for them; that it does it, CI shows, which calls the same tasks.
+ * The measurement is made, shorter.
+ */
+public class GradleCommandsTest {
+    private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
+    private static final String GRADLE = "./gradlew ";
+    private static final String JMH = "jmh -PjmhArgs=\"";
+    private static final Pattern TESTS = Pattern.compile("--tests '([^']*)'");
+    private static final long PATIENCE_SECONDS = 240;
+
+    @Rule
+    public final TemporaryFolder folder = new TemporaryFolder();
+
+    /** What stands behind ./gradlew, of each line once. */
+    private static List<String> calls() {
+        return DocBlock.pages().stream().flatMap(page -> DocBlock.commands(page, GRADLE).stream())
+            .map(line -> line.replaceAll(" +#.*", "").substring(GRADLE.length())).distinct().collect(Collectors.toList());
+    }
+
+    private String run(List<String> command) throws IOException, InterruptedException {
+        Path output = folder.newFile().toPath();
+        Process process = new ProcessBuilder(command).directory(ROOT.toFile()).redirectErrorStream(true).redirectOutput(output.toFile()).start();
+        try {
+            assertTrue(command + Files.readString(output), process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+            assertEquals(command + Files.readString(output), 0, process.exitValue());
+            return Files.readString(output);
+        } finally {
+            process.destroyForcibly();
+        }
+    }
+
+    private String dryRun(String arguments) throws IOException, InterruptedException {
+        return run(List.of("sh", "-c", "exec gradle --dry-run --offline --project-cache-dir \"$0\" " + arguments, folder.newFolder().toString()));
+    }
+
+    @Test
+    public void gradleKnowsEachTaskAndOption() throws Exception {
+        List<String> embedded = calls().stream().filter(call -> !call.contains("-PmrlJar")).collect(Collectors.toList());
+        assertTrue(embedded.toString(), embedded.size() > 6);
+        String plan = dryRun(String.join(" ", embedded));
+        for (String call : embedded) {
+            assertTrue(call + "\n" + plan, plan.contains(":" + call.replaceAll(" .*", "") + " SKIPPED"));
+        }
+    }
+
+    /** Any jar stands for the real one, which nothing of is read here. */
+    @Test
+    public void gradleTakesARealMyRobotLab() throws Exception {
+        List<String> real = calls().stream().filter(call -> call.contains("-PmrlJar")).collect(Collectors.toList());
+        assertEquals(real.toString(), 1, real.size());
+        Path jar = Path.of(Test.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+        String plan = dryRun(real.get(0).replace("/path/to/myrobotlab.jar", jar.toString()).replace("/path/to/libraries/jar", folder.getRoot().toString()));
+        assertTrue(plan, plan.contains(":test SKIPPED"));
+        assertFalse("the embedded one is left out:\n" + plan, plan.contains(":distZip SKIPPED"));
+    }
+
+    @Test
+    public void theTestsThatAPageChoosesAreThere() throws IOException {
+        List<String> patterns = new ArrayList<>();
+        for (String call : calls()) {
+            Matcher tests = TESTS.matcher(call);
+            while (tests.find()) {
+                patterns.add(tests.group(1));
+            }
+        }
+        assertFalse(patterns.isEmpty());
+        for (String pattern : patterns) {
+            PathMatcher classes = FileSystems.getDefault().getPathMatcher("glob:" + pattern + ".java");
+            try (Stream<Path> files = Files.walk(ROOT.resolve("src/test/java"))) {
+                assertTrue(pattern, files.anyMatch(file -> classes.matches(file.getFileName())));
+            }
+        }
+    }
+
+    @Test
+    public void theMeasurementOfThePageIsMade() throws Exception {
+        List<String> measurements = calls().stream().filter(call -> call.startsWith(JMH)).collect(Collectors.toList());
+        assertEquals(measurements.toString(), 1, measurements.size());
+        List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+            System.getProperty("sear.jmhClasspath"), "org.openjdk.jmh.Main"));
+        command.addAll(List.of(measurements.get(0).substring(JMH.length()).replace("\"", "").split(" ")));
+        command.addAll(List.of("-f", "0", "-wi", "0", "-i", "1", "-r", "100ms"));
+        String output = run(command);
+        assertTrue(output, Pattern.compile("^Beams\\.fan +.*room-20 ", Pattern.MULTILINE).matcher(output).find());
+    }
+}

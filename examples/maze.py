@@ -1,5 +1,5 @@
 # A maze of 6 by 6 cells, each 0.8 m wide, with one way from the start to the cone, and a Roomba with three infrared sensors.
-from org.SEAR.POJOs import Box, Cone, Cylinder, Distance, Dynamics, Floor, Odometer, SEARrobot, Wheel
+from org.SEAR.POJOs import Box, Cone, Distance, Floor, Odometer, Robots
 
 sear = Runtime.start("sear", "SEAR")
 sear.newProject()    # the present project, if there is one, is kept as a backup
@@ -63,13 +63,8 @@ goal = Cone("goal", 0.1, 0.3, 0.5)
 goal.move(x, 0.15, z)
 
 x, z = place(11, 1)
-robot = SEARrobot("maze Roomba")
-dynamics = Dynamics("drive", 4, 60, 0.3, 0.4, 10000, 0.1, x, 0.1, z, 0, 0, 0)
-dynamics.setPorts("/dev/my_Robot01", "/dev/SEAR_Robot_01")
-robot.addComponent(dynamics)
-robot.addComponent(Cylinder("Roomba Body", 0.1666875, 0.0762, 4, "textures/roomba.jpg"))
-for name, kind, wx, wz in (("frontWheel", 0, 0, 0.16), ("rightWheel", 1, -0.16, 0), ("leftWheel", 1, 0.16, 0), ("backWheel", 0, 0, -0.16)):
-    robot.addWheel(Wheel(name, 0.0381, 0.03, kind, wx, 0, wz))
+robot = Robots.create("maze Roomba", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real one
+robot.move(x, 0, z)
 for name, wx, wz, turn in (("frontEye", 0, 0.16, 0), ("leftEye", 0.16, 0, 90), ("rightEye", -0.16, 0, -90)):
     robot.addComponent(Distance(name, "GP2Y0A21", wx, 0.03, wz, 0, turn, 0))
 robot.addComponent(Odometer("odometer"))

@@ -1,5 +1,5 @@
 # An office of 8 by 6 metres with furniture, and a Roomba with a LIDAR and two PING))) sensors.
-from org.SEAR.POJOs import Box, Cone, Cylinder, Distance, Dynamics, Floor, LIDAR, Model, SEARrobot, Wheel
+from org.SEAR.POJOs import Box, Cone, Cylinder, Distance, Floor, LIDAR, Model, Robots
 
 sear = Runtime.start("sear", "SEAR")
 sear.newProject()    # the present project, if there is one, is kept as a backup
@@ -67,13 +67,9 @@ plant = Model("plant", "models/Tree/Tree.mesh.xml")
 plant.scale(0.3)
 plant.move(3.6, 0, 2.6)
 
-robot = SEARrobot("office Roomba")
-dynamics = Dynamics("drive", 4, 60, 0.3, 0.4, 10000, 0.1, -2, 0.1, -1, 0, 90, 0)
-dynamics.setPorts("/dev/my_Robot01", "/dev/SEAR_Robot_01")
-robot.addComponent(dynamics)
-robot.addComponent(Cylinder("Roomba Body", 0.1666875, 0.0762, 4, "textures/roomba.jpg"))
-for name, kind, x, z in (("frontWheel", 0, 0, 0.16), ("rightWheel", 1, -0.16, 0), ("leftWheel", 1, 0.16, 0), ("backWheel", 0, 0, -0.16)):
-    robot.addWheel(Wheel(name, 0.0381, 0.03, kind, x, 0, z))
+robot = Robots.create("office Roomba", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real one
+robot.move(-2, 0, -1)
+robot.rotate(0, 90, 0)
 
 lidar = LIDAR("myLidar", 8.191, 180, 1, 0, 0.15, 0.1)
 lidar.setPorts("/dev/my_Lidar01", "/dev/SEAR_LIDAR_01")

@@ -1,5 +1,5 @@
 # A course of ramps: up, level, down, a side slope and steps, and a Roomba with an accelerometer and a gyroscope.
-from org.SEAR.POJOs import Accelerometer, Box, Compass, Cylinder, Dynamics, Floor, Gyroscope, Odometer, SEARrobot, Wheel
+from org.SEAR.POJOs import Accelerometer, Box, Compass, Floor, Gyroscope, Odometer, Robots
 from math import cos, radians, sin
 
 sear = Runtime.start("sear", "SEAR")
@@ -34,13 +34,9 @@ for step in range(3):
     part = Box("step %d" % (step + 1), 1.5 - 0.5 * step, WIDTH, 0.015, 0, "textures/brick.png")
     part.move(3.5 + 0.25 * step, 0.0075 + 0.015 * step, -2.5)
 
-robot = SEARrobot("climber")
-dynamics = Dynamics("drive", 4, 60, 0.3, 0.4, 10000, 0.1, -5, 0.1, 0, 0, 90, 0)
-dynamics.setPorts("/dev/my_Robot01", "/dev/SEAR_Robot_01")
-robot.addComponent(dynamics)
-robot.addComponent(Cylinder("Roomba Body", 0.1666875, 0.0762, 4, "textures/roomba.jpg"))
-for name, kind, wx, wz in (("frontWheel", 0, 0, 0.16), ("rightWheel", 1, -0.16, 0), ("leftWheel", 1, 0.16, 0), ("backWheel", 0, 0, -0.16)):
-    robot.addWheel(Wheel(name, 0.0381, 0.03, kind, wx, 0, wz))
+robot = Robots.create("climber", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real one
+robot.move(-5, 0, 0)
+robot.rotate(0, 90, 0)
 accelerometer = Accelerometer("accel", 20)
 accelerometer.setGravity(True)
 robot.addComponent(accelerometer)

@@ -1,6 +1,6 @@
 # A yard with obstacles of every kind, twenty boxes among them, and a Roomba with every sensor.
-from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, LIDAR, Model, Noise, \
-    Odometer, SEARrobot, Wheel
+from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Compass, Cone, Cylinder, Distance, Floor, GPS, Gyroscope, LIDAR, Model, Noise, \
+    Odometer, Robots
 
 sear = Runtime.start("sear", "SEAR")
 sear.newProject()    # the present project, if there is one, is kept as a backup
@@ -45,13 +45,8 @@ old = Model("old tree", "models/Tree/Tree.mesh.xml")
 old.scale(1.4)
 old.move(-5, 0, -5)
 
-robot = SEARrobot("myRoomba")
-dynamics = Dynamics("robotDynamics1", 4, 60, 0.3, 0.4, 10000, 0.1, 0, 0.1, 0, 0, 90, 0)
-dynamics.setPorts("/dev/my_Robot01", "/dev/SEAR_Robot_01")
-robot.addComponent(dynamics)
-robot.addComponent(Cylinder("Roomba Body", 0.1666875, 0.0762, 4, "textures/roomba.jpg"))
-for name, kind, x, z in (("frontWheel", 0, 0, 0.16), ("rightWheel", 1, -0.16, 0), ("leftWheel", 1, 0.16, 0), ("backWheel", 0, 0, -0.16)):
-    robot.addWheel(Wheel(name, 0.0381, 0.03, kind, x, 0, z))
+robot = Robots.create("myRoomba", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real one
+robot.rotate(0, 90, 0)
 
 lidar = LIDAR("myLidar", 8.191, 180, 0.5, 0, 0.15, 0.1)
 lidar.setPorts("/dev/my_Lidar01", "/dev/SEAR_LIDAR_01")

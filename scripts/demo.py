@@ -2,7 +2,7 @@
 # SICK LMS200 protocol, and prints what it reads. Run it with "./gradlew run" or "sear scripts/demo.py".
 import os
 from java.lang import System
-from org.SEAR.POJOs import Box, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, LIDAR, SEARrobot, Wheel
+from org.SEAR.POJOs import Box, Compass, Cone, Cylinder, Distance, Floor, GPS, LIDAR, Robots
 
 sear = Runtime.start("SEAR", "SEAR")
 kept = sear.newProject()
@@ -24,15 +24,7 @@ cone = Cone("cone", 0.2, 0.5, 1)
 cone.move(1, 0.25, -1.5)
 
 # ---- the robot ------------------------------------------------------------------------------------------------------------------------------
-robot = SEARrobot("demoRoomba")
-drive = Dynamics("demoDrive", 4, 60, 0.3, 0.4, 10000, 0.1, 0, 0.1, 0, 0, 0, 0)
-drive.setPorts("/dev/my_Robot01", "/dev/SEAR_Robot_01")
-robot.addComponent(drive)
-robot.addComponent(Cylinder("demoBody", 0.1666875, 0.0762, 4, "textures/roomba.jpg"))
-for (name, x, z, driven) in (("frontWheel", 0, 0.16, 0), ("rightWheel", -0.16, 0, 1), ("leftWheel", 0.16, 0, 1), ("backWheel", 0, -0.16, 0)):
-    wheel = Wheel(name, 0.0381, 0.03, driven)
-    wheel.move(x, 0, z)
-    robot.addWheel(wheel)
+robot = Robots.create("demoRoomba", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real one
 scanner = LIDAR("demoLidar")
 scanner.setRange(8.191)
 scanner.setSpread(180)

@@ -1,10 +1,10 @@
 # Follows the wall on its right once round a room: an eye to the right holds the distance, one ahead sees corners.
 from math import hypot
-from org.SEAR.POJOs import Box, Cylinder, Distance, Dynamics, Floor, SEARrobot, Wheel
+from org.SEAR.POJOs import Box, Distance, Floor, Robots
 
 WANTED = 0.3        # metres from the right eye to the wall
 SPEED = 0.2         # m/s
-HALF_TRACK = 0.16   # metres from the robot's middle to a wheel
+HALF_TRACK = 0.129  # metres from the robot's middle to a wheel
 
 sear = Runtime.start("sear", "SEAR")
 if sear.isSimulating():
@@ -18,13 +18,8 @@ for name, length, width, x, z in (("north wall", 0.1, 5.2, 2.05, 0), ("south wal
     wall = Box(name, length, width, 0.4, 0, "textures/brick.png")
     wall.move(x, 0.2, z)
 
-robot = SEARrobot("follower")
-dynamics = Dynamics("drive", 4, 60, 0.3, 0.4, 10000, 0.1, -1.5, 0.1, -1, 0, 0, 0)
-dynamics.setPorts("/dev/my_Robot01", "/dev/SEAR_Robot_01")
-robot.addComponent(dynamics)
-robot.addComponent(Cylinder("body", 0.1666875, 0.0762, 4, "textures/roomba.jpg"))
-for name, kind, x, z in (("frontWheel", 0, 0, 0.16), ("rightWheel", 1, -HALF_TRACK, 0), ("leftWheel", 1, HALF_TRACK, 0), ("backWheel", 0, 0, -0.16)):
-    robot.addWheel(Wheel(name, 0.0381, 0.03, kind, x, 0, z))
+robot = Robots.create("follower", "/dev/my_Robot01", "/dev/SEAR_Robot_01")    # with the dimensions of a real one
+robot.move(-1.5, 0, -1)
 robot.addComponent(Distance("frontEye", "GP2Y0A21", 0, 0.03, 0.16, 0, 0, 0))
 robot.addComponent(Distance("rightEye", "GP2Y0A21", -0.16, 0.03, 0, 0, -90, 0))
 

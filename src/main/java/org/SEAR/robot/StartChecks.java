@@ -2,12 +2,20 @@ package org.SEAR.robot;
 
 import java.util.List;
 import java.util.Locale;
+import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.OpenInterfaceBody;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Scenes;
 import org.SEAR.raycast.Hit;
 
 /** What a user should know of a robot before it is driven. Simulation thread. */
 public final class StartChecks {
+    /** By how much dimensions may differ from those that drivers take for granted, as a share. */
+    private static final double ALIKE = 0.02;
+
     private StartChecks() {
     }
 
@@ -22,11 +30,40 @@ public final class StartChecks {
         if (robot.getObject().getWheels().isEmpty()) {
             warnings.add("robot " + name + " has no wheels and can't drive: robot.addWheel(Wheel(...)) adds one");
         }
+        checkDimensions(robot, warnings);
         Pose pose = robot.getPose();
         double down = scenes.ground.cast(pose.x, pose.y, pose.z, 0, -1, 0, Double.MAX_VALUE, robot.getOwner(), new Hit());
         if (down == Double.POSITIVE_INFINITY) {
             warnings.add(String.format(Locale.ROOT, "robot %s has no ground below its start at x %.2f, y %.2f, z %.2f and will fall:"
                 + " Floor(\"floor\", 20, 20) makes one at height 0", name, pose.x, pose.y, pose.z));
         }
+    }
+
+    /** A driver works distances and turns out of the dimensions of the robot that it takes this one for. */
+    private static void checkDimensions(RobotModel robot, List<String> warnings) {
+        SEARrobot object = robot.getObject();
+        for (SearObject part : object.getComponents()) {
+            if (part instanceof Dynamics && ((Dynamics) part).getUserPort() != null) {
+                OpenInterfaceBody real = OpenInterfaceBody.of(((Dynamics) part).getModel());
+                double base = robot.getHardware().getWheelBase();
+                if (base > 0 && differ(base, real.wheelBase)) {
+                    warnings.add(String.format(Locale.ROOT, "robot %s answers as a %s, whose wheels are %.3f m apart, and its own are %.3f m:"
+                        + " drivers that count on it misjudge turns; Robots.%s(name) makes one that fits", object.getName(), real.model,
+                        real.wheelBase, base, real.model));
+                }
+                for (Wheel wheel : object.getWheels()) {
+                    if (wheel.isDriven() && real.hasEncoders() && differ(wheel.getRadius(), real.wheelRadius)) {
+                        warnings.add(String.format(Locale.ROOT, "robot %s answers as a %s, whose wheels have a radius of %.3f m, and that of its"
+                            + " wheel %s is %.3f m: drivers that count on it misjudge distances; Robots.%s(name) makes one that fits",
+                            object.getName(), real.model, real.wheelRadius, wheel.getName(), wheel.getRadius(), real.model));
+                        break;
+                    }
+                }
+            }
+        }
+    }
+
+    private static boolean differ(double one, double other) {
+        return Math.abs(one - other) > ALIKE * other;
     }
 }

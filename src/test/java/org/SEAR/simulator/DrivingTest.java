@@ -4,6 +4,7 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Robots;
 import org.SEAR.devices.RobotHardware;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
@@ -48,7 +49,19 @@ public class DrivingTest {
         meetsCommands(0.5);
     }
 
-    private void meetsCommands(double speed) throws Exception {
+    @Test
+    public void readyRobotsMeetTheirCommandsOnTheWheelsOfTheRealOnes() throws Exception {
+        Robots.roomba400("r");
+        assertEquals(0.258, meetsCommands(0.3).getWheelBase(), 1e-9);
+        Robots.create("r", "/dev/uart", "/dev/user");
+        assertEquals(0.258, meetsCommands(0.4).getWheelBase(), 1e-9);
+        Robots.create2("r", "/dev/uart", "/dev/user");
+        RobotHardware create2 = meetsCommands(0.2);
+        assertEquals(0.235, create2.getWheelBase(), 1e-9);
+        assertEquals("no slip", create2.getPath(), 0.036 * (create2.getLeftWheelAngle() + create2.getRightWheelAngle()) / 2, 0.02);
+    }
+
+    private RobotHardware meetsCommands(double speed) throws Exception {
         new Floor("floor", 50, 50);
         Simulation simulation = Worlds.start(project);
         Robot robot = simulation.getRobots().get(0);
@@ -70,6 +83,7 @@ public class DrivingTest {
 
         circle(simulation, robot, speed, Math.max(0.5, 4 * half));
         rests(simulation, robot);
+        return hardware;
     }
 
     /** A circle to the left. */

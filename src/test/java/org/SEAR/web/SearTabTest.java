@@ -202,7 +202,7 @@ public class SearTabTest {
         browser.seeText(".sear-sensors tr[data-sensor='myLidar'] .sear-reading", "361 beams, ");
         browser.seeText(".sear-tree", "container Box");
         browser.seeText(".sear-tree", "myRoomba robot");
-        browser.seeText(".sear-tree", "Roomba Body Cylinder");
+        browser.seeText(".sear-tree", "body Cylinder");
         browser.seeText(".sear-robot-status", "battery");
         String position = browser.text(".sear-robot-position");
         assertTrue(position, position.matches("-?\\d+\\.\\d{3}, -?\\d+\\.\\d{3}"));

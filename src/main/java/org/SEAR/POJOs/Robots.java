@@ -1,0 +1,78 @@
+package org.SEAR.POJOs;
+
+/**
+ * Ready robots with the dimensions of real ones, so that drivers made for those judge distances and turns rightly. Each is an ordinary robot: it can
+ * be moved, and gets sensors by {@link SEARrobot#addComponent}. Its parts are {@code drive} (a {@link Dynamics}), {@code body}, the driven wheels
+ * {@code left} and {@code right}, and the castors {@code front} and {@code back} (the real ones have a castor in front only). Its origin is the
+ * middle of its body, which starts 54 mm above the world's origin; forward is z.
+ */
+public final class Robots {
+    private static final double RADIUS = 0.17;
+    private static final double HEIGHT = 0.07;
+    /** The body is this much above the axles: its bottom is 20 mm above the ground, its top 90 mm. */
+    private static final double RAISED = 0.0015;
+    private static final double MASS = 3.6;
+    private static final double STIFFNESS = 1000;
+    private static final double COMPRESSION = 0.3;
+    private static final double DAMPING = 0.4;
+    private static final double MAX_FORCE = 10000;
+    private static final double REST_LENGTH = 0.02;
+    private static final double START = 0.054;
+    private static final double TREAD = 0.02;
+    private static final double CASTOR_RADIUS = 0.02;
+    private static final double CASTOR_Z = 0.13;
+
+    private Robots() {
+    }
+
+    /** A Roomba of the 400 series: wheels 258 mm apart, 57600 baud. */
+    public static SEARrobot roomba400(String name) {
+        return make(name, "roomba400", 57600, null, null);
+    }
+
+    /** A Roomba of the 400 series with ports: {@code uart} is the device's end, {@code user} the one that the user opens. */
+    public static SEARrobot roomba400(String name, String uart, String user) {
+        return make(name, "roomba400", 57600, uart, user);
+    }
+
+    /** An iRobot Create, the first: wheels 258 mm apart, 57600 baud; a Roomba of the 500 series has the same dimensions. */
+    public static SEARrobot create(String name) {
+        return make(name, "create", 57600, null, null);
+    }
+
+    /** An iRobot Create, the first, with ports: {@code uart} is the device's end, {@code user} the one that the user opens. */
+    public static SEARrobot create(String name, String uart, String user) {
+        return make(name, "create", 57600, uart, user);
+    }
+
+    /** An iRobot Create 2 or a Roomba of the 600 series: wheels of 72 mm, 235 mm apart, 508.8 encoder counts a turn, 115200 baud. */
+    public static SEARrobot create2(String name) {
+        return make(name, "create2", 115200, null, null);
+    }
+
+    /** The same with ports: {@code uart} is the device's end, {@code user} the one that the user opens. */
+    public static SEARrobot create2(String name, String uart, String user) {
+        return make(name, "create2", 115200, uart, user);
+    }
+
+    private static SEARrobot make(String name, String model, int baud, String uart, String user) {
+        SEARrobot robot = new SEARrobot(name);
+        Dynamics drive = new Dynamics("drive", MASS, STIFFNESS, COMPRESSION, DAMPING, MAX_FORCE, REST_LENGTH, 0, START, 0, 0, 0, 0);
+        drive.setModel(model);
+        drive.setBaud(baud);
+        if (uart != null || user != null) {
+            drive.setPorts(uart, user);
+        }
+        robot.addComponent(drive);
+        Cylinder body = new Cylinder("body", RADIUS, HEIGHT, MASS, "textures/roomba.jpg");
+        robot.addComponent(body);
+        body.move(0, RAISED, 0);
+        OpenInterfaceBody size = OpenInterfaceBody.of(model);
+        robot.addWheel(new Wheel("left", size.wheelRadius, TREAD, 1, size.wheelBase / 2, 0, 0));
+        robot.addWheel(new Wheel("right", size.wheelRadius, TREAD, 1, -size.wheelBase / 2, 0, 0));
+        double castorY = CASTOR_RADIUS - size.wheelRadius;
+        robot.addWheel(new Wheel("front", CASTOR_RADIUS, TREAD, 0, 0, castorY, CASTOR_Z));
+        robot.addWheel(new Wheel("back", CASTOR_RADIUS, TREAD, 0, 0, castorY, -CASTOR_Z));
+        return robot;
+    }
+}

@@ -17,6 +17,7 @@ import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.BeamCone;
 import org.SEAR.POJOs.Described;
 import org.SEAR.POJOs.Noise;
+import org.SEAR.POJOs.OpenInterfaceBody;
 import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.ParameterTable;
 import org.SEAR.POJOs.SearObject;
@@ -48,6 +49,22 @@ public final class ObjectDocs {
         Files.write(Paths.get(args[0]), page().getBytes(StandardCharsets.UTF_8));
     }
 
+    private static void robots(StringBuilder out) {
+        out.append("\n## Ready robots\n\nWith the dimensions of real ones, so that drivers made for those judge distances and turns rightly; "
+            + "ordinary robots otherwise:\n\n```python\nfrom org.SEAR.POJOs import Compass, Robots\n"
+            + "rosie = Robots.create2(\"rosie\", \"/dev/my_Robot01\", \"/dev/SEAR_Robot_01\")    # the ports may be left out\n"
+            + "rosie.move(1, 0, 2)\nrosie.rotate(0, 90, 0)\nrosie.addComponent(Compass(\"compass\"))\n```\n\n"
+            + "| call | wheels apart | radius of the wheels | encoders |\n|---|---|---|---|\n");
+        for (OpenInterfaceBody body : OpenInterfaceBody.values()) {
+            out.append("| Robots.").append(body.model).append("(name) | ").append(Parameter.format(body.wheelBase)).append(" m | ")
+                .append(Parameter.format(body.wheelRadius)).append(" m | ").append(body.hasEncoders() ? "508.8 counts a turn" : "none")
+                .append(" |\n");
+        }
+        out.append("\nEach is 0.34 m across and 0.09 m high, weighs 3.6 kg and consists of `drive`, `body`, the wheels `left` and `right` and the "
+            + "castors `front` and `back`.\nThe Roombas of the 500 series are as the Create, those of the 600 series as the Create 2. A robot that "
+            + "answers as one of them\nand has other wheels is told at the start.\n");
+    }
+
     /** The page, in Markdown. */
     static String page() {
         StringBuilder out = new StringBuilder(HEAD);
@@ -56,6 +73,7 @@ public final class ObjectDocs {
         for (Class<? extends SearObject> type : ObjectClasses.find().all()) {
             section(out, type, ParameterTable.of(SearObject.class).names());
         }
+        robots(out);
         out.append("\n## Named beams\n\n| beam | other names | farthest | nearest | what it is |\n|---|---|---|---|---|\n");
         for (Beam beam : BeamLibrary.comeWithSear()) {
             double farthest = beam.getCones().stream().mapToDouble(BeamCone::getRange).max().orElse(0);

@@ -31,7 +31,7 @@ import org.myrobotlab.service.ThirdPartyDriversTest;
  */
 public class CodeOfTheDocsTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
-    /** Pages whose Python runs here: page by page, the blocks one after the other. */
+    /** Pages whose Python runs here: page by page, each in a new project, the blocks one after the other. */
     private static final List<String> HERE = List.of("docs/objects.md", "docs/physics.md", "docs/projects.md", "docs/sensors.md", "docs/window.md");
     /** By page and language, commands by how they begin, too: the class that takes it from the page and runs it. */
     private static final Map<String, Class<?>> RUN_BY = new TreeMap<>(Map.ofEntries(
@@ -62,8 +62,8 @@ public class CodeOfTheDocsTest {
         "CONTRIBUTING.md sh .ci/run", "it is CI, and runs this test",
         "docs/other-programs.md sh rosrun ", "needs ROS 1, which is in no package of Debian 12; the page says that it was not tried"));
     private static final String GRADLE = "./gradlew ";
-    private static final String BEFORE = "from org.SEAR.POJOs import Floor\nsear = Runtime.start('sear', 'SEAR')\n"
-        + "floor = Floor('ground', 9, 9)\n";
+    private static final String BEFORE = "from org.SEAR.POJOs import Floor\nif sear.isSimulating(): sear.stopSimulation()\n"
+        + "sear.newProject()\nfloor = Floor('ground', 9, 9)\n";
 
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
@@ -121,13 +121,17 @@ public class CodeOfTheDocsTest {
 
     @Test
     public void thePythonOfThePagesRuns() throws Exception {
+        StringBuilder script = new StringBuilder("sear = Runtime.start('sear', 'SEAR')\n");
         for (String page : HERE) {
-            Path own = folder.newFolder(Path.of(page).getFileName().toString()).toPath();
-            Path script = own.resolve("page.py");
             List<String> blocks = DocBlock.of(page, "python");
             assertTrue(page, !blocks.isEmpty());
-            Files.writeString(script, BEFORE + String.join("\n", blocks) + "\nprint 'to the end'\n");
-            assertTrue(page, ScriptProcess.run(own, script).contains("to the end"));
+            script.append(BEFORE).append(String.join("\n", blocks)).append("\nprint '").append(page).append(" to the end'\n");
+        }
+        Path file = folder.getRoot().toPath().resolve("pages.py");
+        Files.writeString(file, script);
+        String output = ScriptProcess.run(folder.getRoot().toPath(), file);
+        for (String page : HERE) {
+            assertTrue(output, output.contains(page + " to the end"));
         }
     }
 }

@@ -5,6 +5,7 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
 
     var MARGIN = 28             // pixels above and below the plot
     var SIDE = 42               // beside it, for the labels of 0 and 180 degrees
+    var LABEL = 40              // for the label of a ring
     var ANGLE_STEP = 30
     var RING_STEPS = [0.25, 0.5, 1, 2, 5, 10, 20]
     var MOST_RINGS = 6
@@ -269,7 +270,8 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
             pen.stroke()
         }
         pen.globalAlpha = 0.9
-        for (ring = step; ring <= geometry.reach + 1e-9; ring += step) {
+        var crowded = step / geometry.reach * geometry.radius < LABEL
+        for (ring = crowded ? 2 * step : step; ring <= geometry.reach + 1e-9; ring += crowded ? 2 * step : step) {
             pen.textAlign = 'center'
             pen.fillText(label(ring), geometry.x + ring / geometry.reach * geometry.radius, geometry.y + 14)
         }
@@ -413,7 +415,7 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
     })
     $scope.$watch(function() {
         var element = canvas()
-        return element ? element.clientWidth : 0
+        return element ? element.clientWidth + ' ' + element.clientHeight : ''
     }, draw)
 
     msg.subscribe('publishScan')

@@ -370,7 +370,8 @@
     var PATIENCE_MILLIS = 10000 // an answer that takes longer is asked for again
     var WAIT_MILLIS = 1500         // so long time stands still in lock-step before the page says so
     var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'getProblems', 'getExamples',
-        'getExampleScripts', 'getBundle', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate']
+        'getExampleScripts', 'getBundle', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate', 'startSimulation',
+        'stopSimulation']
 
     angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope', '$timeout', '$interval', 'mrl', SEARGuiCtrl])
 
@@ -402,6 +403,8 @@
             onSimulation: onSimulation,
             onWorld: onWorld,
             onPreview: onPreview,
+            onStartSimulation: settle,
+            onStopSimulation: settle,
             onProblems: onProblems,
             onStatus: onStatus,
             onBundle: onBundle,
@@ -447,9 +450,16 @@
             }
         }
 
+        /** The service has done what it was told, whatever has happened since. */
+        function settle() {
+            $scope.pending = null
+        }
+
         this.updateState = function(service) {
             $scope.service = service
-            $scope.pending = null
+            if ($scope.pending === (service.simulating ? 'starting' : 'stopping')) {    // another state was on its way before
+                $scope.pending = null
+            }
             if (!service.simulating) {
                 $scope.state = null
                 look()
@@ -877,6 +887,11 @@
             var world = $scope.world()
             var shapes = world ? shapesOf(world) : []
             var view = $scope.view
+            var size = element.clientWidth + ' ' + element.clientHeight
+            if (view.size !== size) {
+                view.size = size
+                view.fitted = Boolean(view.fitted && view.chosen)
+            }
             if (world && !view.fitted) {
                 fit(view, shapes, element)
             }

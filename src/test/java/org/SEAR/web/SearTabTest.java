@@ -161,6 +161,45 @@ public class SearTabTest {
         assertEquals(List.of(), browser.all(".sear-main .alert-danger"));
     }
 
+    /** A state that was on its way before the click says nothing about what the click has asked for. */
+    @Test
+    public void anOlderStateDoesNotOfferTheStartAgain() {
+        tab.openExample("maze");
+        String scope = "angular.element(document.querySelector('" + SearTab.ROOT + "')).scope()";
+        browser.script(scope + ".$apply(function(s) { s.pending = 'starting'; s.service.older = true })");
+        robotLab.call("sear", "broadcastState");
+        browser.until("a state that came after", () -> tab.isTrue("service.older === undefined"));
+        tab.waitForStatus("starting");
+        assertFalse("can't be clicked", browser.see(".sear-start").isEnabled());
+        robotLab.call("sear", "startSimulation");
+        tab.waitForStatus("running");
+        browser.script(scope + ".$apply(function(s) { s.pending = 'stopping'; s.service.older = true })");
+        robotLab.call("sear", "broadcastState");
+        browser.until("a state that came after", () -> tab.isTrue("service.older === undefined"));
+        tab.waitForStatus("stopping");
+        robotLab.call("sear", "stopSimulation");
+        tab.waitForStatus("no simulation runs");
+    }
+
+    @Test
+    public void theWorldIsFittedAnewWhenThePageGetsNarrower() {
+        tab.openExample("maze");
+        tab.start();
+        browser.click(".sear-pause");
+        double wide = tab.number("view.scale");
+        try {
+            browser.setPageWidth(390);
+            browser.until("a smaller world", () -> tab.number("view.scale") < wide * 0.9);
+            browser.click("button[aria-label='Zoom in']");
+            double chosen = tab.number("view.scale");
+            browser.setPageWidth(500);
+            browser.until("drawn anew", () -> tab.number("view.size.split(' ')[0] * 1") > 390);
+            assertEquals("what the user has chosen stays", chosen, tab.number("view.scale"), 1e-9);
+        } finally {
+            browser.setPageWidth(0);
+        }
+    }
+
     @Test
     public void keysThatTheBrowserWantsAreLeftToIt() {
         tab.openExample("maze");

@@ -22,6 +22,7 @@ import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.Wheel;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
@@ -471,6 +472,29 @@ public class SearServiceTest {
         sear.loadProject(backup);
         assertTrue(Files.exists(folder.resolve("robot/roomba_2.xml")) && Files.exists(folder.resolve("environment/wall_2.xml")));
         assertFails("robot is \"nobody\"", () -> sear.importRobot(bundle.toString(), "nobody"));
+    }
+
+    /** Two robots have a "scanner", and a third has a "roomba_scanner": each port leads to its own device. */
+    @Test
+    public void aPartNamedLikeTwoPutTogetherHasAServiceOfItsOwn() throws Exception {
+        Path bundle = temporary.getRoot().toPath().resolve("rover.sear");
+        sear.saveProject(bundle.toString());
+        sear.importRobot(bundle.toString(), "roomba");
+        SEARrobot third = new SEARrobot("third");
+        Dynamics drive = new Dynamics("third drive", 4);
+        third.addComponent(drive);
+        drive.move(5, 0.1, 0);
+        third.addWheel(new Wheel("third wheel", 0.0381, 0.03));
+        org.SEAR.POJOs.LIDAR lidar = new org.SEAR.POJOs.LIDAR("roomba_scanner");
+        lidar.setPorts("/dev/my_third", "/dev/third_scanner");
+        third.addComponent(lidar);
+        sear.startSimulation();
+        for (String device : List.of("roomba_scanner_LIDAR", "roomba_scanner_2_LIDAR", "roomba_2_scanner_LIDAR")) {
+            assertNotNull(device, Runtime.getService(device + "simulator_Serial_Service"));
+        }
+        String uart = ((Serial) Runtime.getService("roomba_scanner_LIDARsimulator_Serial_Service")).lastPortName;
+        assertEquals("a name without a slash stays as it is", "/dev/my_third", uart);
+        assertEquals("/dev/my_Lidar01", ((Serial) Runtime.getService("roomba_scanner_2_LIDARsimulator_Serial_Service")).lastPortName);
     }
 
     @Test

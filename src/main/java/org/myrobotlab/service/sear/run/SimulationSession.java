@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
@@ -108,8 +109,9 @@ public final class SimulationSession {
         clock.install();
         memoryWatch.open();
         memoryAlarm.open();
+        Map<SerialLine, String> serviceNames = UartLine.serviceNames(simulation.getLines());
         for (SerialLine line : simulation.getLines()) {
-            UartLine uart = new UartLine(line, host);
+            UartLine uart = new UartLine(line, serviceNames.get(line), host);
             lines.add(uart);
             uart.open(clock);
         }

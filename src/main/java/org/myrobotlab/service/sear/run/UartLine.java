@@ -2,6 +2,11 @@ package org.myrobotlab.service.sear.run;
 
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
+import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import org.SEAR.devices.RepeatedWarnings;
 import org.SEAR.devices.SerialLine;
@@ -41,21 +46,41 @@ final class UartLine {
     private long given;
     private boolean complained;
 
-    UartLine(SerialLine line, Host host) {
+    /** @param serviceName as {@link #serviceNames} has it */
+    UartLine(SerialLine line, String serviceName, Host host) {
         this.line = line;
         this.host = host;
-        serviceName = serviceName(line);
+        this.serviceName = serviceName;
         uart = new VirtualSerialPort(line.getUartPort());
         user = new VirtualSerialPort(line.getUserPort());
     }
 
     /**
      * {@code myLidar_LIDARsimulator_Serial_Service}: the dissertation's name, by which SEAR finds the sensor that bytes are for. Where several robots
-     * have a part of that name, {@code rover_myLidar_LIDARsimulator_Serial_Service}: the names of services have no slash.
+     * have a part of that name, {@code rover_myLidar_LIDARsimulator_Serial_Service}: the names of services have no slash. If a part is called
+     * {@code rover_myLidar}, the other one's name has a number more: {@code rover_myLidar_2_LIDARsimulator_Serial_Service}.
      */
-    static String serviceName(SerialLine line) {
-        String kind = DRIVE.equals(line.getObjectType()) ? "ROBOT" : line.getObjectType();
-        return line.getObjectName().replace('/', '_') + "_" + kind + "simulator_Serial_Service";
+    static Map<SerialLine, String> serviceNames(Collection<SerialLine> lines) {
+        Map<SerialLine, String> names = new IdentityHashMap<>();
+        Set<String> taken = new HashSet<>();
+        for (boolean shared : new boolean[] {false, true}) {
+            for (SerialLine line : lines) {
+                if (line.getObjectName().indexOf('/') >= 0 == shared) {
+                    names.put(line, freeName(line, taken));
+                }
+            }
+        }
+        return names;
+    }
+
+    private static String freeName(SerialLine line, Set<String> taken) {
+        String part = line.getObjectName().replace('/', '_');
+        String rest = "_" + (DRIVE.equals(line.getObjectType()) ? "ROBOT" : line.getObjectType()) + "simulator_Serial_Service";
+        String name = part + rest;
+        for (int number = 2; !taken.add(name); number++) {
+            name = part + "_" + number + rest;
+        }
+        return name;
     }
 
     /**

@@ -75,6 +75,7 @@ public class GpsTabTest {
         assertEquals(token(fix, 0), browser.text(".gps-type"));
         assertEquals(token(fix, 2), browser.text(".gps-latitude"));
         assertEquals(token(fix, 4), browser.text(".gps-longitude"));
+        browser.seeText(".gps-table td", token(fix, 2) + " ddmm.mmmm");
         assertTrue("negative in the west: " + token(fix, 4), token(fix, 4).startsWith("-080"));
         assertEquals(token(fix, 9), browser.text(".gps-altitude"));
         assertEquals("GPS", browser.text(".gps-fix"));

@@ -16,7 +16,8 @@ import java.util.stream.Stream;
 /** A fenced block of README.md, CONTRIBUTING.md or a page of docs, as those tests take it that run it. */
 public final class DocBlock {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
-    private static final Pattern BLOCK = Pattern.compile("(?:^`([\\w./-]+)`:\n\n)?^( *)```([^\n]*)\n(.*?)^ *```$", Pattern.DOTALL | Pattern.MULTILINE);
+    private static final Pattern BLOCK = Pattern.compile("(?:^`([\\w./-]+)`:\n\n)?^( *)```([^\n]*)\n(.*?)^ *```$",
+        Pattern.DOTALL | Pattern.MULTILINE);
     private static final Pattern FENCE = Pattern.compile("^[ \t>]*(```|~~~)", Pattern.MULTILINE);
 
     /** The page's path below the project, with slashes. */

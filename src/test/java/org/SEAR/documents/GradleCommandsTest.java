@@ -74,7 +74,8 @@ public class GradleCommandsTest {
         List<String> real = calls().stream().filter(call -> call.contains("-PmrlJar")).collect(Collectors.toList());
         assertEquals(real.toString(), 1, real.size());
         Path jar = Path.of(Test.class.getProtectionDomain().getCodeSource().getLocation().toURI());
-        String plan = dryRun(real.get(0).replace("/path/to/myrobotlab.jar", jar.toString()).replace("/path/to/libraries/jar", folder.getRoot().toString()));
+        String plan = dryRun(real.get(0).replace("/path/to/myrobotlab.jar", jar.toString())
+            .replace("/path/to/libraries/jar", folder.getRoot().toString()));
         assertTrue(plan, plan.contains(":test SKIPPED"));
         assertFalse("the embedded one is left out:\n" + plan, plan.contains(":distZip SKIPPED"));
     }

@@ -44,7 +44,7 @@ final class TestWorld {
         dynamics.setPorts("/dev/my_Robot01", ROOMBA_PORT);
         robot.addComponent(dynamics);
         robot.addComponent(new Cylinder("body", 0.1666875, 0.0762, 4));
-        for (double[] at : new double[][] {{0, 0.16, 0}, {-0.16, 0, 1}, {0.16, 0, 1}, {0, -0.16, 0}}) {
+        for (double[] at : new double[][] {{0, 0.16, 0}, {-0.129, 0, 1}, {0.129, 0, 1}, {0, -0.16, 0}}) {
             Wheel wheel = new Wheel("wheel" + robot.getWheels().size(), 0.0381, 0.03, (int) at[2]);
             wheel.move(at[0], 0, at[1]);
             robot.addWheel(wheel);

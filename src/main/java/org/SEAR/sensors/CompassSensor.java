@@ -7,6 +7,7 @@ import java.util.Collections;
 import java.util.List;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.Pose;
 
 /**

@@ -8,6 +8,7 @@ import java.util.List;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;

@@ -2,6 +2,7 @@ package org.SEAR.sensors;
 
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.Pose;
 
 /**

@@ -5,6 +5,7 @@ import static org.junit.Assert.assertTrue;
 
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Noise;
+import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;

@@ -18,6 +18,7 @@ import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.Odometer;
 import org.SEAR.POJOs.SensorObject;
+import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.raycast.BeamScene;
 import org.junit.Rule;

@@ -1,4 +1,4 @@
-package org.SEAR.sensors;
+package org.SEAR.geometry;
 
 import net.sf.geographiclib.Geodesic;
 import net.sf.geographiclib.GeodesicData;
@@ -32,6 +32,34 @@ public final class GeoOrigin {
         double azimuth = Math.toDegrees(Math.atan2(z, x));
         GeodesicData end = Geodesic.WGS84.Direct(latitude, longitude, azimuth, Math.hypot(x, z), WANTED);
         return new GeoPoint(end.lat2, end.lon2 >= 180 ? end.lon2 - 360 : end.lon2, altitude + y, end.azi2 - azimuth);
+    }
+
+    /**
+     * The point of the world's level plane below or above a place on the Earth: {x north, z east}, metres. The other way round than {@link #at}.
+     *
+     * @param placeLatitude degrees, + north
+     * @param placeLongitude degrees, + east
+     */
+    public double[] to(double placeLatitude, double placeLongitude) {
+        GeodesicData way = Geodesic.WGS84.Inverse(latitude, longitude, placeLatitude, placeLongitude,
+            GeodesicMask.DISTANCE | GeodesicMask.AZIMUTH);
+        double azimuth = Math.toRadians(way.azi1);
+        return new double[] {way.s12 * Math.cos(azimuth), way.s12 * Math.sin(azimuth)};
+    }
+
+    /** Degrees, + north. */
+    public double getLatitude() {
+        return latitude;
+    }
+
+    /** Metres. */
+    public double getAltitude() {
+        return altitude;
+    }
+
+    /** Degrees, + east. */
+    public double getLongitude() {
+        return longitude;
     }
 
     /** A place on the Earth. Immutable. */

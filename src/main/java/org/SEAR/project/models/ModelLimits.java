@@ -3,7 +3,7 @@ package org.SEAR.project.models;
 import java.io.IOException;
 
 /** How large models and pictures may be; docs/projects.md has the same numbers. Generous for what people draw, and far below what stops a program. */
-final class ModelLimits {
+public final class ModelLimits {
     /** Bytes of a model's file. */
     static final long MAX_FILE = 256L << 20;
     /** Bytes of a .blend that is packed with gzip, when unpacked. */
@@ -30,7 +30,7 @@ final class ModelLimits {
      * @param what the field of the file
      * @param legal what would have been right
      */
-    static IOException wrong(String file, String what, Object value, String legal) {
+    public static IOException wrong(String file, String what, Object value, String legal) {
         String text = String.valueOf(value);
         return new IOException(file + ": " + what + " is " + (text.length() > 80 ? text.substring(0, 80) + "..." : text) + ", legal: " + legal);
     }
@@ -40,7 +40,7 @@ final class ModelLimits {
      *
      * @throws IOException that names it
      */
-    static void range(String file, String what, long value, long low, long high) throws IOException {
+    public static void range(String file, String what, long value, long low, long high) throws IOException {
         if (value < low || value > high) {
             throw wrong(file, what, value, low + " to " + high);
         }

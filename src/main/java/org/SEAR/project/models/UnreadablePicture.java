@@ -6,7 +6,8 @@ import java.io.IOException;
 public final class UnreadablePicture extends IOException {
     private static final long serialVersionUID = 1L;
 
-    UnreadablePicture(String message, Exception cause) {
+    /** @param message names the file, what is wrong with it and what is legal */
+    public UnreadablePicture(String message, Exception cause) {
         super(message, cause);
     }
 }

@@ -1,0 +1,89 @@
+package org.SEAR.terrain;
+
+/**
+ * The posts that a height field gets: rows from the south, columns from the west, near the origin on the map's own posts, so that ridges stay as sharp
+ * as they are there. Immutable, any thread.
+ */
+final class FieldGrid {
+    /** Posts up to which the field is finer than the map: its triangles then follow the map's bilinear surface. */
+    private static final double FINE = 6_000_000;
+    private static final int MOST_BETWEEN = 8;
+    private static final double MOST = 1e9;
+    private static final double ROUNDING = 1e-6;
+
+    final int rows;
+    final int columns;
+    final double lowX;
+    final double lowZ;
+    final double spacingX;
+    final double spacingZ;
+
+    private FieldGrid(Axis x, Axis z) {
+        this.rows = (int) x.posts();
+        this.columns = (int) z.posts();
+        this.lowX = x.low();
+        this.lowZ = z.low();
+        this.spacingX = x.spacing;
+        this.spacingZ = z.spacing;
+    }
+
+    /**
+     * The grid of an area about the origin.
+     *
+     * @param size metres north-south and east-west
+     * @param map metres from post to post of the map, going north and going east
+     * @param post where one of the map's posts stands, metres north and east of the origin
+     * @param whole whether all of the area has to be covered, otherwise nothing beyond it
+     */
+    static FieldGrid of(double[] size, double[] map, double[] post, boolean whole) {
+        int between = MOST_BETWEEN + 1;
+        Axis x;
+        Axis z;
+        do {
+            between--;
+            x = new Axis(size[0], map[0] / between, post[0], whole);
+            z = new Axis(size[1], map[1] / between, post[1], whole);
+        } while (between > 1 && x.posts() * z.posts() > FINE);
+        return new FieldGrid(x, z);
+    }
+
+    /** How many there are. */
+    long posts() {
+        return (long) rows * columns;
+    }
+
+    /** Where a row stands, metres north; also beyond the last one. */
+    double x(int row) {
+        return lowX + row * spacingX;
+    }
+
+    /** Where a column stands, metres east; also beyond the last one. */
+    double z(int column) {
+        return lowZ + column * spacingZ;
+    }
+
+    /** One direction. */
+    private static final class Axis {
+        private final double spacing;
+        private final double post;
+        private final double first;
+        private final double last;
+
+        Axis(double size, double spacing, double post, boolean whole) {
+            this.spacing = spacing;
+            this.post = post;
+            double low = (-size / 2 - post) / spacing;
+            double high = (size / 2 - post) / spacing;
+            this.first = whole ? Math.floor(low + ROUNDING) : Math.ceil(low - ROUNDING);
+            this.last = Math.max(first + 1, whole ? Math.ceil(high - ROUNDING) : Math.floor(high + ROUNDING));
+        }
+
+        double posts() {
+            return Math.min(MOST, last - first + 1);
+        }
+
+        double low() {
+            return post + first * spacing;
+        }
+    }
+}

@@ -1,0 +1,90 @@
+package org.SEAR.terrain;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Locale;
+import org.SEAR.geometry.HeightField;
+import org.SEAR.project.models.ModelLimits;
+import org.SEAR.terrain.format.MapLimits;
+
+/** Brings heights of a map onto the posts of a height field. One thread. */
+final class FieldSampler {
+    private final String file;
+    private final FieldGrid grid;
+    private final PlaneLattice lattice;
+    private final MapRaster raster;
+
+    FieldSampler(String file, FieldGrid grid, PlaneLattice lattice, MapRaster raster) {
+        this.file = file;
+        this.grid = grid;
+        this.lattice = lattice;
+        this.raster = raster;
+    }
+
+    /** Refuses a field that is too large. */
+    static void require(String file, FieldGrid grid) throws IOException {
+        ModelLimits.range(file, "the number of posts (" + grid.rows + " x " + grid.columns + "; a smaller area has less)", grid.posts(), 9,
+            MapLimits.MAX_POSTS);
+    }
+
+    /**
+     * Fills what has no data from around.
+     *
+     * @param warnings gets how much it is
+     * @throws IOException if it is more than half of the area
+     */
+    void fillGaps(List<String> warnings) throws IOException {
+        if (!raster.hasGaps()) {
+            return;
+        }
+        long empty = 0;
+        double[] row = new double[2 * grid.columns];
+        for (int r = 0; r < grid.rows; r++) {
+            places(r, row);
+            for (int c = 0; c < grid.columns; c++) {
+                empty += raster.isEmpty(row[2 * c], row[2 * c + 1]) ? 1 : 0;
+            }
+        }
+        double share = 100.0 * empty / grid.posts();
+        if (share > 50) {
+            throw ModelLimits.wrong(file, "the part of the area without data", percent(share), "at most 50 %: choose another area, or add the tile that "
+                + "has it");
+        }
+        if (empty > 0) {
+            warnings.add(file + ": " + percent(share) + " of the area have no data, and are filled in from around");
+        }
+        GapFill.fill(raster.heights, raster.rows, raster.columns);
+    }
+
+    private static String percent(double share) {
+        return share < 0.1 ? "less than 0.1 %" : String.format(Locale.ROOT, "%.1f %%", share);
+    }
+
+    /** Column and row on the map of each post of a row, alternating. */
+    private void places(int r, double[] into) {
+        for (int c = 0; c < grid.columns; c += lattice.step) {
+            int end = Math.min(c + lattice.step, grid.columns);
+            double column = lattice.column(r, c);
+            double row = lattice.row(r, c);
+            double columnStep = (lattice.column(r, c + lattice.step) - column) / lattice.step;
+            double rowStep = (lattice.row(r, c + lattice.step) - row) / lattice.step;
+            for (int i = c; i < end; i++) {
+                into[2 * i] = column + (i - c) * columnStep;
+                into[2 * i + 1] = row + (i - c) * rowStep;
+            }
+        }
+    }
+
+    /** The field with the heights of the map. */
+    HeightField field() {
+        float[] heights = new float[grid.rows * grid.columns];
+        double[] row = new double[2 * grid.columns];
+        for (int r = 0; r < grid.rows; r++) {
+            places(r, row);
+            for (int c = 0; c < grid.columns; c++) {
+                heights[r * grid.columns + c] = (float) raster.height(row[2 * c], row[2 * c + 1]);
+            }
+        }
+        return new HeightField(grid.rows, grid.columns, grid.lowX, grid.lowZ, grid.spacingX, grid.spacingZ, heights);
+    }
+}

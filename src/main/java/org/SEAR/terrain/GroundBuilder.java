@@ -1,0 +1,149 @@
+package org.SEAR.terrain;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import org.SEAR.geometry.GeoOrigin;
+import org.SEAR.geometry.HeightField;
+import org.SEAR.project.models.ModelLimits;
+import org.SEAR.terrain.format.MapLimits;
+
+/** Makes the ground of a world of opened maps. One thread. */
+final class GroundBuilder {
+    private static final double MOST_METRES = 1_000_000;
+    private static final double HALF_CELL = 0.5;
+
+    private final Mosaic mosaic;
+    private final String file;
+    private final TerrainArea wanted;
+    private final List<String> warnings = new ArrayList<>();
+
+    GroundBuilder(Mosaic mosaic, TerrainArea wanted) {
+        this.mosaic = mosaic;
+        this.file = mosaic.first().name;
+        this.wanted = wanted;
+    }
+
+    /**
+     * The ground.
+     *
+     * @throws IOException that names the map, what is wrong and what is legal
+     */
+    Ground build() throws IOException {
+        return mosaic.place.system != null ? onEarth() : flat();
+    }
+
+    private Ground onEarth() throws IOException {
+        TerrainArea.Area area = wanted.area;
+        if (wanted.size != null) {
+            throw ModelLimits.wrong(file, "the size", "given", "no setSize for a map that says its place and size itself: setArea chooses a part");
+        }
+        MapSystem system = new MapSystem(file, mosaic.place.system);
+        double middleX = mosaic.place.x((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0);
+        double[] middle = system.toEarth(middleX, mosaic.place.y((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0));
+        if (!(Math.abs(middle[0]) <= 90) || !(Math.abs(middle[1]) <= 720)) {
+            throw ModelLimits.wrong(file, "the middle of the map", "latitude " + middle[0] + ", longitude " + middle[1],
+                "a place on Earth (is the coordinate system " + mosaic.place.system + " the right one?)");
+        }
+        double longitude = area == null ? middle[1] - 360 * Math.rint(middle[1] / 360) : area.longitude;
+        GeoOrigin level = new GeoOrigin(area == null ? middle[0] : area.latitude, 0, longitude);
+        MapPlane plane = MapPlane.onEarth(level, system, mosaic.place, middleX);
+        double[] size = area == null ? null : new double[] {area.northSouth, area.eastWest};
+        if (size != null && new MapExtent(mosaic, plane).box(size[0], size[1], HALF_CELL) == null) {
+            throw MapExtent.beyond(mosaic, system, area);
+        }
+        Made made = make(plane, size);
+        double altitude = lower(made.field, 1);
+        return new Ground(made.field, new GeoOrigin(level.getLatitude(), altitude, level.getLongitude()), altitude,
+            new MapHeights(made.raster, mosaic.place, system, middleX), warnings);
+    }
+
+    /** Makes the field's height at the origin 0; returns what it was. */
+    private static double lower(HeightField field, double factor) {
+        double zero = field.height(0, 0);
+        for (int i = 0; i < field.heights.length; i++) {
+            field.heights[i] = (float) ((field.heights[i] - zero) * factor);
+        }
+        return zero;
+    }
+
+    private Ground flat() throws IOException {
+        if (wanted.area != null) {
+            throw ModelLimits.wrong(file, "the area", "given", "no setArea for a map that says no place on Earth: setSize says how large it is");
+        }
+        TerrainArea.Size size = wanted.size;
+        if (size == null && mosaic.first().place == null) {
+            throw ModelLimits.wrong(file, "the size", "not known", "setSize(northSouth, eastWest, lowest, highest) in metres");
+        }
+        double unitsX = (mosaic.columns - 1) * mosaic.place.columnSpacing();
+        double unitsY = (mosaic.rows - 1) * mosaic.place.rowSpacing();
+        double[] metres = size == null ? new double[] {unitsY, unitsX} : new double[] {size.northSouth, size.eastWest};
+        MapPlane plane = MapPlane.flat(mosaic.place, mosaic.place.x((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0),
+            mosaic.place.y((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0), unitsX / metres[1], unitsY / metres[0]);
+        Made made = make(plane, metres);
+        if (size == null) {
+            return new Ground(made.field, null, lower(made.field, 1), null, warnings);
+        }
+        double[] range = mosaic.first().white > 0 ? new double[] {0, mosaic.first().white} : made.raster.range();
+        double factor = range[1] > range[0] ? (size.highest - size.lowest) / (range[1] - range[0]) : 0;
+        double middle = lower(made.field, factor);
+        return new Ground(made.field, null, size.lowest + (middle - range[0]) * factor, null, warnings);
+    }
+
+    private Made make(MapPlane plane, double[] size) throws IOException {
+        double[][] steps = steps(plane);
+        double[] metres = steps[0];
+        MapExtent extent = new MapExtent(mosaic, plane);
+        double[] used = size != null ? size : extent.fitted(Math.min(MOST_METRES, (mosaic.rows - 1) * metres[0]),
+            Math.min(MOST_METRES, (mosaic.columns - 1) * metres[1]));
+        if (!(used[0] > 0 && used[1] > 0 && used[0] <= MOST_METRES && used[1] <= MOST_METRES)) {
+            throw ModelLimits.wrong(file, "the size of the area", used[0] + " m x " + used[1] + " m", "more than 0 to " + (int) MOST_METRES + " m");
+        }
+        FieldGrid grid = FieldGrid.of(used, metres, steps[1], size != null);
+        FieldSampler.require(file, grid);
+        MapRaster raster = read(extent.box(used[0], used[1], HALF_CELL));
+        FieldSampler sampler = new FieldSampler(file, grid, PlaneLattice.of(grid, plane, metres[1], metres[0]), raster);
+        sampler.fillGaps(warnings);
+        return new Made(sampler.field(), raster);
+    }
+
+    /** At the origin: metres from post to post of the map, going north and going east, and how far north and east the map's first post is by them. */
+    private double[][] steps(MapPlane plane) throws IOException {
+        double[] zero = new double[2];
+        double[] north = new double[2];
+        double[] east = new double[2];
+        plane.at(0, 0, zero);
+        plane.at(1, 0, north);
+        plane.at(0, 1, east);
+        double x = 1 / Math.hypot(north[0] - zero[0], north[1] - zero[1]);
+        double z = 1 / Math.hypot(east[0] - zero[0], east[1] - zero[1]);
+        if (!(x > 0) || !(z > 0) || Double.isInfinite(x) || Double.isInfinite(z)) {
+            throw ModelLimits.wrong(file, "the distance of posts", x + " m x " + z + " m", "above 0");
+        }
+        return new double[][] {{x, z}, {-zero[1] * x * Math.signum(north[1] - zero[1]), -zero[0] * z * Math.signum(east[0] - zero[0])}};
+    }
+
+    private MapRaster read(double[] box) throws IOException {
+        int left = start(box[0], mosaic.columns);
+        int top = start(box[1], mosaic.rows);
+        long width = Math.min(mosaic.columns - 1, (long) Math.ceil(box[2]) + 1) - left + 1;
+        long height = Math.min(mosaic.rows - 1, (long) Math.ceil(box[3]) + 1) - top + 1;
+        ModelLimits.range(file, "the number of the map's posts in the area", width * height, 4, MapLimits.MAX_POSTS);
+        return mosaic.read(top, left, (int) height, (int) width);
+    }
+
+    private static int start(double low, int count) {
+        return (int) Math.max(0, Math.min(count - 2, Math.floor(low) - 1));
+    }
+
+    /** What both kinds of ground are made of. */
+    private static final class Made {
+        final HeightField field;
+        final MapRaster raster;
+
+        Made(HeightField field, MapRaster raster) {
+            this.field = field;
+            this.raster = raster;
+        }
+    }
+}

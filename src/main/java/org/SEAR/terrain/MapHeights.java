@@ -1,0 +1,28 @@
+package org.SEAR.terrain;
+
+import org.SEAR.terrain.format.Georeference;
+
+/** The heights of the area as the map has them, at any place on Earth. Any thread. */
+final class MapHeights {
+    private final MapRaster raster;
+    private final Georeference place;
+    private final MapSystem system;
+    private final double middle;
+
+    MapHeights(MapRaster raster, Georeference place, MapSystem system, double middle) {
+        this.raster = raster;
+        this.place = place;
+        this.system = system;
+        this.middle = middle;
+    }
+
+    /** Metres as in the map, bilinear between its posts. */
+    synchronized double height(double latitude, double longitude) {
+        double[] map = new double[2];
+        system.toMap(latitude, longitude, map);
+        if (system.degrees) {
+            map[0] += 360 * Math.rint((middle - map[0]) / 360);
+        }
+        return raster.height(place.column(map[0], map[1]), place.row(map[0], map[1]));
+    }
+}

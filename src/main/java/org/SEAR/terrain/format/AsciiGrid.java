@@ -1,0 +1,104 @@
+package org.SEAR.terrain.format;
+
+import java.io.IOException;
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import org.SEAR.project.models.ModelLimits;
+
+/**
+ * ESRI ASCII grid: a head of names and values, then the heights in metres, row by row from the north. It says no coordinate system; a .prj beside it
+ * does, and without one coordinates that can be degrees are taken as degrees of WGS 84.
+ */
+final class AsciiGrid extends ElevationMap {
+    private static final Set<String> NAMES = Set.of("ncols", "nrows", "xllcorner", "yllcorner", "xllcenter", "yllcenter", "cellsize", "dx", "dy",
+        "nodata_value");
+
+    private final float[] heights;
+
+    private AsciiGrid(String name, int rows, int columns, Georeference place, float[] heights) {
+        super(name, rows, columns, place, Double.NaN);
+        this.heights = heights;
+    }
+
+    /**
+     * Reads a grid.
+     *
+     * @param system from the .prj, or null
+     */
+    static AsciiGrid open(MapBytes file, String system) throws IOException {
+        MapWords words = new MapWords(file);
+        Map<String, Double> head = new HashMap<>();
+        while (words.next() && NAMES.contains(words.text().toLowerCase(Locale.ROOT))) {
+            String key = words.text().toLowerCase(Locale.ROOT);
+            words.next();
+            head.put(key, MapWords.number(file.getName(), key, words.text()));
+        }
+        int columns = side(file.getName(), head, "ncols");
+        int rows = side(file.getName(), head, "nrows");
+        ModelLimits.range(file.getName(), "the number of posts", (long) rows * columns, 4, MapLimits.MAX_POSTS);
+        Georeference place = place(file.getName(), head, rows);
+        double noData = head.getOrDefault("nodata_value", -9999.0);
+        float[] heights = new float[rows * columns];
+        for (int i = 0; i < heights.length; i++) {
+            if (i > 0) {
+                words.next();
+            }
+            double height = words.number(i, columns);
+            heights[i] = height == noData || !(Math.abs(height) <= MapLimits.HIGHEST) ? Float.NaN : (float) height;
+        }
+        file.close();
+        return new AsciiGrid(file.getName(), rows, columns, system != null ? place.in(system) : guessed(place, rows, columns), heights);
+    }
+
+    private static Georeference place(String file, Map<String, Double> head, int rows) throws IOException {
+        double dx = value(file, head, head.containsKey("dx") ? "dx" : "cellsize");
+        double dy = value(file, head, head.containsKey("dy") ? "dy" : "cellsize");
+        if (!(dx > 0) || !(dy > 0)) {
+            throw ModelLimits.wrong(file, "cellsize", Math.min(dx, dy), "above 0");
+        }
+        double x = head.containsKey("xllcenter") ? value(file, head, "xllcenter") : value(file, head, "xllcorner") + dx / 2;
+        double y = head.containsKey("yllcenter") ? value(file, head, "yllcenter") : value(file, head, "yllcorner") + dy / 2;
+        return new Georeference(null, x, y + dy * (rows - 1), dx, 0, 0, -dy);
+    }
+
+    private static Georeference guessed(Georeference place, int rows, int columns) {
+        boolean degrees = place.xColumn <= 1 && -place.yRow <= 1 && place.x0 >= -181 && place.x(columns - 1, 0) <= 361 && place.y0 <= 91
+            && place.y(0, rows - 1) >= -91;
+        return degrees ? place.in(Georeference.WGS84) : place;
+    }
+
+    private static int side(String file, Map<String, Double> head, String key) throws IOException {
+        double value = value(file, head, key);
+        if (!(value >= 2 && value <= MAX_SIDE) || value != Math.rint(value)) {
+            throw ModelLimits.wrong(file, key, value, "2 to " + MAX_SIDE);
+        }
+        return (int) value;
+    }
+
+    private static double value(String file, Map<String, Double> head, String key) throws IOException {
+        Double value = head.get(key);
+        if (value == null) {
+            throw ModelLimits.wrong(file, key, "missing", "an ESRI ASCII grid begins with ncols, nrows, xllcorner, yllcorner and cellsize");
+        }
+        return value;
+    }
+
+    @Override
+    public float[] read(int row, int column, int height, int width) {
+        if (row == 0 && column == 0 && height == rows && width == columns) {
+            return heights.clone();
+        }
+        float[] part = new float[height * width];
+        for (int r = 0; r < height; r++) {
+            System.arraycopy(heights, (row + r) * columns + column, part, r * width, width);
+        }
+        return part;
+    }
+
+    @Override
+    public void close() {
+        // the file was closed when it was read
+    }
+}

@@ -1,0 +1,71 @@
+package org.SEAR.terrain.format;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Locale;
+import org.SEAR.project.models.Assets;
+import org.SEAR.project.models.ModelLimits;
+
+/** Opens the files of elevation maps: by what they are, not only by how they are called. Any thread. */
+public final class ElevationMaps {
+    /** The endings of the files that can be read. */
+    public static final List<String> ENDINGS = List.of(".hgt", ".hgt.zip", ".tif", ".tiff", ".asc", ".png", ".jpg", ".jpeg", ".gif", ".bmp");
+    private static final String LEGAL = "SRTM (.hgt, .hgt.zip), GeoTIFF (.tif), ESRI ASCII grid (.asc) or a grey picture (.png, .jpg, .bmp)";
+    private static final int HEAD = 16;
+
+    private ElevationMaps() {
+    }
+
+    /** Whether a path names an elevation map by its ending. */
+    public static boolean isMap(String path) {
+        String lower = path.toLowerCase(Locale.ROOT);
+        return ENDINGS.stream().anyMatch(lower::endsWith);
+    }
+
+    /**
+     * Opens a map.
+     *
+     * @param path below the assets
+     * @throws IOException that names the file, what it is and what can be read
+     */
+    public static ElevationMap open(Assets assets, String path) throws IOException {
+        MapBytes bytes = MapBytes.open(assets, path);
+        try {
+            return open(assets, bytes);
+        } catch (IOException | RuntimeException e) {
+            bytes.close();
+            throw e;
+        }
+    }
+
+    private static ElevationMap open(Assets assets, MapBytes bytes) throws IOException {
+        String lower = bytes.getName().toLowerCase(Locale.ROOT);
+        String kind = FileKind.of(new String(bytes.read("the head", 0, (int) Math.min(HEAD, bytes.size())), StandardCharsets.ISO_8859_1));
+        if (lower.endsWith(".hgt") && (SrtmTile.isTile(bytes.size()) || kind.equals(FileKind.UNKNOWN))
+            || lower.endsWith(".zip") && kind.equals(FileKind.ZIP)) {
+            return SrtmTile.open(bytes);
+        }
+        if (kind.equals(FileKind.TIFF)) {
+            return GeoTiff.open(bytes);
+        }
+        if (kind.equals(FileKind.PICTURE)) {
+            assets.checkPicture(bytes.getName());
+            return GreyPicture.open(bytes);
+        }
+        if (kind.equals(FileKind.GRID) || kind.equals(FileKind.UNKNOWN) && lower.endsWith(".asc")) {
+            return AsciiGrid.open(bytes, systemBeside(assets, bytes.getName()));
+        }
+        throw ModelLimits.wrong(bytes.getName(), "the file", kind, LEGAL);
+    }
+
+    private static String systemBeside(Assets assets, String path) throws IOException {
+        String beside = path.substring(0, Math.max(path.lastIndexOf('.'), 0)) + ".prj";
+        if (!path.contains(".") || !assets.has(beside)) {
+            return null;
+        }
+        try (MapBytes bytes = MapBytes.open(assets, beside)) {
+            return EsriProjection.system(bytes);
+        }
+    }
+}

@@ -1,0 +1,91 @@
+package org.SEAR.terrain.format;
+
+import java.io.IOException;
+import java.util.HashMap;
+import java.util.Map;
+import org.SEAR.project.models.ModelLimits;
+
+/** Where a GeoTIFF says that it lies (OGC GeoTIFF 1.1). */
+final class GeoKeys {
+    private static final int PIXEL_SCALE = 33550;
+    private static final int TIE_POINTS = 33922;
+    private static final int TRANSFORMATION = 34264;
+    private static final int DIRECTORY = 34735;
+    private static final int MODEL_TYPE = 1024;
+    private static final int RASTER_TYPE = 1025;
+    private static final int GEOGRAPHIC = 2048;
+    private static final int ANGULAR_UNITS = 2054;
+    private static final int PROJECTED = 3072;
+    private static final int VERTICAL = 4096;
+    private static final int VERTICAL_UNITS = 4099;
+    private static final int USER_DEFINED = 32767;
+    private static final int DEGREE = 9102;
+    private static final int PIXEL_IS_POINT = 2;
+    private static final int GEOCENTRIC = 3;
+    private static final Map<Integer, Double> METRES = Map.of(9001, 1.0, 9002, 0.3048, 9003, 1200 / 3937.0);
+    /** Vertical systems in feet: EPSG's NAVD 88 and NGVD 29. */
+    private static final Map<Integer, Double> VERTICAL_FEET = Map.of(6360, 1200 / 3937.0, 5702, 1200 / 3937.0, 8228, 0.3048);
+
+    private final TiffFile file;
+    private final Map<Integer, Integer> keys = new HashMap<>();
+
+    GeoKeys(TiffFile file) throws IOException {
+        this.file = file;
+        long[] all = file.longs(DIRECTORY, "the GeoKeyDirectory", 4096);
+        for (int i = 4; all != null && i + 3 < all.length; i += 4) {
+            if (all[i + 1] == 0) {
+                keys.put((int) all[i], (int) all[i + 3]);
+            }
+        }
+    }
+
+    /** Metres in a unit of the heights. */
+    double metres() throws IOException {
+        int unit = keys.getOrDefault(VERTICAL_UNITS, 0);
+        if (unit != 0 && unit != USER_DEFINED) {
+            Double metres = METRES.get(unit);
+            if (metres == null) {
+                throw ModelLimits.wrong(file.name, "the unit of heights", "EPSG " + unit, "9001 (metre), 9002 (foot) or 9003 (US survey foot)");
+            }
+            return metres;
+        }
+        return VERTICAL_FEET.getOrDefault(keys.getOrDefault(VERTICAL, 0), 1.0);
+    }
+
+    /** Where the pixels' centres lie; null if the file doesn't say it. */
+    Georeference place() throws IOException {
+        double[] matrix = file.doubles(TRANSFORMATION, "ModelTransformation", 16);
+        double[] scale = file.doubles(PIXEL_SCALE, "ModelPixelScale", 3);
+        double[] ties = file.doubles(TIE_POINTS, "ModelTiepoint", 6 * 4096);
+        Georeference corner;
+        if (scale != null && ties != null && scale.length >= 2 && ties.length >= 6) {
+            corner = new Georeference(system(), ties[3] - ties[0] * scale[0], ties[4] + ties[1] * scale[1], scale[0], 0, 0, -scale[1]);
+        } else if (matrix != null && matrix.length == 16) {
+            corner = new Georeference(system(), matrix[3], matrix[7], matrix[0], matrix[4], matrix[1], matrix[5]);
+        } else if (ties != null && ties.length > 6) {
+            throw ModelLimits.wrong(file.name, "the place", ties.length / 6 + " control points", "ModelPixelScale and ModelTiepoint, or "
+                + "ModelTransformation: warp it first, for example by gdalwarp");
+        } else {
+            return null;
+        }
+        if (!corner.isRegular()) {
+            throw ModelLimits.wrong(file.name, "the place of the pixels", corner.x0 + ", " + corner.y0 + " in steps of " + corner.xColumn + ", "
+                + corner.yRow, "finite numbers, steps other than 0");
+        }
+        return keys.getOrDefault(RASTER_TYPE, 1) == PIXEL_IS_POINT ? corner : corner.from(0.5, 0.5);
+    }
+
+    private String system() throws IOException {
+        int geographic = keys.getOrDefault(GEOGRAPHIC, 0);
+        int projected = keys.getOrDefault(PROJECTED, 0);
+        if (keys.getOrDefault(MODEL_TYPE, 0) == GEOCENTRIC || projected == USER_DEFINED || projected == 0 && geographic == USER_DEFINED) {
+            throw ModelLimits.wrong(file.name, "the coordinate system", keys.getOrDefault(MODEL_TYPE, 0) == GEOCENTRIC ? "geocentric" : "defined by user",
+                "one with an EPSG number: bring it to one, for example by gdalwarp -t_srs EPSG:4326");
+        }
+        if (projected == 0 && geographic != 0 && keys.getOrDefault(ANGULAR_UNITS, DEGREE) != DEGREE) {
+            throw ModelLimits.wrong(file.name, "the unit of angles", "EPSG " + keys.get(ANGULAR_UNITS), DEGREE + " (degree)");
+        }
+        int number = projected != 0 ? projected : geographic;
+        return number == 0 ? null : "EPSG:" + number;
+    }
+}

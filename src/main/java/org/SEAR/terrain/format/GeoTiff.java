@@ -1,0 +1,103 @@
+package org.SEAR.terrain.format;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.Arrays;
+import org.SEAR.project.models.ModelLimits;
+
+/** A TIFF with one value a pixel, which is a height if the file says where on Earth it lies, and a grey otherwise. */
+final class GeoTiff extends ElevationMap {
+    private static final int NO_DATA = 42113;
+
+    private final TiffImage image;
+    private final double metres;
+    private final double noData;
+
+    private GeoTiff(TiffImage image, Georeference place, double metres, double noData) {
+        super(image.file.name, image.rows, image.columns, place, place != null || image.sampleFormat != 1 ? Double.NaN
+            : Math.pow(2, 8 * image.sampleBytes) - 1);
+        this.image = image;
+        this.metres = metres;
+        this.noData = noData;
+    }
+
+    static GeoTiff open(MapBytes bytes) throws IOException {
+        TiffFile file = new TiffFile(bytes);
+        TiffImage image = new TiffImage(file);
+        if (image.samples != 1) {
+            throw ModelLimits.wrong(file.name, "SamplesPerPixel", image.samples, "1, the height (several are colours: such a file goes to setImage)");
+        }
+        if (image.rows < 2 || image.columns < 2) {
+            throw ModelLimits.wrong(file.name, "the size", image.rows + " x " + image.columns, "at least 2 x 2 posts");
+        }
+        GeoKeys keys = new GeoKeys(file);
+        return new GeoTiff(image, keys.place(), keys.metres(), noData(file));
+    }
+
+    private static double noData(TiffFile file) throws IOException {
+        String text = file.text(NO_DATA, "GDAL_NODATA", 256);
+        if (text == null || text.trim().isEmpty()) {
+            return Double.NaN;
+        }
+        try {
+            return Double.parseDouble(text.trim().replaceFirst("(?i)^([-+]?)(nan)$", "NaN").replaceFirst("(?i)^([-+]?)inf.*$", "$1Infinity"));
+        } catch (NumberFormatException e) {
+            throw ModelLimits.wrong(file.name, "GDAL_NODATA", '"' + text + '"', "a number");
+        }
+    }
+
+    @Override
+    public float[] read(int row, int column, int height, int width) throws IOException {
+        float[] heights = new float[height * width];
+        for (int down = row / image.blockRows; down <= (row + height - 1) / image.blockRows; down++) {
+            int from = Math.max(row, down * image.blockRows);
+            int to = (int) Math.min((long) row + height, (long) (down + 1) * image.blockRows);
+            for (int across = column / image.blockColumns; across <= (column + width - 1) / image.blockColumns; across++) {
+                int left = Math.max(column, across * image.blockColumns);
+                int right = (int) Math.min((long) column + width, (long) (across + 1) * image.blockColumns);
+                byte[] block = image.unpack(across, down, 0, from - down * image.blockRows, to - from);
+                for (int r = from; r < to; r++) {
+                    int at = (r - row) * width + left - column;
+                    if (block == null) {
+                        Arrays.fill(heights, at, at + right - left, Float.NaN);
+                    } else {
+                        long first = (long) (r - from) * image.blockColumns + left - across * image.blockColumns;
+                        values(block, (int) first, right - left, heights, at);
+                    }
+                }
+            }
+        }
+        return heights;
+    }
+
+    private void values(byte[] block, int first, int count, float[] into, int at) {
+        ByteBuffer in = ByteBuffer.wrap(block).order(image.bigEndian ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN);
+        boolean limited = Double.isNaN(white);
+        for (int i = 0; i < count; i++) {
+            double value = value(in, (first + i) * image.sampleBytes);
+            double height = value * metres;
+            boolean none = value == noData || image.sampleFormat == 3 && image.sampleBytes == 4 && (float) value == (float) noData;
+            into[at + i] = none || limited && !(Math.abs(height) <= MapLimits.HIGHEST) ? Float.NaN : (float) height;
+        }
+    }
+
+    private double value(ByteBuffer in, int at) {
+        boolean signed = image.sampleFormat == 2;
+        switch (image.sampleBytes) {
+            case 1:
+                return signed ? in.get(at) : in.get(at) & 0xff;
+            case 2:
+                return signed ? in.getShort(at) : Short.toUnsignedInt(in.getShort(at));
+            case 4:
+                return image.sampleFormat == 3 ? in.getFloat(at) : signed ? in.getInt(at) : Integer.toUnsignedLong(in.getInt(at));
+            default:
+                return image.sampleFormat == 3 ? in.getDouble(at) : in.getLong(at);
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        image.file.bytes.close();
+    }
+}

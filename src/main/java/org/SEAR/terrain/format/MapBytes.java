@@ -1,0 +1,132 @@
+package org.SEAR.terrain.format;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import org.SEAR.project.models.Assets;
+import org.SEAR.project.models.ModelLimits;
+
+/**
+ * The bytes of a map's file, of which only those are read that are asked for: a file that is larger than what is used of it takes no more memory.
+ * One thread at a time.
+ */
+public final class MapBytes implements Closeable {
+    /** Bytes of a map's file. */
+    static final long MAX_FILE = 4L << 30;
+    /** Bytes of a map that comes with SEAR or is unpacked: it is kept in memory as a whole. */
+    static final int MAX_UNPACKED = 64 << 20;
+
+    private final String name;
+    private final FileChannel channel;
+    private final byte[] bytes;
+    private final long size;
+
+    private MapBytes(String name, FileChannel channel, byte[] bytes, long size) throws IOException {
+        this.name = name;
+        this.channel = channel;
+        this.bytes = bytes;
+        this.size = size;
+        ModelLimits.range(name, "the file's size", size, 1, MAX_FILE);
+    }
+
+    /**
+     * The bytes of an asset.
+     *
+     * @param path as written in an object
+     * @throws IOException if there is none, it is empty or too large
+     */
+    public static MapBytes open(Assets assets, String path) throws IOException {
+        Path file = assets.getFolder().resolve(path);
+        if (!Files.isRegularFile(file)) {
+            try (InputStream in = assets.open(path)) {
+                byte[] all = in.readNBytes(MAX_UNPACKED + 1);
+                ModelLimits.range(path, "the file's size", all.length, 1, MAX_UNPACKED);
+                return of(path, all);
+            }
+        }
+        FileChannel channel = FileChannel.open(file, StandardOpenOption.READ);
+        try {
+            return new MapBytes(path, channel, null, channel.size());
+        } catch (IOException e) {
+            channel.close();
+            throw e;
+        }
+    }
+
+    /**
+     * Bytes in memory.
+     *
+     * @param name what messages call them
+     * @throws IOException if there are none
+     */
+    public static MapBytes of(String name, byte[] bytes) throws IOException {
+        return new MapBytes(name, null, bytes, bytes.length);
+    }
+
+    /** What messages call the file. */
+    public String getName() {
+        return name;
+    }
+
+    /** How many there are. */
+    public long size() {
+        return size;
+    }
+
+    /**
+     * Reads a part.
+     *
+     * @param what the part's name in messages
+     * @throws IOException if the file ends before
+     */
+    public byte[] read(String what, long position, int length) throws IOException {
+        requirePart(what, position, length);
+        byte[] part = new byte[length];
+        read(what, position, part, length);
+        return part;
+    }
+
+    /**
+     * Reads a part into an array, from its start.
+     *
+     * @param what the part's name in messages
+     * @throws IOException if the file ends before
+     */
+    public void read(String what, long position, byte[] into, int length) throws IOException {
+        requirePart(what, position, length);
+        if (bytes != null) {
+            System.arraycopy(bytes, (int) position, into, 0, length);
+            return;
+        }
+        ByteBuffer buffer = ByteBuffer.wrap(into, 0, length);
+        while (buffer.hasRemaining()) {
+            if (channel.read(buffer, position + buffer.position()) < 0) {
+                throw new IOException(name + ": the file became shorter while it was read");
+            }
+        }
+    }
+
+    /**
+     * Refuses a part that is not in the file.
+     *
+     * @param what the part's name in messages
+     * @throws IOException that names it
+     */
+    public void requirePart(String what, long position, long length) throws IOException {
+        if (position < 0 || length < 0 || position > size || length > size - position) {
+            throw ModelLimits.wrong(name, what, length + " bytes at " + position, "inside the file, which has " + size + " bytes (is it cut off?)");
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        if (channel != null) {
+            channel.close();
+        }
+    }
+}

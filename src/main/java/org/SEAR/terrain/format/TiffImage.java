@@ -1,0 +1,158 @@
+package org.SEAR.terrain.format;
+
+import java.io.IOException;
+import java.nio.ByteOrder;
+import java.util.Arrays;
+import org.SEAR.project.models.ModelLimits;
+
+/** How the first image of a TIFF is cut into strips or tiles, and the unpacked bytes of each. One thread at a time. */
+final class TiffImage {
+    private static final int MAX_BLOCKS = 4_000_000;
+    /** Bytes of one strip or tile, packed or unpacked. */
+    private static final int MAX_BLOCK = 128 << 20;
+    /** Bytes that are unpacked of one file, all told: strips that are much wider than the used area take time. */
+    private static final long MAX_UNPACKED = 2L << 30;
+
+    final TiffFile file;
+    final int columns;
+    final int rows;
+    /** Values of a pixel. */
+    final int samples;
+    /** Bytes of a value. */
+    final int sampleBytes;
+    /** 1 unsigned, 2 signed, 3 floating point. */
+    final int sampleFormat;
+    /** Whether strips or tiles hold all values of a pixel, not one. */
+    final boolean together;
+    /** Whether values are big-endian after unpacking. */
+    final boolean bigEndian;
+    /** Of a strip or tile, columns. */
+    final int blockColumns;
+    /** Of a strip or tile, rows. */
+    final int blockRows;
+    private final boolean tiled;
+    private final int blocksAcross;
+    private final int blocksDown;
+    private final int compression;
+    private final int predictor;
+    private final long[] offsets;
+    private final long[] counts;
+    private long unpacked;
+
+    TiffImage(TiffFile file) throws IOException {
+        this.file = file;
+        columns = file.number(256, "ImageWidth", 0, 1, ElevationMap.MAX_SIDE);
+        rows = file.number(257, "ImageLength", 0, 1, ElevationMap.MAX_SIDE);
+        samples = file.number(277, "SamplesPerPixel", 1, 1, 64);
+        sampleBytes = sampleBytes();
+        sampleFormat = sameFor("SampleFormat", 339, 1);
+        together = file.number(284, "PlanarConfiguration", 1, 1, 2) == 1;
+        compression = file.number(259, "Compression", 1, 0, 65535);
+        TiffDecoder.require(file.name, compression);
+        predictor = compression == TiffDecoder.NONE ? 1 : file.number(317, "Predictor", 1, 1, 3);
+        file.number(266, "FillOrder", 1, 1, 1);
+        if (sampleFormat < 1 || sampleFormat > 3 || sampleFormat == 3 && sampleBytes < 4) {
+            throw ModelLimits.wrong(file.name, "SampleFormat", sampleFormat + " with " + 8 * sampleBytes + " bits",
+                "1 (unsigned), 2 (signed), or with 32 or 64 bits 3 (floating point)");
+        }
+        if (predictor == 3 && sampleFormat != 3) {
+            throw ModelLimits.wrong(file.name, "Predictor", 3, "1 or 2 for whole numbers");
+        }
+        bigEndian = predictor == 3 || file.order == ByteOrder.BIG_ENDIAN;
+        tiled = file.has(322);
+        blockColumns = tiled ? file.number(322, "TileWidth", 0, 1, ElevationMap.MAX_SIDE) : columns;
+        blockRows = tiled ? file.number(323, "TileLength", 0, 1, ElevationMap.MAX_SIDE) : rowsPerStrip();
+        blocksAcross = (columns + blockColumns - 1) / blockColumns;
+        blocksDown = (rows + blockRows - 1) / blockRows;
+        long blocks = (long) blocksAcross * blocksDown * (together ? 1 : samples);
+        ModelLimits.range(file.name, "the number of strips or tiles", blocks, 1, MAX_BLOCKS);
+        offsets = table(tiled ? 324 : 273, tiled ? "TileOffsets" : "StripOffsets", (int) blocks);
+        counts = table(tiled ? 325 : 279, tiled ? "TileByteCounts" : "StripByteCounts", (int) blocks);
+        ModelLimits.range(file.name, "the size of a row of a strip or tile", rowBytes(), 1, MAX_BLOCK);
+    }
+
+    private int rowsPerStrip() throws IOException {
+        long[] given = file.longs(278, "RowsPerStrip", 1);
+        if (given == null || given[0] >= rows) {
+            return rows;
+        }
+        ModelLimits.range(file.name, "RowsPerStrip", given[0], 1, Integer.MAX_VALUE);
+        return (int) given[0];
+    }
+
+    private int sampleBytes() throws IOException {
+        int bits = sameFor("BitsPerSample", 258, 1);
+        if (bits != 8 && bits != 16 && bits != 32 && bits != 64) {
+            throw ModelLimits.wrong(file.name, "BitsPerSample", bits, "8, 16, 32 or 64");
+        }
+        return bits / 8;
+    }
+
+    private int sameFor(String what, int tag, int without) throws IOException {
+        long[] values = file.longs(tag, what, 64);
+        if (values == null) {
+            return without;
+        }
+        for (long value : values) {
+            if (value != values[0]) {
+                throw ModelLimits.wrong(file.name, what, Arrays.toString(values), "the same for all values of a pixel");
+            }
+        }
+        return (int) Math.min(values[0], 65535);
+    }
+
+    private long[] table(int tag, String what, int blocks) throws IOException {
+        long[] values = file.longs(tag, what, MAX_BLOCKS);
+        if (values == null || values.length < blocks) {
+            throw ModelLimits.wrong(file.name, "the number of values of " + what, values == null ? 0 : values.length, String.valueOf(blocks));
+        }
+        return values;
+    }
+
+    /** Values in a row of a strip or tile, side by side. */
+    int samplesTogether() {
+        return together ? samples : 1;
+    }
+
+    /** Bytes of a row of a strip or tile. */
+    long rowBytes() {
+        return (long) blockColumns * samplesTogether() * sampleBytes;
+    }
+
+    /**
+     * Unpacks rows of a strip or tile.
+     *
+     * @param across the strip's or tile's place, counted from 0; likewise down
+     * @param plane which value of the pixels, where they lie apart
+     * @param from the first row in it
+     * @param count how many
+     * @return null where the file leaves the strip or tile out
+     * @throws IOException that names what is broken
+     */
+    byte[] unpack(int across, int down, int plane, int from, int count) throws IOException {
+        int block = (plane * blocksDown + down) * blocksAcross + across;
+        String what = (tiled ? "tile " : "strip ") + block;
+        if (offsets[block] == 0 && counts[block] == 0) {
+            return null;
+        }
+        int rowBytes = (int) rowBytes();
+        ModelLimits.range(file.name, "the size of " + what, (long) rowBytes * (compression == TiffDecoder.NONE ? count : from + count), 1, MAX_BLOCK);
+        if (compression == TiffDecoder.NONE) {
+            file.bytes.requirePart(what, offsets[block], (long) rowBytes * (from + count));
+            return file.bytes.read(what, offsets[block] + (long) from * rowBytes, count * rowBytes);
+        }
+        ModelLimits.range(file.name, "the number of bytes of " + what, counts[block], 1, MAX_BLOCK);
+        byte[] packed = file.bytes.read(what, offsets[block], (int) counts[block]);
+        byte[] all = new byte[(from + count) * rowBytes];
+        unpacked += all.length;
+        if (unpacked > MAX_UNPACKED) {
+            throw ModelLimits.wrong(file.name, "what has to be unpacked for the area", "more than " + MAX_UNPACKED + " bytes",
+                "less: cut the map, for example by gdal_translate -projwin");
+        }
+        TiffDecoder.unpack(file.name, what, compression, packed, all);
+        for (int row = from; row < from + count; row++) {
+            TiffPredictor.undo(predictor, all, row * rowBytes, blockColumns, samplesTogether(), sampleBytes, file.order);
+        }
+        return from == 0 ? all : Arrays.copyOfRange(all, from * rowBytes, all.length);
+    }
+}

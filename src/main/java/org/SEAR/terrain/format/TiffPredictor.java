@@ -1,0 +1,61 @@
+package org.SEAR.terrain.format;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+
+/**
+ * Undoes what was done to rows before they were packed. Predictor 2 keeps the difference to the value on the left (TIFF 6.0, section 14), predictor 3
+ * does so with bytes after it has sorted those of a row by their rank (Adobe Photoshop TIFF Technical Note 3).
+ */
+final class TiffPredictor {
+    private TiffPredictor() {
+    }
+
+    /**
+     * Undoes a row in place; after predictor 3 the values are big-endian.
+     *
+     * @param at where the row begins
+     * @param samples values of a pixel, side by side
+     * @param size bytes of a value
+     */
+    static void undo(int predictor, byte[] bytes, int at, int columns, int samples, int size, ByteOrder order) {
+        if (predictor == 2 && size == 1) {
+            sumBytes(bytes, at, columns * samples, samples);
+        } else if (predictor == 2) {
+            sumValues(ByteBuffer.wrap(bytes).order(order), at, columns * samples, samples, size);
+        } else if (predictor == 3) {
+            sumBytes(bytes, at, columns * samples * size, samples);
+            sort(bytes, at, columns * samples, size);
+        }
+    }
+
+    private static void sumBytes(byte[] bytes, int at, int count, int step) {
+        for (int i = at + step; i < at + count; i++) {
+            bytes[i] += bytes[i - step];
+        }
+    }
+
+    private static void sumValues(ByteBuffer row, int at, int count, int step, int size) {
+        int end = at + count * size;
+        int back = step * size;
+        for (int i = at + back; i < end; i += size) {
+            if (size == 2) {
+                row.putShort(i, (short) (row.getShort(i) + row.getShort(i - back)));
+            } else if (size == 4) {
+                row.putInt(i, row.getInt(i) + row.getInt(i - back));
+            } else {
+                row.putLong(i, row.getLong(i) + row.getLong(i - back));
+            }
+        }
+    }
+
+    private static void sort(byte[] bytes, int at, int count, int size) {
+        byte[] ranked = new byte[count * size];
+        System.arraycopy(bytes, at, ranked, 0, ranked.length);
+        for (int i = 0; i < count; i++) {
+            for (int rank = 0; rank < size; rank++) {
+                bytes[at + i * size + rank] = ranked[rank * count + i];
+            }
+        }
+    }
+}

@@ -1,0 +1,71 @@
+package org.SEAR.terrain;
+
+import static org.junit.Assert.assertEquals;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Collections;
+import org.SEAR.project.models.Assets;
+import org.junit.Test;
+
+/** Real heights in three formats and two coordinate systems, against what GDAL reads of them: USGS, SRTM, the Jacksboro fault. */
+public class JacksboroTest {
+    private static final Path FOLDER = Paths.get(System.getProperty("sear.root", "."), "src/test/resources/org/SEAR/terrain");
+    private static final Assets ASSETS = new Assets(FOLDER);
+
+    private static TerrainArea all(String path) {
+        return TerrainArea.of(path, Collections.emptyList());
+    }
+
+    private static JsonNode probes() throws IOException {
+        return new ObjectMapper().readTree(FOLDER.resolve("probes.json").toFile());
+    }
+
+    private static int probesOf(Ground ground, String elevation) throws IOException {
+        int seen = 0;
+        for (JsonNode probe : probes().get("probes")) {
+            double height = ground.height(probe.get("latitude").asDouble(), probe.get("longitude").asDouble());
+            if (!Double.isNaN(height)) {
+                assertEquals(probe.toString(), probe.get(elevation).asDouble(), height, 0.05);
+                double[] at = ground.origin.to(probe.get("latitude").asDouble(), probe.get("longitude").asDouble());
+                assertEquals(probe.toString(), probe.get(elevation).asDouble(), ground.altitude + ground.field.height(at[0], at[1]), 0.5);
+                seen++;
+            }
+        }
+        return seen;
+    }
+
+    @Test
+    public void allProbesOfTheGeographicMap() throws IOException {
+        Ground ground = TerrainLoader.load(all("jacksboro-wgs84.tif"), ASSETS);
+        assertEquals(24, probesOf(ground, "elevation_wgs84_grid"));
+        assertEquals(Collections.emptyList(), ground.warnings);
+    }
+
+    @Test
+    public void allProbesOfTheProjectedMap() throws IOException {
+        Ground ground = TerrainLoader.load(all("jacksboro-utm16n.tif"), ASSETS);
+        assertEquals(24, probesOf(ground, "elevation_utm_grid"));
+    }
+
+    @Test
+    public void theProbesThatTheAsciiGridCovers() throws IOException {
+        Ground ground = TerrainLoader.load(all("jacksboro-part.asc"), ASSETS);
+        assertEquals(3, probesOf(ground, "elevation_wgs84_grid"));
+    }
+
+    @Test
+    public void theSummitIsAsHighAsItIs() throws IOException {
+        JsonNode summit = probes().get("summit");
+        double latitude = summit.get("latitude").asDouble();
+        double longitude = summit.get("longitude").asDouble();
+        Ground ground = TerrainLoader.load(all("jacksboro-wgs84.tif").around(latitude, longitude, 2000, 2000), ASSETS);
+        assertEquals(1076, ground.altitude, 1);
+        assertEquals(0, ground.field.height(0, 0), 1e-6);
+        assertEquals(1076, ground.height(latitude, longitude), 1);
+        assertEquals(latitude, ground.origin.getLatitude(), 0);
+    }
+}

@@ -1,8 +1,8 @@
 package org.SEAR.terrain;
 
 /**
- * The posts that a height field gets: rows from the south, columns from the west, near the origin on the map's own posts, so that ridges stay as sharp
- * as they are there. Immutable, any thread.
+ * The posts that a height field gets: rows from the south, columns from the west, near the origin on the map's own posts, so that ridges stay as
+ * sharp as they are there. Immutable, any thread.
  */
 final class FieldGrid {
     /** Posts up to which the field is finer than the map: its triangles then follow the map's bilinear surface. */

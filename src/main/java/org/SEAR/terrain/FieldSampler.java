@@ -47,8 +47,8 @@ final class FieldSampler {
         }
         double share = 100.0 * empty / grid.posts();
         if (share > 50) {
-            throw ModelLimits.wrong(file, "the part of the area without data", percent(share), "at most 50 %: choose another area, or add the tile that "
-                + "has it");
+            throw ModelLimits.wrong(file, "the part of the area without data", percent(share),
+                "at most 50 %: choose another area, or add the tile that has it");
         }
         if (empty > 0) {
             warnings.add(file + ": " + percent(share) + " of the area have no data, and are filled in from around");

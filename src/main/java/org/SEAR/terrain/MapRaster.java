@@ -1,6 +1,9 @@
 package org.SEAR.terrain;
 
-/** Heights that were read of a map, as they are there; the first one is that of the map's post {@link #row}, {@link #column}. One thread at a time. */
+/**
+ * Heights that were read of a map, as they are there; the first one is that of the map's post {@link #row}, {@link #column}. Nobody changes them
+ * after the gaps are filled. Any thread then.
+ */
 final class MapRaster {
     final int row;
     final int column;

@@ -50,7 +50,7 @@ public final class TerrainLoader {
         for (String path : area.paths) {
             Path file = assets.getFolder().resolve(path);
             if (Files.isRegularFile(file)) {
-                key.append('|').append(file.toAbsolutePath()).append(' ').append(Files.size(file)).append(' ').append(Files.getLastModifiedTime(file));
+                key.append("|" + file.toAbsolutePath() + " " + Files.size(file) + " " + Files.getLastModifiedTime(file));
             }
         }
         return key.toString();

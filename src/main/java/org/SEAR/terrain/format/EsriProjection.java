@@ -7,7 +7,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.SEAR.project.models.ModelLimits;
 
-/** The coordinate system in a .prj beside a grid: well-known text of ESRI or OGC, or the lines "Projection GEOGRAPHIC" and the like of older grids. */
+/** The coordinate system in a .prj beside a grid: well-known text of ESRI or OGC, or lines such as "Projection GEOGRAPHIC" of older grids. */
 final class EsriProjection {
     private static final int MOST = 1 << 16;
     private static final Pattern AUTHORITY = Pattern.compile("(?:AUTHORITY\\[\"EPSG\",\"?|ID\\[\"EPSG\",)(\\d{4,6})\"?\\]\\s*\\]\\s*$",

@@ -18,9 +18,9 @@ final class FileKind {
         {"\u0089HDF", "a NetCDF or HDF5"}, {"CDF\u0001", "a NetCDF"}, {"CDF\u0002", "a NetCDF"}, {"CDF\u0005", "a NetCDF"},
         {"\u000e\u0003\u0013\u0001", "an HDF4"}, {"GRIB", "a GRIB"}, {"EHFA_HEADER_TAG", "an Erdas Imagine picture"}, {"LASF", "a point cloud (LAS)"},
         {"Lerc2 ", "a LERC"}, {"DSAA", "a Surfer grid"}, {"DSBB", "a Surfer grid"}, {"DSRB", "a Surfer grid"}, {"UHL1", "a DTED"},
-        {"HDR", "a DTED"}, {"VOL1", "a DTED"}, {"SQLite format 3", "a GeoPackage or MBTiles"}, {"%PDF", "a PDF"}, {"\u001f\u008b", "packed with gzip"},
-        {"7z\u00bc\u00af", "packed with 7z"}, {"Rar!", "packed with rar"}, {"RIFF", "a WebP"}, {"glTF", "a glTF model"}, {"<", "XML or HTML"},
-        {"{", "JSON"},
+        {"HDR", "a DTED"}, {"VOL1", "a DTED"}, {"SQLite format 3", "a GeoPackage or MBTiles"}, {"%PDF", "a PDF"},
+        {"\u001f\u008b", "packed with gzip"}, {"7z\u00bc\u00af", "packed with 7z"}, {"Rar!", "packed with rar"}, {"RIFF", "a WebP"},
+        {"glTF", "a glTF model"}, {"<", "XML or HTML"}, {"{", "JSON"},
     };
 
     private FileKind() {

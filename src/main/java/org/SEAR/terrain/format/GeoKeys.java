@@ -78,8 +78,9 @@ final class GeoKeys {
     private String system() throws IOException {
         int geographic = keys.getOrDefault(GEOGRAPHIC, 0);
         int projected = keys.getOrDefault(PROJECTED, 0);
-        if (keys.getOrDefault(MODEL_TYPE, 0) == GEOCENTRIC || projected == USER_DEFINED || projected == 0 && geographic == USER_DEFINED) {
-            throw ModelLimits.wrong(file.name, "the coordinate system", keys.getOrDefault(MODEL_TYPE, 0) == GEOCENTRIC ? "geocentric" : "defined by user",
+        boolean geocentric = keys.getOrDefault(MODEL_TYPE, 0) == GEOCENTRIC;
+        if (geocentric || projected == USER_DEFINED || projected == 0 && geographic == USER_DEFINED) {
+            throw ModelLimits.wrong(file.name, "the coordinate system", geocentric ? "geocentric" : "defined by user",
                 "one with an EPSG number: bring it to one, for example by gdalwarp -t_srs EPSG:4326");
         }
         if (projected == 0 && geographic != 0 && keys.getOrDefault(ANGULAR_UNITS, DEGREE) != DEGREE) {

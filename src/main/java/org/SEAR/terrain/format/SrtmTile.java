@@ -68,8 +68,8 @@ final class SrtmTile extends ElevationMap {
                 if (entry.getName().toLowerCase(Locale.ROOT).endsWith(".hgt")) {
                     byte[] tile = zip.readNBytes(2 * 3601 * 3601 + 1);
                     if (tile.length > 2 * 3601 * 3601) {
-                        throw ModelLimits.wrong(file.getName(), "the size of " + entry.getName() + " in it", "more than " + 2 * 3601 * 3601 + " bytes",
-                            "2884802 or 25934402");
+                        throw ModelLimits.wrong(file.getName(), "the size of " + entry.getName() + " in it",
+                            "more than " + 2 * 3601 * 3601 + " bytes", "2884802 or 25934402");
                     }
                     return MapBytes.of(file.getName(), tile);
                 }
@@ -81,7 +81,8 @@ final class SrtmTile extends ElevationMap {
         } catch (ZipException | IllegalArgumentException e) {
             throw new IOException(file.getName() + ": the zip is broken (" + e.getMessage() + "), legal: a whole zip with a .hgt inside", e);
         }
-        throw ModelLimits.wrong(file.getName(), "what is in the zip", "no .hgt among the first " + MAX_ENTRIES + " files", "a zip with a .hgt inside");
+        throw ModelLimits.wrong(file.getName(), "what is in the zip", "no .hgt among the first " + MAX_ENTRIES + " files",
+            "a zip with a .hgt inside");
     }
 
     /** The next entry; what is skipped to get there is bounded. */

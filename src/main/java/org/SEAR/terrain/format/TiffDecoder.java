@@ -24,8 +24,8 @@ final class TiffDecoder {
     static void require(String file, int compression) throws IOException {
         if (compression != NONE && compression != LZW && compression != DEFLATE && compression != OLD_DEFLATE && compression != PACK_BITS) {
             throw ModelLimits.wrong(file, "Compression", compression + OTHERS.entrySet().stream().filter(other -> other.getKey() == compression)
-                .map(other -> " (" + other.getValue() + ")").findAny().orElse(""), "1 (none), 5 (LZW), 8 (deflate) or 32773 (PackBits), for example by "
-                + "gdal_translate -co COMPRESS=DEFLATE");
+                .map(other -> " (" + other.getValue() + ")").findAny().orElse(""), "1 (none), 5 (LZW), 8 (deflate) or 32773 (PackBits), "
+                + "for example by gdal_translate -co COMPRESS=DEFLATE");
         }
     }
 

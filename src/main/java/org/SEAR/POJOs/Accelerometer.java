@@ -26,7 +26,7 @@ public class Accelerometer extends SensorObject {
     public Accelerometer(String name, double bandwidth, double x, double y, double z, double rx, double ry, double rz) {
         super(name);
         this.bandwidth = bandwidth;
-        place(x, y, z, rx, ry, rz);
+        pose(x, y, z, rx, ry, rz);
         created(Accelerometer.class);
     }
 

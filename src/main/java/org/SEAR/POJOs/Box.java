@@ -51,7 +51,7 @@ public class Box extends Shape {
         this.width = width;
         this.height = height;
         wrap(image);
-        place(x, y, z, rx, ry, rz);
+        pose(x, y, z, rx, ry, rz);
         created(Box.class);
     }
 

@@ -30,7 +30,7 @@ public class Compass extends SensorObject {
     public Compass(String name, boolean declination, double x, double y, double z, double rx, double ry, double rz) {
         super(name);
         this.declination = declination;
-        place(x, y, z, rx, ry, rz);
+        pose(x, y, z, rx, ry, rz);
         created(Compass.class);
     }
 

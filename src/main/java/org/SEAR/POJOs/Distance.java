@@ -40,7 +40,7 @@ public class Distance extends SensorObject {
     public Distance(String name, String beam, double x, double y, double z, double rx, double ry, double rz) {
         super(name);
         this.beam = beam;
-        place(x, y, z, rx, ry, rz);
+        pose(x, y, z, rx, ry, rz);
         this.shape = named(beam);
         created(Distance.class);
     }
@@ -64,7 +64,7 @@ public class Distance extends SensorObject {
     public Distance(String name, List<?> cones, double x, double y, double z, double rx, double ry, double rz) {
         super(name);
         this.cones = listed(cones);
-        place(x, y, z, rx, ry, rz);
+        pose(x, y, z, rx, ry, rz);
         created(Distance.class);
     }
 

@@ -67,7 +67,7 @@ public class Dynamics extends SearObject implements SerialObject {
         this.damping = damping;
         this.maxSuspensionForce = maxSuspensionForce;
         this.restLength = restLength;
-        place(x, y, z, rx, ry, rz);
+        pose(x, y, z, rx, ry, rz);
         created(Dynamics.class);
     }
 

@@ -46,8 +46,13 @@ public class Floor extends Shape {
         this.width = width;
         show(visible);
         wrap(image);
-        place(x, y, z, rx, ry, rz);
+        pose(x, y, z, rx, ry, rz);
         created(Floor.class);
+    }
+
+    @Override
+    String whyNoComponent() {
+        return " can't be a component, legal: a shape, a model, a sensor, dynamics";
     }
 
     /** Size along x, metres, before scaling. */

@@ -55,7 +55,7 @@ public class GPS extends SensorObject implements SerialObject {
         this.latitude = latitude + 0.0;
         this.altitude = altitude + 0.0;
         this.longitude = longitude + 0.0;
-        place(x, y, z, 0, 0, 0);
+        pose(x, y, z, 0, 0, 0);
         created(GPS.class);
     }
 

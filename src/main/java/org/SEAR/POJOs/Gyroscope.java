@@ -24,7 +24,7 @@ public class Gyroscope extends SensorObject {
     public Gyroscope(String name, double bandwidth, double x, double y, double z, double rx, double ry, double rz) {
         super(name);
         this.bandwidth = bandwidth;
-        place(x, y, z, rx, ry, rz);
+        pose(x, y, z, rx, ry, rz);
         created(Gyroscope.class);
     }
 

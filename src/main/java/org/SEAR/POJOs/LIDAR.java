@@ -52,7 +52,7 @@ public class LIDAR extends SensorObject implements SerialObject {
         this.range = range;
         this.spread = spread;
         this.resolution = resolution;
-        place(x, y, z, rx, ry, rz);
+        pose(x, y, z, rx, ry, rz);
         created(LIDAR.class);
     }
 

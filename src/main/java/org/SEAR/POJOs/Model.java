@@ -53,12 +53,18 @@ public class Model extends Shape {
         super(name, mass);
         this.path = path;
         wrap(image);
-        place(x, y, z, rx, ry, rz);
+        pose(x, y, z, rx, ry, rz);
         created(Model.class);
     }
 
     @Override
+    String whyNoComponent() {
+        return terrain ? " is the terrain, which can't be a component" : super.whyNoComponent();
+    }
+
+    @Override
     protected void crossCheck(Faults faults) {
+        super.crossCheck(faults);
         if (terrain && getMass() != 0) {
             faults.add("mass", getMass(), "0 kg for a terrain");
         }

@@ -53,7 +53,7 @@ public final class Parameter {
         if (type == int.class || type == Integer.class) {
             return Kind.WHOLE;
         }
-        if (type == boolean.class) {
+        if (type == boolean.class || type == Boolean.class) {
             return Kind.SWITCH;
         }
         return type == String.class ? Kind.TEXT : Kind.GROUP;

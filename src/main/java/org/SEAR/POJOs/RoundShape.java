@@ -23,7 +23,7 @@ public abstract class RoundShape extends Shape {
         this.radius = radius;
         this.height = height;
         wrap(image);
-        place(x, y, z, rx, ry, rz);
+        pose(x, y, z, rx, ry, rz);
     }
 
     /** Radius, of a cone at its base, metres, before scaling. */

@@ -14,12 +14,14 @@ import java.util.stream.Collectors;
  */
 @Described("a robot: the names of its components, whose files lie beside its own, and its wheels; moving or turning it moves the start pose of its"
     + " Dynamics with it")
-public class SEARrobot extends SearObject {
+public class SEARrobot extends PlacedObject {
     /** Most components of a robot. */
     private static final int MAX_COMPONENTS = 1000;
     /** Most wheels of a robot. */
     private static final int MAX_WHEELS = 100;
     private static final double MAX_ORDER = 1e9;
+    /** A robot that is not turned looks east. */
+    private static final double QUARTER_TURN = 90;
 
     @Param(doc = "its place in the order in which the project's robots were made; robots without come first, by name", min = 1, max = MAX_ORDER)
     private Integer order;
@@ -46,6 +48,42 @@ public class SEARrobot extends SearObject {
         return true;
     }
 
+    @Override
+    String whyNoComponent() {
+        return " can't be a component, legal: a shape, a model, a sensor, dynamics";
+    }
+
+    /**
+     * Puts it on the ground at a place on the Earth, and turns it.
+     *
+     * @param latitude degrees, north positive
+     * @param longitude degrees, east positive
+     * @param heading degrees clockwise from north
+     */
+    public void place(double latitude, double longitude, double heading) {
+        double turn = headed(heading);
+        place(latitude, longitude);
+        rotate(0, turn, 0);
+    }
+
+    /**
+     * Puts it on the ground at a point of the world, and turns it.
+     *
+     * @param northX metres north of the world's origin
+     * @param eastZ metres east of it
+     * @param heading degrees clockwise from north
+     */
+    public void placeAt(double northX, double eastZ, double heading) {
+        double turn = headed(heading);
+        placeAt(northX, eastZ);
+        rotate(0, turn, 0);
+    }
+
+    /** The rotation about y with which a robot, whose z is forward, has a heading. */
+    private double headed(double heading) {
+        return checked("ry", QUARTER_TURN - heading);
+    }
+
     /**
      * Makes an object a part of this robot: its pose now is in the body frame, and its XML file moves to {@code robot/}. If a robot that was made
      * before has a part of that name, the file of that one moves on to {@code robot/ROBOT/}.
@@ -56,15 +94,8 @@ public class SEARrobot extends SearObject {
     public void addComponent(SearObject component) {
         checkChangeable();
         checkPart(component, "a component");
-        if (component instanceof SEARrobot || component instanceof Floor) {
-            throw new IllegalArgumentException(label() + ": " + component.label() + " can't be a component,"
-                + " legal: a shape, a model, a sensor, dynamics");
-        }
-        if (component instanceof Wheel) {
-            throw new IllegalArgumentException(label() + ": " + component.label() + " is a wheel, legal: robot.addWheel(wheel)");
-        }
-        if (component instanceof Model && ((Model) component).isTerrain()) {
-            throw new IllegalArgumentException(label() + ": " + component.label() + " is the terrain, which can't be a component");
+        if (component.whyNoComponent() != null) {
+            throw new IllegalArgumentException(label() + ": " + component.label() + component.whyNoComponent());
         }
         if (component instanceof Dynamics && components.stream().anyMatch(c -> c instanceof Dynamics)) {
             throw new IllegalArgumentException(label() + ": " + component.label() + " would be its second Dynamics, legal: one");

@@ -152,10 +152,24 @@ public abstract class SearObject {
 
     private void check(String parameter, Object value) {
         checkChangeable();
+        String fixed = whyFixed(parameter);
+        if (fixed != null) {
+            throw new IllegalArgumentException(label() + ": " + parameter + " can't be set: " + fixed);
+        }
         Parameter described = ParameterTable.of(getClass()).get(parameter);
         if (!described.isLegal(value)) {
             throw new IllegalArgumentException(label() + ": " + parameter + " is " + ParameterTable.quote(value) + ", legal: " + described.legal());
         }
+    }
+
+    /** Why this kind of object has a parameter that is never set, and what to do instead; null if it may be set. */
+    String whyFixed(String parameter) {
+        return null;
+    }
+
+    /** Why it can't be a component of a robot, after its name, and what is legal; null if it can. */
+    String whyNoComponent() {
+        return null;
     }
 
     final void checkChangeable() {
@@ -256,8 +270,15 @@ public abstract class SearObject {
         changed();
     }
 
+    /** Puts it elsewhere; the values are checked already. */
+    final void setPosition(double newX, double newY, double newZ) {
+        x = newX + 0.0;
+        y = newY + 0.0;
+        z = newZ + 0.0;
+    }
+
     /** Sets the pose while the object is being made; {@link #created} checks it. */
-    protected final void place(double newX, double newY, double newZ, double newRx, double newRy, double newRz) {
+    protected final void pose(double newX, double newY, double newZ, double newRx, double newRy, double newRz) {
         x = newX + 0.0;
         y = newY + 0.0;
         z = newZ + 0.0;

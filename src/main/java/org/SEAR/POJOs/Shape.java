@@ -1,7 +1,7 @@
 package org.SEAR.POJOs;
 
 /** A thing with a surface, a mass and a picture. */
-public abstract class Shape extends SearObject {
+public abstract class Shape extends PlacedObject {
     /** Smallest size of anything, metres. */
     static final double SMALL = 0.0001;
     /** Largest size of anything, metres. */

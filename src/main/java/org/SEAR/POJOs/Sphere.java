@@ -44,7 +44,7 @@ public class Sphere extends Shape {
         super(name, mass);
         this.radius = radius;
         wrap(image);
-        place(x, y, z, rx, ry, rz);
+        pose(x, y, z, rx, ry, rz);
         created(Sphere.class);
     }
 

@@ -50,7 +50,7 @@ public class Wheel extends Shape {
         this.width = width;
         this.type = type;
         wrap(image);
-        place(x, y, z, 0, 0, 0);
+        pose(x, y, z, 0, 0, 0);
         created(Wheel.class);
     }
 
@@ -66,6 +66,16 @@ public class Wheel extends Shape {
     @Override
     boolean isRobotPart() {
         return true;
+    }
+
+    @Override
+    String whyFixed(String parameter) {
+        return PlacedObject.isPlacing(parameter) ? "a wheel belongs to a robot; place the robot" : null;
+    }
+
+    @Override
+    String whyNoComponent() {
+        return " is a wheel, legal: robot.addWheel(wheel)";
     }
 
     /** Metres, before scaling. */

@@ -9,9 +9,12 @@ import java.util.Map;
 import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Model;
+import org.SEAR.POJOs.Parameter;
+import org.SEAR.POJOs.PlacedObject;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SerialObject;
+import org.SEAR.POJOs.Terrain;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
@@ -49,6 +52,7 @@ final class ProjectLinker {
         new NameCheck(environment, parts, owners, problems).check();
         checkPorts();
         checkTerrain();
+        checkPlaced();
     }
 
     private void linkRobot(ParsedObject parsed, SEARrobot robot) {
@@ -114,17 +118,45 @@ final class ProjectLinker {
     private void checkTerrain() {
         String first = null;
         for (ParsedObject parsed : environment.values()) {
-            if (parsed.object instanceof Model && ((Model) parsed.object).isTerrain()) {
+            String element = terrainElement(parsed.object);
+            if (element != null) {
                 if (first != null) {
-                    problems.add(parsed.file, parsed.line("terrain"), "terrain", "true", "one terrain; " + first + " is it already");
+                    problems.add(parsed.file, parsed.line(element), element, element.equals("path") ? ((Terrain) parsed.object).getPath() : "true",
+                        "one terrain; " + first + " is it already");
                 }
                 first = parsed.file;
             }
         }
         for (ParsedObject parsed : owners.keySet()) {
-            if (parsed.object instanceof Model && ((Model) parsed.object).isTerrain()) {
+            if (terrainElement(parsed.object) != null) {
                 problems.add(parsed.file, parsed.line("terrain"), "terrain", "true", "false for a component of a robot");
             }
+        }
+    }
+
+    /** The element that makes an object the terrain; null for any other object. */
+    private static String terrainElement(Object object) {
+        return object instanceof Terrain ? "path" : object instanceof Model && ((Model) object).isTerrain() ? "terrain" : null;
+    }
+
+    /** What is fixed to a robot stands where the robot does. */
+    private void checkPlaced() {
+        for (ParsedObject parsed : owners.keySet()) {
+            checkPlaced(parsed, parsed.object);
+        }
+        for (ParsedObject parsed : parts.values()) {
+            if (parsed.object instanceof SEARrobot) {
+                ((SEARrobot) parsed.object).getWheels().forEach(wheel -> checkPlaced(parsed, wheel));
+            }
+        }
+    }
+
+    private void checkPlaced(ParsedObject parsed, Object part) {
+        if (part instanceof PlacedObject && ((PlacedObject) part).isOnGround()) {
+            PlacedObject placed = (PlacedObject) part;
+            String element = placed.hasPlaceOnEarth() ? "placeLatitude" : "onGround";
+            problems.add(parsed.file, parsed.line(element), element, placed.hasPlaceOnEarth() ? Parameter.format(placed.getPlaceLatitude()) : "true",
+                "none for " + placed + ", a part of a robot; the robot may have it");
         }
     }
 

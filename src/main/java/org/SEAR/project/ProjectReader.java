@@ -21,6 +21,7 @@ import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
+import org.SEAR.POJOs.Terrain;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.models.Assets;
 import org.SEAR.project.problems.ProblemList;
@@ -144,12 +145,12 @@ final class ProjectReader {
             problems.add(parsed.file, parsed.line(element), element, Parameter.format(value), legal));
     }
 
-    /** What may stand in a folder: in environment what has a place of its own, in robot everything but floors, in a robot's own no robots. */
+    /** What may stand in a folder: in environment what has a place of its own, in robot everything but floors and terrains, in a robot's own no robots. */
     private Map<String, Class<? extends SearObject>> roots(String name) {
         Map<String, Class<? extends SearObject>> roots = new TreeMap<>();
         for (Class<? extends SearObject> type : classes.all()) {
             boolean environment = Shape.class.isAssignableFrom(type) && type != Wheel.class;
-            boolean part = type != Floor.class && (name.equals(ProjectFolder.ROBOT) || type != SEARrobot.class);
+            boolean part = type != Floor.class && type != Terrain.class && (name.equals(ProjectFolder.ROBOT) || type != SEARrobot.class);
             if (name.equals(ProjectFolder.ENVIRONMENT) ? environment : part) {
                 roots.put(type.getSimpleName(), type);
             }

@@ -40,8 +40,8 @@ public class JythonTest {
         String expected = new String(Files.readAllBytes(resource("every_constructor.txt")), StandardCharsets.UTF_8);
         assertEquals("see " + made, expected, all.toString());
         Project read = Project.read(project.folder());
-        assertEquals(35, read.getEnvironment().size());
-        assertEquals(3, read.getWarnings().size());
+        assertEquals(39, read.getEnvironment().size());
+        assertEquals(5, read.getWarnings().size());
         SEARrobot robot = read.getRobots().get(0);
         assertEquals(4, robot.getWheels().size());
         assertEquals(26, robot.getComponents().size());

@@ -1,6 +1,6 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
 from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, LIDAR, Model, Noise, \
-    Odometer, SEARrobot, Sphere, Wheel
+    Odometer, SEARrobot, Sphere, Terrain, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
 TREE = "models/Tree/Tree.mesh.xml"
@@ -34,6 +34,7 @@ Model(name(), TREE, 5, *pose)
 shape = Model(name(), TREE, 5, "textures/brick.png", *pose)
 shape.setMass(0)
 shape.setTerrain(True)
+shape.setTerrain(False)
 shape.setImage("textures/tiles.png")
 shape.setImage(None)
 shape.setColor("#c0ffee")
@@ -124,3 +125,19 @@ Sphere(name(), 0.5, 4, "textures/brick.png")
 Sphere(name(), 0.5, 4, *pose[:3])
 Sphere(name(), 0.5, 4, *pose)
 Sphere(name(), 0.5, 4, "textures/brick.png", *pose)
+
+area = Terrain("ground", "textures/grass.png")
+area.setArea(36.485, -84.2308, 2000, 3000.5)
+ground = Terrain("ground", "textures/grass.png")
+ground.addTile("textures/brick.png")
+ground.setSize(2000, 3000.5, -10, 400)
+if len(ground.getPaths()) != 2 or ground.hasArea() or not ground.hasSize() or not area.hasArea():
+    raise AssertionError("terrain")
+Box(name(), 1, 2, 3).placeAt(4, 5.5)
+Sphere(name(), 0.5, 4).place(36.4861, -84.2301)
+moved = Sphere(name(), 0.5, 4)
+moved.place(36.4861, -84.2301)
+moved.placeAt(4, 5.5)
+moved.move(1, 2, 3)
+SEARrobot("placed").place(36.4861, -84.2301, 90)
+SEARrobot("placedToo").placeAt(4, 5.5, -45)

@@ -15,6 +15,7 @@ import org.SEAR.POJOs.ObjectTypes;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Sphere;
+import org.SEAR.POJOs.Terrain;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.Project;
 import org.SEAR.project.models.ModelLoader;
@@ -33,6 +34,7 @@ public final class Solids implements ObjectTypes {
         add(Cylinder.class, (cylinder, models) -> RoundSolid.of(cylinder));
         add(Cone.class, (cone, models) -> RoundSolid.of(cone));
         add(Sphere.class, (sphere, models) -> EllipsoidSolid.of(sphere));
+        add(Terrain.class, (terrain, models) -> null);
         add(Floor.class, (floor, models) -> BoxSolid.of(floor));
         add(Model.class, MeshSolid::of);
         add(Wheel.class, (wheel, models) -> RoundSolid.of(wheel));
@@ -80,7 +82,9 @@ public final class Solids implements ObjectTypes {
         for (Class<?> type = shape.getClass(); type != null; type = type.getSuperclass()) {
             if (ALL.containsKey(type)) {
                 Solid solid = ALL.get(type).make(shape, models);
-                solid.setSurface(Surface.of(shape));
+                if (solid != null) {
+                    solid.setSurface(Surface.of(shape));
+                }
                 return solid;
             }
         }

@@ -16,6 +16,7 @@ import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Sphere;
+import org.SEAR.POJOs.Terrain;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.collision.GjkDistance;
 import org.SEAR.geometry.Pose;
@@ -82,6 +83,7 @@ public class SolidsTest {
         Set<Class<?>> tested = new HashSet<>();
         shapes.forEach(shape -> tested.add(shape.getClass()));
         tested.add(Model.class);
+        tested.add(Terrain.class);
         assertEquals(tested, new HashSet<>(new Solids().types()));
     }
 

@@ -1,0 +1,241 @@
+package org.SEAR.POJOs;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The ground of the world from an elevation map: SRTM, GeoTIFF, ESRI ASCII grid, or a picture whose grey is the height. The middle of its area is the
+ * world's origin, at height 0, and what GPS and compass count from. It is fixed where it is, and a project has one at most.
+ */
+@Described("the ground from an elevation map; the middle of its area is the world's origin, so it is neither moved, turned nor scaled, and has no mass")
+public class Terrain extends Shape {
+    /** Largest extent of an area, metres: things can be no farther than half of it from the origin. */
+    static final double LARGEST = 2 * FAR;
+    /** Lowest height of any ground, metres. */
+    static final double DEEPEST = -12000;
+    /** Greatest height of any ground, metres. */
+    static final double HIGHEST = 100000;
+    private static final int MOST_TILES = 99;
+
+    @Param(doc = "the elevation map, below assets: .hgt, .hgt.zip, .tif, .tiff, .asc, or a grey picture .png, .jpg", text = TextRule.ASSET,
+        required = true)
+    private String path;
+    @Param(doc = "another map beside or over the first, below assets", element = "tile", text = TextRule.ASSET, maxEntries = MOST_TILES)
+    private List<String> tiles = new ArrayList<>();
+    @Param(doc = "latitude of the middle of the area that is used, north positive; without it all of the map is", unit = "deg", min = -90, max = 90)
+    private Double latitude;
+    @Param(doc = "longitude of the middle of the area that is used, east positive", unit = "deg", min = -180, max = 180)
+    private Double longitude;
+    @Param(doc = "extent from north to south: of the area, or of a map that doesn't say its own", unit = "m", min = 1, max = LARGEST)
+    private Double northSouth;
+    @Param(doc = "extent from east to west: of the area, or of a map that doesn't say its own", unit = "m", min = 1, max = LARGEST)
+    private Double eastWest;
+    @Param(doc = "height of the map's lowest value, black in a picture; for a map that doesn't say its heights", unit = "m", min = DEEPEST,
+        max = HIGHEST)
+    private Double lowest;
+    @Param(doc = "height of the map's highest value, white in a picture", unit = "m", min = DEEPEST, max = HIGHEST)
+    private Double highest;
+
+    /** For reading from a file. */
+    protected Terrain() {
+    }
+
+    /**
+     * All of a map.
+     *
+     * @param path below assets
+     */
+    public Terrain(String name, String path) {
+        super(name, 0);
+        this.path = path;
+        created(Terrain.class);
+    }
+
+    @Override
+    protected void crossCheck(Faults faults) {
+        super.crossCheck(faults);
+        checkFixed(faults);
+        boolean area = latitude != null || longitude != null;
+        boolean size = lowest != null || highest != null;
+        if (area && size) {
+            faults.add("lowest", lowest, "none with latitude and longitude: an area has heights of its own");
+        }
+        boolean extent = northSouth != null || eastWest != null;
+        boolean whole = northSouth != null && eastWest != null;
+        if (area && (latitude == null || longitude == null || !whole)) {
+            faults.add(latitude == null ? "longitude" : "latitude", latitude == null ? longitude : latitude,
+                "all of latitude, longitude, northSouth and eastWest, or none of them");
+        } else if (size && (lowest == null || highest == null || !whole)) {
+            faults.add(lowest == null ? "highest" : "lowest", lowest == null ? highest : lowest,
+                "all of northSouth, eastWest, lowest and highest, or none of them");
+        } else if (extent && !area && !size) {
+            faults.add(northSouth == null ? "eastWest" : "northSouth", northSouth == null ? eastWest : northSouth,
+                "with latitude, longitude and both extents for an area, or with lowest, highest and both extents for a map's size");
+        }
+        if (lowest != null && highest != null && !(lowest < highest)) {
+            faults.add("lowest", lowest, "below highest, " + Parameter.format(highest) + " m");
+        }
+    }
+
+    private void checkFixed(Faults faults) {
+        for (Parameter parameter : ParameterTable.of(Terrain.class).getParameters()) {
+            String reason = whyFixed(parameter.getName());
+            Object value = parameter.get(this);
+            double usual = parameter.getName().startsWith("scale") ? 1 : 0;
+            if (reason != null && value instanceof Double && (Double) value != usual) {
+                faults.add(parameter.getName(), value, Parameter.format(usual) + ": " + reason);
+            } else if (reason != null && value instanceof Boolean) {
+                faults.add(parameter.getName(), value, "nothing: " + reason);
+            }
+        }
+    }
+
+    @Override
+    String whyFixed(String parameter) {
+        switch (parameter) {
+            case "mass":
+                return "a terrain is fixed";
+            case "rx":
+            case "ry":
+            case "rz":
+                return "north on a terrain is the world's x; turn robots and objects instead";
+            case "scaleX":
+            case "scaleY":
+            case "scaleZ":
+                return "a terrain has its true size; setSize(northSouth, eastWest, lowest, highest) says that of a map that doesn't say its own";
+            default:
+                return parameter.matches("[xyz]") || PlacedObject.isPlacing(parameter) ? "the middle of a terrain's area is the world's origin;"
+                    + " setArea(latitude, longitude, northSouth, eastWest) chooses another" : null;
+        }
+    }
+
+    @Override
+    String whyNoComponent() {
+        return " is the terrain, which can't be a component";
+    }
+
+    /** Path of the map below assets. */
+    public String getPath() {
+        return path;
+    }
+
+    /** Paths of all maps below assets: that of the constructor, then the tiles. */
+    public List<String> getPaths() {
+        List<String> all = new ArrayList<>();
+        all.add(path);
+        all.addAll(tiles);
+        return all;
+    }
+
+    /**
+     * Adds a map beside the first, or over it: where two have a height the first one's counts.
+     *
+     * @param tile path below assets
+     */
+    public void addTile(String tile) {
+        String checkedTile = checked("tile", tile);
+        if (checkedTile == null || getPaths().contains(checkedTile) || tiles.size() >= MOST_TILES) {
+            throw new IllegalArgumentException(label() + ": tile is " + ParameterTable.quote(tile) + ", legal: another map than its "
+                + getPaths().size() + " so far, at most " + MOST_TILES + " besides the first");
+        }
+        tiles.add(checkedTile);
+        changed();
+    }
+
+    /**
+     * Uses a part of the map, whose middle becomes the world's origin.
+     *
+     * @param newLatitude of the middle, degrees, north positive
+     * @param newLongitude of the middle, degrees, east positive
+     * @param newNorthSouth extent from north to south, metres
+     * @param newEastWest extent from east to west, metres
+     */
+    public void setArea(double newLatitude, double newLongitude, double newNorthSouth, double newEastWest) {
+        double checkedLatitude = checked("latitude", newLatitude);
+        double checkedLongitude = checked("longitude", newLongitude);
+        double checkedNorthSouth = checked("northSouth", newNorthSouth);
+        double checkedEastWest = checked("eastWest", newEastWest);
+        if (lowest != null) {
+            throw new IllegalArgumentException(label() + ": setSize has said that the map has no place on Earth, so it has no area by latitude and"
+                + " longitude, legal: setArea or setSize");
+        }
+        latitude = checkedLatitude;
+        longitude = checkedLongitude;
+        northSouth = checkedNorthSouth;
+        eastWest = checkedEastWest;
+        changed();
+    }
+
+    /**
+     * Says how large a map is that doesn't say so itself, such as a picture.
+     *
+     * @param newNorthSouth extent from north to south, metres
+     * @param newEastWest extent from east to west, metres
+     * @param newLowest height of its lowest value (black), metres
+     * @param newHighest height of its highest value (white), metres
+     */
+    public void setSize(double newNorthSouth, double newEastWest, double newLowest, double newHighest) {
+        double checkedNorthSouth = checked("northSouth", newNorthSouth);
+        double checkedEastWest = checked("eastWest", newEastWest);
+        double checkedLowest = checked("lowest", newLowest);
+        double checkedHighest = checked("highest", newHighest);
+        if (!(checkedLowest < checkedHighest)) {
+            throw new IllegalArgumentException(label() + ": lowest is " + Parameter.format(checkedLowest) + ", legal: below highest, "
+                + Parameter.format(checkedHighest) + " m");
+        }
+        if (latitude != null) {
+            throw new IllegalArgumentException(label() + ": setArea has said where on Earth its area is, so the map has a size of its own, legal:"
+                + " setArea or setSize");
+        }
+        northSouth = checkedNorthSouth;
+        eastWest = checkedEastWest;
+        lowest = checkedLowest;
+        highest = checkedHighest;
+        changed();
+    }
+
+    /** Whether {@link #setArea} has said which part of the map is used. */
+    public boolean hasArea() {
+        return latitude != null;
+    }
+
+    /** Whether {@link #setSize} has said how large the map is. */
+    public boolean hasSize() {
+        return lowest != null;
+    }
+
+    /** Latitude of the area's middle, degrees; null without {@link #setArea}. */
+    public Double getLatitude() {
+        return latitude;
+    }
+
+    /** Longitude of the area's middle, degrees; null without {@link #setArea}. */
+    public Double getLongitude() {
+        return longitude;
+    }
+
+    /** Metres; null for all of a map that says its own. */
+    public Double getNorthSouth() {
+        return northSouth;
+    }
+
+    /** Metres; null for all of a map that says its own. */
+    public Double getEastWest() {
+        return eastWest;
+    }
+
+    /** Height of the map's lowest value, metres; null if the map says its heights. */
+    public Double getLowest() {
+        return lowest;
+    }
+
+    /** Height of the map's highest value, metres; null if the map says its heights. */
+    public Double getHighest() {
+        return highest;
+    }
+
+    @Override
+    protected String defaultColor() {
+        return "#6b8e23";
+    }
+}

@@ -8,6 +8,9 @@ import org.SEAR.physics.solid.Solid;
 
 /** Whether bodies overlap at poses they may be given, computed in double precision from the shapes themselves. For the time before the first step. */
 final class Overlap {
+    /** Ways to lean, metres a metre along x and z. */
+    private static final double[][] LEANS = {{0, 0}, {0.1, 0.1}, {0.1, -0.1}, {-0.1, 0.1}, {-0.1, -0.1}, {0.2, 0}, {-0.2, 0}, {0, 0.2}, {0, -0.2}};
+
     private final Body body;
     private final GjkDistance gjk = new GjkDistance();
 
@@ -29,6 +32,19 @@ final class Overlap {
             }
         }
         return box;
+    }
+
+    /** Points of the body's frame that are lowest at a pose, and where it leans a little to any side. */
+    double[][] lowest(Pose pose) {
+        double[][] points = new double[body.solids.size() * LEANS.length][];
+        for (int i = 0; i < points.length; i++) {
+            int part = i / LEANS.length;
+            double[] lean = LEANS[i % LEANS.length];
+            double[] down = pose.times(body.places[part]).rotateBack(lean[0], -1, lean[1]);
+            double[] point = body.solids.get(part).farthest(down[0], down[1], down[2]);
+            points[i] = body.places[part].transform(point[0], point[1], point[2]);
+        }
+        return points;
     }
 
     boolean isApart(double[] a, double[] b) {

@@ -8,12 +8,18 @@ import java.util.Set;
 import org.SEAR.geometry.Frame;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.raycast.BeamScene;
+import org.SEAR.raycast.Hit;
 
 /**
  * What beams meet, and what wheels stand on. Both are the same scene unless an object is invisible to beams: wheels still stand on it.
  * Simulation thread.
  */
 public final class Scenes {
+    /** Above everything, metres. */
+    private static final double SKY = 2e5;
+    /** So far behind what a beam has met the next one starts, metres. */
+    private static final double BEHIND = 1e-9;
+
     /** What sensors see. */
     public final BeamScene beams = new BeamScene();
     /** What wheels stand on. */
@@ -44,6 +50,28 @@ public final class Scenes {
     /** Says that a body is ground to drive on: a floor or the terrain. */
     public void addGround(Body body) {
         grounds.add(body);
+    }
+
+    /** Height of the highest ground at a point of the world, metres; NaN where there is none. Looks at what was committed. */
+    public double groundHeight(double x, double z) {
+        Hit hit = new Hit();
+        double y = SKY;
+        for (double down = below(x, y, z, hit); down < Double.POSITIVE_INFINITY; down = below(x, y, z, hit)) {
+            if (isGround(hit.shape)) {
+                return y - down;
+            }
+            y -= down + BEHIND;
+        }
+        return Double.NaN;
+    }
+
+    private double below(double x, double y, double z, Hit hit) {
+        return ground.cast(x, y, z, 0, -1, 0, Double.MAX_VALUE, BeamScene.WORLD, hit);
+    }
+
+    /** All bodies that are ground. */
+    Set<Body> grounds() {
+        return grounds;
     }
 
     /** Whether a shape belongs to the ground. */

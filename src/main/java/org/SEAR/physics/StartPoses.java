@@ -12,6 +12,8 @@ import org.SEAR.geometry.Pose;
 public final class StartPoses {
     /** How much two bodies may overlap at the start, metres. */
     private static final double ALLOWED = 1e-3;
+    /** What counts as touching, metres. */
+    private static final double TOUCHING = 1e-6;
     /** More overlaps are not named one by one. */
     private static final int MOST_TOLD = 20;
     /** Pairs that start inside one another; with more a step takes seconds. */
@@ -87,6 +89,54 @@ public final class StartPoses {
                 }
             }
         }
+    }
+
+    /**
+     * Sets a body down on the ground: it starts as low as it can with nothing of it below the ground. Scenes have the ground where it starts.
+     *
+     * @param at its pose; the height doesn't count
+     * @param feet points of the body's frame that it stands on, such as where wheels touch; none for those of its solids that are lowest
+     * @return whether there is ground below
+     */
+    public static boolean stand(Body body, Pose at, double[][] feet, Scenes scenes) {
+        Pose level = new Pose(at.x, 0, at.z, at.qx, at.qy, at.qz, at.qw);
+        Overlap mine = new Overlap(body);
+        double height = Double.NEGATIVE_INFINITY;
+        for (double[] foot : feet.length > 0 ? feet : mine.lowest(level)) {
+            double[] point = level.transform(foot[0], foot[1], foot[2]);
+            double ground = scenes.groundHeight(point[0], point[2]);
+            height = ground - point[1] > height ? ground - point[1] : height;
+        }
+        if (height == Double.NEGATIVE_INFINITY) {
+            return false;
+        }
+        double in = height;
+        double out = height;
+        for (double more = ALLOWED; overlapsGround(body, mine, up(level, out), scenes); more *= 2) {
+            in = out;
+            out += more;
+        }
+        for (int i = 0; i < HALVINGS && in < out; i++) {
+            double middle = (in + out) / 2;
+            if (overlapsGround(body, mine, up(level, middle), scenes)) {
+                in = middle;
+            } else {
+                out = middle;
+            }
+        }
+        body.setStart(up(level, out));
+        return true;
+    }
+
+    private static boolean overlapsGround(Body body, Overlap mine, Pose pose, Scenes scenes) {
+        double[] box = mine.bounds(pose);
+        for (Body ground : scenes.grounds()) {
+            Overlap other = new Overlap(ground);
+            if (ground != body && !mine.isApart(box, other.bounds(ground.getStart())) && mine.overlaps(pose, other, TOUCHING)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private static boolean liftOnce(Body body, List<Body> bodies) {

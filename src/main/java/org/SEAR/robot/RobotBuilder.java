@@ -12,6 +12,7 @@ import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
+import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
 import org.SEAR.physics.solid.BoxSolid;
 import org.SEAR.physics.solid.RoundSolid;
@@ -113,6 +114,19 @@ public final class RobotBuilder {
         places.add(place);
         visible.add(seen);
         weights.add(weight);
+    }
+
+    /** Where its wheels touch when it stands level: {x, y, z} in the body frame. */
+    public double[][] feet() {
+        int wheels = wheelSolids.size();
+        double[][] feet = new double[wheels][];
+        double sag = wheels == 0 || dynamics.getStiffness() == 0 ? 0 : PhysicsWorld.GRAVITY / (wheels * dynamics.getStiffness());
+        for (int i = 0; i < wheels; i++) {
+            Wheel wheel = object.getWheels().get(i);
+            double hangs = Math.max(0, dynamics.getRestLength() - sag);
+            feet[i] = new double[] {wheel.getX(), wheel.getY() - hangs - wheel.getRadius() * wheel.getScaleY(), wheel.getZ()};
+        }
+        return feet;
     }
 
     private Solid bareBody() {

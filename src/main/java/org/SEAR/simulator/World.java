@@ -5,13 +5,16 @@ import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.Consumer;
 import javax.vecmath.Vector3f;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Model;
+import org.SEAR.POJOs.PlacedObject;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
+import org.SEAR.POJOs.Terrain;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
@@ -62,7 +65,7 @@ final class World implements PhysicsWorld.Touches {
             if (body != null) {
                 shapes.put(object, body.solids.get(0));
                 physics.add(body);
-                boolean ground = object instanceof Floor || object instanceof Model && ((Model) object).isTerrain();
+                boolean ground = isGround(object);
                 body.addTo(scenes, Collections.singletonList(((Shape) object).isVisibleToSensors() && (groundVisible || !ground)), -1, 1);
                 if (ground) {
                     scenes.addGround(body);
@@ -70,14 +73,24 @@ final class World implements PhysicsWorld.Touches {
                 virtualWalls.consider(body);
             }
         }
+        environment.stream().filter(Objects::nonNull).forEach(body -> body.mirror(scenes));
+        scenes.commit();
+        GroundPlaces places = new GroundPlaces(null, scenes);
+        for (int i = 0; i < environment.size(); i++) {
+            if (environment.get(i) != null) {
+                places.setDown((PlacedObject) project.getEnvironment().get(i), environment.get(i));
+            }
+        }
         for (SEARrobot robot : project.getRobots()) {
             RobotBuilder builder = RobotBuilder.of(robot, project, warnings);
+            places.setDownRobot(robot, builder.body, builder.feet());
             physics.add(builder.body);
             shapes.putAll(builder.shapes);
             builder.addTo(scenes, robots.size());
             RobotTruth truth = new RobotTruth(builder.body, scenes, robots.size(), Earth.of(project, robot), epochMillis);
             robots.add(new RobotModel(builder, robots.size(), scenes, truth, virtualWalls));
         }
+        places.end();
         String crowd = StartPoses.crowd(physics.getBodies());
         if (crowd != null) {
             throw new ProjectException(Collections.singletonList(new Problem("environment", 0, "", crowd, "things that start apart")));
@@ -87,6 +100,11 @@ final class World implements PhysicsWorld.Touches {
         fallen = new Fallen(physics.getBodies(), told);
         restart();
         robots.forEach(robot -> StartChecks.check(robot, scenes, warnings));
+    }
+
+    /** Whether robots drive on it, and things are placed on it: a floor or the terrain. */
+    private static boolean isGround(SearObject object) {
+        return object instanceof Floor || object instanceof Terrain || object instanceof Model && ((Model) object).isTerrain();
     }
 
     private static boolean hasInvisible(Project project) {

@@ -1,0 +1,97 @@
+package org.SEAR.simulator;
+
+import java.util.Locale;
+import org.SEAR.POJOs.Parameter;
+import org.SEAR.POJOs.PlacedObject;
+import org.SEAR.geometry.GeoOrigin;
+import org.SEAR.geometry.Pose;
+import org.SEAR.physics.Body;
+import org.SEAR.physics.Scenes;
+import org.SEAR.physics.StartPoses;
+import org.SEAR.project.problems.ProblemList;
+import org.SEAR.project.problems.ProjectException;
+
+/** Sets down on the ground what was placed there, before the first step; the ground is in the scenes already. One use, simulation thread. */
+final class GroundPlaces {
+    /** Half of the distance over which the slope below a robot is measured, if its wheels don't say, metres. */
+    private static final double HALF_BASE = 0.1;
+
+    private final GeoOrigin origin;
+    private final Scenes scenes;
+    private final ProblemList problems = new ProblemList();
+
+    /** @param origin where the world lies on Earth; null if no terrain says so */
+    GroundPlaces(GeoOrigin origin, Scenes scenes) {
+        this.origin = origin;
+        this.scenes = scenes;
+    }
+
+    /** A thing of the environment, which keeps its rotation. */
+    void setDown(PlacedObject object, Body body) {
+        setDown(object, body, new double[0][], "environment/");
+    }
+
+    /**
+     * A robot, which stands on its wheels, along the slope.
+     *
+     * @param feet where its wheels touch, in the body frame
+     */
+    void setDownRobot(PlacedObject robot, Body body, double[][] feet) {
+        setDown(robot, body, feet, "robot/");
+    }
+
+    private void setDown(PlacedObject object, Body body, double[][] feet, String folder) {
+        if (!object.isOnGround()) {
+            return;
+        }
+        String file = folder + object.getFileName() + ".xml";
+        if (object.hasPlaceOnEarth() && origin == null) {
+            problems.add(file, 0, "placeLatitude", Parameter.format(object.getPlaceLatitude()), "a place on Earth only where there is a Terrain whose"
+                + " map says where on Earth it lies; placeAt(x, z), in metres, does without");
+            return;
+        }
+        double[] point = object.hasPlaceOnEarth() ? origin.to(object.getPlaceLatitude(), object.getPlaceLongitude())
+            : new double[] {object.getX(), object.getZ()};
+        Pose written = body.getPose();
+        Pose pose = new Pose(written.x - object.getX() + point[0], 0, written.z - object.getZ() + point[1], written.qx, written.qy, written.qz,
+            written.qw);
+        if (!StartPoses.stand(body, feet.length > 0 ? alongSlope(pose, feet) : pose, feet, scenes)) {
+            problems.add(file, 0, object.hasPlaceOnEarth() ? "placeLatitude, placeLongitude" : "x, z", where(object, point),
+                "a place with ground: on the terrain, a floor, or a model that is the terrain");
+        }
+    }
+
+    private static String where(PlacedObject object, double[] point) {
+        return object.hasPlaceOnEarth()
+            ? String.format(Locale.ROOT, "%s, %s (%.0f m north and %.0f m east of the origin)", Parameter.format(object.getPlaceLatitude()),
+                Parameter.format(object.getPlaceLongitude()), point[0], point[1])
+            : Parameter.format(point[0]) + ", " + Parameter.format(point[1]);
+    }
+
+    /** The pose with its up turned, the shortest way, to where the ground below points up; as it is where the ground ends. */
+    private Pose alongSlope(Pose level, double[][] feet) {
+        double base = HALF_BASE;
+        for (double[] foot : feet) {
+            base = Math.max(base, Math.hypot(foot[0], foot[2]));
+        }
+        double northward = (scenes.groundHeight(level.x + base, level.z) - scenes.groundHeight(level.x - base, level.z)) / (2 * base);
+        double eastward = (scenes.groundHeight(level.x, level.z + base) - scenes.groundHeight(level.x, level.z - base)) / (2 * base);
+        double steep = Math.hypot(northward, eastward);
+        if (!(steep > 0)) {
+            return level;
+        }
+        double half = Math.atan(steep) / 2;
+        double sine = Math.sin(half) / steep;
+        Pose lean = new Pose(level.x, level.y, level.z, -eastward * sine, 0, northward * sine, Math.cos(half));
+        return lean.times(new Pose(0, 0, 0, level.qx, level.qy, level.qz, level.qw));
+    }
+
+    /**
+     * Ends it.
+     *
+     * @throws ProjectException with everything that has no ground or no place
+     */
+    void end() throws ProjectException {
+        problems.throwIfAny();
+    }
+}

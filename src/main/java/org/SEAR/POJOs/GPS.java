@@ -2,16 +2,17 @@ package org.SEAR.POJOs;
 
 /**
  * Where the robot is on Earth; behind its ports a receiver that sends NMEA 0183 sentences. Latitude, altitude and longitude are those of the centre
- * of the world: degrees, metres, degrees, north and east positive.
+ * of the world: degrees, metres, degrees, north and east positive. In a world with a {@link Terrain} they are that of its map.
  */
 @Described("where the robot is on Earth; behind its ports a receiver that sends NMEA 0183")
 public class GPS extends SensorObject implements SerialObject {
-    @Param(doc = "latitude of the world's centre, north positive", unit = "deg", min = -90, max = 90, required = true)
-    private double latitude;
-    @Param(doc = "altitude of the world's centre", unit = "m", min = -12000, max = 100000, required = true)
-    private double altitude;
-    @Param(doc = "longitude of the world's centre, east positive", unit = "deg", min = -180, max = 180, required = true)
-    private double longitude;
+    @Param(doc = "latitude of the world's centre, north positive; without it, altitude and longitude the terrain says where it is", unit = "deg",
+        min = -90, max = 90)
+    private Double latitude;
+    @Param(doc = "altitude of the world's centre", unit = "m", min = -12000, max = 100000)
+    private Double altitude;
+    @Param(doc = "longitude of the world's centre, east positive", unit = "deg", min = -180, max = 180)
+    private Double longitude;
     @Included
     private final SerialParameters serial = new SerialParameters(38400);
     @Param(doc = "receiver behind the ports", text = TextRule.GPS_MODEL)
@@ -23,6 +24,24 @@ public class GPS extends SensorObject implements SerialObject {
 
     /** For reading from a file. */
     protected GPS() {
+    }
+
+    /** Counts from where the terrain's map lies on Earth. */
+    public GPS(String name) {
+        super(name);
+        created(GPS.class);
+    }
+
+    /**
+     * With ports; counts from where the terrain's map lies on Earth.
+     *
+     * @param uart the device's end
+     * @param user the end that the user opens
+     */
+    public GPS(String name, String uart, String user) {
+        super(name);
+        serial.setPorts(this, uart, user);
+        created(GPS.class);
     }
 
     /**
@@ -59,18 +78,36 @@ public class GPS extends SensorObject implements SerialObject {
         created(GPS.class);
     }
 
-    /** Degrees, north positive. */
-    public double getLatitude() {
+    @Override
+    protected void crossCheck(Faults faults) {
+        if ((latitude == null || altitude == null || longitude == null) && hasAny()) {
+            faults.add(latitude != null ? "latitude" : altitude != null ? "altitude" : "longitude",
+                latitude != null ? latitude : altitude != null ? altitude : longitude,
+                "all of latitude, altitude and longitude, or none of them, for those of the terrain");
+        }
+    }
+
+    private boolean hasAny() {
+        return latitude != null || altitude != null || longitude != null;
+    }
+
+    /** Whether it says itself where on Earth the world's centre is; else the terrain does. */
+    public boolean hasReference() {
+        return latitude != null && altitude != null && longitude != null;
+    }
+
+    /** Degrees, north positive; null if the terrain says it. */
+    public Double getLatitude() {
         return latitude;
     }
 
-    /** Metres. */
-    public double getAltitude() {
+    /** Metres; null if the terrain says it. */
+    public Double getAltitude() {
         return altitude;
     }
 
-    /** Degrees, east positive. */
-    public double getLongitude() {
+    /** Degrees, east positive; null if the terrain says it. */
+    public Double getLongitude() {
         return longitude;
     }
 

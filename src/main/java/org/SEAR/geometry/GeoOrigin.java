@@ -1,5 +1,6 @@
 package org.SEAR.geometry;
 
+import java.util.Locale;
 import net.sf.geographiclib.Geodesic;
 import net.sf.geographiclib.GeodesicData;
 import net.sf.geographiclib.GeodesicMask;
@@ -60,6 +61,12 @@ public final class GeoOrigin {
     /** Degrees, + east. */
     public double getLongitude() {
         return longitude;
+    }
+
+    /** {@code latitude 36.4850000, longitude -84.2308333, altitude 1076.0 m}. */
+    @Override
+    public String toString() {
+        return String.format(Locale.ROOT, "latitude %.7f, longitude %.7f, altitude %.1f m", latitude, longitude, altitude);
     }
 
     /** A place on the Earth. Immutable. */

@@ -7,6 +7,7 @@ import java.util.Set;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Shape;
+import org.SEAR.POJOs.Terrain;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.models.Assets;
 import org.SEAR.project.models.ModelLoader;
@@ -40,6 +41,9 @@ final class AssetCheck {
             if (parsed.object instanceof Model) {
                 checkModel(parsed, ((Model) parsed.object).getPath());
             }
+            if (parsed.object instanceof Terrain) {
+                checkMaps(parsed, (Terrain) parsed.object);
+            }
         }
     }
 
@@ -54,6 +58,19 @@ final class AssetCheck {
             } catch (IOException e) {
                 problems.add(parsed.file, parsed.line("image"), "image", shape.getImage(), "a picture that can be shown (" + e.getMessage() + ")");
             }
+        }
+    }
+
+    /** What is in the maps is looked at when the world is made: they may be large. */
+    private void checkMaps(ParsedObject parsed, Terrain terrain) {
+        int index = 0;
+        for (String path : terrain.getPaths()) {
+            if (!assets.has(path)) {
+                boolean first = index == 0;
+                problems.add(parsed.file, parsed.line(first ? "path" : "tile#" + (index - 1)), first ? "path" : "tile", path,
+                    "a file below assets, and there is none of that name: copy the elevation map to SEARproject/assets/" + path);
+            }
+            index++;
         }
     }
 

@@ -131,13 +131,18 @@ public final class ObjectDocs {
         TreeSet<String> changes = new TreeSet<>();
         for (Method method : type.getMethods()) {
             boolean changing = !Modifier.isStatic(method.getModifiers())
-                && !method.getName().matches("(get|is).*|to[A-Z].*|wait|notify.*|equals|hashCode");
-            if (changing && method.getDeclaringClass() != Object.class && method.getDeclaringClass() != SearObject.class) {
+                && !method.getName().matches("(get|is|has).*|to[A-Z].*|wait|notify.*|equals|hashCode");
+            if (changing && method.getDeclaringClass() != Object.class && !isOfEvery(method)) {
                 changes.add("." + call(method.getName(), method));
             }
         }
         lines.addAll(changes);
         return lines;
+    }
+
+    /** Whether every object has it, as move and rotate. */
+    private static boolean isOfEvery(Method method) {
+        return Arrays.stream(SearObject.class.getMethods()).anyMatch(one -> one.getName().equals(method.getName()));
     }
 
     private static int shorterFirst(String a, String b) {

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.project.models.Assets;
 import org.SEAR.project.problems.ProjectException;
 
@@ -55,6 +56,11 @@ public final class Project {
     /** What is legal but probably not meant: a file in {@code robot/} that is no robot's part, a picture that isn't there. */
     public List<String> getWarnings() {
         return warnings;
+    }
+
+    /** Where on Earth the world's origin lies, as the terrain's map has it; null without a terrain, and for a map without a place on Earth. */
+    public GeoOrigin getOrigin() throws ProjectException {
+        return null;
     }
 
     /** Pictures and models: the project's own, else those that come with SEAR. */

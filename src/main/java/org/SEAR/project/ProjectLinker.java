@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.PlacedObject;
@@ -53,6 +54,7 @@ final class ProjectLinker {
         checkPorts();
         checkTerrain();
         checkPlaced();
+        checkReferences();
     }
 
     private void linkRobot(ParsedObject parsed, SEARrobot robot) {
@@ -137,6 +139,18 @@ final class ProjectLinker {
     /** The element that makes an object the terrain; null for any other object. */
     private static String terrainElement(Object object) {
         return object instanceof Terrain ? "path" : object instanceof Model && ((Model) object).isTerrain() ? "terrain" : null;
+    }
+
+    /** A GPS that doesn't say where the world lies needs a terrain that does. */
+    private void checkReferences() {
+        boolean terrain = environment.values().stream().anyMatch(parsed -> parsed.isBroken() || parsed.object instanceof Terrain
+            && !((Terrain) parsed.object).hasSize());
+        for (ParsedObject parsed : owners.keySet()) {
+            if (!terrain && parsed.object instanceof GPS && !((GPS) parsed.object).hasReference()) {
+                problems.add(parsed.file, parsed.line("latitude"), "", parsed.object + " has no latitude, altitude and longitude",
+                    "all three of them, or a Terrain whose map says where on Earth the world lies");
+            }
+        }
     }
 
     /** What is fixed to a robot stands where the robot does. */

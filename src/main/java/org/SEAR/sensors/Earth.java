@@ -19,33 +19,53 @@ public final class Earth {
     public static final String MODEL_FILE = "WMM.COF";
 
     private final GeoOrigin origin;
+    private final boolean ofTerrain;
     private final MagneticModel model;
 
-    /** @param origin null if nobody said where the world lies */
+    /** @param origin as a GPS has it; null if nobody said where the world lies */
     public Earth(GeoOrigin origin, MagneticModel model) {
+        this(origin, false, model);
+    }
+
+    /** @param ofTerrain whether the origin is what the terrain's map says */
+    public Earth(GeoOrigin origin, boolean ofTerrain, MagneticModel model) {
         this.origin = origin;
+        this.ofTerrain = ofTerrain;
         this.model = model;
     }
 
     /**
-     * The Earth of a robot: the origin is its own first GPS's, or else that of the first GPS of any robot; the magnetic field is that of
-     * {@code assets/WMM.COF}, or else the World Magnetic Model 2025.
+     * The Earth of a robot: the origin is that of the terrain, or else that of its own first GPS which says one, or else of the first such GPS of
+     * any robot; the magnetic field is that of {@code assets/WMM.COF}, or else the World Magnetic Model 2025.
      *
-     * @throws ProjectException if {@code assets/WMM.COF} is there but can't be used
+     * @throws ProjectException if {@code assets/WMM.COF} is there but can't be used, or a GPS without coordinates has no terrain to take them from
      */
     public static Earth of(Project project, SEARrobot robot) throws ProjectException {
+        MagneticModel model = model(project.asset(MODEL_FILE));
+        GeoOrigin ground = project.getOrigin();
+        if (ground != null) {
+            return new Earth(ground, true, model);
+        }
         List<SEARrobot> robots = new ArrayList<>(project.getRobots());
         robots.add(0, robot);
         GeoOrigin origin = null;
         for (SEARrobot each : robots) {
             for (SearObject part : each.getComponents()) {
-                if (origin == null && part instanceof GPS) {
-                    GPS gps = (GPS) part;
-                    origin = new GeoOrigin(gps.getLatitude(), gps.getAltitude(), gps.getLongitude());
+                if (part instanceof GPS) {
+                    GeoOrigin own = origin((GPS) part);
+                    origin = origin == null ? own : origin;
                 }
             }
         }
-        return new Earth(origin, model(project.asset(MODEL_FILE)));
+        return new Earth(origin, model);
+    }
+
+    private static GeoOrigin origin(GPS gps) throws ProjectException {
+        if (!gps.hasReference()) {
+            throw new ProjectException(Collections.singletonList(new Problem("robot/" + gps.getFileName() + ".xml", 0, "", gps
+                + " has no latitude, altitude and longitude", "all three of them, or a Terrain whose map says where on Earth the world lies")));
+        }
+        return new GeoOrigin(gps.getLatitude(), gps.getAltitude(), gps.getLongitude());
     }
 
     private static MagneticModel model(Path file) throws ProjectException {
@@ -59,7 +79,12 @@ public final class Earth {
         }
     }
 
-    /** Where the world's origin lies; null if no robot has a GPS that says so. */
+    /** Whether the origin is what the terrain's map says; else a GPS says it. */
+    public boolean isOfTerrain() {
+        return ofTerrain;
+    }
+
+    /** Where the world's origin lies; null if neither terrain nor GPS says so. */
     public GeoOrigin getOrigin() {
         return origin;
     }

@@ -1,5 +1,7 @@
 package org.SEAR.sensors;
 
+import java.util.Collections;
+import java.util.List;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.geometry.GeoOrigin;
@@ -8,8 +10,8 @@ import org.SEAR.geometry.Pose;
 /**
  * Place and motion of the antenna on WGS84.
  *
- * <p>Latitude and longitude are the end of the geodesic from the object's reference point to (x north, z east) of the world ({@link GeoOrigin}),
- * altitude = reference altitude + y. Speed is that of the antenna over ground; the course is counted from true north where the robot is. The time is
+ * <p>Latitude and longitude are the end of the geodesic from the object's reference point, or else the terrain's, to (x north, z east) of the world
+ * ({@link GeoOrigin}), altitude = reference altitude + y. Speed is that of the antenna over ground; the course is counted from true north where the robot is. The time is
  * the simulation's. Errors are metres in the world: to the north, up, and to the east.
  */
 public final class GpsSensor extends Sensor<GpsFix> {
@@ -19,12 +21,17 @@ public final class GpsSensor extends Sensor<GpsFix> {
     private static final int UP = 1;
     private static final int EAST = 2;
 
+    /** Farther from the terrain's reference than this is another place, metres. */
+    private static final double SAME_PLACE = 1;
+
+    /** Its own; null if it counts from the terrain's. */
     private final GeoOrigin origin;
 
     /** @param seed of the simulation */
     public GpsSensor(GPS parameters, long seed) {
         super(parameters, seed, 3);
-        this.origin = new GeoOrigin(parameters.getLatitude(), parameters.getAltitude(), parameters.getLongitude());
+        this.origin = parameters.hasReference()
+            ? new GeoOrigin(parameters.getLatitude(), parameters.getAltitude(), parameters.getLongitude()) : null;
     }
 
     @Override
@@ -35,7 +42,8 @@ public final class GpsSensor extends Sensor<GpsFix> {
             return GpsFix.none(time);
         }
         Pose pose = pose(truth);
-        GeoOrigin.GeoPoint place = origin.at(errors.apply(pose.x, step, NORTH, NORTH), errors.apply(pose.y, step, UP, UP),
+        GeoOrigin from = origin == null ? truth.earth().getOrigin() : origin;
+        GeoOrigin.GeoPoint place = from.at(errors.apply(pose.x, step, NORTH, NORTH), errors.apply(pose.y, step, UP, UP),
             errors.apply(pose.z, step, EAST, EAST));
         double[] arm = truth.body().rotate(getMount().x, getMount().y, getMount().z);
         double[] turn = truth.angularVelocity();
@@ -50,6 +58,17 @@ public final class GpsSensor extends Sensor<GpsFix> {
     private static double course(double degrees) {
         double turned = degrees - 360 * Math.floor(degrees / 360);
         return turned >= 360 ? 0 : turned;
+    }
+
+    @Override
+    public List<String> warnings(Truth truth) {
+        GeoOrigin ground = truth.earth().isOfTerrain() ? truth.earth().getOrigin() : null;
+        if (origin == null || ground == null || Math.hypot(Math.hypot(ground.to(origin.getLatitude(), origin.getLongitude())[0],
+                ground.to(origin.getLatitude(), origin.getLongitude())[1]), ground.getAltitude() - origin.getAltitude()) < SAME_PLACE) {
+            return Collections.emptyList();
+        }
+        return Collections.singletonList("gps " + getName() + " has the world's centre at " + origin + ", but the terrain has it at " + ground
+            + "; its readings count from its own: GPS(name) without coordinates takes the terrain's");
     }
 
     /** The registry entry. */

@@ -251,6 +251,34 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
+     * The world's y of the ground at a point, metres: of the terrain, a floor or a model that is the terrain; the highest of them. Simulation thread.
+     *
+     * @param x metres north
+     * @param z metres east
+     * @throws IllegalArgumentException if there is no ground
+     */
+    public double getGroundHeight(double x, double z) {
+        return found(world.groundHeight(x, z), x, z);
+    }
+
+    /**
+     * What {@link #getGroundHeight} answers in the world of a project, of which only the ground is made. Any thread.
+     *
+     * @throws ProjectException if the ground can't be made
+     */
+    public static double groundHeight(Project project, double x, double z) throws ProjectException {
+        return found(World.ground(project).groundHeight(x, z), x, z);
+    }
+
+    private static double found(double height, double x, double z) {
+        if (Double.isNaN(height)) {
+            throw new IllegalArgumentException("there is no ground at x " + x + ", z " + z + ", legal: a point of the terrain, a floor or a model that"
+                + " is the terrain");
+        }
+        return height;
+    }
+
+    /**
      * Where something is in the world. Simulation thread.
      *
      * @param name of a robot, a part of a robot ({@code rover/ping} where several have one of that name), or an environment object; a wheel is where

@@ -75,7 +75,7 @@ final class World implements PhysicsWorld.Touches {
         }
         environment.stream().filter(Objects::nonNull).forEach(body -> body.mirror(scenes));
         scenes.commit();
-        GroundPlaces places = new GroundPlaces(null, scenes);
+        GroundPlaces places = new GroundPlaces(project.getOrigin(), scenes);
         for (int i = 0; i < environment.size(); i++) {
             if (environment.get(i) != null) {
                 places.setDown((PlacedObject) project.getEnvironment().get(i), environment.get(i));
@@ -105,6 +105,39 @@ final class World implements PhysicsWorld.Touches {
     /** Whether robots drive on it, and things are placed on it: a floor or the terrain. */
     private static boolean isGround(SearObject object) {
         return object instanceof Floor || object instanceof Terrain || object instanceof Model && ((Model) object).isTerrain();
+    }
+
+    /**
+     * Only the ground of a project.
+     *
+     * @throws ProjectException if it can't be made
+     */
+    static Scenes ground(Project project) throws ProjectException {
+        Scenes scenes = new Scenes(false);
+        List<SearObject> grounds = new ArrayList<>(project.getEnvironment());
+        grounds.removeIf(object -> !isGround(object));
+        List<Body> bodies = new ArrayList<>();
+        for (SearObject object : grounds) {
+            Body body = body(object, project);
+            bodies.add(body);
+            body.addTo(scenes, Collections.singletonList(true), -1, 1);
+            scenes.addGround(body);
+            body.mirror(scenes);
+        }
+        scenes.commit();
+        GroundPlaces places = new GroundPlaces(project.getOrigin(), scenes);
+        for (int i = 0; i < bodies.size(); i++) {
+            places.setDown((PlacedObject) grounds.get(i), bodies.get(i));
+            bodies.get(i).mirror(scenes);
+        }
+        places.end();
+        scenes.commit();
+        return scenes;
+    }
+
+    /** See {@link Simulation#getGroundHeight}. */
+    double groundHeight(double x, double z) {
+        return scenes.groundHeight(x, z);
     }
 
     private static boolean hasInvisible(Project project) {

@@ -448,6 +448,19 @@ public class SEAR extends Service<SEARConfig> {
         return calls.attempt(() -> parts.readings().pose(name));
     }
 
+    /**
+     * The ground's height at a point of the world: its y, metres. Ground is the terrain, a floor, or a model that is the terrain; where one lies over
+     * the other, the highest. While no simulation runs it is that of the project as it is.
+     *
+     * @param x metres north of the world's origin
+     * @param z metres east of it
+     * @throws IllegalArgumentException if there is no ground
+     * @example y = sear.getGroundHeight(2.0, -1.5)
+     */
+    public double getGroundHeight(double x, double z) {
+        return calls.attempt(() -> parts.readings().groundHeight(x, z));
+    }
+
     // ---- readings that come by themselves --------------------------------------------------------------------------
 
     /**

@@ -120,13 +120,18 @@ final class BundleRules {
         return Normalizer.normalize(name, Normalizer.Form.NFC).toUpperCase(Locale.ROOT).toLowerCase(Locale.ROOT);
     }
 
-    /** Checks the first bytes of a file: an archive inside could hide anything. Blender packs its own files with gzip or zstd. */
+    /**
+     * Checks the first bytes of a file: an archive inside could hide anything. Blender packs its own files with gzip or zstd, and elevation maps
+     * come zipped; what reads them has limits of its own.
+     */
     void head(String name, byte[] head, int length) {
         String start = new String(head, 0, length, StandardCharsets.ISO_8859_1);
         boolean blend = name.toLowerCase(Locale.ROOT).endsWith(".blend");
+        boolean map = name.toLowerCase(Locale.ROOT).endsWith(".hgt.zip");
         for (String[] archive : ARCHIVES) {
             boolean packedBlend = blend && (archive[1].equals("gzip") || archive[1].equals("zstd"));
-            if (start.startsWith(archive[0]) && !packedBlend) {
+            boolean packedMap = map && archive[1].equals("zip");
+            if (start.startsWith(archive[0]) && !packedBlend && !packedMap) {
                 refuse(name, "no archive inside a bundle; this is " + archive[1]);
             }
         }

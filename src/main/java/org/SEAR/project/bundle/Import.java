@@ -34,7 +34,7 @@ import org.SEAR.project.xml.Xml;
  * another content there. One use, one thread.
  */
 final class Import {
-    private static final List<String> ASSETS = Arrays.asList("path", "image");
+    private static final List<String> ASSETS = Arrays.asList("path", "tile", "image");
     private static final List<String> PORTS = Arrays.asList("uartPort", "userPort");
 
     private final Project source;

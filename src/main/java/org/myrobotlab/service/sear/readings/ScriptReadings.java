@@ -10,6 +10,8 @@ import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.ScriptText;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.geometry.Pose;
+import org.SEAR.project.Project;
+import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.Robot;
 import org.SEAR.sensors.DistanceReading;
 import org.SEAR.sensors.GpsFix;
@@ -169,6 +171,14 @@ public final class ScriptReadings {
     public double[] pose(String asked) throws InterruptedException {
         String name = given(asked);
         return control.session().ask(world -> asNumbers(world.getPose(name)));
+    }
+
+    /** The world's y of the ground, metres; before the start, of the project as it is. */
+    public double groundHeight(double x, double z) throws InterruptedException, ProjectException {
+        if (!control.isRunning()) {
+            return Simulation.groundHeight(Project.read(Project.presentFolder()), x, z);
+        }
+        return control.session().ask(world -> world.getGroundHeight(x, z));
     }
 
     private static String given(String name) {

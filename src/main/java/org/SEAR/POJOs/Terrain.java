@@ -1,7 +1,10 @@
 package org.SEAR.POJOs;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.ServiceLoader;
 
 /**
  * The ground of the world from an elevation map: SRTM, GeoTIFF, ESRI ASCII grid, or a picture whose grey is the height. The middle of its area is the
@@ -192,6 +195,29 @@ public class Terrain extends Shape {
         lowest = checkedLowest;
         highest = checkedHighest;
         changed();
+    }
+
+    /**
+     * The ground's height at a place on the Earth, as the map has it; whether a simulation runs or not.
+     *
+     * @param atLatitude degrees, north positive
+     * @param atLongitude degrees, east positive
+     * @return metres above the geoid, which is about the sea's level
+     * @throws IllegalArgumentException if the place is outside of the area, or the map has no place on Earth
+     * @throws UncheckedIOException if the map can't be read
+     */
+    public double getHeight(double atLatitude, double atLongitude) {
+        try {
+            return Heights.ALL.height(this, atLatitude, atLongitude);
+        } catch (IOException e) {
+            throw new UncheckedIOException(label() + ": " + e.getMessage(), e);
+        }
+    }
+
+    /** Looked for when the first height is asked for. */
+    private static final class Heights {
+        static final GroundHeights ALL = ServiceLoader.load(GroundHeights.class, GroundHeights.class.getClassLoader()).findFirst()
+            .orElseThrow(() -> new IllegalStateException("no org.SEAR.POJOs.GroundHeights on the class path: sear.jar is incomplete"));
     }
 
     /** Whether {@link #setArea} has said which part of the map is used. */

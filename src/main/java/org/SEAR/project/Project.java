@@ -7,6 +7,8 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.project.models.Assets;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.project.xml.ParsedObject;
+import org.SEAR.terrain.Ground;
 
 /** A SEARproject folder that was read whole and found valid. Immutable: nobody changes its objects afterwards. */
 public final class Project {
@@ -16,12 +18,16 @@ public final class Project {
     private final List<String> warnings;
     private final Assets assets;
 
-    Project(Path folder, List<SearObject> environment, List<SEARrobot> robots, List<String> warnings) {
+    private final TerrainGround terrain;
+
+    /** @param terrain null if it has none */
+    Project(Path folder, List<SearObject> environment, List<SEARrobot> robots, List<String> warnings, ParsedObject terrain) {
         this.folder = folder;
         this.environment = List.copyOf(environment);
         this.robots = List.copyOf(robots);
         this.warnings = List.copyOf(warnings);
         this.assets = new Assets(folder.resolve(ProjectFolder.ASSETS));
+        this.terrain = terrain == null ? null : new TerrainGround(terrain, assets);
     }
 
     /**
@@ -58,9 +64,24 @@ public final class Project {
         return warnings;
     }
 
-    /** Where on Earth the world's origin lies, as the terrain's map has it; null without a terrain, and for a map without a place on Earth. */
+    /**
+     * The ground that the terrain's elevation maps make; loaded when it is asked for first.
+     *
+     * @return null without a Terrain
+     * @throws ProjectException if a map can't be read
+     */
+    public Ground getGround() throws ProjectException {
+        return terrain == null ? null : terrain.get();
+    }
+
+    /**
+     * Where on Earth the world's origin lies, as the terrain's map has it.
+     *
+     * @return null without a Terrain, and for a map without a place on Earth
+     * @throws ProjectException if a map can't be read
+     */
     public GeoOrigin getOrigin() throws ProjectException {
-        return null;
+        return terrain == null ? null : terrain.get().origin;
     }
 
     /** Pictures and models: the project's own, else those that come with SEAR. */

@@ -180,6 +180,11 @@ final class ProjectLinker {
         return objects;
     }
 
+    /** The Terrain; null if there is none. */
+    ParsedObject terrain() {
+        return environment.values().stream().filter(parsed -> parsed.object instanceof Terrain).findFirst().orElse(null);
+    }
+
     /** In the order in which they were made; parts come by the names of their files. */
     List<SEARrobot> robots() {
         List<SEARrobot> robots = new ArrayList<>();

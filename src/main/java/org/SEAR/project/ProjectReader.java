@@ -70,7 +70,7 @@ final class ProjectReader {
         linker.link();
         new AssetCheck(new Assets(folder.resolve(ProjectFolder.ASSETS)), problems, warnings).check(linker.all());
         problems.throwIfAny();
-        return new Project(folder, linker.environment(), linker.robots(), warnings);
+        return new Project(folder, linker.environment(), linker.robots(), warnings, linker.terrain());
     }
 
     /** The dissertation has both spellings. */

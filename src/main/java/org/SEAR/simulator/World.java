@@ -75,6 +75,9 @@ final class World implements PhysicsWorld.Touches {
         }
         environment.stream().filter(Objects::nonNull).forEach(body -> body.mirror(scenes));
         scenes.commit();
+        if (project.getGround() != null) {
+            warnings.addAll(project.getGround().warnings);
+        }
         GroundPlaces places = new GroundPlaces(project.getOrigin(), scenes);
         for (int i = 0; i < environment.size(); i++) {
             if (environment.get(i) != null) {

@@ -1,0 +1,55 @@
+package org.SEAR.project;
+
+import java.io.IOException;
+import java.util.Collections;
+import org.SEAR.POJOs.Terrain;
+import org.SEAR.project.models.Assets;
+import org.SEAR.project.problems.Problem;
+import org.SEAR.project.problems.ProjectException;
+import org.SEAR.project.xml.ParsedObject;
+import org.SEAR.terrain.Ground;
+import org.SEAR.terrain.TerrainArea;
+import org.SEAR.terrain.TerrainLoader;
+
+/** The ground that a project's terrain makes: loaded when somebody asks, and kept as long as the project is. Any thread. */
+final class TerrainGround {
+    private final ParsedObject parsed;
+    private final Assets assets;
+    private Ground ground;
+
+    /** @param parsed a terrain */
+    TerrainGround(ParsedObject parsed, Assets assets) {
+        this.parsed = parsed;
+        this.assets = assets;
+    }
+
+    /**
+     * The ground of a terrain.
+     *
+     * @throws IOException that names the map, what is wrong in it and what is legal
+     */
+    static Ground load(Terrain terrain, Assets assets) throws IOException {
+        TerrainArea area = TerrainArea.of(terrain.getPath(), terrain.getPaths().subList(1, terrain.getPaths().size()));
+        if (terrain.hasArea()) {
+            area = area.around(terrain.getLatitude(), terrain.getLongitude(), terrain.getNorthSouth(), terrain.getEastWest());
+        }
+        if (terrain.hasSize()) {
+            area = area.sized(terrain.getNorthSouth(), terrain.getEastWest(), terrain.getLowest(), terrain.getHighest());
+        }
+        return TerrainLoader.load(area, assets);
+    }
+
+    /** @throws ProjectException if the map can't be read */
+    synchronized Ground get() throws ProjectException {
+        if (ground == null) {
+            Terrain terrain = (Terrain) parsed.object;
+            try {
+                ground = load(terrain, assets);
+            } catch (IOException e) {
+                throw new ProjectException(Collections.singletonList(new Problem(parsed.file, parsed.line("path"), "path", terrain.getPath(),
+                    "an elevation map that can be used (" + e.getMessage() + ")")));
+            }
+        }
+        return ground;
+    }
+}

@@ -70,7 +70,7 @@ public class DrivingExamplesTest {
     @Test
     public void everyScriptIsTriedHere() throws IOException {
         try (Stream<Path> scripts = Files.list(EXAMPLES.resolve("drive"))) {
-            assertEquals(List.of("gps_waypoints.py", "lidar_mapper.py", "maze_solver.py", "obstacle_avoidance.py", "wall_follower.py"),
+            assertEquals(List.of("gps_waypoints.py", "lidar_mapper.py", "maze_solver.py", "mountain.py", "obstacle_avoidance.py", "wall_follower.py"),
                 scripts.map(script -> script.getFileName().toString()).sorted().collect(Collectors.toList()));
         }
     }
@@ -112,6 +112,20 @@ public class DrivingExamplesTest {
             double[] at = numbers(text, "Waypoint " + (i + 1) + " after .*, x (-?[0-9.]+) m, z (-?[0-9.]+) m");
             assertEquals(text, 0, Math.hypot(at[0] - waypoints[i][0], at[1] - waypoints[i][1]), 0.6);
         }
+    }
+
+    @Test
+    public void theSummitIsReached() throws Exception {
+        String text = run("mountain.py", "rover", "summit");
+        double[] rover = end(text, "rover");
+        double[] summit = end(text, "summit");
+        assertEquals(text, 0, Math.hypot(rover[0] - summit[0], rover[1] - summit[1]), 3);
+        double[] fix = numbers(text, "On the summit after ([0-9.]+) s: latitude ([0-9.]+), longitude (-[0-9.]+), ([0-9.]+) m above the sea");
+        assertEquals(text, 36.485, fix[1], 3e-5);
+        assertEquals(text, -84.23083, fix[2], 3e-5);
+        assertEquals("the map's summit is 1076 m high", 1076, fix[3], 1.5);
+        double[] start = numbers(text, "After \\d+ s: (\\d+) m high, (\\d+) m to go");
+        assertTrue("it climbs: " + text, start[0] < 1076 - 15 && start[1] > 150);
     }
 
     @Test

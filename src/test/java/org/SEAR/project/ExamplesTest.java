@@ -26,7 +26,7 @@ public class ExamplesTest {
 
     @Test
     public void eachScriptMakesItsBundle() throws Exception {
-        assertEquals(4, ExampleMaker.scripts(EXAMPLES).size());
+        assertEquals(5, ExampleMaker.scripts(EXAMPLES).size());
         for (Path script : ExampleMaker.scripts(EXAMPLES)) {
             ProjectSwap.delete(project.folder());
             ExampleMaker.run(script);

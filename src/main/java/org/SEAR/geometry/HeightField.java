@@ -20,6 +20,7 @@ public final class HeightField {
     public final double spacingZ;
     /** Height of each post, metres, row by row from the south, each from the west. */
     public final float[] heights;
+    private volatile HeightPyramid pyramid;
 
     /**
      * @param lowX metres, likewise lowZ
@@ -31,6 +32,11 @@ public final class HeightField {
             throw new IllegalArgumentException("height field: " + rows + " x " + columns + " posts " + spacingX + " and " + spacingZ
                 + " m apart, " + heights.length + " heights; legal: at least 2 x 2 posts, as many heights, spacings above 0");
         }
+        double least = Math.max(closest(lowX, rows, spacingX), closest(lowZ, columns, spacingZ));
+        if (!(Math.min(spacingX, spacingZ) >= least)) {
+            throw new IllegalArgumentException("height field: posts " + spacingX + " and " + spacingZ + " m apart, legal so far out: " + least
+                + " m or more");
+        }
         this.rows = rows;
         this.columns = columns;
         this.lowX = lowX;
@@ -40,14 +46,19 @@ public final class HeightField {
         this.heights = heights;
     }
 
-    /** Where a row stands, metres. */
-    public double x(int row) {
-        return lowX + row * spacingX;
+    /** How close posts may stand so that each has a place of its own, metres. */
+    private static double closest(double low, int count, double spacing) {
+        return Math.ulp((float) Math.max(Math.abs(low), Math.abs(low + (count - 1) * spacing)));
     }
 
-    /** Where a column stands, metres. */
-    public double z(int column) {
-        return lowZ + column * spacingZ;
+    /** Where a row stands, metres: this float is its x for everything that meets, touches or draws the ground. */
+    public float x(int row) {
+        return (float) (lowX + row * spacingX);
+    }
+
+    /** Where a column stands, metres, likewise. */
+    public float z(int column) {
+        return (float) (lowZ + column * spacingZ);
     }
 
     /** Height of a post, metres. */
@@ -55,17 +66,62 @@ public final class HeightField {
         return heights[row * columns + column];
     }
 
+    /**
+     * The corners of a triangle, counter-clockwise seen from above.
+     *
+     * @param row of the cell's south-western post, likewise column
+     * @param half 0: the triangle south-east of the diagonal, 1: the one north-west of it
+     * @param into takes x, y and z of the three corners
+     */
+    public void triangle(int row, int column, int half, float[] into) {
+        int at = row * columns + column;
+        float south = x(row);
+        float north = x(row + 1);
+        float west = z(column);
+        float east = z(column + 1);
+        into[0] = south;
+        into[1] = heights[at];
+        into[2] = west;
+        if (half == 0) {
+            into[3] = south;
+            into[4] = heights[at + 1];
+            into[5] = east;
+            into[6] = north;
+            into[7] = heights[at + columns + 1];
+            into[8] = east;
+        } else {
+            into[3] = north;
+            into[4] = heights[at + columns + 1];
+            into[5] = east;
+            into[6] = north;
+            into[7] = heights[at + columns];
+            into[8] = west;
+        }
+    }
+
+    /** The least and greatest heights of its blocks; made when it is asked for the first time. */
+    public HeightPyramid getPyramid() {
+        return pyramid != null ? pyramid : makePyramid();
+    }
+
+    private synchronized HeightPyramid makePyramid() {
+        if (pyramid == null) {
+            pyramid = new HeightPyramid(this);
+        }
+        return pyramid;
+    }
+
     /** Height of the ground, metres; NaN beside the field. */
     public double height(double x, double z) {
-        double along = (x - lowX) / spacingX;
-        double across = (z - lowZ) / spacingZ;
-        if (!(along >= 0 && across >= 0 && along <= rows - 1 && across <= columns - 1)) {
+        if (!(x >= x(0) && z >= z(0) && x <= x(rows - 1) && z <= z(columns - 1))) {
             return Double.NaN;
         }
-        int row = Math.min((int) along, rows - 2);
-        int column = Math.min((int) across, columns - 2);
-        double u = along - row;
-        double v = across - column;
+        int row = Math.max(0, Math.min((int) ((x - lowX) / spacingX), rows - 2));
+        row += row > 0 && x < x(row) ? -1 : row < rows - 2 && x > x(row + 1) ? 1 : 0;
+        int column = Math.max(0, Math.min((int) ((z - lowZ) / spacingZ), columns - 2));
+        column += column > 0 && z < z(column) ? -1 : column < columns - 2 && z > z(column + 1) ? 1 : 0;
+        double u = (x - x(row)) / ((double) x(row + 1) - x(row));
+        double v = (z - z(column)) / ((double) z(column + 1) - z(column));
         int at = row * columns + column;
         double southWest = heights[at];
         double northEast = heights[at + columns + 1];

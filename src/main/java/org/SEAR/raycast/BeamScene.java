@@ -1,12 +1,13 @@
 package org.SEAR.raycast;
 
 import java.util.Arrays;
+import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
 import org.SEAR.raycast.solid.RaySolid;
 
 /**
- * The exact geometry that beams meet: boxes, other convex solids and triangle meshes, each with a pose in the world.
+ * The exact geometry that beams meet: boxes, other convex solids, triangle meshes and height fields, each with a pose in the world.
  *
  * <p>Building and moving ({@code add...}, {@link #setPose}, {@link #setVisible}, {@link #commit}) belong to the simulation thread; between two
  * commits any number of threads may cast at the same time and get the same bytes. Casting allocates nothing.
@@ -49,21 +50,32 @@ public final class BeamScene {
      * @param halfX metres
      */
     public int addBox(double halfX, double halfY, double halfZ, int owner) {
-        return add(Shapes.BOX, owner, null, null, halfX, halfY, halfZ);
+        return add(Shapes.BOX, owner, halfX, halfY, halfZ);
     }
 
     /** Adds a convex solid with a kernel of its own. */
     public int addSolid(RaySolid solid, int owner) {
-        return add(Shapes.CONVEX, owner, null, solid, solid.reach(1, 0, 0), solid.reach(0, 1, 0), solid.reach(0, 0, 1));
+        int shape = add(Shapes.CONVEX, owner, solid.reach(1, 0, 0), solid.reach(0, 1, 0), solid.reach(0, 0, 1));
+        shapes.solid[shape] = solid;
+        return shape;
     }
 
     /** Adds triangles, seen from both sides, scaled by (sx, sy, sz). The hierarchy of the same triangles is built only once. */
     public int addMesh(Triangles triangles, double sx, double sy, double sz, int owner) {
-        return add(Shapes.MESH, owner, Mesh.of(triangles), null, sx, sy, sz);
+        int shape = add(Shapes.MESH, owner, sx, sy, sz);
+        shapes.mesh[shape] = Mesh.of(triangles);
+        return shape;
     }
 
-    private int add(byte kind, int owner, Mesh mesh, RaySolid solid, double a, double b, double c) {
-        int shape = shapes.add(kind, owner, mesh, solid, a, b, c);
+    /** Adds the triangles of a height field, seen from both sides. */
+    public int addHeights(HeightField field, int owner) {
+        int shape = add(Shapes.HEIGHTS, owner, 1, 1, 1);
+        shapes.heights[shape] = field;
+        return shape;
+    }
+
+    private int add(byte kind, int owner, double a, double b, double c) {
+        int shape = shapes.add(kind, owner, a, b, c);
         if (shape == changed.length) {
             int size = 2 * shape;
             poses = Arrays.copyOf(poses, size * POSE);

@@ -6,6 +6,8 @@ package org.SEAR.raycast;
  */
 final class DepthBuffer {
     private static final int TABLES = 4;
+    /** An angle is at most this times its sine, where that is at most a half. */
+    private static final double ARC_SINE = Math.PI / 3 * (1 + 1e-12);
     private final FanDirections[] tables = new FanDirections[TABLES];
     private int nextTable;
 
@@ -94,6 +96,25 @@ final class DepthBuffer {
             return open(from, to, enough);
         }
         return open(from, beams.count - 1, enough) || open(0, to, enough);
+    }
+
+    /** Whether some beam could see into a circle of the plane. */
+    boolean sees(double x, double z, double radius) {
+        double squared = x * x + z * z;
+        if (squared <= 4 * radius * radius) {
+            return true;
+        }
+        double inverseDistance = 1 / Math.sqrt(squared);
+        double sine = radius * inverseDistance;
+        double half = ARC_SINE * sine;
+        double enough = inverseDistance / (1 - sine) * (1 + 1e-12);
+        double middle = beams.angle(x, z);
+        double right = middle - half;
+        double left = middle + half;
+        if (FanDirections.inOneGo(right, left)) {
+            return open(beams.from(right), beams.to(left), enough);
+        }
+        return open(beams.from(FanDirections.wrapped(right)), beams.count - 1, enough) || open(0, beams.to(FanDirections.wrapped(left)), enough);
     }
 
     private boolean open(int from, int to, double enough) {

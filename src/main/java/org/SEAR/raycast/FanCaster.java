@@ -2,6 +2,7 @@ package org.SEAR.raycast;
 
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Rotation;
+import org.SEAR.raycast.solid.RayBox;
 import org.SEAR.raycast.solid.RaySolid;
 
 /**
@@ -10,12 +11,13 @@ import org.SEAR.raycast.solid.RaySolid;
  */
 final class FanCaster {
     /** Metres from a surface at which the origin counts as lying on it; such a shape is tested beam by beam. */
-    private static final double TOUCHING = 1e-9;
+    static final double TOUCHING = 1e-9;
 
     private final RayCaster rays;
     private final DepthBuffer depth = new DepthBuffer();
     private final PlaneCut world = new PlaneCut();
-    private final PlaneCut model = new PlaneCut();
+    private final TriangleCut triangles = new TriangleCut(depth);
+    private final FanHeights heights = new FanHeights(depth, triangles);
     private final CutStack stack = new CutStack();
     private final CutStack meshStack = new CutStack();
     private final BoxCut boxCut = new BoxCut();
@@ -26,6 +28,7 @@ final class FanCaster {
     private double ox;
     private double oy;
     private double oz;
+    private double range;
     private double reachSquared;
 
     FanCaster(RayCaster rays) {
@@ -40,6 +43,7 @@ final class FanCaster {
         Rotation.write(pose.qx, pose.qy, pose.qz, pose.qw, axes, 0);
         depth.start(start, step, count, maxRange);
         if (depth.beams.regular) {
+            range = maxRange;
             reachSquared = maxRange * maxRange * (1 + 1e-12);
             scene(tree, ignored);
             for (int i = 0; i < count; i++) {
@@ -122,6 +126,10 @@ final class FanCaster {
             case Shapes.CONVEX:
                 convex(number, a, b, c);
                 break;
+            case Shapes.HEIGHTS:
+                triangles.start(own, number, 1, 1, 1);
+                heights.cast(shapes.heights[number], own[0], own[2], range, rays);
+                break;
             default:
                 mesh(number, a, b, c);
         }
@@ -183,19 +191,8 @@ final class FanCaster {
     }
 
     private void mesh(int number, double sx, double sy, double sz) {
-        PlaneCut cut = model;
-        cut.xa = own[3] * sx;
-        cut.xb = own[4] * sy;
-        cut.xc = own[5] * sz;
-        cut.xd = -(own[0] * own[3] + own[1] * own[4] + own[2] * own[5]);
-        cut.ha = own[6] * sx;
-        cut.hb = own[7] * sy;
-        cut.hc = own[8] * sz;
-        cut.hd = -(own[0] * own[6] + own[1] * own[7] + own[2] * own[8]);
-        cut.za = own[9] * sx;
-        cut.zb = own[10] * sy;
-        cut.zc = own[11] * sz;
-        cut.zd = -(own[0] * own[9] + own[1] * own[10] + own[2] * own[11]);
+        triangles.start(own, number, sx, sy, sz);
+        PlaneCut cut = triangles.plane;
         Mesh mesh = shapes.mesh[number];
         Bvh tree = mesh.tree;
         cut.ready(tree);
@@ -210,81 +207,8 @@ final class FanCaster {
             rays.triangles += n;
             int first = tree.link(node);
             for (int i = first; i < first + n; i++) {
-                triangle(mesh.corners, 9 * i, number, sx, sy, sz);
+                triangles.triangle(mesh.corners, 9 * i);
             }
-        }
-    }
-
-    private void triangle(float[] v, int at, int number, double sx, double sy, double sz) {
-        PlaneCut cut = model;
-        double h0 = cut.height(v[at], v[at + 1], v[at + 2]);
-        double h1 = cut.height(v[at + 3], v[at + 4], v[at + 5]);
-        double h2 = cut.height(v[at + 6], v[at + 7], v[at + 8]);
-        boolean up0 = h0 >= 0;
-        boolean up1 = h1 >= 0;
-        boolean up2 = h2 >= 0;
-        if (up0 == up1 && up1 == up2) {
-            return;
-        }
-        int lone = up1 == up2 ? 0 : up0 == up2 ? 3 : 6;
-        int next = lone == 6 ? 0 : lone + 3;
-        int last = lone == 0 ? 6 : lone - 3;
-        double hLone = lone == 0 ? h0 : lone == 3 ? h1 : h2;
-        double hNext = next == 0 ? h0 : next == 3 ? h1 : h2;
-        double hLast = last == 0 ? h0 : last == 3 ? h1 : h2;
-        double x0 = cut.x(v[at + lone], v[at + lone + 1], v[at + lone + 2]);
-        double z0 = cut.z(v[at + lone], v[at + lone + 1], v[at + lone + 2]);
-        double x1 = cut.x(v[at + next], v[at + next + 1], v[at + next + 2]);
-        double z1 = cut.z(v[at + next], v[at + next + 1], v[at + next + 2]);
-        double x2 = cut.x(v[at + last], v[at + last + 1], v[at + last + 2]);
-        double z2 = cut.z(v[at + last], v[at + last + 1], v[at + last + 2]);
-        double px;
-        double pz;
-        double qx;
-        double qz;
-        if (hLone >= 0) {
-            double f = hLone / (hLone - hNext);
-            double g = hLone / (hLone - hLast);
-            px = x0 + (x1 - x0) * f;
-            pz = z0 + (z1 - z0) * f;
-            qx = x0 + (x2 - x0) * g;
-            qz = z0 + (z2 - z0) * g;
-        } else {
-            double f = hNext / (hNext - hLone);
-            double g = hLast / (hLast - hLone);
-            px = x1 + (x0 - x1) * f;
-            pz = z1 + (z0 - z1) * f;
-            qx = x2 + (x0 - x2) * g;
-            qz = z2 + (z0 - z2) * g;
-        }
-        segment(px, pz, qx, qz, number, v, at, sx, sy, sz);
-    }
-
-    private void segment(double px, double pz, double qx, double qz, int number, float[] v, int at, double sx, double sy, double sz) {
-        double turn = pz * qx - px * qz;
-        double ex = qx - px;
-        double ez = qz - pz;
-        double length = Math.abs(ex) + Math.abs(ez);
-        if (Math.abs(turn) <= TOUCHING * length) {
-            if (px * qx + pz * qz <= TOUCHING * length) {
-                for (int i = 0; i < depth.beams.count; i++) {
-                    double x = depth.beams.x[i];
-                    double z = depth.beams.z[i];
-                    depth.meet(i, Mesh.triangle(v, at, own[0] / sx, own[1] / sy, own[2] / sz, (own[3] * x + own[9] * z) / sx,
-                        (own[4] * x + own[10] * z) / sy, (own[5] * x + own[11] * z) / sz), number);
-                }
-                return;
-            }
-            if (turn == 0) {
-                return;
-            }
-        }
-        double a = -ez / turn;
-        double b = ex / turn;
-        if (turn > 0) {
-            depth.line(px, pz, qx, qz, a, b, number);
-        } else {
-            depth.line(qx, qz, px, pz, a, b, number);
         }
     }
 }

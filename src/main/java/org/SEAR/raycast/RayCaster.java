@@ -1,5 +1,8 @@
 package org.SEAR.raycast;
 
+import org.SEAR.raycast.solid.RayBox;
+import org.SEAR.raycast.solid.RayTriangle;
+
 /** Casts single beams; holds what one thread needs for it, so that casting allocates nothing. */
 final class RayCaster {
     /** Work done since the thread's first cast: nodes of hierarchies that fans looked at, shapes and triangles that anything looked at. */
@@ -10,13 +13,14 @@ final class RayCaster {
     /** Ways through the hierarchies of the scene and of a mesh in it. */
     private final RayTraversal scene = new RayTraversal();
     private final RayTraversal inside = new RayTraversal();
+    private final RayHeights heights = new RayHeights();
     private final double[] point = new double[3];
     /** The triangle that the last successful {@link #mesh} met. */
     private int triangle;
 
     /** Nodes of hierarchies that beams and fans looked at. */
     long nodes() {
-        return fanNodes + scene.nodes + inside.nodes;
+        return fanNodes + scene.nodes + inside.nodes + heights.nodes;
     }
 
     /** Nearest distance of a beam over all shapes that the owner sees; the lower shape number wins a tie. */
@@ -68,6 +72,8 @@ final class RayCaster {
                 return RayBox.meet(px, py, pz, vx, vy, vz, a, b, c);
             case Shapes.CONVEX:
                 return shapes.solid[shape].meet(px, py, pz, vx, vy, vz);
+            case Shapes.HEIGHTS:
+                return heights.meet(shapes.heights[shape], px, py, pz, vx, vy, vz, limit);
             default:
                 return mesh(shapes.mesh[shape], px / a, py / b, pz / c, vx / a, vy / b, vz / c, limit);
         }
@@ -83,7 +89,7 @@ final class RayCaster {
             int end = first + tree.count(node);
             triangles += end - first;
             for (int i = first; i < end; i++) {
-                double t = Mesh.triangle(mesh.corners, 9 * i, ox, oy, oz, dx, dy, dz);
+                double t = RayTriangle.meet(mesh.corners, 9 * i, ox, oy, oz, dx, dy, dz);
                 if (t <= limit && (t < best || t == best && i < triangle)) {
                     best = t;
                     limit = t;
@@ -104,10 +110,13 @@ final class RayCaster {
         double c = m[i + 14];
         if (shapes.kind[shape] == Shapes.MESH) {
             test(shapes, shape, ox, oy, oz, dx, dy, dz, t);
-            shapes.mesh[shape].normal(triangle, point);
+            RayTriangle.normal(shapes.mesh[shape].corners, 9 * triangle, point);
             point[0] /= a;
             point[1] /= b;
             point[2] /= c;
+        } else if (shapes.kind[shape] == Shapes.HEIGHTS) {
+            test(shapes, shape, ox, oy, oz, dx, dy, dz, t);
+            heights.normal(shapes.heights[shape], point);
         } else {
             double wx = ox + t * dx - m[i + 9];
             double wy = oy + t * dy - m[i + 10];

@@ -10,8 +10,8 @@ final class RayTraversal {
     private static final double LARGEST = 1e30;
     /** Relative; more than the rounding of a double to a float ... */
     private static final double FLOAT = 1.2e-7;
-    /** ... and for numbers whose floats have fewer digits. */
-    private static final double LEAST = 1e-30;
+    /** ... and for numbers whose floats have fewer digits: times {@link #LARGEST} it is farther than any beam goes. */
+    private static final double LEAST = 1e-12;
     /** By how much the far side of a node and the limit are moved out: more than all roundings of the test together. */
     private static final double SLACK = 1 + 1e-6;
 

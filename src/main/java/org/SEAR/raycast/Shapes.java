@@ -1,17 +1,19 @@
 package org.SEAR.raycast;
 
 import java.util.Arrays;
+import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.Rotation;
 import org.SEAR.raycast.solid.RaySolid;
 
 /**
  * The shapes of a scene in flat arrays. {@link #data} holds {@link #STRIDE} numbers a shape: rotation matrix (world = R * own, row by row),
- * position, sizes (half sizes of a box or of the box around another convex solid; scale of a mesh).
+ * position, sizes (half sizes of a box or of the box around another convex solid; scale of a mesh, 1 for heights).
  */
 final class Shapes {
     static final byte BOX = 0;
     static final byte CONVEX = 1;
     static final byte MESH = 2;
+    static final byte HEIGHTS = 3;
     static final int STRIDE = 16;
     static final int POSITION = 9;
     static final int SIZE = 12;
@@ -22,9 +24,10 @@ final class Shapes {
     boolean[] visible = new boolean[16];
     Mesh[] mesh = new Mesh[16];
     RaySolid[] solid = new RaySolid[16];
+    HeightField[] heights = new HeightField[16];
     double[] data = new double[16 * STRIDE];
 
-    int add(byte kindOfShape, int ownerOfShape, Mesh triangles, RaySolid convex, double a, double b, double c) {
+    int add(byte kindOfShape, int ownerOfShape, double a, double b, double c) {
         if (count == kind.length) {
             int size = 2 * count;
             kind = Arrays.copyOf(kind, size);
@@ -32,13 +35,12 @@ final class Shapes {
             visible = Arrays.copyOf(visible, size);
             mesh = Arrays.copyOf(mesh, size);
             solid = Arrays.copyOf(solid, size);
+            heights = Arrays.copyOf(heights, size);
             data = Arrays.copyOf(data, size * STRIDE);
         }
         int shape = count++;
         kind[shape] = kindOfShape;
         owner[shape] = ownerOfShape;
-        mesh[shape] = triangles;
-        solid[shape] = convex;
         data[shape * STRIDE + SIZE] = a;
         data[shape * STRIDE + SIZE + 1] = b;
         data[shape * STRIDE + SIZE + 2] = c;
@@ -68,11 +70,10 @@ final class Shapes {
             } else if (kind[shape] == CONVEX) {
                 half = solid[shape].reach(data[row], data[row + 1], data[row + 2]);
             } else {
-                float[] root = mesh[shape].tree.data;
                 half = 0;
                 for (int j = 0; j < 3; j++) {
-                    double low = root.length == 0 ? 0 : root[j] * data[size + j];
-                    double high = root.length == 0 ? 0 : root[j + 3] * data[size + j];
+                    double low = side(shape, j) * data[size + j];
+                    double high = side(shape, j + 3) * data[size + j];
                     centre += data[row + j] * (low + high) / 2;
                     half += Math.abs(data[row + j] * (high - low)) / 2;
                 }
@@ -80,6 +81,29 @@ final class Shapes {
             double slack = 1e-12 * (Math.abs(centre) + half);
             out[at + k] = Math.nextDown((float) (centre - half - slack));
             out[at + k + 3] = Math.nextUp((float) (centre + half + slack));
+        }
+    }
+
+    /** Of triangles, in their own frame before scaling: the least x, y or z, then the greatest ones. */
+    private float side(int shape, int number) {
+        if (kind[shape] == MESH) {
+            float[] root = mesh[shape].tree.data;
+            return root.length == 0 ? 0 : root[number];
+        }
+        HeightField field = heights[shape];
+        switch (number) {
+            case 0:
+                return field.x(0);
+            case 1:
+                return field.getPyramid().lowest();
+            case 2:
+                return field.z(0);
+            case 3:
+                return field.x(field.rows - 1);
+            case 4:
+                return field.getPyramid().highest();
+            default:
+                return field.z(field.columns - 1);
         }
     }
 }

@@ -1,16 +1,14 @@
-package org.SEAR.raycast;
-
-import org.SEAR.raycast.solid.RaySolid;
+package org.SEAR.raycast.solid;
 
 /** Where a beam meets a box that is centred in the origin of its own frame; distances as {@link RaySolid} has them. */
-final class RayBox {
+public final class RayBox {
     private static final double MISS = Double.POSITIVE_INFINITY;
 
     private RayBox() {
     }
 
-    /** A box of half sizes (hx, hy, hz). */
-    static double meet(double ox, double oy, double oz, double dx, double dy, double dz, double hx, double hy, double hz) {
+    /** The distance to a box of half sizes (hx, hy, hz). */
+    public static double meet(double ox, double oy, double oz, double dx, double dy, double dz, double hx, double hy, double hz) {
         double in = Double.NEGATIVE_INFINITY;
         double out = MISS;
         if (dx != 0) {
@@ -41,7 +39,7 @@ final class RayBox {
     }
 
     /** The outward normal of a box at the surface point (x, y, z), which is replaced by it. */
-    static void normal(double[] point, double hx, double hy, double hz) {
+    public static void normal(double[] point, double hx, double hy, double hz) {
         double ex = Math.abs(point[0]) - hx;
         double ey = Math.abs(point[1]) - hy;
         double ez = Math.abs(point[2]) - hz;

@@ -6,8 +6,6 @@ package org.SEAR.raycast;
  */
 final class DepthBuffer {
     private static final int TABLES = 4;
-    /** An angle is at most this times its sine, where that is at most a half. */
-    private static final double ARC_SINE = Math.PI / 3 * (1 + 1e-12);
     private final FanDirections[] tables = new FanDirections[TABLES];
     private int nextTable;
 
@@ -98,23 +96,27 @@ final class DepthBuffer {
         return open(from, beams.count - 1, enough) || open(0, to, enough);
     }
 
-    /** Whether some beam could see into a circle of the plane. */
-    boolean sees(double x, double z, double radius) {
-        double squared = x * x + z * z;
-        if (squared <= 4 * radius * radius) {
-            return true;
+    /** Whether a beam could see into a circle of the plane. */
+    boolean isOpen(int beam, double middleX, double middleZ, double radius) {
+        double x = beams.x[beam];
+        double z = beams.z[beam];
+        double along = x * middleX + z * middleZ;
+        return Math.abs(z * middleX - x * middleZ) <= radius && along >= -radius && inverse[beam] * (along - radius) <= 1 + 1e-12;
+    }
+
+    /** As {@link #line}, for some beams only. */
+    void line(double px, double pz, double qx, double qz, double a, double b, int shapeNumber, int from, int to) {
+        double[] x = beams.x;
+        double[] z = beams.z;
+        for (int i = from; i <= to; i++) {
+            if (z[i] * px - x[i] * pz <= 0 && z[i] * qx - x[i] * qz > 0) {
+                double value = a * x[i] + b * z[i];
+                if (value > inverse[i] || value == inverse[i] && shapeNumber < shape[i]) {
+                    inverse[i] = value;
+                    shape[i] = shapeNumber;
+                }
+            }
         }
-        double inverseDistance = 1 / Math.sqrt(squared);
-        double sine = radius * inverseDistance;
-        double half = ARC_SINE * sine;
-        double enough = inverseDistance / (1 - sine) * (1 + 1e-12);
-        double middle = beams.angle(x, z);
-        double right = middle - half;
-        double left = middle + half;
-        if (FanDirections.inOneGo(right, left)) {
-            return open(beams.from(right), beams.to(left), enough);
-        }
-        return open(beams.from(FanDirections.wrapped(right)), beams.count - 1, enough) || open(0, beams.to(FanDirections.wrapped(left)), enough);
     }
 
     private boolean open(int from, int to, double enough) {

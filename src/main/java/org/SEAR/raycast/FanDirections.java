@@ -107,9 +107,4 @@ final class FanDirections {
     static boolean inOneGo(double right, double left) {
         return right <= left && right > ERROR && left < TURN - ERROR;
     }
-
-    /** An angle that went past the beginning or the end of the turn. */
-    static double wrapped(double angle) {
-        return angle < 0 ? angle + TURN : angle > TURN ? angle - TURN : angle;
-    }
 }

@@ -4,18 +4,22 @@ import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.HeightPyramid;
 
 /**
- * Cuts a {@link HeightField} with a fan's plane: walks the blocks of its pyramid that the plane meets, nearer ones first, as far as some beam can
- * still see into the ball around the block's part of the plane. One thread.
+ * Cuts a {@link HeightField} with a fan's plane: walks the blocks of its pyramid that the plane meets, nearer ones first. The part of the plane
+ * within a block lies in a circle; each block knows the first and the last of the beams that can still see into it. One thread.
  */
 final class FanHeights {
     /** Relative error of the plane's functions, many times over. */
     private static final double ROUNDING = 1e-13;
     /** Four blocks of each level at most. */
     private static final int DEPTH = 4 * Integer.SIZE;
+    /** From so many beams on their directions are found by angle, not one by one. */
+    private static final int MANY = 24;
+    /** An angle is at most this times its sine, where that is at most a half. */
+    private static final double ARC_SINE = Math.PI / 3 * (1 + 1e-12);
 
     private final DepthBuffer depth;
-    private final TriangleCut triangles;
     private final PlaneCut plane;
+    private final CellCut cells;
     private final int[] levels = new int[DEPTH];
     private final int[] rows = new int[DEPTH];
     private final int[] columns = new int[DEPTH];
@@ -23,25 +27,31 @@ final class FanHeights {
     private final double[] xs = new double[DEPTH];
     private final double[] zs = new double[DEPTH];
     private final double[] radii = new double[DEPTH];
+    /** Of each block: the beams that may see into it. */
+    private final int[] firsts = new int[DEPTH];
+    private final int[] lasts = new int[DEPTH];
     private int size;
-    private final float[] corners = new float[9];
+    private int first;
+    private int last;
     private HeightField field;
     private float[] data;
     private double range;
-    /** How much the heights within a block spread its part of the plane: 0 for a level fan. */
+    /** By level: half of a block's sides and of its diagonal, and how far that reaches from the plane. */
+    private final double[] halfX = new double[Integer.SIZE];
+    private final double[] halfZ = new double[Integer.SIZE];
+    private final double[] radius = new double[Integer.SIZE];
+    private final double[] reach = new double[Integer.SIZE];
+    /** How much the heights within a block reach from the plane, and how much they spread its part of it: 0 for a level fan. */
+    private double steepness;
     private double tilt;
-    private double slackX;
-    private double slackZ;
-    private double slack;
-    /** Where the fan starts, as the nearest parts of blocks are found by it. */
+    /** Where the fan starts: by it the nearest parts of blocks are found. */
     private double originX;
     private double originZ;
-    private final double[] above = new double[9];
 
     FanHeights(DepthBuffer depth, TriangleCut triangles) {
         this.depth = depth;
-        this.triangles = triangles;
         plane = triangles.plane;
+        cells = new CellCut(depth, triangles);
     }
 
     /**
@@ -51,27 +61,21 @@ final class FanHeights {
      * @param work counts it
      */
     void cast(HeightField heights, double originOfX, double originOfZ, double maxRange, RayCaster work) {
-        field = heights;
         originX = originOfX;
         originZ = originOfZ;
         range = maxRange;
         HeightPyramid pyramid = heights.getPyramid();
-        data = pyramid.data;
-        tilt = Math.sqrt(plane.xb * plane.xb + plane.zb * plane.zb);
-        double farX = Math.max(Math.abs(heights.x(0)), Math.abs(heights.x(heights.rows - 1)));
-        double farZ = Math.max(Math.abs(heights.z(0)), Math.abs(heights.z(heights.columns - 1)));
-        slackX = Math.ulp((float) farX);
-        slackZ = Math.ulp((float) farZ);
-        slack = ROUNDING * (farX + farZ + Math.max(Math.abs(data[0]), Math.abs(data[1])) + Math.abs(plane.hd) + Math.abs(plane.xd)
-            + Math.abs(plane.zd));
+        measure(heights, pyramid);
         size = 0;
+        first = 0;
+        last = depth.beams.count - 1;
         push(pyramid.top, 0, 0, 0);
         while (size > 0) {
             size--;
-            if (depth.sees(xs[size], zs[size], radii[size])) {
+            if (see()) {
                 work.fanNodes++;
                 if (levels[size] == 0) {
-                    cells(rows[size], columns[size], work);
+                    work.triangles += cells.meet(heights, 2 * rows[size], 2 * columns[size], first, last);
                 } else {
                     open(pyramid, levels[size], rows[size], columns[size]);
                 }
@@ -79,11 +83,30 @@ final class FanHeights {
         }
     }
 
+    private void measure(HeightField heights, HeightPyramid pyramid) {
+        field = heights;
+        data = pyramid.data;
+        double farX = Math.max(Math.abs(heights.x(0)), Math.abs(heights.x(heights.rows - 1)));
+        double farZ = Math.max(Math.abs(heights.z(0)), Math.abs(heights.z(heights.columns - 1)));
+        double slack = ROUNDING * (farX + farZ + Math.max(Math.abs(data[0]), Math.abs(data[1])) + Math.abs(plane.hd) + Math.abs(plane.xd)
+            + Math.abs(plane.zd));
+        for (int level = 0; level <= pyramid.top; level++) {
+            halfX[level] = (1 << level) * heights.spacingX;
+            halfZ[level] = (1 << level) * heights.spacingZ;
+            double x = halfX[level] + Math.ulp((float) farX);
+            double z = halfZ[level] + Math.ulp((float) farZ);
+            reach[level] = Math.abs(plane.ha) * x + Math.abs(plane.hc) * z + slack;
+            radius[level] = Math.sqrt(x * x + z * z) + slack;
+        }
+        steepness = Math.abs(plane.hb);
+        tilt = Math.sqrt(plane.xb * plane.xb + plane.zb * plane.zb);
+    }
+
     /** Adds the four parts of a block, the nearest last. */
     private void open(HeightPyramid pyramid, int level, int row, int column) {
         int at = pyramid.children(level, row, column);
-        int north = originX >= field.lowX + (2 * row + 1) * (1 << level) * field.spacingX ? 1 : 0;
-        int east = originZ >= field.lowZ + (2 * column + 1) * (1 << level) * field.spacingZ ? 1 : 0;
+        int north = originX >= field.lowX + (2 * row + 1) * halfX[level] ? 1 : 0;
+        int east = originZ >= field.lowZ + (2 * column + 1) * halfZ[level] ? 1 : 0;
         int r = 2 * row;
         int c = 2 * column;
         push(level - 1, r + 1 - north, c + 1 - east, at + 4 * (1 - north) + 2 * (1 - east));
@@ -94,21 +117,17 @@ final class FanHeights {
 
     /** Keeps a block for later, if the plane meets it within the range. */
     private void push(int level, int row, int column, int at) {
-        double half = 1 << level;
-        double x = field.lowX + (2 * row + 1) * half * field.spacingX;
-        double z = field.lowZ + (2 * column + 1) * half * field.spacingZ;
+        double x = field.lowX + (2 * row + 1) * halfX[level];
         double y = ((double) data[at] + data[at + 1]) / 2;
-        double reachX = half * field.spacingX + slackX;
-        double reachY = ((double) data[at + 1] - data[at]) / 2;
-        double reachZ = half * field.spacingZ + slackZ;
-        double height = plane.height(x, y, z);
-        if (!(Math.abs(height) <= Math.abs(plane.ha) * reachX + Math.abs(plane.hb) * reachY + Math.abs(plane.hc) * reachZ + slack)) {
+        double z = field.lowZ + (2 * column + 1) * halfZ[level];
+        double halfY = data[at + 1] - y;
+        if (!(Math.abs(plane.height(x, y, z)) <= reach[level] + steepness * halfY)) {
             return;
         }
         double left = plane.x(x, y, z);
         double ahead = plane.z(x, y, z);
-        double radius = Math.sqrt(reachX * reachX + reachZ * reachZ) + tilt * reachY + slack;
-        if (left * left + ahead * ahead > (range + radius) * (range + radius)) {
+        double around = radius[level] + tilt * halfY;
+        if (left * left + ahead * ahead > (range + around) * (range + around)) {
             return;
         }
         levels[size] = level;
@@ -116,34 +135,41 @@ final class FanHeights {
         columns[size] = column;
         xs[size] = left;
         zs[size] = ahead;
-        radii[size++] = radius;
+        radii[size] = around;
+        firsts[size] = first;
+        lasts[size++] = last;
     }
 
-    /** The cells of a block of the lowest level. */
-    private void cells(int blockRow, int blockColumn, RayCaster work) {
-        int firstRow = 2 * blockRow;
-        int firstColumn = 2 * blockColumn;
-        int endRow = Math.min(firstRow + 2, field.rows - 1);
-        int endColumn = Math.min(firstColumn + 2, field.columns - 1);
-        for (int row = firstRow; row <= endRow; row++) {
-            double x = field.x(row);
-            int post = row * field.columns;
-            for (int column = firstColumn; column <= endColumn; column++) {
-                above[3 * (row - firstRow) + column - firstColumn] = plane.height(x, field.heights[post + column], field.z(column));
+    /** Whether some beam sees into the block on top; finds the first and the last that do. */
+    private boolean see() {
+        double x = xs[size];
+        double z = zs[size];
+        double around = radii[size];
+        first = firsts[size];
+        last = lasts[size];
+        if (last - first >= MANY) {
+            double squared = x * x + z * z;
+            if (squared <= 4 * around * around) {
+                return true;
             }
+            narrow(x, z, around / Math.sqrt(squared));
         }
-        for (int row = firstRow; row < endRow; row++) {
-            for (int column = firstColumn; column < endColumn; column++) {
-                int at = 3 * (row - firstRow) + column - firstColumn;
-                boolean up = above[at] >= 0;
-                if (up != above[at + 1] >= 0 || up != above[at + 3] >= 0 || up != above[at + 4] >= 0) {
-                    work.triangles += 2;
-                    field.triangle(row, column, 0, corners);
-                    triangles.triangle(corners, 0);
-                    field.triangle(row, column, 1, corners);
-                    triangles.triangle(corners, 0);
-                }
-            }
+        while (first <= last && !depth.isOpen(first, x, z, around)) {
+            first++;
+        }
+        while (last > first && !depth.isOpen(last, x, z, around)) {
+            last--;
+        }
+        return first <= last;
+    }
+
+    /** Leaves out beams that pass beside a circle. */
+    private void narrow(double x, double z, double sine) {
+        double half = ARC_SINE * sine;
+        double middle = depth.beams.angle(x, z);
+        if (FanDirections.inOneGo(middle - half, middle + half)) {
+            first = Math.max(first, depth.beams.from(middle - half));
+            last = Math.min(last, depth.beams.to(middle + half));
         }
     }
 }

@@ -1,6 +1,7 @@
 package org.SEAR.raycast;
 
 import org.SEAR.raycast.solid.RayBox;
+import org.SEAR.raycast.solid.RayHeights;
 import org.SEAR.raycast.solid.RayTriangle;
 
 /** Casts single beams; holds what one thread needs for it, so that casting allocates nothing. */

@@ -45,6 +45,11 @@ final class TriangleCut {
         cut.zd = -(fan[0] * fan[9] + fan[1] * fan[10] + fan[2] * fan[11]);
     }
 
+    /** The number of the shape they belong to. */
+    int shape() {
+        return shape;
+    }
+
     /** Looks at the triangle whose corners are nine numbers from a place on. */
     void triangle(float[] v, int at) {
         PlaneCut cut = plane;
@@ -110,8 +115,11 @@ final class TriangleCut {
                 return;
             }
         }
-        double a = -ez / turn;
-        double b = ex / turn;
+        line(px, pz, qx, qz, turn, -ez / turn, ex / turn);
+    }
+
+    /** The line between two points, seen from the side that the turn says. */
+    void line(double px, double pz, double qx, double qz, double turn, double a, double b) {
         if (turn > 0) {
             depth.line(px, pz, qx, qz, a, b, shape);
         } else {

@@ -1,14 +1,13 @@
-package org.SEAR.raycast;
+package org.SEAR.raycast.solid;
 
 import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.HeightPyramid;
-import org.SEAR.raycast.solid.RayTriangle;
 
 /**
  * Leads one beam over a {@link HeightField}, through the blocks of its pyramid, nearer ones first, to the cells whose triangles it may meet. Blocks
  * are taken a little larger than they are, by more than the rounding of the tests, so that no cell is left out that the beam touches. One thread.
  */
-final class RayHeights {
+public final class RayHeights {
     /** Stands for 1 / 0. */
     private static final double LARGEST = 1e30;
     /** More than the rounding of a place on the beam, relative to how far out the field and the origin are. */
@@ -17,9 +16,9 @@ final class RayHeights {
     private static final int DEPTH = 4 * Integer.SIZE;
 
     /** Blocks looked at since the beginning. */
-    long nodes;
+    public long nodes;
     /** Triangles looked at. */
-    long triangles;
+    public long triangles;
 
     private final int[] levels = new int[DEPTH];
     private final int[] rows = new int[DEPTH];
@@ -50,7 +49,7 @@ final class RayHeights {
     private long triangle;
 
     /** The distance to the nearest triangle up to a distance, both in units of the direction's length; the first of two that are equally near. */
-    double meet(HeightField heights, double px, double py, double pz, double vx, double vy, double vz, double maxRange) {
+    public double meet(HeightField heights, double px, double py, double pz, double vx, double vy, double vz, double maxRange) {
         field = heights;
         HeightPyramid pyramid = heights.getPyramid();
         data = pyramid.data;
@@ -174,7 +173,7 @@ final class RayHeights {
     }
 
     /** Writes the upward normal of the triangle that the last successful {@link #meet} met, of any length. */
-    void normal(HeightField heights, double[] out) {
+    public void normal(HeightField heights, double[] out) {
         int post = (int) (triangle / 2);
         heights.triangle(post / heights.columns, post % heights.columns, (int) (triangle % 2), corners);
         RayTriangle.normal(corners, 0, out);

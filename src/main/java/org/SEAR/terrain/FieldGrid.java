@@ -18,13 +18,23 @@ final class FieldGrid {
     final double spacingX;
     final double spacingZ;
 
-    private FieldGrid(Axis x, Axis z) {
-        this.rows = (int) x.posts();
-        this.columns = (int) z.posts();
-        this.lowX = x.low();
-        this.lowZ = z.low();
-        this.spacingX = x.spacing;
-        this.spacingZ = z.spacing;
+    private FieldGrid(int rows, int columns, double lowX, double lowZ, double spacingX, double spacingZ) {
+        this.rows = rows;
+        this.columns = columns;
+        this.lowX = lowX;
+        this.lowZ = lowZ;
+        this.spacingX = spacingX;
+        this.spacingZ = spacingZ;
+    }
+
+    /**
+     * The middles of pixels that fill a rectangle.
+     *
+     * @param lowX its southern edge, metres; lowZ its western edge
+     * @param spacingX metres of a pixel, likewise spacingZ
+     */
+    static FieldGrid pixels(int rows, int columns, double lowX, double lowZ, double spacingX, double spacingZ) {
+        return new FieldGrid(rows, columns, lowX + spacingX / 2, lowZ + spacingZ / 2, spacingX, spacingZ);
     }
 
     /**
@@ -44,7 +54,7 @@ final class FieldGrid {
             x = new Axis(size[0], map[0] / between, post[0], whole);
             z = new Axis(size[1], map[1] / between, post[1], whole);
         } while (between > 1 && x.posts() * z.posts() > FINE);
-        return new FieldGrid(x, z);
+        return new FieldGrid((int) x.posts(), (int) z.posts(), x.low(), z.low(), x.spacing, z.spacing);
     }
 
     /** How many there are. */

@@ -40,7 +40,7 @@ final class FieldSampler {
         long empty = 0;
         double[] row = new double[2 * grid.columns];
         for (int r = 0; r < grid.rows; r++) {
-            places(r, row);
+            lattice.places(r, row);
             for (int c = 0; c < grid.columns; c++) {
                 empty += raster.isEmpty(row[2 * c], row[2 * c + 1]) ? 1 : 0;
             }
@@ -60,29 +60,21 @@ final class FieldSampler {
         return share < 0.1 ? "less than 0.1 %" : String.format(Locale.ROOT, "%.1f %%", share);
     }
 
-    /** Column and row on the map of each post of a row, alternating. */
-    private void places(int r, double[] into) {
-        for (int c = 0; c < grid.columns; c += lattice.step) {
-            int end = Math.min(c + lattice.step, grid.columns);
-            double column = lattice.column(r, c);
-            double row = lattice.row(r, c);
-            double columnStep = (lattice.column(r, c + lattice.step) - column) / lattice.step;
-            double rowStep = (lattice.row(r, c + lattice.step) - row) / lattice.step;
-            for (int i = c; i < end; i++) {
-                into[2 * i] = column + (i - c) * columnStep;
-                into[2 * i + 1] = row + (i - c) * rowStep;
-            }
-        }
-    }
-
-    /** The field with the heights of the map. */
-    HeightField field() {
+    /**
+     * The field with the heights of the map.
+     *
+     * @throws IOException if a part of it has no place on the map
+     */
+    HeightField field() throws IOException {
         float[] heights = new float[grid.rows * grid.columns];
         double[] row = new double[2 * grid.columns];
         for (int r = 0; r < grid.rows; r++) {
-            places(r, row);
+            lattice.places(r, row);
             for (int c = 0; c < grid.columns; c++) {
                 heights[r * grid.columns + c] = (float) raster.height(row[2 * c], row[2 * c + 1]);
+            }
+            if (Float.isNaN(heights[r * grid.columns]) || Float.isNaN(heights[(r + 1) * grid.columns - 1])) {
+                throw ModelLimits.wrong(file, "the place of the area", "where the map's coordinate system doesn't reach", "an area inside of it");
             }
         }
         return new HeightField(grid.rows, grid.columns, grid.lowX, grid.lowZ, grid.spacingX, grid.spacingZ, heights);

@@ -99,9 +99,13 @@ final class GroundBuilder {
         if (!(used[0] > 0 && used[1] > 0 && used[0] <= MOST_METRES && used[1] <= MOST_METRES)) {
             throw ModelLimits.wrong(file, "the size of the area", used[0] + " m x " + used[1] + " m", "more than 0 to " + (int) MOST_METRES + " m");
         }
+        double[] box = extent.box(used[0], used[1], HALF_CELL);
+        if (box == null) {
+            throw ModelLimits.wrong(file, "the area", used[0] + " m x " + used[1] + " m", "on the map");
+        }
         FieldGrid grid = FieldGrid.of(used, metres, steps[1], size != null);
         FieldSampler.require(file, grid);
-        MapRaster raster = read(extent.box(used[0], used[1], HALF_CELL));
+        MapRaster raster = read(box);
         FieldSampler sampler = new FieldSampler(file, grid, PlaneLattice.of(grid, plane, metres[1], metres[0]), raster);
         sampler.fillGaps(warnings);
         return new Made(sampler.field(), raster);

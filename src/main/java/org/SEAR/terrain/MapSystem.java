@@ -5,7 +5,6 @@ import org.SEAR.terrain.format.Georeference;
 import org.locationtech.proj4j.BasicCoordinateTransform;
 import org.locationtech.proj4j.CRSFactory;
 import org.locationtech.proj4j.CoordinateReferenceSystem;
-import org.locationtech.proj4j.Proj4jException;
 import org.locationtech.proj4j.ProjCoordinate;
 
 /** A map's coordinate system: between its coordinates and latitude and longitude of WGS 84. One thread at a time. */
@@ -36,7 +35,7 @@ final class MapSystem {
             degrees = map.isGeographic();
             toMap = new BasicCoordinateTransform(earth, map);
             toEarth = new BasicCoordinateTransform(map, earth);
-        } catch (Proj4jException | IllegalStateException e) {
+        } catch (RuntimeException e) {
             throw new IOException(file + ": the coordinate system is " + system + " (" + e.getMessage()
                 + "), legal: one of EPSG's that PROJ 4 knows: bring the map to one, for example by gdalwarp -t_srs EPSG:4326", e);
         }
@@ -69,7 +68,7 @@ final class MapSystem {
             transform.transform(from, to);
             into[0] = to.x;
             into[1] = to.y;
-        } catch (Proj4jException | IllegalStateException e) {
+        } catch (RuntimeException e) {
             into[0] = Double.NaN;
         }
     }

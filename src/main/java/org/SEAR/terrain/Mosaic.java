@@ -18,7 +18,7 @@ import org.SEAR.terrain.format.MapLimits;
  * are resampled, bilinear. One thread at a time.
  */
 final class Mosaic implements Closeable {
-    private static final int MOST_TILES = 64;
+    private static final int MOST_TILES = 100;
     private static final long MAX_SIDE = 100_000_000;
 
     /** Where the posts of the mosaic lie; for pictures, their columns from the west and rows from the south. */

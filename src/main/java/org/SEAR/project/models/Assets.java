@@ -64,8 +64,20 @@ public final class Assets {
      * @throws IOException that names the file, what is wrong and what is legal
      */
     public void checkPicture(String path) throws IOException {
+        readPicture(path);
+    }
+
+    /**
+     * The bytes of a picture that can be unpacked without harm.
+     *
+     * @param path as written in an object
+     * @return without what doesn't belong to its pixels
+     * @throws UnreadablePicture if it does no harm but can't be shown
+     * @throws IOException that names the file, what is wrong and what is legal
+     */
+    public byte[] readPicture(String path) throws IOException {
         try (InputStream in = open(path)) {
-            PictureSize.checked(in.readNBytes(ModelLimits.MAX_PICTURE_FILE + 1), normal(path));
+            return PictureSize.checked(in.readNBytes(ModelLimits.MAX_PICTURE_FILE + 1), normal(path));
         }
     }
 

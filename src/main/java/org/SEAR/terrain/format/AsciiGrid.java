@@ -38,6 +38,10 @@ final class AsciiGrid extends ElevationMap {
         int columns = side(file.getName(), head, "ncols");
         int rows = side(file.getName(), head, "nrows");
         ModelLimits.range(file.getName(), "the number of posts", (long) rows * columns, 4, MapLimits.MAX_POSTS);
+        if (file.size() < 2L * rows * columns) {
+            throw ModelLimits.wrong(file.getName(), "the file's size", file.size(), "at least " + 2L * rows * columns + " for " + rows + " x " + columns
+                + " heights (is it cut off?)");
+        }
         Georeference place = place(file.getName(), head, rows);
         double noData = head.getOrDefault("nodata_value", -9999.0);
         float[] heights = new float[rows * columns];

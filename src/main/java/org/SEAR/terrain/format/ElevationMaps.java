@@ -50,8 +50,8 @@ public final class ElevationMaps {
             return GeoTiff.open(bytes);
         }
         if (kind.equals(FileKind.PICTURE)) {
-            assets.checkPicture(bytes.getName());
-            return GreyPicture.open(bytes);
+            bytes.close();
+            return GreyPicture.open(bytes.getName(), assets.readPicture(bytes.getName()));
         }
         if (kind.equals(FileKind.GRID) || kind.equals(FileKind.UNKNOWN) && lower.endsWith(".asc")) {
             return AsciiGrid.open(bytes, systemBeside(assets, bytes.getName()));

@@ -50,23 +50,25 @@ final class GeoTiff extends ElevationMap {
     @Override
     public float[] read(int row, int column, int height, int width) throws IOException {
         float[] heights = new float[height * width];
-        for (int down = row / image.blockRows; down <= (row + height - 1) / image.blockRows; down++) {
-            int from = Math.max(row, down * image.blockRows);
-            int to = (int) Math.min((long) row + height, (long) (down + 1) * image.blockRows);
+        int from = row;
+        while (from < row + height) {
+            int down = from / image.blockRows;
+            long end = Math.min((long) row + height, (down + 1L) * image.blockRows);
+            int to = (int) Math.min(end, (long) from + image.rowsAtOnce());
             for (int across = column / image.blockColumns; across <= (column + width - 1) / image.blockColumns; across++) {
                 int left = Math.max(column, across * image.blockColumns);
-                int right = (int) Math.min((long) column + width, (long) (across + 1) * image.blockColumns);
+                int right = (int) Math.min((long) column + width, (across + 1L) * image.blockColumns);
                 byte[] block = image.unpack(across, down, 0, from - down * image.blockRows, to - from);
                 for (int r = from; r < to; r++) {
                     int at = (r - row) * width + left - column;
                     if (block == null) {
                         Arrays.fill(heights, at, at + right - left, Float.NaN);
                     } else {
-                        long first = (long) (r - from) * image.blockColumns + left - across * image.blockColumns;
-                        values(block, (int) first, right - left, heights, at);
+                        values(block, (r - from) * image.blockColumns + left - across * image.blockColumns, right - left, heights, at);
                     }
                 }
             }
+            from = to;
         }
         return heights;
     }

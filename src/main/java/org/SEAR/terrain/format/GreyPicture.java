@@ -4,9 +4,15 @@ import java.awt.image.BufferedImage;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
 import java.io.ByteArrayInputStream;
+import java.io.EOFException;
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.Iterator;
+import javax.imageio.IIOException;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.MemoryCacheImageInputStream;
 import org.SEAR.project.models.ModelLimits;
 import org.SEAR.project.models.UnreadablePicture;
 
@@ -19,36 +25,47 @@ final class GreyPicture extends ElevationMap {
         this.raster = raster;
     }
 
-    /** Unpacks a picture whose size was checked. */
-    static GreyPicture open(MapBytes file) throws IOException {
-        ModelLimits.range(file.getName(), "the file's size", file.size(), 1, MapBytes.MAX_UNPACKED);
-        byte[] bytes = file.read("the picture", 0, (int) file.size());
-        file.close();
-        BufferedImage image = unpacked(file.getName(), bytes);
-        ModelLimits.range(file.getName(), "the number of pixels", (long) image.getWidth() * image.getHeight(), 4, MapLimits.MAX_POSTS);
-        if (image.getWidth() < 2 || image.getHeight() < 2) {
-            throw ModelLimits.wrong(file.getName(), "the size", image.getHeight() + " x " + image.getWidth(), "at least 2 x 2 pixels");
-        }
+    /**
+     * Unpacks a picture.
+     *
+     * @param bytes checked ones, see {@link org.SEAR.project.models.Assets#readPicture}
+     */
+    static GreyPicture open(String name, byte[] bytes) throws IOException {
+        BufferedImage image = unpacked(name, bytes);
         if (image.getColorModel() instanceof IndexColorModel) {
-            throw ModelLimits.wrong(file.getName(), "the picture", "one with a palette", "greys of 8 or 16 bits");
+            throw ModelLimits.wrong(name, "the picture", "one with a palette", "greys of 8 or 16 bits");
         }
         int bits = image.getSampleModel().getSampleSize(0);
         if (bits != 8 && bits != 16) {
-            throw ModelLimits.wrong(file.getName(), "the picture's depth", bits + " bits", "8 or 16 bits of grey");
+            throw ModelLimits.wrong(name, "the picture's depth", bits + " bits", "8 or 16 bits of grey");
         }
-        return new GreyPicture(file.getName(), image.getRaster(), bits);
+        return new GreyPicture(name, image.getRaster(), bits);
     }
 
     private static BufferedImage unpacked(String name, byte[] bytes) throws IOException {
-        try {
-            BufferedImage image = ImageIO.read(new ByteArrayInputStream(bytes));
-            if (image != null) {
-                return image;
+        try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
+            Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
+            if (!readers.hasNext()) {
+                throw new UnreadablePicture(name + ": the picture is in no known format, legal: PNG, JPEG, GIF or BMP", null);
             }
-        } catch (RuntimeException | IOException e) {
+            ImageReader reader = readers.next();
+            try {
+                reader.setInput(in, true, true);
+                requireSize(name, reader.getHeight(0), reader.getWidth(0));
+                return reader.read(0);
+            } finally {
+                reader.dispose();
+            }
+        } catch (RuntimeException | IIOException | EOFException e) {
             throw new UnreadablePicture(name + ": the picture is broken (" + e.getMessage() + "), legal: a whole picture", e);
         }
-        throw new UnreadablePicture(name + ": the picture is in no known format, legal: PNG, JPEG, GIF or BMP", null);
+    }
+
+    private static void requireSize(String name, int rows, int columns) throws IOException {
+        ModelLimits.range(name, "the number of pixels", (long) rows * columns, 4, MapLimits.MAX_POSTS);
+        if (rows < 2 || columns < 2) {
+            throw ModelLimits.wrong(name, "the size", rows + " x " + columns, "at least 2 x 2 pixels");
+        }
     }
 
     @Override

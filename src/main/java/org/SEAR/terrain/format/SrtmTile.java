@@ -1,6 +1,7 @@
 package org.SEAR.terrain.format;
 
 import java.io.ByteArrayInputStream;
+import java.io.EOFException;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.Locale;
@@ -78,7 +79,7 @@ final class SrtmTile extends ElevationMap {
                     entry = nextOf(zip, file.getName());
                 }
             }
-        } catch (ZipException | IllegalArgumentException e) {
+        } catch (ZipException | EOFException | IllegalArgumentException e) {
             throw new IOException(file.getName() + ": the zip is broken (" + e.getMessage() + "), legal: a whole zip with a .hgt inside", e);
         }
         throw ModelLimits.wrong(file.getName(), "what is in the zip", "no .hgt among the first " + MAX_ENTRIES + " files",

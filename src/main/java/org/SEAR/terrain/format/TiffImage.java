@@ -7,9 +7,11 @@ import org.SEAR.project.models.ModelLimits;
 
 /** How the first image of a TIFF is cut into strips or tiles, and the unpacked bytes of each. One thread at a time. */
 final class TiffImage {
+    /** Bytes that are read at once of strips and tiles that aren't packed. */
+    private static final int PIECE = 8 << 20;
     private static final int MAX_BLOCKS = 4_000_000;
     /** Bytes of one strip or tile, packed or unpacked. */
-    private static final int MAX_BLOCK = 128 << 20;
+    static final int MAX_BLOCK = 128 << 20;
     /** Bytes that are unpacked of one file, all told: strips that are much wider than the used area take time. */
     private static final long MAX_UNPACKED = 2L << 30;
 
@@ -117,6 +119,11 @@ final class TiffImage {
     /** Bytes of a row of a strip or tile. */
     long rowBytes() {
         return (long) blockColumns * samplesTogether() * sampleBytes;
+    }
+
+    /** How many rows of a strip or tile are best read at once: of what is packed all, because one comes after the other. */
+    int rowsAtOnce() {
+        return compression == TiffDecoder.NONE ? (int) Math.max(1, PIECE / rowBytes()) : blockRows;
     }
 
     /**

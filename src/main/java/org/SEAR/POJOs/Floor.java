@@ -82,6 +82,11 @@ public class Floor extends Shape {
     }
 
     @Override
+    public boolean isGround() {
+        return true;
+    }
+
+    @Override
     protected String defaultPicture() {
         return "textures/tiles.png";
     }

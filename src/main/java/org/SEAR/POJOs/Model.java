@@ -80,6 +80,11 @@ public class Model extends Shape {
         return terrain;
     }
 
+    @Override
+    public boolean isGround() {
+        return terrain;
+    }
+
     /**
      * Makes it the terrain: fixed, its centre is the world's origin.
      *

@@ -116,6 +116,11 @@ public abstract class Shape extends PlacedObject {
         return visibleToSensors;
     }
 
+    /** Whether it is the ground, on which robots drive and things are placed: a floor or the terrain. */
+    public boolean isGround() {
+        return false;
+    }
+
     /** @param kg 1e-6 to 1e6, or 0; 0 fixes the object in place, untouched by gravity and collisions */
     public void setMass(double kg) {
         mass = checked("mass", kg);

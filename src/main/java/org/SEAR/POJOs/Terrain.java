@@ -113,6 +113,11 @@ public class Terrain extends Shape {
     }
 
     @Override
+    public boolean isGround() {
+        return true;
+    }
+
+    @Override
     String whyNoComponent() {
         return " is the terrain, which can't be a component";
     }

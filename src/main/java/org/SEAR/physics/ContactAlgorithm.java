@@ -7,8 +7,8 @@ import com.bulletphysics.collision.dispatch.CollisionAlgorithmCreateFunc;
 import com.bulletphysics.collision.dispatch.CollisionObject;
 import com.bulletphysics.collision.dispatch.ManifoldResult;
 import com.bulletphysics.collision.narrowphase.PersistentManifold;
-import com.bulletphysics.collision.shapes.BvhTriangleMeshShape;
 import com.bulletphysics.collision.shapes.CollisionShape;
+import com.bulletphysics.collision.shapes.ConcaveShape;
 import com.bulletphysics.collision.shapes.TriangleCallback;
 import com.bulletphysics.linearmath.Transform;
 import com.bulletphysics.util.ObjectArrayList;
@@ -22,7 +22,7 @@ import org.SEAR.geometry.Placement;
 import org.SEAR.physics.solid.Solid;
 
 /**
- * The contact of two solids, or of a solid and the triangles of a fixed mesh, from the shapes themselves in double
+ * The contact of two solids, or of a solid and the triangles of a fixed mesh or a terrain, from the shapes themselves in double
  * precision (the poses are jbullet's, in single precision, and so is what it makes of the points): jbullet's own algorithms work in single precision
  * with margins of a centimetre and let things stop millimetres early or late. Simulation thread.
  */
@@ -93,7 +93,7 @@ public final class ContactAlgorithm extends CollisionAlgorithm {
 
     @Override
     public void processCollision(CollisionObject first, CollisionObject second, DispatcherInfo info, ManifoldResult result) {
-        boolean swapped = first.getCollisionShape() instanceof BvhTriangleMeshShape;
+        boolean swapped = first.getCollisionShape().isConcave();
         CollisionObject a = swapped ? second : first;
         CollisionObject b = swapped ? first : second;
         if (manifold == null) {
@@ -107,7 +107,7 @@ public final class ContactAlgorithm extends CollisionAlgorithm {
         b.getWorldTransform(place);
         Body.toPlacement(placeOfA, placedA.set(solidA.convex()));
         boolean near = false;
-        if (b.getCollisionShape() instanceof BvhTriangleMeshShape) {
+        if (b.getCollisionShape().isConcave()) {
             meetMesh(a.getCollisionShape(), b);
         } else {
             Body.toPlacement(place, placedB.set(solidB.convex()));
@@ -137,7 +137,7 @@ public final class ContactAlgorithm extends CollisionAlgorithm {
         shape.getAabb(inMesh, low, high);
         low.set(low.x - ManifoldClipper.BREAKING, low.y - ManifoldClipper.BREAKING, low.z - ManifoldClipper.BREAKING);
         high.set(high.x + ManifoldClipper.BREAKING, high.y + ManifoldClipper.BREAKING, high.z + ManifoldClipper.BREAKING);
-        ((BvhTriangleMeshShape) mesh.getCollisionShape()).processAllTriangles(triangles, low, high);
+        ((ConcaveShape) mesh.getCollisionShape()).processAllTriangles(triangles, low, high);
     }
 
     /** What has come a little way through a triangle goes back through it, not sideways over its edges to the next triangle. */

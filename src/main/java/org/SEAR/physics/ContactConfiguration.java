@@ -21,13 +21,9 @@ final class ContactConfiguration extends DefaultCollisionConfiguration {
 
     @Override
     public CollisionAlgorithmCreateFunc getCollisionAlgorithmCreateFunc(BroadphaseNativeType a, BroadphaseNativeType b) {
-        if (patches != null && (SOLIDS.contains(a) && (SOLIDS.contains(b) || isMesh(b)) || isMesh(a) && SOLIDS.contains(b))) {
+        if (patches != null && (SOLIDS.contains(a) && (SOLIDS.contains(b) || b.isConcave()) || a.isConcave() && SOLIDS.contains(b))) {
             return patches;
         }
         return super.getCollisionAlgorithmCreateFunc(a, b);
-    }
-
-    private static boolean isMesh(BroadphaseNativeType type) {
-        return type == BroadphaseNativeType.TRIANGLE_MESH_SHAPE_PROXYTYPE;
     }
 }

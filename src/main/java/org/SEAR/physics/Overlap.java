@@ -3,7 +3,6 @@ package org.SEAR.physics;
 import org.SEAR.collision.Convex;
 import org.SEAR.collision.GjkDistance;
 import org.SEAR.geometry.Pose;
-import org.SEAR.geometry.Triangles;
 import org.SEAR.physics.solid.Solid;
 
 /** Whether bodies overlap at poses they may be given, computed in double precision from the shapes themselves. For the time before the first step. */
@@ -71,17 +70,24 @@ final class Overlap {
     }
 
     private boolean meets(Placed mine, double[] box, Solid solid, Pose place, double allowed) {
-        Triangles mesh = solid.getMesh();
         Corners corners = new Corners();
-        for (int t = 0; t < mesh.size(); t++) {
-            for (int corner = 0; corner < 3; corner++) {
-                solid.corner(mesh.indices[t * 3 + corner], place, corners.at[corner]);
-            }
-            if (corners.near(box) && isDeeper(mine, corners, allowed)) {
-                return true;
+        return solid.anyTriangle(inFrame(box, place), at -> {
+            corners.set(at, place);
+            return corners.near(box) && isDeeper(mine, corners, allowed);
+        });
+    }
+
+    /** The box around a box, in a frame. */
+    private static double[] inFrame(double[] box, Pose frame) {
+        double[] around = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
+        for (int corner = 0; corner < 8; corner++) {
+            double[] at = frame.rotateBack(box[corner % 2 * 3] - frame.x, box[1 + corner / 2 % 2 * 3] - frame.y, box[2 + corner / 4 * 3] - frame.z);
+            for (int axis = 0; axis < 3; axis++) {
+                around[axis] = Math.min(around[axis], at[axis]);
+                around[axis + 3] = Math.max(around[axis + 3], at[axis]);
             }
         }
-        return false;
+        return around;
     }
 
     /** A solid at a pose. */
@@ -105,7 +111,13 @@ final class Overlap {
 
     /** A triangle. */
     private static final class Corners implements Convex {
-        private final double[][] at = new double[3][3];
+        private final double[][] at = new double[3][];
+
+        void set(double[] corners, Pose place) {
+            for (int i = 0; i < at.length; i++) {
+                at[i] = place.transform(corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]);
+            }
+        }
 
         boolean near(double[] box) {
             for (int axis = 0; axis < 3; axis++) {

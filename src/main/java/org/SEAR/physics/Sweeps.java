@@ -1,8 +1,8 @@
 package org.SEAR.physics;
 
 import com.bulletphysics.collision.dispatch.CollisionObject;
-import com.bulletphysics.collision.shapes.BvhTriangleMeshShape;
 import com.bulletphysics.collision.shapes.CollisionShape;
+import com.bulletphysics.collision.shapes.ConcaveShape;
 import com.bulletphysics.collision.shapes.TriangleCallback;
 import com.bulletphysics.linearmath.Transform;
 import java.util.ArrayList;
@@ -69,7 +69,7 @@ final class Sweeps {
         Solid solidB;
         CollisionShape shapeA;
         /** Null if the second is no mesh. */
-        BvhTriangleMeshShape mesh;
+        ConcaveShape mesh;
         final Transform placeB = new Transform();
         final Transform localA = new Transform();
         final Transform localB = new Transform();
@@ -109,7 +109,7 @@ final class Sweeps {
         pair.solidA = solidA;
         pair.solidB = solidB;
         pair.shapeA = objectA.getCollisionShape();
-        pair.mesh = shapeB instanceof BvhTriangleMeshShape ? (BvhTriangleMeshShape) shapeB : null;
+        pair.mesh = shapeB.isConcave() ? (ConcaveShape) shapeB : null;
         pair.placeB.set(placeB);
         pair.seen = -1;
         local(pair.a, placeA, pair.localA);

@@ -8,13 +8,10 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.function.Consumer;
 import javax.vecmath.Vector3f;
-import org.SEAR.POJOs.Floor;
-import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.PlacedObject;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
-import org.SEAR.POJOs.Terrain;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
@@ -65,9 +62,9 @@ final class World implements PhysicsWorld.Touches {
             if (body != null) {
                 shapes.put(object, body.solids.get(0));
                 physics.add(body);
-                boolean ground = isGround(object);
-                body.addTo(scenes, Collections.singletonList(((Shape) object).isVisibleToSensors() && (groundVisible || !ground)), -1, 1);
-                if (ground) {
+                Shape shape = (Shape) object;
+                body.addTo(scenes, Collections.singletonList(shape.isVisibleToSensors() && (groundVisible || !shape.isGround())), -1, 1);
+                if (shape.isGround()) {
                     scenes.addGround(body);
                 }
                 virtualWalls.consider(body);
@@ -105,11 +102,6 @@ final class World implements PhysicsWorld.Touches {
         robots.forEach(robot -> StartChecks.check(robot, scenes, warnings));
     }
 
-    /** Whether robots drive on it, and things are placed on it: a floor or the terrain. */
-    private static boolean isGround(SearObject object) {
-        return object instanceof Floor || object instanceof Terrain || object instanceof Model && ((Model) object).isTerrain();
-    }
-
     /**
      * Only the ground of a project.
      *
@@ -118,7 +110,7 @@ final class World implements PhysicsWorld.Touches {
     static Scenes ground(Project project) throws ProjectException {
         Scenes scenes = new Scenes(false);
         List<SearObject> grounds = new ArrayList<>(project.getEnvironment());
-        grounds.removeIf(object -> !isGround(object));
+        grounds.removeIf(object -> !(object instanceof Shape && ((Shape) object).isGround()));
         List<Body> bodies = new ArrayList<>();
         for (SearObject object : grounds) {
             Body body = body(object, project);

@@ -8,7 +8,7 @@ import java.lang.management.ManagementFactory;
 import java.util.Random;
 import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.Pose;
-import org.SEAR.geometry.Triangles;
+import org.SEAR.physics.solid.Grounds;
 import org.junit.Test;
 
 /** Beams over a height field meet, to the bit, what they meet over a mesh of the same triangles. */
@@ -41,27 +41,6 @@ public class HeightBeamsTest {
         return new HeightField(rows, columns, -away, -0.5 * columns * other, spacing, other, heights);
     }
 
-    static Triangles triangles(HeightField field) {
-        float[] vertices = new float[3 * field.heights.length];
-        int[] indices = new int[6 * (field.rows - 1) * (field.columns - 1)];
-        int n = 0;
-        for (int row = 0; row < field.rows; row++) {
-            for (int column = 0; column < field.columns; column++) {
-                int at = row * field.columns + column;
-                vertices[3 * at] = field.x(row);
-                vertices[3 * at + 1] = field.y(row, column);
-                vertices[3 * at + 2] = field.z(column);
-                if (row < field.rows - 1 && column < field.columns - 1) {
-                    int north = at + field.columns;
-                    for (int corner : new int[] {at, at + 1, north + 1, at, north + 1, north}) {
-                        indices[n++] = corner;
-                    }
-                }
-            }
-        }
-        return new Triangles(vertices, indices);
-    }
-
     private void place(BeamScene scene, int shape, Pose pose) {
         scene.setPose(shape, pose.x, pose.y, pose.z, pose.qx, pose.qy, pose.qz, pose.qw);
         scene.commit();
@@ -76,7 +55,7 @@ public class HeightBeamsTest {
             Pose pose = number % 3 == 2 ? Pose.ofDegrees(between(-5, 5), between(-5, 5), between(-5, 5), between(-180, 180), between(-180, 180),
                 between(-180, 180)) : Pose.IDENTITY;
             place(scene, scene.addHeights(field, BeamScene.WORLD), pose);
-            place(mesh, mesh.addMesh(triangles(field), 1, 1, 1, BeamScene.WORLD), pose);
+            place(mesh, mesh.addMesh(Grounds.triangles(field), 1, 1, 1, BeamScene.WORLD), pose);
             int met = 0;
             for (int i = 0; i < 1500; i++) {
                 met += beam("field " + number + " beam " + i, scene, mesh, pose, i) ? 1 : 0;

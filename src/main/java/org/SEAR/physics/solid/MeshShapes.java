@@ -14,7 +14,7 @@ import org.SEAR.geometry.Triangles;
 /** Collision shapes of triangle meshes. */
 final class MeshShapes {
     /** By how much jbullet's boxes around meshes are larger, metres; contacts come from the triangles themselves. */
-    private static final float MARGIN = 5e-4f;
+    static final float MARGIN = 5e-4f;
     private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
     private static final int VERTEX_BYTES = 3 * Float.BYTES;
     private static final int TRIANGLE_BYTES = 3 * Integer.BYTES;

@@ -2,6 +2,7 @@ package org.SEAR.physics.solid;
 
 import com.bulletphysics.collision.shapes.CollisionShape;
 import java.io.IOException;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import org.SEAR.POJOs.Model;
 import org.SEAR.collision.ConvexHull;
@@ -72,21 +73,27 @@ class MeshSolid extends Solid {
     }
 
     @Override
-    public Triangles getMesh() {
-        return mesh;
+    public boolean isMesh() {
+        return true;
     }
 
     @Override
-    public void corner(int vertex, Pose place, double[] into) {
-        double[] at = place.transform(mesh.vertices[vertex * 3] * scale[0], mesh.vertices[vertex * 3 + 1] * scale[1],
-            mesh.vertices[vertex * 3 + 2] * scale[2]);
-        System.arraycopy(at, 0, into, 0, 3);
+    public boolean anyTriangle(double[] box, Predicate<double[]> test) {
+        double[] at = new double[9];
+        for (int first = 0; first < mesh.indices.length; first += 3) {
+            for (int i = 0; i < at.length; i++) {
+                at[i] = mesh.vertices[3 * mesh.indices[first + i / 3] + i % 3] * scale[i % 3];
+            }
+            if (test.test(at)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     @Override
     public double[] farthest(double dx, double dy, double dz) {
-        double[] point = new double[3];
-        corner(MeshShapes.outermost(mesh, dx * scale[0], dy * scale[1], dz * scale[2]), Pose.IDENTITY, point);
-        return point;
+        int corner = 3 * MeshShapes.outermost(mesh, dx * scale[0], dy * scale[1], dz * scale[2]);
+        return new double[] {mesh.vertices[corner] * scale[0], mesh.vertices[corner + 1] * scale[1], mesh.vertices[corner + 2] * scale[2]};
     }
 }

@@ -2,11 +2,11 @@ package org.SEAR.physics.solid;
 
 import com.bulletphysics.collision.shapes.BoxShape;
 import com.bulletphysics.collision.shapes.CollisionShape;
+import java.util.function.Predicate;
 import javax.vecmath.Vector3f;
 import org.SEAR.collision.ConvexShape;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
-import org.SEAR.geometry.Triangles;
 import org.SEAR.raycast.BeamScene;
 
 /**
@@ -102,23 +102,19 @@ public abstract class Solid {
     }
 
     /** Whether it is triangles: what does not move then collides by them, not by the convex hull. */
-    public final boolean isMesh() {
-        return getMesh() != null;
-    }
-
-    /** Its triangles, before scaling; null if it is none. */
-    public Triangles getMesh() {
-        return null;
+    public boolean isMesh() {
+        return false;
     }
 
     /**
-     * A corner of the mesh.
+     * Tries the triangles of a mesh, at least those that reach into a box, until one passes.
      *
-     * @param place of the solid's frame
-     * @param into takes {x, y, z} there
+     * @param box {x, y, z} low, {x, y, z} high, in its own frame
+     * @param test takes x, y and z of the three corners in its own frame, only while it is called
+     * @return whether one passed
      */
-    public void corner(int vertex, Pose place, double[] into) {
-        throw new UnsupportedOperationException("only a mesh has corners");
+    public boolean anyTriangle(double[] box, Predicate<double[]> test) {
+        throw new UnsupportedOperationException("only a mesh has triangles");
     }
 
     /** The farthest point in a direction of its own frame: {x, y, z}. */

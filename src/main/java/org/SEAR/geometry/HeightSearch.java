@@ -1,0 +1,81 @@
+package org.SEAR.geometry;
+
+import java.util.function.Predicate;
+
+/** Finds the triangles of a {@link HeightField} that reach into a box, by its pyramid. Allocates nothing while it does. One thread. */
+public final class HeightSearch {
+    private final HeightField field;
+    private final HeightPyramid pyramid;
+    private final float[] corners = new float[9];
+    private Predicate<float[]> visitor;
+    private double lowX;
+    private double lowY;
+    private double lowZ;
+    private double highX;
+    private double highY;
+    private double highZ;
+
+    public HeightSearch(HeightField field) {
+        this.field = field;
+        pyramid = field.getPyramid();
+    }
+
+    /**
+     * Shows the triangles whose own boxes reach into a box, from the south and the west on within each block.
+     *
+     * @param low least x, metres, likewise the others
+     * @param visit takes x, y and z of the three corners, counter-clockwise seen from above, only while it is called; true ends the search
+     * @return whether it was ended
+     */
+    public boolean any(double low, double bottom, double west, double high, double top, double east, Predicate<float[]> visit) {
+        lowX = low;
+        lowY = bottom;
+        lowZ = west;
+        highX = high;
+        highY = top;
+        highZ = east;
+        visitor = visit;
+        return block(pyramid.top, 0, 0, 0);
+    }
+
+    private boolean block(int level, int row, int column, int at) {
+        int size = 2 << level;
+        int endRow = Math.min((row + 1) * size, field.rows - 1);
+        int endColumn = Math.min((column + 1) * size, field.columns - 1);
+        if (!(pyramid.data[at] <= highY && pyramid.data[at + 1] >= lowY) || field.x(row * size) > highX || field.x(endRow) < lowX
+            || field.z(column * size) > highZ || field.z(endColumn) < lowZ) {
+            return false;
+        }
+        if (level > 0) {
+            int parts = pyramid.children(level, row, column);
+            for (int k = 0; k < 4; k++) {
+                if (block(level - 1, 2 * row + k / 2, 2 * column + k % 2, parts + 2 * k)) {
+                    return true;
+                }
+            }
+            return false;
+        }
+        for (int r = row * size; r < endRow; r++) {
+            for (int c = column * size; c < endColumn; c++) {
+                if (cell(r, c)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private boolean cell(int row, int column) {
+        if (field.x(row) > highX || field.x(row + 1) < lowX || field.z(column) > highZ || field.z(column + 1) < lowZ) {
+            return false;
+        }
+        for (int half = 0; half < 2; half++) {
+            field.triangle(row, column, half, corners);
+            if (Math.min(corners[1], Math.min(corners[4], corners[7])) <= highY
+                && Math.max(corners[1], Math.max(corners[4], corners[7])) >= lowY && visitor.test(corners)) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

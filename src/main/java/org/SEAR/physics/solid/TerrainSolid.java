@@ -1,0 +1,93 @@
+package org.SEAR.physics.solid;
+
+import com.bulletphysics.collision.shapes.CollisionShape;
+import java.util.function.Predicate;
+import org.SEAR.collision.ConvexHull;
+import org.SEAR.collision.ConvexShape;
+import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.HeightSearch;
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.SurfaceMesh;
+import org.SEAR.raycast.BeamScene;
+
+/** The ground of an area. It never moves; beams and contacts meet the same triangles of it, to the bit. */
+public final class TerrainSolid extends Solid {
+    private final HeightField heights;
+    private final HeightSearch search;
+
+    public TerrainSolid(HeightField heights) {
+        super(half(heights.x(0), heights.x(heights.rows - 1)), half(heights.getPyramid().lowest(), heights.getPyramid().highest()),
+            half(heights.z(0), heights.z(heights.columns - 1)), Pose.IDENTITY);
+        this.heights = heights;
+        search = new HeightSearch(heights);
+    }
+
+    private static double half(float low, float high) {
+        return Math.max(Math.abs(low), Math.abs(high));
+    }
+
+    /** What the window and the tab draw it by. */
+    public HeightField getHeights() {
+        return heights;
+    }
+
+    @Override
+    public int addTo(BeamScene scene, int owner) {
+        return scene.addHeights(heights, owner);
+    }
+
+    /** The box around it: nothing collides with that, see {@link #anyTriangle}. */
+    @Override
+    protected ConvexShape makeConvex() {
+        double[][] corners = corners();
+        double[] points = new double[3 * corners.length];
+        for (int i = 0; i < points.length; i++) {
+            points[i] = corners[i / 3][i % 3];
+        }
+        return ConvexHull.of(points);
+    }
+
+    @Override
+    CollisionShape bounds(boolean moving) {
+        return new HeightFieldShape(heights);
+    }
+
+    /** Null: it is drawn by its heights. */
+    @Override
+    public SurfaceMesh look() {
+        return null;
+    }
+
+    /** The corners of the box around it. */
+    @Override
+    protected double[][] corners() {
+        double[][] corners = new double[8][];
+        for (int i = 0; i < corners.length; i++) {
+            corners[i] = new double[] {heights.x(i % 2 == 0 ? 0 : heights.rows - 1),
+                i / 4 == 0 ? heights.getPyramid().lowest() : heights.getPyramid().highest(), heights.z(i / 2 % 2 == 0 ? 0 : heights.columns - 1)};
+        }
+        return corners;
+    }
+
+    @Override
+    public boolean isMesh() {
+        return true;
+    }
+
+    @Override
+    public boolean anyTriangle(double[] box, Predicate<double[]> test) {
+        double[] corners = new double[9];
+        return search.any(box[0], box[1], box[2], box[3], box[4], box[5], at -> {
+            for (int i = 0; i < corners.length; i++) {
+                corners[i] = at[i];
+            }
+            return test.test(corners);
+        });
+    }
+
+    @Override
+    public double[] farthest(double dx, double dy, double dz) {
+        return new double[] {heights.x(dx < 0 ? 0 : heights.rows - 1),
+            dy < 0 ? heights.getPyramid().lowest() : heights.getPyramid().highest(), heights.z(dz < 0 ? 0 : heights.columns - 1)};
+    }
+}

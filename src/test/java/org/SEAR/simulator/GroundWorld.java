@@ -1,0 +1,76 @@
+package org.SEAR.simulator;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.Shape;
+import org.SEAR.geometry.Pose;
+import org.SEAR.physics.Body;
+import org.SEAR.physics.PhysicsWorld;
+import org.SEAR.physics.Scenes;
+import org.SEAR.physics.StartPoses;
+import org.SEAR.physics.solid.Solid;
+import org.SEAR.physics.solid.Solids;
+import org.SEAR.project.ObjectPose;
+import org.SEAR.project.Project;
+import org.SEAR.robot.RobotBuilder;
+import org.SEAR.robot.RobotModel;
+import org.SEAR.robot.RobotTruth;
+import org.SEAR.robot.VirtualWalls;
+import org.SEAR.sensors.Earth;
+
+/** A world on a ground that no object of the grammar describes. */
+final class GroundWorld {
+    final PhysicsWorld physics = new PhysicsWorld();
+    final Scenes scenes = new Scenes(false);
+    final List<String> warnings = new ArrayList<>();
+    final List<Body> bodies = new ArrayList<>();
+    RobotModel robot;
+    private long steps;
+
+    GroundWorld(Solid ground, Project project, Shape... things) throws Exception {
+        Body body = new Body("ground", 0, Collections.singletonList(ground), new Pose[] {Pose.IDENTITY}, new double[3], Pose.IDENTITY);
+        physics.add(body);
+        body.addTo(scenes, Collections.singletonList(true), -1, 1);
+        scenes.addGround(body);
+        for (Shape thing : things) {
+            Solid solid = Solids.of(thing, project);
+            Body one = new Body(thing.getName(), thing.getMass(), Collections.singletonList(solid), new Pose[] {solid.offset},
+                solid.convex().centre(), ObjectPose.of(thing));
+            physics.add(one);
+            one.addTo(scenes, Collections.singletonList(true), -1, 1);
+            bodies.add(one);
+        }
+        for (SEARrobot object : project.getRobots()) {
+            RobotBuilder builder = RobotBuilder.of(object, project, warnings);
+            physics.add(builder.body);
+            builder.addTo(scenes, 0);
+            robot = new RobotModel(builder, 0, scenes, new RobotTruth(builder.body, scenes, 0, Earth.of(project, object), 0), new VirtualWalls());
+        }
+        StartPoses.lift(physics.getBodies(), warnings);
+        physics.restart();
+        body.mirror(scenes);
+        bodies.forEach(one -> one.mirror(scenes));
+        if (robot != null) {
+            robot.restart(physics);
+            robot.mirror();
+        }
+        scenes.commit();
+    }
+
+    void run(double seconds) {
+        for (long end = steps + Math.round(seconds / Simulation.STEP); steps < end; steps++) {
+            if (robot != null) {
+                robot.prepare();
+            }
+            physics.step();
+            bodies.forEach(body -> body.mirror(scenes));
+            if (robot != null) {
+                robot.follow(physics.isAwake(robot.getBody()));
+                robot.truth().update(steps, true);
+            }
+            scenes.commit();
+        }
+    }
+}

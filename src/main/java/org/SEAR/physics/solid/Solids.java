@@ -57,11 +57,14 @@ public final class Solids implements ObjectTypes {
     /**
      * The geometry of an object; null for an object without (a sensor).
      *
-     * @throws ProjectException if a model can't be loaded
+     * @throws ProjectException if a model or the terrain's map can't be loaded
      */
     public static Solid of(SearObject object, Project project) throws ProjectException {
         if (!(object instanceof Shape)) {
             return null;
+        }
+        if (object instanceof Terrain) {
+            return withSurface(new TerrainSolid(project.getGround().field), (Shape) object);
         }
         try {
             return of((Shape) object, () -> ModelLoader.withoutPictures(project.getAssets()));
@@ -73,7 +76,7 @@ public final class Solids implements ObjectTypes {
     }
 
     /**
-     * The geometry of a shape; null for one that is not in the list.
+     * The geometry of a shape; null for one that is not in the list, and for a terrain, whose ground the project has.
      *
      * @param models asked for a model only: without one SEAR works without jMonkeyEngine
      * @throws IOException if a model can't be loaded
@@ -81,13 +84,16 @@ public final class Solids implements ObjectTypes {
     public static Solid of(Shape shape, Supplier<ModelLoader> models) throws IOException {
         for (Class<?> type = shape.getClass(); type != null; type = type.getSuperclass()) {
             if (ALL.containsKey(type)) {
-                Solid solid = ALL.get(type).make(shape, models);
-                if (solid != null) {
-                    solid.setSurface(Surface.of(shape));
-                }
-                return solid;
+                return withSurface(ALL.get(type).make(shape, models), shape);
             }
         }
         return null;
+    }
+
+    private static Solid withSurface(Solid solid, Shape shape) {
+        if (solid != null) {
+            solid.setSurface(Surface.of(shape));
+        }
+        return solid;
     }
 }

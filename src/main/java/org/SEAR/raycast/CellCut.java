@@ -111,7 +111,7 @@ final class CellCut {
         double turn = pz * x - px * z;
         double ex = x - px;
         double ez = z - pz;
-        if (Math.abs(turn) <= FanCaster.TOUCHING * (Math.abs(ex) + Math.abs(ez))) {
+        if (Math.abs(turn) <= TriangleCut.TOUCHING * (Math.abs(ex) + Math.abs(ez))) {
             field.triangle(row, column, half, corners);
             triangles.triangle(corners, 0);
             return;

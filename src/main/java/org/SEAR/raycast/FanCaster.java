@@ -10,9 +10,6 @@ import org.SEAR.raycast.solid.RaySolid;
  * needs for it; allocates only when a fan of another pattern comes.
  */
 final class FanCaster {
-    /** Metres from a surface at which the origin counts as lying on it; such a shape is tested beam by beam. */
-    static final double TOUCHING = 1e-9;
-
     private final RayCaster rays;
     private final DepthBuffer depth = new DepthBuffer();
     private final PlaneCut world = new PlaneCut();
@@ -128,7 +125,9 @@ final class FanCaster {
                 break;
             case Shapes.HEIGHTS:
                 triangles.start(own, number, 1, 1, 1);
-                heights.cast(shapes.heights[number], own[0], own[2], range, rays);
+                heights.cast(shapes.heights[number], own[0], own[2], range);
+                rays.fanNodes += heights.nodes;
+                rays.triangles += heights.triangles;
                 break;
             default:
                 mesh(number, a, b, c);
@@ -136,7 +135,7 @@ final class FanCaster {
     }
 
     private void box(int number, double hx, double hy, double hz) {
-        if (boxCut.touches(own, hx, hy, hz, TOUCHING)) {
+        if (boxCut.touches(own, hx, hy, hz, TriangleCut.TOUCHING)) {
             for (int i = 0; i < depth.beams.count; i++) {
                 double x = depth.beams.x[i];
                 double z = depth.beams.z[i];
@@ -155,11 +154,11 @@ final class FanCaster {
 
     /** Only the beams that meet the box around a convex solid are tested, each against the exact solid. */
     private void convex(int number, double hx, double hy, double hz) {
-        double x = hx * (1 + TOUCHING);
-        double y = hy * (1 + TOUCHING);
-        double z = hz * (1 + TOUCHING);
+        double x = hx * (1 + TriangleCut.TOUCHING);
+        double y = hy * (1 + TriangleCut.TOUCHING);
+        double z = hz * (1 + TriangleCut.TOUCHING);
         RaySolid solid = shapes.solid[number];
-        if (boxCut.touches(own, x, y, z, TOUCHING)) {
+        if (boxCut.touches(own, x, y, z, TriangleCut.TOUCHING)) {
             for (int i = 0; i < depth.beams.count; i++) {
                 convexBeam(i, number, solid);
             }

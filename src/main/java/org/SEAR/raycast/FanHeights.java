@@ -17,6 +17,10 @@ final class FanHeights {
     /** An angle is at most this times its sine, where that is at most a half. */
     private static final double ARC_SINE = Math.PI / 3 * (1 + 1e-12);
 
+    /** Blocks and triangles that the last {@link #cast} looked at. */
+    int nodes;
+    int triangles;
+
     private final DepthBuffer depth;
     private final PlaneCut plane;
     private final CellCut cells;
@@ -48,34 +52,35 @@ final class FanHeights {
     private double originX;
     private double originZ;
 
-    FanHeights(DepthBuffer depth, TriangleCut triangles) {
+    FanHeights(DepthBuffer depth, TriangleCut cut) {
         this.depth = depth;
-        plane = triangles.plane;
-        cells = new CellCut(depth, triangles);
+        plane = cut.plane;
+        cells = new CellCut(depth, cut);
     }
 
     /**
-     * Meets the field; the triangles have been started.
+     * Meets the field, when the cut has been started.
      *
      * @param originOfX of the fan in the field's frame, likewise originOfZ
-     * @param work counts it
      */
-    void cast(HeightField heights, double originOfX, double originOfZ, double maxRange, RayCaster work) {
+    void cast(HeightField heights, double originOfX, double originOfZ, double maxRange) {
         originX = originOfX;
         originZ = originOfZ;
         range = maxRange;
         HeightPyramid pyramid = heights.getPyramid();
         measure(heights, pyramid);
         size = 0;
+        nodes = 0;
+        triangles = 0;
         first = 0;
         last = depth.beams.count - 1;
         push(pyramid.top, 0, 0, 0);
         while (size > 0) {
             size--;
             if (see()) {
-                work.fanNodes++;
+                nodes++;
                 if (levels[size] == 0) {
-                    work.triangles += cells.meet(heights, 2 * rows[size], 2 * columns[size], first, last);
+                    triangles += cells.meet(heights, 2 * rows[size], 2 * columns[size], first, last);
                 } else {
                     open(pyramid, levels[size], rows[size], columns[size]);
                 }

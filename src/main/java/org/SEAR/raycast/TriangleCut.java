@@ -4,6 +4,9 @@ import org.SEAR.raycast.solid.RayTriangle;
 
 /** The lines in which a fan's plane cuts triangles, as the fan's beams see them. One thread. */
 final class TriangleCut {
+    /** Metres from a surface at which the origin counts as lying on it; such a shape is tested beam by beam. */
+    static final double TOUCHING = 1e-9;
+
     /** The plane in the triangles' own frame, before scaling. */
     final PlaneCut plane = new PlaneCut();
 
@@ -101,8 +104,8 @@ final class TriangleCut {
         double ex = qx - px;
         double ez = qz - pz;
         double length = Math.abs(ex) + Math.abs(ez);
-        if (Math.abs(turn) <= FanCaster.TOUCHING * length) {
-            if (px * qx + pz * qz <= FanCaster.TOUCHING * length) {
+        if (Math.abs(turn) <= TOUCHING * length) {
+            if (px * qx + pz * qz <= TOUCHING * length) {
                 for (int i = 0; i < depth.beams.count; i++) {
                     double x = depth.beams.x[i];
                     double z = depth.beams.z[i];

@@ -24,6 +24,7 @@ LONGEST_WORLD = 300
 FULL = {
     "beams": ["room-20", "room-100", "room-1000", "hall-10", "hall-100", "hall-1000", "hall-10000", "hills-1000", "hills-10000", "hills-110000",
               "hills-1000000"],
+    "fields": ["field-100000", "field-13000000"],
     "drives": ["drive-room-20", "drive-room-1000", "lidar-room-20", "lidar-room-1000", "lidar-hall-10", "lidar-hall-100", "lidar-hall-1000",
                "lidar-hall-9900", "lidars2-room-20", "lidars4-room-20", "lidars8-room-20"],
     "own": ["all-room-20", "all-room-1000", "asleep-1000"],
@@ -37,6 +38,7 @@ FULL = {
 }
 QUICK = {
     "beams": ["hall-10", "hills-1000"],
+    "fields": ["field-1000"],
     "drives": ["lidar-room-20"],
     "own": ["all-room-20"],
     "drops": ["drop-10"],
@@ -96,9 +98,10 @@ class Run:
         results = []
         steps = self.plan["drives"] + [world for world in self.plan["own"] if not world.startswith("asleep")]
         drops = self.plan["drops"] + [world for world in self.plan["own"] if world.startswith("asleep")]
-        for benchmark, worlds in (("Beams", self.plan["beams"]), ("Steps", steps), ("Drops", drops)):
-            target = self.path("jmh-%s.json" % benchmark)
-            self.call_java("Report", target, PACKAGE + benchmark + ".", "-p", "world=" + ",".join(worlds), *self.plan["jmh"])
+        for benchmark, worlds in (("Beams.", self.plan["beams"]), ("Beams.(fan|single)$", self.plan["fields"]), ("Steps.", steps),
+                                  ("Drops.", drops)):
+            target = self.path("jmh.json")
+            self.call_java("Report", target, PACKAGE + benchmark, "-p", "world=" + ",".join(worlds), *self.plan["jmh"])
             for result in read(target):
                 method = result["benchmark"].rsplit(".", 1)[1]
                 scale = 1e6 if result["primaryMetric"]["scoreUnit"] == "ops/us" else 1.0

@@ -105,17 +105,18 @@ def machine(results):
 
 def beams(results):
     rows = []
-    for world in results.worlds("room") + results.worlds("hall") + results.worlds("hills"):
+    for world in results.worlds("room") + results.worlds("hall") + results.worlds("hills") + results.worlds("field"):
         fan, single = results.rate("SEAR fan", world), results.rate("SEAR single", world)
         rows.append([world] + [results.ratio("SEAR fan", peer, world) for peer in PEERS]
                     + [results.shown("SEAR fan", world, 1e6), results.judge("fan " + world, fan and fan / 1e6),
                        results.shown("SEAR single", world, 1e6), results.judge("single " + world, single and single / 1e6)]
                     + [results.shown(peer, world, 1e6) for peer in PEERS])
+    fields = ["`field-N`: a height field of N posts 6 cm apart, 100 000 of them on 20 m × 20 m."] if results.worlds("field") else []
     return ["### Beams", "",
             "Millions of beams a second. A fan is a LIDAR's scan of 361 beams over 180°, 8 m far, from 100 poses in turn; single beams are the",
             "same ones cast one by one. `room-N`: N rotated boxes in a room of 10 m × 10 m; `hall-N`: N boxes in a hall that grows with them, 20 on",
             "100 m²; `hills-N`: N triangles on 20 m × 20 m. The first three columns say how many times faster SEAR's fan is than the other engine.",
-            ""] + table(
+            *fields, ""] + table(
                 ["world", "/ MuJoCo", "/ pybullet", "/ jbullet", "fan", "goal", "single", "goal", "MuJoCo", "pybullet", "jbullet"], rows)
 
 

@@ -1,15 +1,16 @@
 package org.SEAR.benchmark;
 
 import java.util.Random;
+import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.Hit;
 
 /**
- * The worlds of the benchmark: a walled square with rotated boxes of 0.25 to 1 m, or hills of triangles, and 100 poses of a LIDAR in it. The same
- * name gives the same world. {@code room-N} is 10 m x 10 m whatever N is, {@code hall-N} grows so that 20 boxes stand on 100 m^2, {@code hills-N} has
- * N triangles or a few more on 20 m x 20 m.
+ * The worlds of the benchmark: a walled square with rotated boxes of 0.25 to 1 m, or hills of triangles or heights, and 100 poses of a LIDAR in it. The
+ * same name gives the same world. {@code room-N} is 10 m x 10 m whatever N is, {@code hall-N} grows so that 20 boxes stand on 100 m^2, {@code hills-N}
+ * has N triangles or a few more on 20 m x 20 m, {@code field-N} is a height field of about N posts that grows so that 100 000 stand on 20 m x 20 m.
  */
 public final class BeamWorld {
     static final int BEAMS = 361;
@@ -22,14 +23,17 @@ public final class BeamWorld {
     private static final double WALL_HEIGHT = 2;
     private static final double BEAM_HEIGHT = 0.5;
     private static final double HILLS = 20;
+    private static final double FIELD_POSTS = 100_000;
     private static final double MAST = 0.3;
     private static final double SPARSE = 20;
 
     final String name;
     /** Ten numbers a box: half sizes, position, quaternion. Empty in the hills. */
     double[][] boxes = new double[0][];
-    /** Null between walls. */
+    /** Null between walls, and on a height field. */
     Triangles triangles;
+    /** Null elsewhere. */
+    HeightField field;
     final Pose[] poses = new Pose[POSES];
     private final Random random = new Random(2026);
 
@@ -43,6 +47,8 @@ public final class BeamWorld {
         int number = Integer.parseInt(name.substring(name.indexOf('-') + 1));
         if (name.startsWith("hills")) {
             triangles = hills((int) Math.ceil(Math.sqrt(number / 2.0)));
+        } else if (name.startsWith("field")) {
+            field = field((int) Math.round(Math.sqrt(number)), HILLS * Math.sqrt(number / FIELD_POSTS));
         } else {
             walledBoxes(number, name.startsWith("hall") ? ROOM * Math.sqrt(number / SPARSE) : ROOM);
         }
@@ -81,12 +87,8 @@ public final class BeamWorld {
             for (int j = 0; j <= cells; j++) {
                 double x = HILLS * ((double) i / cells - 0.5);
                 double z = HILLS * ((double) j / cells - 0.5);
-                double y = 0;
-                for (int k = 0; k < wave.length; k++) {
-                    y += Math.sin((0.4 + 0.15 * k) * (x * Math.cos(wave[k]) + z * Math.sin(wave[k])) + 7 * wave[k]);
-                }
                 vertices[v++] = (float) x;
-                vertices[v++] = (float) (y / 4);
+                vertices[v++] = height(wave, x, z);
                 vertices[v++] = (float) z;
                 if (i < cells && j < cells) {
                     int a = i * (cells + 1) + j;
@@ -100,6 +102,25 @@ public final class BeamWorld {
         return new Triangles(vertices, indices);
     }
 
+    private static float height(double[] wave, double x, double z) {
+        double y = 0;
+        for (int k = 0; k < wave.length; k++) {
+            y += Math.sin((0.4 + 0.15 * k) * (x * Math.cos(wave[k]) + z * Math.sin(wave[k])) + 7 * wave[k]);
+        }
+        return (float) (y / 4);
+    }
+
+    /** @param side metres */
+    private HeightField field(int posts, double side) {
+        double[] wave = random.doubles(12, 0, 2 * Math.PI).toArray();
+        double spacing = side / (posts - 1);
+        float[] heights = new float[posts * posts];
+        for (int i = 0; i < heights.length; i++) {
+            heights[i] = height(wave, i / posts * spacing - side / 2, i % posts * spacing - side / 2);
+        }
+        return new HeightField(posts, posts, -side / 2, -side / 2, spacing, spacing, heights);
+    }
+
     BeamScene scene() {
         BeamScene scene = new BeamScene();
         for (double[] b : boxes) {
@@ -109,6 +130,9 @@ public final class BeamWorld {
         if (triangles != null) {
             scene.addMesh(triangles, 1, 1, 1, BeamScene.WORLD);
         }
+        if (field != null) {
+            scene.addHeights(field, BeamScene.WORLD);
+        }
         scene.commit();
         return scene;
     }
@@ -116,7 +140,7 @@ public final class BeamWorld {
     /** Poses outside of all boxes as far as there is such a place, or a mast's height above the hills. */
     private void standSomewhere() {
         BeamScene scene = scene();
-        double half = triangles != null ? HILLS / 4 : boxes[0][0] - 0.5;
+        double half = triangles != null ? HILLS / 4 : field != null ? -field.lowX / 2 : boxes[0][0] - 0.5;
         Hit hit = new Hit();
         for (int i = 0; i < POSES; i++) {
             double x;
@@ -128,7 +152,7 @@ public final class BeamWorld {
                 x = between(-half, half);
                 z = between(-half, half);
                 inside = false;
-                if (triangles != null) {
+                if (boxes.length == 0) {
                     y = 100 - scene.cast(x, 100, z, 0, -1, 0, 200, BeamScene.WORLD, null) + MAST;
                 } else {
                     inside = scene.cast(x, y, z, 0, 0, 1, 1e3, BeamScene.WORLD, hit) < 1e3 && hit.nz > 0;

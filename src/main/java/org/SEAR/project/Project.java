@@ -84,6 +84,16 @@ public final class Project {
         return terrain == null ? null : terrain.get().origin;
     }
 
+    /**
+     * The part of the terrain's maps that is used, as one GeoTIFF that gives the same ground.
+     *
+     * @return null without a Terrain, if all of its maps is used, or if their coordinate system has no number by which a file could name it
+     * @throws ProjectException if a map can't be read
+     */
+    public byte[] cutMap() throws ProjectException {
+        return terrain == null ? null : terrain.cut();
+    }
+
     /** Pictures and models: the project's own, else those that come with SEAR. */
     public Assets getAssets() {
         return assets;

@@ -8,6 +8,7 @@ import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.project.xml.ParsedObject;
 import org.SEAR.terrain.Ground;
+import org.SEAR.terrain.MapCut;
 import org.SEAR.terrain.TerrainArea;
 import org.SEAR.terrain.TerrainLoader;
 
@@ -29,6 +30,10 @@ final class TerrainGround {
      * @throws IOException that names the map, what is wrong in it and what is legal
      */
     static Ground load(Terrain terrain, Assets assets) throws IOException {
+        return TerrainLoader.load(area(terrain), assets);
+    }
+
+    private static TerrainArea area(Terrain terrain) {
         TerrainArea area = TerrainArea.of(terrain.getPath(), terrain.getPaths().subList(1, terrain.getPaths().size()));
         if (terrain.hasArea()) {
             area = area.around(terrain.getLatitude(), terrain.getLongitude(), terrain.getNorthSouth(), terrain.getEastWest());
@@ -36,7 +41,7 @@ final class TerrainGround {
         if (terrain.hasSize()) {
             area = area.sized(terrain.getNorthSouth(), terrain.getEastWest(), terrain.getLowest(), terrain.getHighest());
         }
-        return TerrainLoader.load(area, assets);
+        return area;
     }
 
     /** @throws ProjectException if the map can't be read */
@@ -46,10 +51,29 @@ final class TerrainGround {
             try {
                 ground = load(terrain, assets);
             } catch (IOException e) {
-                throw new ProjectException(Collections.singletonList(new Problem(parsed.file, parsed.line("path"), "path", terrain.getPath(),
-                    "an elevation map that can be used (" + e.getMessage() + ")")));
+                throw problem(terrain, e);
             }
         }
         return ground;
+    }
+
+    /**
+     * The part of the maps that is used, as one file.
+     *
+     * @return null if all of them is, or it can't be written
+     * @throws ProjectException if a map can't be read
+     */
+    byte[] cut() throws ProjectException {
+        Terrain terrain = (Terrain) parsed.object;
+        try {
+            return MapCut.of(area(terrain), assets);
+        } catch (IOException e) {
+            throw problem(terrain, e);
+        }
+    }
+
+    private ProjectException problem(Terrain terrain, IOException e) {
+        return new ProjectException(Collections.singletonList(new Problem(parsed.file, parsed.line("path"), "path", terrain.getPath(),
+            "an elevation map that can be used (" + e.getMessage() + ")")));
     }
 }

@@ -519,6 +519,24 @@ public class SEAR extends Service<SEARConfig> {
     }
 
     /**
+     * Saves the project as a bundle, and of the terrain's elevation maps only the area that is used, so that it is small. The project stays as it is.
+     *
+     * @param path as for {@link #saveProject(String)}
+     * @param cutTerrain True: only the area that setArea names goes along, as one GeoTIFF; False: all of the maps
+     * @throws IllegalStateException if it can't be written
+     * @example sear.saveProject("mountain.sear", True)
+     */
+    public void saveProject(String path, boolean cutTerrain) {
+        calls.act(() -> {
+            if (cutTerrain) {
+                parts.projects().saveCut(bundle(path));
+            } else {
+                parts.projects().save(bundle(path));
+            }
+        });
+    }
+
+    /**
      * Replaces the project by a bundle's, or a copy of a project folder, once that is read whole and valid; the present one is kept as backup.
      *
      * @param path a bundle or a folder; {@code "examples/NAME.sear"} for those that come with SEAR, in every working folder

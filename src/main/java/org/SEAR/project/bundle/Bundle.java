@@ -34,7 +34,29 @@ public final class Bundle {
      * @throws IOException if the file can't be written, or is a link, a pipe or a device
      */
     public static void save(Path folder, Path file, Progress progress) throws IOException, ProjectException {
-        Path project = Project.read(folder).getFolder();
+        save(Project.read(folder), file, progress, Map.of());
+    }
+
+    /**
+     * Saves a project as {@link #save(Path, Path, Progress)} does, but of the terrain's maps only the area that is used, in one map. The project stays
+     * as it is.
+     *
+     * @return whether there was anything to cut: a Terrain with an area, of maps whose coordinate system has a number
+     */
+    public static boolean saveCut(Path folder, Path file, Progress progress) throws IOException, ProjectException {
+        Path temporary = Files.createTempDirectory("sear-cut");
+        try {
+            Project project = Project.read(folder);
+            Map<String, Path> instead = new TerrainCut(project, temporary).make();
+            save(project, file, progress, instead);
+            return !instead.isEmpty();
+        } finally {
+            ProjectSwap.delete(temporary);
+        }
+    }
+
+    private static void save(Project read, Path file, Progress progress, Map<String, Path> instead) throws IOException, ProjectException {
+        Path project = read.getFolder();
         Path target = file.toAbsolutePath().normalize();
         if (target.startsWith(project)) {
             throw new IOException(target + " lies in the project that it is to hold; choose a place outside of " + project);
@@ -48,7 +70,7 @@ public final class Bundle {
         Files.createDirectories(target.getParent());
         Path temporary = target.resolveSibling("." + target.getFileName() + ProjectFolder.TEMPORARY);
         try {
-            new BundleWriter(project, target.getFileName().toString(), progress).write(temporary);
+            new BundleWriter(project, target.getFileName().toString(), progress).with(instead).write(temporary);
             Files.move(temporary, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
         } finally {
             Files.deleteIfExists(temporary);

@@ -32,6 +32,7 @@ final class BundleWriter {
     private final ProblemList problems = new ProblemList();
     private final BundleRules rules;
     private final Map<String, Path> files = new TreeMap<>();
+    private final Map<String, Path> instead = new TreeMap<>();
     private long done;
 
     BundleWriter(Path folder, String bundle, Progress progress) {
@@ -40,8 +41,23 @@ final class BundleWriter {
         this.rules = new BundleRules(bundle, problems);
     }
 
+    /**
+     * Takes other files than the folder's.
+     *
+     * @param others by their names in the bundle; null for a file that is left out
+     */
+    BundleWriter with(Map<String, Path> others) {
+        instead.putAll(others);
+        return this;
+    }
+
     void write(Path target) throws IOException, ProjectException {
         collect();
+        for (Map.Entry<String, Path> other : instead.entrySet()) {
+            if (other.getValue() != null) {
+                take(other.getKey(), other.getValue());
+            }
+        }
         problems.throwIfAny();
         try (FileChannel channel = FileChannel.open(target, StandardOpenOption.WRITE, StandardOpenOption.CREATE,
                     StandardOpenOption.TRUNCATE_EXISTING);
@@ -86,7 +102,13 @@ final class BundleWriter {
         if (name.equalsIgnoreCase(BundleRules.VERSION_ENTRY)) {
             problems.add(name, 0, "", "it has the name of the bundle's own version entry", "another name");
         }
-        rules.file(name, attributes.size());
+        if (!instead.containsKey(name)) {
+            take(name, file);
+        }
+    }
+
+    private void take(String name, Path file) throws IOException {
+        rules.file(name, Files.size(file));
         byte[] head = new byte[BundleRules.HEAD];
         try (InputStream in = Files.newInputStream(file)) {
             rules.head(name, head, in.readNBytes(head, 0, head.length));

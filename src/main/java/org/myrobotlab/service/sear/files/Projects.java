@@ -87,6 +87,20 @@ public final class Projects {
      * @param file gets the ending .sear, if it has it not; its folder must be there
      */
     public void save(Path file) throws IOException, ProjectException {
+        Path bundle = bundle(file);
+        Bundle.save(folder(), bundle, new PercentProgress("saving", bundle, host::progress));
+    }
+
+    /** Saves the project as {@link #save} does, but of the terrain's maps only the area that is used. */
+    public void saveCut(Path file) throws IOException, ProjectException {
+        Path bundle = bundle(file);
+        if (!Bundle.saveCut(folder(), bundle, new PercentProgress("saving", bundle, host::progress))) {
+            host.progress(bundle + " has everything: there is no Terrain with a setArea in a map that can be cut");
+        }
+    }
+
+    /** The file to write, if it may be written. */
+    private static Path bundle(Path file) throws IOException {
         if (!Files.isDirectory(folder())) {
             throw new IOException("there is no project folder " + folder() + ": create some objects first (org.SEAR.POJOs)");
         }
@@ -95,7 +109,7 @@ public final class Projects {
         if (parent == null || !Files.isDirectory(parent)) {
             throw new IOException(bundle + " can't be saved, there is no folder " + parent + ": make it, or choose another");
         }
-        Bundle.save(folder(), bundle, new PercentProgress("saving", bundle, host::progress));
+        return bundle;
     }
 
     /**

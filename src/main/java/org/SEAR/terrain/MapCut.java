@@ -1,0 +1,52 @@
+package org.SEAR.terrain;
+
+import java.io.IOException;
+import org.SEAR.geometry.GeoOrigin;
+import org.SEAR.project.models.Assets;
+import org.SEAR.terrain.format.GeoTiffWriter;
+import org.SEAR.terrain.format.Georeference;
+
+/** Cuts the part of maps that an area uses, so that a project can be shared without the rest of them. Any thread. */
+public final class MapCut {
+    /** How far the map reaches beyond its outermost posts, cells. */
+    private static final double HALF_CELL = 0.5;
+    /** Rows and columns around the area that are kept. */
+    private static final int RIM = 3;
+
+    private MapCut() {
+    }
+
+    /**
+     * The part of the maps that is used, with a rim, as one GeoTIFF that gives the same ground.
+     *
+     * @param area with a part of maps
+     * @return null if all of the maps is used, or their coordinate system has no number by which a file could name it
+     * @throws IOException that names the map and what is wrong with it
+     */
+    public static byte[] of(TerrainArea area, Assets assets) throws IOException {
+        if (area.area == null) {
+            return null;
+        }
+        try (Mosaic mosaic = Mosaic.open(assets, area.paths)) {
+            return GeoTiffWriter.canWrite(mosaic.place) ? cut(mosaic, area) : null;
+        }
+    }
+
+    private static byte[] cut(Mosaic mosaic, TerrainArea wanted) throws IOException {
+        TerrainArea.Area area = wanted.area;
+        MapSystem system = new MapSystem(mosaic.first().name, mosaic.place.system);
+        double middle = mosaic.place.x((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0);
+        MapPlane plane = MapPlane.onEarth(new GeoOrigin(area.latitude, 0, area.longitude), system, mosaic.place, middle);
+        double[] box = new MapExtent(mosaic, plane).box(area.northSouth, area.eastWest, HALF_CELL);
+        if (box == null) {
+            throw MapExtent.beyond(mosaic, system, area);
+        }
+        int left = (int) Math.max(0, Math.floor(box[0]) - RIM);
+        int top = (int) Math.max(0, Math.floor(box[1]) - RIM);
+        int right = (int) Math.min(mosaic.columns - 1.0, Math.ceil(box[2]) + RIM);
+        int bottom = (int) Math.min(mosaic.rows - 1.0, Math.ceil(box[3]) + RIM);
+        MapRaster raster = mosaic.read(top, left, bottom - top + 1, right - left + 1);
+        Georeference place = mosaic.place.from(left, top);
+        return GeoTiffWriter.bytes(place, system.degrees, raster.rows, raster.columns, raster.heights);
+    }
+}

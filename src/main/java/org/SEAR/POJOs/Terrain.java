@@ -18,7 +18,7 @@ public class Terrain extends Shape {
     static final double DEEPEST = -12000;
     /** Greatest height of any ground, metres. */
     static final double HIGHEST = 100000;
-    private static final int MOST_TILES = 99;
+    private static final int MOST_TILES = 63;
 
     @Param(doc = "the elevation map, below assets: .hgt, .hgt.zip, .tif, .tiff, .asc, or a grey picture .png, .jpg", text = TextRule.ASSET,
         required = true)

@@ -3,6 +3,7 @@ package org.SEAR.project;
 import java.io.IOException;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
@@ -50,7 +51,7 @@ final class AssetCheck {
     private void checkImage(ParsedObject parsed, Shape shape) {
         if (shape.getImage() != null && !assets.has(shape.getImage())) {
             warnings.add(parsed.file + ": there is no picture \"" + shape.getImage() + "\" in assets; " + shape + " is shown plain");
-        } else if (shape.getImage() != null && pictures.add(shape.getImage())) {
+        } else if (shape.getImage() != null && !isAerial(shape) && pictures.add(shape.getImage())) {
             try {
                 assets.checkPicture(shape.getImage());
             } catch (UnreadablePicture e) {
@@ -59,6 +60,11 @@ final class AssetCheck {
                 problems.add(parsed.file, parsed.line("image"), "image", shape.getImage(), "a picture that can be shown (" + e.getMessage() + ")");
             }
         }
+    }
+
+    /** A GeoTIFF over the terrain is read as its maps are. */
+    private static boolean isAerial(Shape shape) {
+        return shape instanceof Terrain && shape.getImage().toLowerCase(Locale.ROOT).matches(".*\\.tiff?");
     }
 
     /** What is in the maps is looked at when the world is made: they may be large. */

@@ -65,9 +65,8 @@ public final class AerialPicture {
             int[] part = part(picture, plane, rectangle);
             if (part == null) {
                 double[] centre = system.toEarth(middle, picture.place.y(picture.columns / 2.0, picture.rows / 2.0));
-                throw ModelLimits.wrong(path, "the picture's place", String.format(Locale.ROOT, "about latitude %.5f, longitude %.5f", centre[0], centre[1]),
-                    String.format(Locale.ROOT, "over the terrain, which is about latitude %.5f, longitude %.5f", origin.getLatitude(),
-                        origin.getLongitude()));
+                throw ModelLimits.wrong(path, "the picture's place", place(centre[0], centre[1]), "over the terrain, which is "
+                    + place(origin.getLatitude(), origin.getLongitude()));
             }
             int factor = (Math.max(part[2], part[3]) + MAX_SIDE - 1) / MAX_SIDE;
             int[] colours = picture.read(part[0], part[1], part[2], part[3], factor);
@@ -75,6 +74,10 @@ public final class AerialPicture {
             made.fill(plane, part, factor, colours);
             return made;
         }
+    }
+
+    private static String place(double latitude, double longitude) {
+        return String.format(Locale.ROOT, "about latitude %.5f, longitude %.5f", latitude, longitude);
     }
 
     private static int side(int pixels, int factor) {

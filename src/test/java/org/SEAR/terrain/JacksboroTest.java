@@ -40,7 +40,7 @@ public class JacksboroTest {
 
     @Test
     public void allProbesOfTheGeographicMap() throws IOException {
-        Ground ground = TerrainLoader.load(all("jacksboro-wgs84.tif"), ASSETS);
+        Ground ground = TerrainLoader.load(all("terrain/jacksboro.tif"), ASSETS);
         assertEquals(24, probesOf(ground, "elevation_wgs84_grid"));
         assertEquals(Collections.emptyList(), ground.warnings);
     }
@@ -62,7 +62,7 @@ public class JacksboroTest {
         JsonNode summit = probes().get("summit");
         double latitude = summit.get("latitude").asDouble();
         double longitude = summit.get("longitude").asDouble();
-        Ground ground = TerrainLoader.load(all("jacksboro-wgs84.tif").around(latitude, longitude, 2000, 2000), ASSETS);
+        Ground ground = TerrainLoader.load(all("terrain/jacksboro.tif").around(latitude, longitude, 2000, 2000), ASSETS);
         assertEquals(1076, ground.altitude, 1);
         assertEquals(0, ground.field.height(0, 0), 1e-6);
         assertEquals(1076, ground.height(latitude, longitude), 1);

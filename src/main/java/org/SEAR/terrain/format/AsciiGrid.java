@@ -39,8 +39,8 @@ final class AsciiGrid extends ElevationMap {
         int rows = side(file.getName(), head, "nrows");
         ModelLimits.range(file.getName(), "the number of posts", (long) rows * columns, 4, MapLimits.MAX_POSTS);
         if (file.size() < 2L * rows * columns) {
-            throw ModelLimits.wrong(file.getName(), "the file's size", file.size(), "at least " + 2L * rows * columns + " for " + rows + " x " + columns
-                + " heights (is it cut off?)");
+            throw ModelLimits.wrong(file.getName(), "the file's size", file.size(), "at least " + 2L * rows * columns
+                + " for " + rows + " x " + columns + " heights (is it cut off?)");
         }
         Georeference place = place(file.getName(), head, rows);
         double noData = head.getOrDefault("nodata_value", -9999.0);

@@ -43,7 +43,8 @@ public final class TiffPicture implements Closeable {
         }
         Georeference place = new GeoKeys(file).place();
         if (place == null || place.system == null) {
-            throw ModelLimits.wrong(file.name, "the place on Earth", "not known", "a GeoTIFF with a coordinate system; any other picture fills the area");
+            throw ModelLimits.wrong(file.name, "the place on Earth", "not known",
+                "a GeoTIFF with a coordinate system; any other picture fills the area");
         }
         return new TiffPicture(image, place);
     }

@@ -1,0 +1,82 @@
+package org.SEAR.terrain.format;
+
+import static org.junit.Assert.assertArrayEquals;
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertThrows;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import org.junit.Test;
+
+/** ESRI ASCII grids and the .prj beside them. */
+public class AsciiGridTest {
+    private static final String HEIGHTS = "1 2.5 -3\n-9999 5e1 +6\n";
+
+    private static MapBytes bytes(String name, String text) throws IOException {
+        return MapBytes.of(name, text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private static AsciiGrid open(String text) throws IOException {
+        return AsciiGrid.open(bytes("a.asc", text), null);
+    }
+
+    private static void refused(String text, String message) {
+        IOException e = assertThrows(message, IOException.class, () -> open(text));
+        assertTrue(e.getMessage(), e.getMessage().startsWith("a.asc: ") && e.getMessage().contains(message));
+    }
+
+    @Test
+    public void cornersAndCentres() throws IOException {
+        AsciiGrid corner = open("ncols 3\nnrows 2\nxllcorner 8\nyllcorner 47\ncellsize 0.1\n" + HEIGHTS);
+        assertArrayEquals(new float[] {1, 2.5f, -3, Float.NaN, 50, 6}, corner.read(0, 0, 2, 3), 0);
+        assertArrayEquals(new float[] {50, 6}, corner.read(1, 1, 1, 2), 0);
+        assertEquals(8.05, corner.place.x(0, 1), 1e-12);
+        assertEquals(47.05, corner.place.y(0, 1), 1e-12);
+        assertEquals(47.15, corner.place.y(0, 0), 1e-12);
+        assertEquals(Georeference.WGS84, corner.place.system);
+        AsciiGrid centre = open("NCOLS 3\r\nNROWS 2\r\nXLLCENTER 8\r\nYLLCENTER 47\r\nDX 0.1\r\nDY 0.2\r\nNODATA_VALUE 6\r\n" + HEIGHTS);
+        assertEquals(8, centre.place.x(0, 1), 1e-12);
+        assertEquals(47.2, centre.place.y(0, 0), 1e-12);
+        assertTrue(Float.isNaN(centre.read(0, 0, 2, 3)[5]));
+        assertEquals(-9999, centre.read(0, 0, 2, 3)[3], 0);
+    }
+
+    @Test
+    public void metresAreNoDegrees() throws IOException {
+        assertNull(open("ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 30\n" + HEIGHTS).place.system);
+        assertNull(open("ncols 3\nnrows 2\nxllcorner 500000\nyllcorner 0\ncellsize 1\n" + HEIGHTS).place.system);
+    }
+
+    @Test
+    public void whatIsWrongIsNamed() {
+        String head = "ncols 3\nnrows 2\nxllcorner 8\nyllcorner 47\ncellsize 0.1\n";
+        refused(head + "1 2 3 4 5        ", "the height in row 1, column 2, is missing, legal: a number (is the file cut off?)");
+        refused(head + "1 2 x4 4 5 6", "the height in row 0, column 2, is \"x4\", legal: a number");
+        refused("ncols 3\nnrows 2\nxllcorner 8\ncellsize 0.1\n" + HEIGHTS, "yllcorner is missing");
+        refused("ncols 3.5\nnrows 2\nxllcorner 8\nyllcorner 47\ncellsize 0.1\n" + HEIGHTS, "ncols is 3.5, legal: 2 to 1000000");
+        refused("ncols 1000000\nnrows 1000000\nxllcorner 8\nyllcorner 47\ncellsize 1\n1",
+            "the number of posts is 1000000000000, legal: 4 to 16000000");
+        refused("ncols 4000\nnrows 4000\nxllcorner 8\nyllcorner 47\ncellsize 1\n1", "the file's size is");
+        refused("ncols 3\nnrows 2\nxllcorner 8\nyllcorner 47\ncellsize -1\n" + HEIGHTS, "cellsize is -1.0, legal: above 0");
+        refused("ncols", "ncols is missing");
+        refused("ncols " + "9".repeat(100), "the text is \"9999");
+    }
+
+    private static String prj(String text) throws IOException {
+        return EsriProjection.system(bytes("a.prj", text));
+    }
+
+    @Test
+    public void systemsInThePrj() throws IOException {
+        assertEquals("EPSG:32616", prj("PROJCS[\"WGS_1984_UTM_Zone_16N\",GEOGCS[\"GCS_WGS_1984\",DATUM[\"D_WGS_1984\"]]]"));
+        assertEquals("EPSG:26910", prj("PROJCS[\"NAD_1983_UTM_Zone_10N\",GEOGCS[\"GCS_North_American_1983\"]]"));
+        assertEquals("EPSG:4326", prj("GEOGCS[\"GCS_WGS_1984\",DATUM[\"D_WGS_1984\",SPHEROID[\"WGS_1984\",6378137.0,298.257223563]]]"));
+        assertEquals("EPSG:4269", prj("GEOGCS[\"GCS_North_American_1983\",DATUM[\"D_North_American_1983\"]]"));
+        assertEquals("EPSG:2056", prj("PROJCS[\"CH1903+ / LV95\",GEOGCS[\"x\",AUTHORITY[\"EPSG\",\"4150\"]],AUTHORITY[\"EPSG\",\"2056\"]]\n"));
+        assertEquals("EPSG:32719", prj("Projection    UTM\nZone          -19\nDatum         WGS84\n"));
+        IOException e = assertThrows(IOException.class, () -> prj("PROJCS[\"Mars\"]"));
+        assertTrue(e.getMessage(), e.getMessage().startsWith("a.prj: the coordinate system is PROJCS[\"Mars\"], legal: one with AUTHORITY"));
+    }
+}

@@ -39,7 +39,7 @@ public class RoomsTest {
         "org.SEAR.simulator", "org.SEAR.robot", "org.SEAR.physics", "org.SEAR.physics.solid",
         "org.SEAR.devices.oi", "org.SEAR.devices.lms", "org.SEAR.devices.gps", "org.SEAR.devices", "org.SEAR.sensors", "org.SEAR.raycast",
         "org.SEAR.raycast.solid", "org.SEAR.collision",
-        "org.SEAR.project.bundle", "org.SEAR.project", "org.SEAR.project.xml", "org.SEAR.terrain", "org.SEAR.terrain.format",
+        "org.SEAR.project.bundle", "org.SEAR.project", "org.SEAR.project.xml", "org.SEAR.terrain", "org.SEAR.terrain.format", "org.SEAR.terrain.tiff",
         "org.SEAR.project.models", "org.SEAR.project.problems",
         "org.SEAR.geometry", "org.SEAR.POJOs", "org.SEAR.protocol.lms", "org.SEAR.protocol.nmea", "org.SEAR.protocol");
     private static final List<String> CORE = ROOMS.subList(ROOMS.indexOf("org.SEAR.simulator"), ROOMS.size());

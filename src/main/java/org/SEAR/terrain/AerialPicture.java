@@ -5,8 +5,8 @@ import java.util.Locale;
 import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.project.models.Assets;
 import org.SEAR.project.models.ModelLimits;
-import org.SEAR.terrain.format.MapBytes;
 import org.SEAR.terrain.format.TiffPicture;
+import org.SEAR.terrain.tiff.MapBytes;
 
 /**
  * A picture of the ground from above that says where on Earth it lies (a GeoTIFF), brought onto a rectangle of the world's metres. Immutable, any

@@ -9,6 +9,9 @@ import org.SEAR.terrain.format.MapLimits;
 
 /** Brings heights of a map onto the posts of a height field. One thread. */
 final class FieldSampler {
+    /** So many posts in a row have a place each as floats. */
+    private static final double DISTINCT = 1 << 23;
+
     private final String file;
     private final FieldGrid grid;
     private final PlaneLattice lattice;
@@ -25,6 +28,11 @@ final class FieldSampler {
     static void require(String file, FieldGrid grid) throws IOException {
         ModelLimits.range(file, "the number of posts (" + grid.rows + " x " + grid.columns + "; a smaller area has less)", grid.posts(), 9,
             MapLimits.MAX_POSTS);
+        double least = Math.max(grid.rows * grid.spacingX, grid.columns * grid.spacingZ) / DISTINCT;
+        if (!(Math.min(grid.spacingX, grid.spacingZ) >= least)) {
+            throw ModelLimits.wrong(file, "the distance of posts", Math.min(grid.spacingX, grid.spacingZ) + " m",
+                "at least " + least + " m in an area as large as this");
+        }
     }
 
     /**

@@ -6,12 +6,14 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import org.SEAR.project.models.ModelLimits;
+import org.SEAR.terrain.tiff.MapBytes;
 
 /**
  * ESRI ASCII grid: a head of names and values, then the heights in metres, row by row from the north. It says no coordinate system; a .prj beside it
  * does, and without one coordinates that can be degrees are taken as degrees of WGS 84.
  */
 final class AsciiGrid extends ElevationMap {
+    private static final int MAX_SIDE = 1_000_000;
     private static final Set<String> NAMES = Set.of("ncols", "nrows", "xllcorner", "yllcorner", "xllcenter", "yllcenter", "cellsize", "dx", "dy",
         "nodata_value");
 

@@ -8,9 +8,6 @@ import java.io.IOException;
  * One thread at a time.
  */
 public abstract class ElevationMap implements Closeable {
-    /** Rows and columns, each, of a map of which a part is used. */
-    static final int MAX_SIDE = 1_000_000;
-
     /** The file, as written in the object. */
     public final String name;
     /** From the first, in most maps the northernmost, to the last. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import org.SEAR.project.models.Assets;
 import org.SEAR.project.models.ModelLimits;
+import org.SEAR.terrain.tiff.MapBytes;
 
 /** Opens the files of elevation maps: by what they are, not only by how they are called. Any thread. */
 public final class ElevationMaps {

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.SEAR.project.models.ModelLimits;
+import org.SEAR.terrain.tiff.MapBytes;
 
 /** The coordinate system in a .prj beside a grid: well-known text of ESRI or OGC, or lines such as "Projection GEOGRAPHIC" of older grids. */
 final class EsriProjection {

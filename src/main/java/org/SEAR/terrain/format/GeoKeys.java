@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
 import org.SEAR.project.models.ModelLimits;
+import org.SEAR.terrain.tiff.TiffFile;
 
 /** Where a GeoTIFF says that it lies (OGC GeoTIFF 1.1). */
 final class GeoKeys {

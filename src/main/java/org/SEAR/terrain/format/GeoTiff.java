@@ -5,6 +5,9 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 import org.SEAR.project.models.ModelLimits;
+import org.SEAR.terrain.tiff.MapBytes;
+import org.SEAR.terrain.tiff.TiffFile;
+import org.SEAR.terrain.tiff.TiffImage;
 
 /** A TIFF with one value a pixel, which is a height if the file says where on Earth it lies, and a grey otherwise. */
 final class GeoTiff extends ElevationMap {

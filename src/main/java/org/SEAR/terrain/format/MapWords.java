@@ -2,6 +2,7 @@ package org.SEAR.terrain.format;
 
 import java.io.IOException;
 import org.SEAR.project.models.ModelLimits;
+import org.SEAR.terrain.tiff.MapBytes;
 
 /** The words of a text between white space, read piece by piece, and the numbers that they are. One thread at a time. */
 final class MapWords {

@@ -11,6 +11,7 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipException;
 import java.util.zip.ZipInputStream;
 import org.SEAR.project.models.ModelLimits;
+import org.SEAR.terrain.tiff.MapBytes;
 
 /**
  * A tile of SRTM, or of others in its format: one degree by one degree of signed 16-bit big-endian metres above the geoid, north row first, without a

@@ -3,6 +3,9 @@ package org.SEAR.terrain.format;
 import java.io.Closeable;
 import java.io.IOException;
 import org.SEAR.project.models.ModelLimits;
+import org.SEAR.terrain.tiff.MapBytes;
+import org.SEAR.terrain.tiff.TiffFile;
+import org.SEAR.terrain.tiff.TiffImage;
 
 /** A GeoTIFF of colours, such as an aerial picture: grey, red-green-blue, or these with transparency, 8 bits each. One thread at a time. */
 public final class TiffPicture implements Closeable {

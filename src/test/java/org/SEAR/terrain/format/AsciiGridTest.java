@@ -8,6 +8,7 @@ import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import org.SEAR.terrain.tiff.MapBytes;
 import org.junit.Test;
 
 /** ESRI ASCII grids and the .prj beside them. */

@@ -7,6 +7,7 @@ import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
 import java.util.Arrays;
+import org.SEAR.terrain.tiff.MapBytes;
 import org.junit.Test;
 
 /** TIFFs that are broken, lie or are meant for something else: each is refused with what is wrong and what would be right. */

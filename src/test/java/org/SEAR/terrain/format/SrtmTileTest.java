@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import org.SEAR.terrain.tiff.MapBytes;
 import org.junit.Test;
 
 /** Tiles of SRTM, bare and zipped. */

@@ -1,4 +1,4 @@
-package org.SEAR.terrain.format;
+package org.SEAR.terrain.tiff;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -12,7 +12,7 @@ import org.SEAR.project.models.ModelLimits;
  * The first image of a TIFF or BigTIFF: its tags. Overviews and masks, which follow it, are not looked at, so that a chain of directories that bites
  * its tail does no harm. Any thread after it is made.
  */
-final class TiffFile {
+public final class TiffFile {
     private static final int MAX_TAGS = 4096;
     private static final int[] SIZES = {0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8, 4, 0, 0, 8, 8, 8};
     private static final int BYTE = 1;
@@ -24,13 +24,16 @@ final class TiffFile {
     private static final int LONG8 = 16;
     private static final int IFD8 = 18;
 
-    final MapBytes bytes;
-    final String name;
+    /** The file. */
+    public final MapBytes bytes;
+    /** What messages call the file. */
+    public final String name;
     final ByteOrder order;
     private final boolean big;
     private final Map<Integer, Tag> tags = new HashMap<>();
 
-    TiffFile(MapBytes bytes) throws IOException {
+    /** @throws IOException that names what is wrong in the head or the directory */
+    public TiffFile(MapBytes bytes) throws IOException {
         this.bytes = bytes;
         this.name = bytes.getName();
         byte[] head = bytes.read("the head", 0, 8);
@@ -67,7 +70,8 @@ final class TiffFile {
         }
     }
 
-    boolean has(int tag) {
+    /** Whether there is a tag. */
+    public boolean has(int tag) {
         return tags.containsKey(tag);
     }
 
@@ -88,7 +92,7 @@ final class TiffFile {
      * @param most how many there may be
      * @return null if the tag is missing
      */
-    long[] longs(int tag, String what, int most) throws IOException {
+    public long[] longs(int tag, String what, int most) throws IOException {
         ByteBuffer in = values(tag, what, most);
         if (in == null) {
             return null;
@@ -112,7 +116,7 @@ final class TiffFile {
     }
 
     /** One whole number between bounds, or what it is without the tag. */
-    int number(int tag, String what, int without, int low, int high) throws IOException {
+    public int number(int tag, String what, int without, int low, int high) throws IOException {
         long[] numbers = longs(tag, what, 1 << 16);
         long value = numbers == null ? without : numbers[0];
         ModelLimits.range(name, what, value, low, high);
@@ -120,7 +124,7 @@ final class TiffFile {
     }
 
     /** Numbers with fractions; null if the tag is missing. */
-    double[] doubles(int tag, String what, int most) throws IOException {
+    public double[] doubles(int tag, String what, int most) throws IOException {
         ByteBuffer in = values(tag, what, most);
         if (in == null) {
             return null;
@@ -137,7 +141,7 @@ final class TiffFile {
     }
 
     /** A text without its end; null if the tag is missing or no text. */
-    String text(int tag, String what, int most) throws IOException {
+    public String text(int tag, String what, int most) throws IOException {
         ByteBuffer in = has(tag) && tags.get(tag).type == ASCII ? values(tag, what, most) : null;
         if (in == null) {
             return null;

@@ -1,4 +1,4 @@
-package org.SEAR.terrain.format;
+package org.SEAR.terrain.tiff;
 
 import java.io.IOException;
 import java.nio.ByteOrder;
@@ -6,32 +6,37 @@ import java.util.Arrays;
 import org.SEAR.project.models.ModelLimits;
 
 /** How the first image of a TIFF is cut into strips or tiles, and the unpacked bytes of each. One thread at a time. */
-final class TiffImage {
+public final class TiffImage {
+    /** Rows and columns, each. */
+    public static final int MAX_SIDE = 1_000_000;
     /** Bytes that are read at once of strips and tiles that aren't packed. */
     private static final int PIECE = 8 << 20;
     private static final int MAX_BLOCKS = 4_000_000;
     /** Bytes of one strip or tile, packed or unpacked. */
-    static final int MAX_BLOCK = 128 << 20;
+    public static final int MAX_BLOCK = 128 << 20;
     /** Bytes that are unpacked of one file, all told: strips that are much wider than the used area take time. */
     private static final long MAX_UNPACKED = 2L << 30;
 
-    final TiffFile file;
-    final int columns;
-    final int rows;
+    /** Its tags. */
+    public final TiffFile file;
+    /** Pixels of a row. */
+    public final int columns;
+    /** How many there are. */
+    public final int rows;
     /** Values of a pixel. */
-    final int samples;
+    public final int samples;
     /** Bytes of a value. */
-    final int sampleBytes;
+    public final int sampleBytes;
     /** 1 unsigned, 2 signed, 3 floating point. */
-    final int sampleFormat;
+    public final int sampleFormat;
     /** Whether strips or tiles hold all values of a pixel, not one. */
-    final boolean together;
+    public final boolean together;
     /** Whether values are big-endian after unpacking. */
-    final boolean bigEndian;
+    public final boolean bigEndian;
     /** Of a strip or tile, columns. */
-    final int blockColumns;
+    public final int blockColumns;
     /** Of a strip or tile, rows. */
-    final int blockRows;
+    public final int blockRows;
     private final boolean tiled;
     private final int blocksAcross;
     private final int blocksDown;
@@ -41,10 +46,11 @@ final class TiffImage {
     private final long[] counts;
     private long unpacked;
 
-    TiffImage(TiffFile file) throws IOException {
+    /** @throws IOException that names what is wrong in the tags */
+    public TiffImage(TiffFile file) throws IOException {
         this.file = file;
-        columns = file.number(256, "ImageWidth", 0, 1, ElevationMap.MAX_SIDE);
-        rows = file.number(257, "ImageLength", 0, 1, ElevationMap.MAX_SIDE);
+        columns = file.number(256, "ImageWidth", 0, 1, MAX_SIDE);
+        rows = file.number(257, "ImageLength", 0, 1, MAX_SIDE);
         samples = file.number(277, "SamplesPerPixel", 1, 1, 64);
         sampleBytes = sampleBytes();
         sampleFormat = sameFor("SampleFormat", 339, 1);
@@ -62,8 +68,8 @@ final class TiffImage {
         }
         bigEndian = predictor == 3 || file.order == ByteOrder.BIG_ENDIAN;
         tiled = file.has(322);
-        blockColumns = tiled ? file.number(322, "TileWidth", 0, 1, ElevationMap.MAX_SIDE) : columns;
-        blockRows = tiled ? file.number(323, "TileLength", 0, 1, ElevationMap.MAX_SIDE) : rowsPerStrip();
+        blockColumns = tiled ? file.number(322, "TileWidth", 0, 1, MAX_SIDE) : columns;
+        blockRows = tiled ? file.number(323, "TileLength", 0, 1, MAX_SIDE) : rowsPerStrip();
         blocksAcross = (columns + blockColumns - 1) / blockColumns;
         blocksDown = (rows + blockRows - 1) / blockRows;
         long blocks = (long) blocksAcross * blocksDown * (together ? 1 : samples);
@@ -112,17 +118,17 @@ final class TiffImage {
     }
 
     /** Values in a row of a strip or tile, side by side. */
-    int samplesTogether() {
+    public int samplesTogether() {
         return together ? samples : 1;
     }
 
     /** Bytes of a row of a strip or tile. */
-    long rowBytes() {
+    public long rowBytes() {
         return (long) blockColumns * samplesTogether() * sampleBytes;
     }
 
     /** How many rows of a strip or tile are best read at once: of what is packed all, because one comes after the other. */
-    int rowsAtOnce() {
+    public int rowsAtOnce() {
         return compression == TiffDecoder.NONE ? (int) Math.max(1, PIECE / rowBytes()) : blockRows;
     }
 
@@ -136,7 +142,7 @@ final class TiffImage {
      * @return null where the file leaves the strip or tile out
      * @throws IOException that names what is broken
      */
-    byte[] unpack(int across, int down, int plane, int from, int count) throws IOException {
+    public byte[] unpack(int across, int down, int plane, int from, int count) throws IOException {
         int block = (plane * blocksDown + down) * blocksAcross + across;
         String what = (tiled ? "tile " : "strip ") + block;
         if (offsets[block] == 0 && counts[block] == 0) {

@@ -1,4 +1,4 @@
-package org.SEAR.terrain.format;
+package org.SEAR.terrain.tiff;
 
 import java.io.Closeable;
 import java.io.IOException;
@@ -17,9 +17,9 @@ import org.SEAR.project.models.ModelLimits;
  */
 public final class MapBytes implements Closeable {
     /** Bytes of a map's file. */
-    static final long MAX_FILE = 4L << 30;
+    public static final long MAX_FILE = 4L << 30;
     /** Bytes of a map that comes with SEAR or is unpacked: it is kept in memory as a whole. */
-    static final int MAX_UNPACKED = 64 << 20;
+    public static final int MAX_UNPACKED = 64 << 20;
 
     private final String name;
     private final FileChannel channel;

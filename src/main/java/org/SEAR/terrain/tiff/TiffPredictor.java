@@ -1,4 +1,4 @@
-package org.SEAR.terrain.format;
+package org.SEAR.terrain.tiff;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

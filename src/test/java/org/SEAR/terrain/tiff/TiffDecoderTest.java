@@ -1,4 +1,4 @@
-package org.SEAR.terrain.format;
+package org.SEAR.terrain.tiff;
 
 import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertThrows;

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.SEAR.project.models.ModelLimits;
 import org.SEAR.terrain.tiff.MapBytes;
 import org.SEAR.terrain.tiff.TiffFile;
@@ -11,17 +13,23 @@ import org.SEAR.terrain.tiff.TiffImage;
 
 /** A TIFF with one value a pixel, which is a height if the file says where on Earth it lies, and a grey otherwise. */
 final class GeoTiff extends ElevationMap {
+    private static final int METADATA = 42112;
     private static final int NO_DATA = 42113;
+    private static final int MOST_METADATA = 16 << 20;
 
     private final TiffImage image;
+    /** Metres in a unit of the values. */
     private final double metres;
+    /** Metres of the value 0. */
+    private final double zero;
     private final double noData;
 
-    private GeoTiff(TiffImage image, Georeference place, double metres, double noData) {
+    private GeoTiff(TiffImage image, Georeference place, double metres, double zero, double noData) {
         super(image.file.name, image.rows, image.columns, place, place != null || image.sampleFormat != 1 ? Double.NaN
             : Math.pow(2, 8 * image.sampleBytes) - 1);
         this.image = image;
         this.metres = metres;
+        this.zero = zero;
         this.noData = noData;
     }
 
@@ -35,7 +43,22 @@ final class GeoTiff extends ElevationMap {
             throw ModelLimits.wrong(file.name, "the size", image.rows + " x " + image.columns, "at least 2 x 2 posts");
         }
         GeoKeys keys = new GeoKeys(file);
-        return new GeoTiff(image, keys.place(), keys.metres(), noData(file));
+        double unit = keys.metres();
+        return new GeoTiff(image, keys.place(), unit * metadata(file, "scale", 1), unit * metadata(file, "offset", 0), noData(file));
+    }
+
+    /** What GDAL says of how values become heights. */
+    private static double metadata(TiffFile file, String role, double without) throws IOException {
+        String text = file.text(METADATA, "GDAL_METADATA", MOST_METADATA);
+        Matcher item = Pattern.compile("<Item [^>]*role=\"" + role + "\"[^>]*>([^<]*)</Item>").matcher(text == null ? "" : text);
+        if (!item.find()) {
+            return without;
+        }
+        try {
+            return Double.parseDouble(item.group(1).trim());
+        } catch (NumberFormatException e) {
+            throw ModelLimits.wrong(file.name, "GDAL's " + role, '"' + item.group(1) + '"', "a number");
+        }
     }
 
     private static double noData(TiffFile file) throws IOException {
@@ -81,7 +104,7 @@ final class GeoTiff extends ElevationMap {
         boolean limited = Double.isNaN(white);
         for (int i = 0; i < count; i++) {
             double value = value(in, (first + i) * image.sampleBytes);
-            double height = value * metres;
+            double height = zero + value * metres;
             boolean none = value == noData || image.sampleFormat == 3 && image.sampleBytes == 4 && (float) value == (float) noData;
             into[at + i] = none || limited && !(Math.abs(height) <= MapLimits.HIGHEST) ? Float.NaN : (float) height;
         }

@@ -90,6 +90,14 @@ public class HostileTiffTest {
     }
 
     @Test
+    public void scaleAndOffsetOfGdal() throws IOException {
+        String metadata = "<GDALMetadata>\n  <Item name=\"OFFSET\" sample=\"0\" role=\"offset\">100</Item>\n"
+            + "  <Item name=\"SCALE\" sample=\"0\" role=\"scale\">0.5</Item>\n</GDALMetadata>";
+        assertEquals(103, read(good().with(42112, metadata).bytes())[5], 1e-6);
+        refused(good().with(42112, metadata.replace("0.5", "half")), "GDAL's scale is \"half\", legal: a number");
+    }
+
+    @Test
     public void pixelsArePointsOrAreas() throws IOException {
         GeoTiff area = GeoTiff.open(MapBytes.of("a.tif", good().bytes()));
         assertEquals(8.0005, area.place.x0, 1e-12);

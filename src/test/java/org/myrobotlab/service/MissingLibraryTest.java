@@ -98,4 +98,9 @@ public class MissingLibraryTest {
     public void withoutGeographicLib() throws Exception {
         assertNamed("GeographicLib", "net/sf/geographiclib");
     }
+
+    @Test
+    public void withoutProj4j() throws Exception {
+        assertNamed("proj4j-1", "org/locationtech/proj4j");
+    }
 }

@@ -4,7 +4,7 @@ package org.myrobotlab.service.sear.run;
 final class LibraryCheck {
     /** One class of each; jMonkeyEngine is not among them, without it there is no window and that is all. */
     private static final String[] CLASSES = {"com.bulletphysics.dynamics.DynamicsWorld", "javax.vecmath.Vector3f", "com.thoughtworks.xstream.XStream",
-        "net.sf.geographiclib.Geodesic"};
+        "net.sf.geographiclib.Geodesic", "org.locationtech.proj4j.CRSFactory"};
 
     private LibraryCheck() {
     }

@@ -94,6 +94,13 @@ write('lambert_france', 'float32', crs='EPSG:2154', affine=Affine(25, 0, 960000,
 write('polar', 'float32', crs='EPSG:3413', affine=Affine(100, 0, -300000, 0, -100, -2200000))
 write('albers_usa', 'int16', crs='EPSG:5070', affine=Affine(30, 0, 1000000, 0, -30, 1500000))
 write('web_mercator', 'float32', crs='EPSG:3857', affine=Affine(40, 0, 880000, 0, -40, 5880000))
+for name, proj in dict(
+        own_albers='+proj=aea +lat_0=23 +lon_0=-95 +lat_1=29 +lat_2=46 +x_0=1000 +y_0=0 +datum=NAD83 +units=m',
+        own_mercator='+proj=tmerc +lat_0=10 +lon_0=-94 +k_0=0.9997 +x_0=300000 +y_0=-1000 +datum=WGS84 +units=m',
+        own_lambert='+proj=lcc +lat_0=30 +lon_0=-97 +lat_1=33 +lat_2=45 +x_0=0 +y_0=5000 +ellps=GRS80 +units=us-ft',
+        own_equal_area='+proj=laea +lat_0=45 +lon_0=-100 +x_0=10 +y_0=20 +datum=WGS84 +units=m').items():
+    (west,), (north,) = transform('EPSG:4326', proj, [-96.0], [40.0])
+    write(name, 'float32', crs=proj, affine=Affine(90, 0, west, 0, -90, north))
 write('south_up', 'int16', affine=Affine(1 / 1200, 0, 7.9, 0, 1 / 1200, 46.5))
 
 rasterio.shutil.copy(plain, f'{FOLDER}/esri.asc', driver='AAIGrid')

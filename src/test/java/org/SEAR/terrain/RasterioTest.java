@@ -26,7 +26,7 @@ import org.junit.rules.TemporaryFolder;
 
 /** Maps that GDAL writes, in many encodings and projections, against what GDAL reads of them. */
 public class RasterioTest {
-    private static final int MAPS = 30;
+    private static final int MAPS = 34;
     private static final long SEED = Long.getLong("sear.fuzzSeed", 1);
 
     @ClassRule

@@ -12,6 +12,7 @@ final class GeoKeys {
     private static final int TIE_POINTS = 33922;
     private static final int TRANSFORMATION = 34264;
     private static final int DIRECTORY = 34735;
+    private static final int PARAMETERS = 34736;
     private static final int MODEL_TYPE = 1024;
     private static final int RASTER_TYPE = 1025;
     private static final int GEOGRAPHIC = 2048;
@@ -29,13 +30,17 @@ final class GeoKeys {
 
     private final TiffFile file;
     private final Map<Integer, Integer> keys = new HashMap<>();
+    private final Map<Integer, Double> values = new HashMap<>();
 
     GeoKeys(TiffFile file) throws IOException {
         this.file = file;
         long[] all = file.longs(DIRECTORY, "the GeoKeyDirectory", 4096);
+        double[] numbers = file.doubles(PARAMETERS, "the GeoDoubleParams", 4096);
         for (int i = 4; all != null && i + 3 < all.length; i += 4) {
             if (all[i + 1] == 0) {
                 keys.put((int) all[i], (int) all[i + 3]);
+            } else if (all[i + 1] == PARAMETERS && numbers != null && all[i + 3] < numbers.length) {
+                values.put((int) all[i], numbers[(int) all[i + 3]]);
             }
         }
     }
@@ -79,6 +84,10 @@ final class GeoKeys {
     private String system() throws IOException {
         int geographic = keys.getOrDefault(GEOGRAPHIC, 0);
         int projected = keys.getOrDefault(PROJECTED, 0);
+        String own = projected == USER_DEFINED ? OwnProjection.of(keys, values) : null;
+        if (own != null) {
+            return own;
+        }
         boolean geocentric = keys.getOrDefault(MODEL_TYPE, 0) == GEOCENTRIC;
         if (geocentric || projected == USER_DEFINED || projected == 0 && geographic == USER_DEFINED) {
             throw ModelLimits.wrong(file.name, "the coordinate system", geocentric ? "geocentric" : "defined by user",

@@ -1,0 +1,62 @@
+package org.SEAR.terrain.format;
+
+import java.util.Map;
+
+/** A projection that a GeoTIFF spells out because it has no EPSG number (OGC GeoTIFF 1.1, annex C), as parameters of PROJ. */
+final class OwnProjection {
+    private static final int METHOD = 3075;
+    private static final int UNITS = 3076;
+    private static final int GEOGRAPHIC = 2048;
+    private static final int DATUM = 2050;
+    private static final int ELLIPSOID = 2056;
+    private static final int USER_DEFINED = 32767;
+    private static final Map<Integer, String> METHODS = Map.of(1, "tmerc", 8, "lcc", 10, "laea", 11, "aea");
+    /** By EPSG number of a geographic system, its datum or its ellipsoid: those that are WGS 84 within a metre or two. */
+    private static final Map<Integer, String> ELLIPSOIDS = Map.of(4326, "WGS84", 4269, "GRS80", 4258, "GRS80", 6318, "GRS80", 6326, "WGS84",
+        6269, "GRS80", 6258, "GRS80", 1116, "GRS80", 7030, "WGS84", 7019, "GRS80");
+    private static final Map<Integer, String> METRES = Map.of(9001, "m", 9002, "ft", 9003, "us-ft");
+    /** What each parameter is called by PROJ, and the keys that may hold it. */
+    private static final Object[][] PARAMETERS = {
+        {"lat_1", 3078}, {"lat_2", 3079}, {"lon_0", 3080, 3084, 3088}, {"lat_0", 3081, 3085, 3089}, {"x_0", 3082, 3086}, {"y_0", 3083, 3087},
+        {"k_0", 3092},
+    };
+
+    private OwnProjection() {
+    }
+
+    /**
+     * What PROJ calls it.
+     *
+     * @param keys numbers of the GeoTIFF's keys
+     * @param values of those keys that are no whole numbers
+     * @return null if it is none of those that are known here
+     */
+    static String of(Map<Integer, Integer> keys, Map<Integer, Double> values) {
+        String method = METHODS.get(keys.getOrDefault(METHOD, 0));
+        String unit = METRES.get(keys.getOrDefault(UNITS, 9001));
+        int number = known(keys, GEOGRAPHIC) ? GEOGRAPHIC : known(keys, DATUM) ? DATUM : ELLIPSOID;
+        String ellipsoid = ELLIPSOIDS.get(keys.getOrDefault(number, 0));
+        if (method == null || unit == null || ellipsoid == null) {
+            return null;
+        }
+        StringBuilder text = new StringBuilder("+proj=").append(method);
+        for (Object[] parameter : PARAMETERS) {
+            for (int i = 1; i < parameter.length; i++) {
+                Double value = values.get(parameter[i]);
+                if (value != null) {
+                    boolean length = parameter[0].equals("x_0") || parameter[0].equals("y_0");
+                    text.append(" +").append(parameter[0]).append('=').append(length ? value * metres(unit) : value);
+                }
+            }
+        }
+        return text.append(" +ellps=").append(ellipsoid).append(" +towgs84=0,0,0 +units=").append(unit).append(" +no_defs").toString();
+    }
+
+    private static boolean known(Map<Integer, Integer> keys, int key) {
+        return keys.containsKey(key) && keys.get(key) != USER_DEFINED;
+    }
+
+    private static double metres(String unit) {
+        return unit.equals("m") ? 1 : unit.equals("ft") ? 0.3048 : 1200 / 3937.0;
+    }
+}

@@ -9,8 +9,8 @@ import java.lang.annotation.Target;
  * Makes a field a parameter of the object grammar. This one line is the source of its XML element (named like the field), its validation, its
  * reading and writing, its row in {@code docs/objects.md}, in {@code sear sensors} and in the tabs. The default is the field's initial value.
  *
- * <p>A field may be a double, an int, a Double, Integer or Boolean (null where nothing is set), a boolean, a String, a class whose fields are parameters in
- * turn, or a {@code List} of one of those.
+ * <p>A field may be a double, an int, a Double, Integer or Boolean (null where nothing is set), a boolean, a String, a class whose fields are
+ * parameters in turn, or a {@code List} of one of those.
  */
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.FIELD)

@@ -20,9 +20,10 @@ public class SEARrobot extends PlacedObject {
     /** Most wheels of a robot. */
     private static final int MAX_WHEELS = 100;
     private static final double MAX_ORDER = 1e9;
-    /** A robot that is not turned looks east. */
-    private static final double QUARTER_TURN = 90;
 
+    @Param(doc = "degrees clockwise from north in which it looks where it was placed on the ground; without it its rotation and its Dynamics' count",
+        unit = "deg", min = -TURNS, max = TURNS)
+    private Double placeHeading;
     @Param(doc = "its place in the order in which the project's robots were made; robots without come first, by name", min = 1, max = MAX_ORDER)
     private Integer order;
     @Param(doc = "name of a component, whose file lies beside this one; ROBOT/NAME, with this robot's name, for one in the folder robot/ROBOT/,"
@@ -53,35 +54,56 @@ public class SEARrobot extends PlacedObject {
         return " can't be a component, legal: a shape, a model, a sensor, dynamics";
     }
 
+    /** Degrees clockwise from north in which it looks where it was placed; null if its rotation and its Dynamics' say that. */
+    public Double getPlaceHeading() {
+        return placeHeading;
+    }
+
     /**
-     * Puts it on the ground at a place on the Earth, and turns it.
+     * Puts it on the ground at a place on the Earth, looking into a direction, wherever its Dynamics is.
      *
      * @param latitude degrees, north positive
      * @param longitude degrees, east positive
      * @param heading degrees clockwise from north
      */
     public void place(double latitude, double longitude, double heading) {
-        double turn = headed(heading);
+        double checkedHeading = checked("placeHeading", heading);
         place(latitude, longitude);
-        rotate(0, turn, 0);
+        placeHeading = checkedHeading;
+        changed();
     }
 
     /**
-     * Puts it on the ground at a point of the world, and turns it.
+     * Puts it on the ground at a point of the world, looking into a direction, wherever its Dynamics is.
      *
      * @param northX metres north of the world's origin
      * @param eastZ metres east of it
      * @param heading degrees clockwise from north
      */
     public void placeAt(double northX, double eastZ, double heading) {
-        double turn = headed(heading);
+        double checkedHeading = checked("placeHeading", heading);
         placeAt(northX, eastZ);
-        rotate(0, turn, 0);
+        placeHeading = checkedHeading;
+        changed();
     }
 
-    /** The rotation about y with which a robot, whose z is forward, has a heading. */
-    private double headed(double heading) {
-        return checked("ry", QUARTER_TURN - heading);
+    @Override
+    public void move(double newX, double newY, double newZ) {
+        super.move(newX, newY, newZ);
+        turnAsWritten();
+    }
+
+    @Override
+    public void rotate(double newRx, double newRy, double newRz) {
+        super.rotate(newRx, newRy, newRz);
+        turnAsWritten();
+    }
+
+    private void turnAsWritten() {
+        if (placeHeading != null) {
+            placeHeading = null;
+            changed();
+        }
     }
 
     /**

@@ -10,7 +10,8 @@ import java.util.ServiceLoader;
  * The ground of the world from an elevation map: SRTM, GeoTIFF, ESRI ASCII grid, or a picture whose grey is the height. The middle of its area is the
  * world's origin, at height 0, and what GPS and compass count from. It is fixed where it is, and a project has one at most.
  */
-@Described("the ground from an elevation map; the middle of its area is the world's origin, so it is neither moved, turned nor scaled, and has no mass")
+@Described("the ground from an elevation map; the middle of its area is the world's origin, so it is neither moved, turned nor scaled, and has no"
+    + " mass")
 public class Terrain extends Shape {
     /** Largest extent of an area, metres: things can be no farther than half of it from the origin. */
     static final double LARGEST = 2 * FAR;

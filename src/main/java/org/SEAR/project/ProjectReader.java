@@ -145,7 +145,7 @@ final class ProjectReader {
             problems.add(parsed.file, parsed.line(element), element, Parameter.format(value), legal));
     }
 
-    /** What may stand in a folder: in environment what has a place of its own, in robot everything but floors and terrains, in a robot's own no robots. */
+    /** What may stand in a folder: in environment what has a place of its own, in robot all but floors and terrains, in a robot's own no robots. */
     private Map<String, Class<? extends SearObject>> roots(String name) {
         Map<String, Class<? extends SearObject>> roots = new TreeMap<>();
         for (Class<? extends SearObject> type : classes.all()) {

@@ -10,7 +10,7 @@ import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.project.models.Assets;
 import org.SEAR.terrain.Ground;
 
-/** Heights of the terrain of the present project. What was loaded last is kept while memory lasts, because scripts ask again and again. Any thread. */
+/** Heights of the present project's terrain. What was loaded last is kept while memory lasts, because scripts ask again and again. Any thread. */
 public final class TerrainHeights implements GroundHeights {
     private SoftReference<Ground> last = new SoftReference<>(null);
 
@@ -19,8 +19,8 @@ public final class TerrainHeights implements GroundHeights {
         Ground ground = TerrainGround.load(terrain, new Assets(ProjectFolder.present().resolve(ProjectFolder.ASSETS)));
         keep(ground);
         if (ground.origin == null) {
-            throw new IllegalArgumentException(terrain + " has no place on Earth, so it has no heights by latitude and longitude, legal: a map that says"
-                + " where it lies; sear.getGroundHeight(x, z) works for every map");
+            throw new IllegalArgumentException(terrain + " has no place on Earth, so it has no heights by latitude and longitude, legal: a map that"
+                + " says where it lies; sear.getGroundHeight(x, z) works for every map");
         }
         double height = ground.height(latitude, longitude);
         if (Double.isNaN(height)) {

@@ -11,8 +11,8 @@ import org.SEAR.geometry.Pose;
  * Place and motion of the antenna on WGS84.
  *
  * <p>Latitude and longitude are the end of the geodesic from the object's reference point, or else the terrain's, to (x north, z east) of the world
- * ({@link GeoOrigin}), altitude = reference altitude + y. Speed is that of the antenna over ground; the course is counted from true north where the robot is. The time is
- * the simulation's. Errors are metres in the world: to the north, up, and to the east.
+ * ({@link GeoOrigin}), altitude = reference altitude + y. Speed is that of the antenna over ground; the course is counted from true north where the
+ * robot is. The time is the simulation's. Errors are metres in the world: to the north, up, and to the east.
  */
 public final class GpsSensor extends Sensor<GpsFix> {
     /** Slower than this is standing: no course. */

@@ -1,8 +1,10 @@
 package org.SEAR.simulator;
 
 import java.util.Locale;
+import java.util.function.UnaryOperator;
 import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.PlacedObject;
+import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
@@ -16,6 +18,9 @@ final class GroundPlaces {
     /** Half of the distance over which the slope below a robot is measured, if its wheels don't say, metres. */
     private static final double HALF_BASE = 0.1;
 
+    /** Heading of what is not turned, degrees. */
+    private static final double EAST = 90;
+
     private final GeoOrigin origin;
     private final Scenes scenes;
     private final ProblemList problems = new ProblemList();
@@ -28,7 +33,10 @@ final class GroundPlaces {
 
     /** A thing of the environment, which keeps its rotation. */
     void setDown(PlacedObject object, Body body) {
-        setDown(object, body, new double[0][], "environment/");
+        if (object.isOnGround()) {
+            Pose written = body.getPose();
+            setDown(object, body, pose -> new Pose(pose.x, 0, pose.z, written.qx, written.qy, written.qz, written.qw), new double[0][], "environment/");
+        }
     }
 
     /**
@@ -36,14 +44,15 @@ final class GroundPlaces {
      *
      * @param feet where its wheels touch, in the body frame
      */
-    void setDownRobot(PlacedObject robot, Body body, double[][] feet) {
-        setDown(robot, body, feet, "robot/");
+    void setDownRobot(SEARrobot robot, Body body, double[][] feet) {
+        if (robot.isOnGround()) {
+            Pose written = robot.getPlaceHeading() == null ? body.getPose() : Pose.ofDegrees(0, 0, 0, 0, EAST - robot.getPlaceHeading(), 0);
+            setDown(robot, body, pose -> alongSlope(new Pose(pose.x, 0, pose.z, written.qx, written.qy, written.qz, written.qw), feet), feet, "robot/");
+        }
     }
 
-    private void setDown(PlacedObject object, Body body, double[][] feet, String folder) {
-        if (!object.isOnGround()) {
-            return;
-        }
+    /** @param turn turns a pose that has the right place */
+    private void setDown(PlacedObject object, Body body, UnaryOperator<Pose> turn, double[][] feet, String folder) {
         String file = folder + object.getFileName() + ".xml";
         if (object.hasPlaceOnEarth() && origin == null) {
             problems.add(file, 0, "placeLatitude", Parameter.format(object.getPlaceLatitude()), "a place on Earth only where there is a Terrain whose"
@@ -52,10 +61,7 @@ final class GroundPlaces {
         }
         double[] point = object.hasPlaceOnEarth() ? origin.to(object.getPlaceLatitude(), object.getPlaceLongitude())
             : new double[] {object.getX(), object.getZ()};
-        Pose written = body.getPose();
-        Pose pose = new Pose(written.x - object.getX() + point[0], 0, written.z - object.getZ() + point[1], written.qx, written.qy, written.qz,
-            written.qw);
-        if (!StartPoses.stand(body, feet.length > 0 ? alongSlope(pose, feet) : pose, feet, scenes)) {
+        if (!StartPoses.stand(body, turn.apply(new Pose(point[0], 0, point[1], 0, 0, 0, 1)), feet, scenes)) {
             problems.add(file, 0, object.hasPlaceOnEarth() ? "placeLatitude, placeLongitude" : "x, z", where(object, point),
                 "a place with ground: on the terrain, a floor, or a model that is the terrain");
         }

@@ -272,8 +272,8 @@ public final class Simulation implements AutoCloseable {
 
     private static double found(double height, double x, double z) {
         if (Double.isNaN(height)) {
-            throw new IllegalArgumentException("there is no ground at x " + x + ", z " + z + ", legal: a point of the terrain, a floor or a model that"
-                + " is the terrain");
+            throw new IllegalArgumentException("there is no ground at x " + x + ", z " + z + ", legal: a point of the terrain, a floor or a model"
+                + " that is the terrain");
         }
         return height;
     }

@@ -7,6 +7,7 @@ import static org.junit.Assert.assertTrue;
 import java.util.Locale;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Cone;
+import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
@@ -66,6 +67,11 @@ public class GroundPlacesTest {
     public void aRobotStandsOnItsWheelsAlongTheSlopeAndAtRest() throws Exception {
         slope();
         SEARrobot robot = Worlds.cart("cart", 20, 0.1, 0.25, new double[] {0.2, -0.2}, 0, 0, 0, 0);
+        robot.getComponents().stream().filter(part -> part instanceof Dynamics).forEach(part -> {
+            part.move(7, 8, 9);
+            part.rotate(0, 70, 0);
+        });
+        robot.rotate(0, 20, 0);
         robot.placeAt(4, 3, 90);
         try (Simulation simulation = Worlds.start(project)) {
             assertEquals(simulation.snapshot().warnings.toString(), 0, simulation.snapshot().warnings.size());
@@ -78,6 +84,21 @@ public class GroundPlacesTest {
             Pose after = simulation.getPose("cart");
             assertEquals("it neither falls nor jumps", before.y, after.y, 0.02);
         }
+    }
+
+    @Test
+    public void aRobotKeepsItsHeadingUnlessAnotherIsGiven() throws Exception {
+        new Floor("floor", 20, 20);
+        SEARrobot robot = Worlds.cart("cart", 20, 0.1, 0.25, new double[] {0.2, -0.2}, 0, 0, 0, 30);
+        robot.placeAt(4, 3, -45);
+        assertEquals(Math.sin(Math.toRadians(-45)), start("cart").rotate(0, 0, 1)[2], FINE);
+        robot.placeAt(5, 6);
+        assertEquals(Math.sin(Math.toRadians(-45)), start("cart").rotate(0, 0, 1)[2], FINE);
+        robot.rotate(0, 0, 0);
+        assertEquals("as its Dynamics has it", Math.cos(Math.toRadians(30)), start("cart").rotate(0, 0, 1)[2], FINE);
+        assertEquals(5, start("cart").x, 0);
+        robot.move(1, 0, 1);
+        assertEquals(1, start("cart").x, FINE);
     }
 
     @Test

@@ -1,14 +1,16 @@
 package org.SEAR.simulator;
 
-import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.List;
 import javax.imageio.ImageIO;
 import net.sf.geographiclib.Geodesic;
@@ -17,6 +19,7 @@ import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Terrain;
+import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
@@ -30,8 +33,6 @@ public class TerrainPlacesTest {
     private static final double SUMMIT_LATITUDE = 36.485;
     private static final double SUMMIT_LONGITUDE = -84.2308333;
     private static final double SUMMIT = 1076;
-    /** Latitude, longitude and height of probes of the map between its posts, as GDAL reads them. */
-    private static final double[][] PROBES = {{36.6525842, -84.1785993, 528.527}, {36.542935, -84.2452251, 553.514}, {36.5634241, -84.3513459, 458.75}};
 
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -63,25 +64,40 @@ public class TerrainPlacesTest {
     }
 
     @Test
-    public void boxesStandAtTheProbesHeights() throws Exception {
-        for (double[] probe : PROBES) {
-            Terrain terrain = around(probe[0], probe[1]);
-            assertEquals(probe[2], terrain.getHeight(probe[0], probe[1]), 0.5);
-            Box box = new Box("box", 0.01, 0.01, 0.01);
-            box.place(probe[0], probe[1]);
-            Box beside = new Box("beside", 0.01, 0.01, 0.01);
-            beside.place(probe[0] + 0.002, probe[1] - 0.002);
-            try (Simulation simulation = Worlds.start(project)) {
-                assertEquals(List.of(), simulation.snapshot().warnings);
-                Pose pose = simulation.getPose("box");
-                assertArrayEquals(new double[] {0, 0}, new double[] {pose.x, pose.z}, 0.01);
-                assertEquals("the origin is the area's middle, at height 0", 0.005, pose.y, 0.01);
-                Pose other = simulation.getPose("beside");
-                assertEquals(terrain.getHeight(probe[0] + 0.002, probe[1] - 0.002) - terrain.getHeight(probe[0], probe[1]), other.y - 0.005, 0.02);
-                assertEquals(other.y - 0.005, simulation.getGroundHeight(other.x, other.z), 0.01);
-                assertEquals(simulation.getGroundHeight(other.x, other.z), Simulation.groundHeight(Project.read(project.folder()), other.x, other.z),
-                    1e-6);
+    public void boxesStandAtAllProbesHeights() throws Exception {
+        Terrain terrain = new Terrain("jacksboro", "terrain/jacksboro.tif");
+        JsonNode probes = new ObjectMapper().readTree(Paths.get(System.getProperty("sear.root", "."),
+            "src/test/resources/org/SEAR/terrain/probes.json").toFile()).get("probes");
+        assertEquals(24, probes.size());
+        for (int i = 0; i < probes.size(); i++) {
+            double latitude = probes.get(i).get("latitude").asDouble();
+            double longitude = probes.get(i).get("longitude").asDouble();
+            assertEquals(probes.get(i).get("elevation_wgs84_grid").asDouble(), terrain.getHeight(latitude, longitude), 0.5);
+            new Box("box" + i, 0.01, 0.01, 0.01).place(latitude, longitude);
+        }
+        Project read = Project.read(project.folder());
+        try (Simulation simulation = Simulation.of(read, 1)) {
+            assertEquals(List.of(), simulation.snapshot().warnings);
+            for (int i = 0; i < probes.size(); i++) {
+                Pose pose = simulation.getPose("box" + i);
+                GeoOrigin.GeoPoint place = read.getOrigin().at(pose.x, pose.y - 0.005, pose.z);
+                assertEquals(probes.get(i).get("latitude").asDouble(), place.latitude, 1e-8);
+                assertEquals(probes.get(i).get("longitude").asDouble(), place.longitude, 1e-8);
+                assertEquals(probes.get(i).get("elevation_wgs84_grid").asDouble(), place.altitude, 0.5);
+                assertEquals(pose.y - 0.005, simulation.getGroundHeight(pose.x, pose.z), 0.01);
             }
+        }
+        double[] point = read.getOrigin().to(SUMMIT_LATITUDE, SUMMIT_LONGITUDE);
+        assertEquals("before the start, too", SUMMIT, read.getOrigin().getAltitude() + Simulation.groundHeight(read, point[0], point[1]), 0.5);
+    }
+
+    @Test
+    public void whatWasFilledInIsTold() throws Exception {
+        project.put("assets/holes.asc", "ncols 3\nnrows 3\nxllcenter -84.2\nyllcenter 36.4\ncellsize 0.001\nNODATA_value -1\n5 5 5\n5 5 -1\n5 5 5\n");
+        new Terrain("holes", "holes.asc");
+        try (Simulation simulation = Worlds.start(project)) {
+            String told = simulation.snapshot().warnings.toString();
+            assertTrue(told, told.contains("holes.asc: ") && told.contains("of the area have no data, and are filled in from around"));
         }
     }
 
@@ -91,8 +107,8 @@ public class TerrainPlacesTest {
         rover(new GPS("gps", 33.61, 182.5, -80.865)).placeAt(0, 0);
         try (Simulation simulation = Worlds.start(project)) {
             String told = simulation.snapshot().warnings.toString();
-            assertTrue(told, told.contains("gps gps has the world's centre at latitude 33.6100000, longitude -80.8650000, altitude 182.5 m, but the terrain"
-                + " has it at latitude 36.4850000, longitude -84.2308333, altitude 107"));
+            assertTrue(told, told.contains("gps gps has the world's centre at latitude 33.6100000, longitude -80.8650000, altitude 182.5 m, but"
+                + " the terrain has it at latitude 36.4850000, longitude -84.2308333, altitude 107"));
             simulation.step();
             assertEquals(33.61, ((GpsFix) simulation.read("gps")).getLatitude(), 1e-5);
         }
@@ -116,11 +132,11 @@ public class TerrainPlacesTest {
     public void beyondTheAreaThereIsNothing() throws Exception {
         Terrain terrain = around(SUMMIT_LATITUDE, SUMMIT_LONGITUDE);
         String told = assertThrows(IllegalArgumentException.class, () -> terrain.getHeight(36.5, SUMMIT_LONGITUDE)).getMessage();
-        assertTrue(told, told.startsWith("Terrain \"jacksboro\" has no ground at latitude 36.5, longitude -84.2308333, legal: latitude 36.4804 to 36.489"));
+        assertTrue(told, told.startsWith("Terrain \"jacksboro\" has no ground at latitude 36.5, longitude -84.2308333, legal: latitude 36.480"));
         new Box("box", 1, 1, 1).place(36.5, SUMMIT_LONGITUDE);
         String problem = assertThrows(ProjectException.class, () -> Worlds.start(project)).getMessage();
-        assertTrue(problem, problem.contains("environment/box.xml: placeLatitude, placeLongitude is \"36.5, -84.2308333 (1665 m north and 0 m east of the"
-            + " origin)\", legal: a place with ground"));
+        assertTrue(problem, problem.contains("environment/box.xml: placeLatitude, placeLongitude is \"36.5, -84.2308333 (1665 m north and 0 m east of"
+            + " the origin)\", legal: a place with ground"));
     }
 
     @Test

@@ -38,8 +38,8 @@ public final class Bundle {
     }
 
     /**
-     * Saves a project as {@link #save(Path, Path, Progress)} does, but of the terrain's maps only the area that is used, in one map. The project stays
-     * as it is.
+     * Saves a project as {@link #save(Path, Path, Progress)} does, but of the terrain's maps only the area that is used, in one map. The project
+     * stays as it is.
      *
      * @return whether there was anything to cut: a Terrain with an area, of maps whose coordinate system has a number
      */

@@ -8,9 +8,10 @@ import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.Hit;
 
 /**
- * The worlds of the benchmark: a walled square with rotated boxes of 0.25 to 1 m, or hills of triangles or heights, and 100 poses of a LIDAR in it. The
- * same name gives the same world. {@code room-N} is 10 m x 10 m whatever N is, {@code hall-N} grows so that 20 boxes stand on 100 m^2, {@code hills-N}
- * has N triangles or a few more on 20 m x 20 m, {@code field-N} is a height field of about N posts that grows so that 100 000 stand on 20 m x 20 m.
+ * The worlds of the benchmark: a walled square with rotated boxes of 0.25 to 1 m, or hills of triangles or heights, and 100 poses of a LIDAR in it.
+ * The same name gives the same world. {@code room-N} is 10 m x 10 m whatever N is, {@code hall-N} grows so that 20 boxes stand on 100 m^2,
+ * {@code hills-N} has N triangles or a few more on 20 m x 20 m, {@code field-N} is a height field of about N posts that grows so that 100 000 stand
+ * on 20 m x 20 m.
  */
 public final class BeamWorld {
     static final int BEAMS = 361;

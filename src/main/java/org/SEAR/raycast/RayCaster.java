@@ -1,5 +1,6 @@
 package org.SEAR.raycast;
 
+import org.SEAR.geometry.HeightField;
 import org.SEAR.raycast.solid.RayBox;
 import org.SEAR.raycast.solid.RayHeights;
 import org.SEAR.raycast.solid.RayTriangle;
@@ -74,10 +75,17 @@ final class RayCaster {
             case Shapes.CONVEX:
                 return shapes.solid[shape].meet(px, py, pz, vx, vy, vz);
             case Shapes.HEIGHTS:
-                return heights.meet(shapes.heights[shape], px, py, pz, vx, vy, vz, limit);
+                return heights(shapes.heights[shape], px, py, pz, vx, vy, vz, limit);
             default:
                 return mesh(shapes.mesh[shape], px / a, py / b, pz / c, vx / a, vy / b, vz / c, limit);
         }
+    }
+
+    private double heights(HeightField field, double ox, double oy, double oz, double dx, double dy, double dz, double maxRange) {
+        long before = heights.triangles;
+        double t = heights.meet(field, ox, oy, oz, dx, dy, dz, maxRange);
+        triangles += heights.triangles - before;
+        return t;
     }
 
     private double mesh(Mesh mesh, double ox, double oy, double oz, double dx, double dy, double dz, double maxRange) {

@@ -207,4 +207,38 @@ public class HeightBeamsTest {
         }
         assertTrue(least + " bytes for 200 fans and 800 beams", least < 1000);
     }
+
+    @Test
+    public void aFanAndABeamLookAtFewBlocksAndTriangles() {
+        float[] heights = new float[317 * 317];
+        for (int i = 0; i < heights.length; i++) {
+            heights[i] = (float) (Math.sin(i / 317 * 0.08) * Math.cos(i % 317 * 0.06) + 0.3 * Math.sin(i / 317 * 0.21 + i % 317 * 0.17));
+        }
+        field = new HeightField(317, 317, -10, -10, 0.0633, 0.0633, heights);
+        BeamScene scene = new BeamScene();
+        scene.addHeights(field, BeamScene.WORLD);
+        scene.commit();
+        RayCaster work = BeamScene.casters().rays;
+        double[] ranges = new double[BEAMS];
+        long nodes = work.nodes();
+        long triangles = work.triangles;
+        for (int i = 0; i < 100; i++) {
+            double x = between(-5, 5);
+            double z = between(-5, 5);
+            scene.castFan(Pose.ofDegrees(x, field.height(x, z) + 0.3, z, 0, between(-180, 180), 0), -Math.PI / 2, Math.PI / 360, BEAMS, 8,
+                BeamScene.WORLD, ranges, null);
+        }
+        String fan = (work.nodes() - nodes) / 100 + " blocks and " + (work.triangles - triangles) / 100 + " triangles a fan";
+        assertTrue(fan, work.nodes() - nodes < 100 * 300 && work.triangles - triangles < 100 * 400);
+        nodes = work.nodes();
+        triangles = work.triangles;
+        for (int i = 0; i < 1000; i++) {
+            double x = between(-5, 5);
+            double z = between(-5, 5);
+            double angle = between(-Math.PI, Math.PI);
+            scene.cast(x, field.height(x, z) + 0.3, z, Math.sin(angle), 0, Math.cos(angle), 8, BeamScene.WORLD, null);
+        }
+        String beam = (work.nodes() - nodes) / 1000.0 + " blocks and " + (work.triangles - triangles) / 1000.0 + " triangles a beam";
+        assertTrue(beam, work.nodes() - nodes < 1000 * 30 && work.triangles - triangles < 1000 * 8);
+    }
 }

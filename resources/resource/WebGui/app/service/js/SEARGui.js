@@ -1,5 +1,5 @@
 // Panel of the SEAR service: project, run control, a view from above, driving, the world as a tree, the sensors as a live table.
-// First geometry and drawing, as functions of what they are given, then the controller; one file, because MyRobotLab loads one for each panel.
+// First geometry and drawing, as functions of what they are given, then the controller. MyRobotLab loads this file; it loads SEARTerrain.js itself.
 (function() {
     // ---- geometry --------------------------------------------------------------------------------------------------------------------------
     /** A pose [x, y, z, rx, ry, rz] in metres and degrees as [x, y, z, qx, qy, qz, qw], the rotation as jME's Quaternion.fromAngles. */
@@ -84,8 +84,8 @@
     /** Of an object of the environment, made anew only when that has moved. */
     function shapeOf(object) {
         if (!object.$shape || object.$shape.pose !== object.pose) {
-            var ground = object.type === 'Floor' || object.terrain
-            object.$shape = {color: colorOf(object, ground ? GROUND : object.color), ground: ground, robot: false, pose: object.pose,
+            var ground = object.type === 'Floor' || object.type === 'Terrain' || object.terrain
+            object.$shape = {color: object.ground ? 'transparent' : colorOf(object, ground ? GROUND : object.color), ground: ground, robot: false, pose: object.pose,
                 outline: outline(object, frame(object.pose))}
         }
         return object.$shape
@@ -133,6 +133,7 @@
     var GROUND = 'rgba(128, 128, 128, 0.12)'
     var ROBOT = 'rgba(51, 122, 183, 0.55)'
     var PATH = '#337ab7'
+    var SMALLEST_ROBOT = 4      // pixels: one that looks smaller is a dot
 
     /** A function from metres on the ground to pixels of a canvas. */
     function projection(element, view) {
@@ -143,8 +144,8 @@
         }
     }
 
-    /** @param world may be null @param beams whether to draw what the sensors see */
-    function drawWorld(element, view, world, shapes, beams) {
+    /** @param world may be null @param terrain null without one @param beams whether to draw what the sensors see */
+    function drawWorld(element, view, world, terrain, shapes, beams) {
         var ratio = window.devicePixelRatio || 1
         element.width = element.clientWidth * ratio
         element.height = element.clientHeight * ratio
@@ -152,6 +153,9 @@
         pen.scale(ratio, ratio)
         var at = projection(element, view)
         var ink = window.getComputedStyle(element).color
+        if (terrain) {
+            terrain.draw(pen, at, areaOf(element, view), view.scale, isLight(ink))
+        }
         drawGrid(pen, at, ink, element, view)
         if (!world) {
             return
@@ -176,6 +180,19 @@
         })
     }
 
+    /** What a canvas shows: its ends in metres. */
+    function areaOf(element, view) {
+        var up = element.clientHeight / 2 / view.scale
+        var across = element.clientWidth / 2 / view.scale
+        return {south: view.x - up, north: view.x + up, west: view.z - across, east: view.z + across}
+    }
+
+    /** Whether a colour as the browser says it is light: then the theme is dark. */
+    function isLight(color) {
+        var parts = (color.match(/[\d.]+/g) || [0, 0, 0]).map(Number)
+        return parts[0] + parts[1] + parts[2] > 384
+    }
+
     /** Makes points, in pixels, the present path. */
     function trace(pen, points) {
         pen.beginPath()
@@ -187,7 +204,7 @@
     function drawGrid(pen, at, ink, element, view) {
         var step = 1
         while (step * view.scale < 40) {
-            step *= 5
+            step *= String(step).charAt(0) === '2' ? 2.5 : 2      // 1, 2, 5, 10, ..
         }
         var across = element.clientWidth / 2 / view.scale
         var up = element.clientHeight / 2 / view.scale
@@ -282,7 +299,14 @@
     function drawHeading(pen, at, ink, robot) {
         var ahead = onGround(frame(robot.pose), [0, 0, 0.3])
         var from = at(robot.pose[0], robot.pose[2])
-        trace(pen, [from, at(ahead[0], ahead[1])])
+        var end = at(ahead[0], ahead[1])
+        if (Math.abs(end.x - from.x) + Math.abs(end.y - from.y) < SMALLEST_ROBOT) {
+            pen.beginPath()
+            pen.arc(from.x, from.y, SMALLEST_ROBOT, 0, 2 * Math.PI)
+            pen.fillStyle = PATH
+            pen.fill()
+        }
+        trace(pen, [from, end])
         pen.strokeStyle = ink
         pen.lineWidth = 2
         pen.stroke()
@@ -370,8 +394,8 @@
     var PATIENCE_MILLIS = 10000 // an answer that takes longer is asked for again
     var WAIT_MILLIS = 1500         // so long time stands still in lock-step before the page says so
     var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'getProblems', 'getExamples',
-        'getExampleScripts', 'getBundle', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate', 'startSimulation',
-        'stopSimulation']
+        'getExampleScripts', 'getBundle', 'getTerrain', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate',
+        'startSimulation', 'stopSimulation']
 
     angular.module('mrlapp.service.SEARGui', []).controller('SEARGuiCtrl', ['$scope', '$timeout', '$interval', 'mrl', SEARGuiCtrl])
 
@@ -408,6 +432,7 @@
             onProblems: onProblems,
             onStatus: onStatus,
             onBundle: onBundle,
+            onTerrain: onTerrain,
             onExamples: function(paths) {
                 $scope.examples = paths || []
             },
@@ -833,7 +858,7 @@
             return projection(canvas(), $scope.view)(x, z)
         }
         $scope.zoom = function(factor) {
-            $scope.view.scale = Math.min(2000, Math.max(0.5, $scope.view.scale * factor))
+            $scope.view.scale = Math.min(2000, Math.max(0.002, $scope.view.scale * factor))
             $scope.view.chosen = true
             repaint()
         }
@@ -900,7 +925,58 @@
                 view.x = followed.pose[0]
                 view.z = followed.pose[2]
             }
-            drawWorld(element, view, world, shapes, $scope.form.beams)
+            drawWorld(element, view, world, terrainOf(world), shapes, $scope.form.beams)
+        }
+
+        // ---- the ground --------------------------------------------------------------------------------------------------------------------
+        var terrain = null          // what the service has sent last, ready for use
+        var awaited = {}            // which has been asked for, and when
+        $scope.pointed = ''         // what is under the pointer
+        $scope.terrain = function() {
+            return terrain
+        }
+        /** The ground of a world, which is asked for when it is first seen; null if there is none or it has not come yet. */
+        function terrainOf(world) {
+            var stamps = world ? world.objects.map(function(object) {
+                return object.ground
+            }).filter(Boolean) : []
+            if (!stamps.length || !window.SEARTerrain) {
+                return null
+            }
+            if (terrain && terrain.sent.stamp === stamps[0]) {
+                return terrain
+            }
+            if (awaited.stamp !== stamps[0] || Date.now() - awaited.since > PATIENCE_MILLIS) {
+                awaited = {stamp: stamps[0], since: Date.now()}
+                msg.send('getTerrain')
+            }
+            return null
+        }
+        /** Each page gets the answers to all pages. */
+        function onTerrain(sent) {
+            if (sent && sent.stamp && sent.stamp === awaited.stamp && !(terrain && terrain.sent.stamp === sent.stamp)) {
+                terrain = new window.SEARTerrain.Terrain(sent, repaint)
+                repaint()
+            }
+        }
+        function point(element, event) {
+            var box = element.getBoundingClientRect()
+            var view = $scope.view
+            var ground = terrainOf($scope.world())
+            var words = ground ? ground.words(view.x - (event.clientY - box.top - element.clientHeight / 2) / view.scale,
+                view.z + (event.clientX - box.left - element.clientWidth / 2) / view.scale) : ''
+            if (words !== $scope.pointed) {
+                $scope.pointed = words
+                $scope.$applyAsync()
+            }
+        }
+        function loadTerrain() {
+            if (!window.SEARTerrain) {
+                var script = document.createElement('script')
+                script.src = 'service/js/SEARTerrain.js'
+                script.onload = repaint
+                document.head.appendChild(script)
+            }
         }
 
         // ---- what the page itself tells ----------------------------------------------------------------------------------------------------
@@ -930,6 +1006,7 @@
                     $scope.view.chosen = true
                     repaint()
                 }
+                point(element, event)
             })
         }
         function listenToFiles() {
@@ -947,6 +1024,7 @@
             })
         }
 
+        loadTerrain()
         var theme = window.matchMedia('(prefers-color-scheme: dark)')
         var looks = $interval(look, LOOK_MILLIS, 0, false)
         first = $timeout(listen)

@@ -13,16 +13,19 @@ public final class Ground {
     public final GeoOrigin origin;
     /** What y = 0 is in the map, metres, for maps of the Earth above the geoid. */
     public final double altitude;
+    /** Metres from post to post of the map, of which the field may have several between: below it the heights tell nothing. */
+    public final double spacing;
     /** What the user should know, such as how much was filled in; mostly empty. */
     public final List<String> warnings;
 
     private final MapHeights map;
 
-    Ground(HeightField field, GeoOrigin origin, double altitude, MapHeights map, List<String> warnings) {
+    Ground(HeightField field, GeoOrigin origin, double altitude, double spacing, MapHeights map, List<String> warnings) {
         this.field = field;
         this.map = map;
         this.origin = origin;
         this.altitude = altitude;
+        this.spacing = spacing;
         this.warnings = Collections.unmodifiableList(warnings);
     }
 

@@ -55,7 +55,7 @@ final class GroundBuilder {
         Made made = make(plane, size);
         double altitude = lower(made.field, 1);
         return new Ground(made.field, new GeoOrigin(level.getLatitude(), altitude, level.getLongitude()), altitude,
-            new MapHeights(made.raster, mosaic.place, system, middleX), warnings);
+            made.spacing, new MapHeights(made.raster, mosaic.place, system, middleX), warnings);
     }
 
     /** Makes the field's height at the origin 0; returns what it was. */
@@ -82,12 +82,12 @@ final class GroundBuilder {
             mosaic.place.y((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0), unitsX / metres[1], unitsY / metres[0]);
         Made made = make(plane, metres);
         if (size == null) {
-            return new Ground(made.field, null, lower(made.field, 1), null, warnings);
+            return new Ground(made.field, null, lower(made.field, 1), made.spacing, null, warnings);
         }
         double[] range = mosaic.first().white > 0 ? new double[] {0, mosaic.first().white} : made.raster.range();
         double factor = range[1] > range[0] ? (size.highest - size.lowest) / (range[1] - range[0]) : 0;
         double middle = lower(made.field, factor);
-        return new Ground(made.field, null, size.lowest + (middle - range[0]) * factor, null, warnings);
+        return new Ground(made.field, null, size.lowest + (middle - range[0]) * factor, made.spacing, null, warnings);
     }
 
     private Made make(MapPlane plane, double[] size) throws IOException {
@@ -108,7 +108,7 @@ final class GroundBuilder {
         MapRaster raster = read(box);
         FieldSampler sampler = new FieldSampler(file, grid, PlaneLattice.of(grid, plane, metres[1], metres[0]), raster);
         sampler.fillGaps(warnings);
-        return new Made(sampler.field(), raster);
+        return new Made(sampler.field(), raster, Math.max(metres[0], metres[1]));
     }
 
     /** At the origin: metres from post to post of the map, going north and going east, and how far north and east the map's first post is by them. */
@@ -144,9 +144,11 @@ final class GroundBuilder {
     private static final class Made {
         final HeightField field;
         final MapRaster raster;
+        final double spacing;
 
-        Made(HeightField field, MapRaster raster) {
+        Made(HeightField field, MapRaster raster, double spacing) {
             this.field = field;
+            this.spacing = spacing;
             this.raster = raster;
         }
     }

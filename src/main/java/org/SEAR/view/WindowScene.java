@@ -23,6 +23,8 @@ import org.SEAR.view.scene.Materials;
 import org.SEAR.view.scene.SceneBuilder;
 import org.SEAR.view.scene.SceneInterpolator;
 import org.SEAR.view.scene.WorldView;
+import org.SEAR.view.terrain.FarView;
+import org.SEAR.view.terrain.TerrainView;
 
 /** Everything on the window, and what the keys do with it. Window thread only. */
 final class WindowScene {
@@ -47,6 +49,9 @@ final class WindowScene {
     private final Vector3f target = new Vector3f();
     private final Vector3f heading = new Vector3f(Vector3f.UNIT_X);
     private int robot;
+    /** Null where there is no terrain, likewise what lies far off. */
+    private final TerrainView terrain;
+    private final FarView far;
 
     WindowScene(WindowApplication window, WorldLink link, WindowOptions options, ExecutorService background) {
         this.window = window;
@@ -57,9 +62,15 @@ final class WindowScene {
         lighting = new Lighting(window.getAssetManager(), window.getRootNode(), window.getViewPort());
         world = new WorldView(link.project(), builder, link.beams(), materials);
         window.getRootNode().attachChild(world.root());
+        terrain = Grounds.of(link.project(), window, options.getWarnings());
         shapes = new DebugShapes(link.project(), world, materials);
         setShapes(options.isDebugShapes());
         camera = new CameraRig(window.getCamera());
+        far = terrain == null ? null : new FarView(window.getRenderManager(), window.getViewPort(), window.getRootNode(), lighting.sky());
+        if (terrain != null) {
+            window.getRootNode().attachChild(terrain.node());
+            camera.setGround(terrain.field(), link.project().getRobots().isEmpty());
+        }
         controls = new Controls(new KeyLayout(window.getContext().getKeyInput()), camera, this::pressed);
         window.getInputManager().addRawInputListener(controls);
         labels = new Labels(font, materials, window.getGuiNode());
@@ -88,6 +99,10 @@ final class WindowScene {
         shapes.update(interpolator.newest());
         look(frameTime);
         lighting.follow(window.getCamera());
+        if (terrain != null) {
+            far.update(frameTime);
+            terrain.update(window.getCamera());
+        }
         if (frameRate.count(frameTime) && lighting.hasShadows()) {
             lighting.setShadows(false);
             hud.say("this machine draws slowly: no shadows from now on");
@@ -242,6 +257,11 @@ final class WindowScene {
 
     FrameRateMonitor frameRate() {
         return frameRate;
+    }
+
+    /** Null where there is none. */
+    TerrainView terrain() {
+        return terrain;
     }
 
     Lighting lighting() {

@@ -683,6 +683,11 @@ public class SEAR extends Service<SEARConfig> {
         }
     }
 
+    /** The ground of the world for panels, which ask once for each: its form stands at {@code TerrainJson}; empty for a world without a terrain. */
+    public Map<String, Object> getTerrain() {
+        return calls.attempt(() -> parts.terrain());
+    }
+
     /** Tells panels why a project could not be started or loaded. */
     public List<Problem> publishProblems(List<Problem> problems) {
         return problems;

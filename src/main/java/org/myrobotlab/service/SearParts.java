@@ -1,5 +1,6 @@
 package org.myrobotlab.service;
 
+import java.io.IOException;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -8,6 +9,7 @@ import org.SEAR.POJOs.Notices;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.simulator.Simulation;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.export.Exports;
@@ -16,6 +18,7 @@ import org.myrobotlab.service.sear.files.Projects;
 import org.myrobotlab.service.sear.lockstep.Fence;
 import org.myrobotlab.service.sear.lockstep.FencePass;
 import org.myrobotlab.service.sear.panel.Preview;
+import org.myrobotlab.service.sear.panel.TerrainMap;
 import org.myrobotlab.service.sear.panel.WorldFeed;
 import org.myrobotlab.service.sear.readings.Publisher;
 import org.myrobotlab.service.sear.readings.ScriptDriving;
@@ -39,6 +42,7 @@ final class SearParts {
     private final BundleTransfers transfers;
     private final WorldFeed feed = new WorldFeed();
     private final Preview preview = new Preview();
+    private final TerrainMap terrain = new TerrainMap();
     private final Consumer<String> notices;
 
     SearParts(Host host) {
@@ -117,6 +121,12 @@ final class SearParts {
             return Collections.emptyMap();
         }
         return projects.undisturbed(() -> preview.of(Projects.folder(), known));
+    }
+
+    /** The ground of the running world, or else of the project; empty if it has none. */
+    public Map<String, Object> terrain() throws InterruptedException, IOException, ProjectException {
+        SimulationSession session = control.sessionOrNull();
+        return terrain.of(session == null ? Project.read(Projects.folder()) : session.ask(Simulation::getProject));
     }
 
     /** What is wrong with the project; empty if nothing. */

@@ -64,6 +64,11 @@ public final class DocumentPictures {
             view.world.runner.setPaused(true);
             onWindow(view, () -> view.scene().camera().fly(new Vector3f(-4.2f, 3.4f, -3.6f), 0.85f, 0.42f));
         });
+        draw("terrain", DocumentPictures::mountains, folder, view -> {
+            view.press("F4");
+            view.world.runner.setPaused(true);
+            onWindow(view, () -> view.scene().camera().orbit(4.6f, -2.6f, 0.14f));
+        });
         System.exit(0);
     }
 
@@ -78,6 +83,13 @@ public final class DocumentPictures {
             action.run();
             return null;
         });
+    }
+
+    /** The example's rover with eight kilometres of mountains around it instead of two. */
+    private static Path mountains() throws Exception {
+        Path script = Files.createTempDirectory("scene").resolve("mountains.py");
+        Files.writeString(script, Files.readString(Paths.get("examples/mountain.py")).replace("2000, 2000", "8000, 8000"));
+        return projectOf(script.toString());
     }
 
     /** Runs a script and answers the project that it made. */

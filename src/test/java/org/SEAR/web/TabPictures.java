@@ -1,14 +1,17 @@
 package org.SEAR.web;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import org.openqa.selenium.Dimension;
+import org.openqa.selenium.interactions.Actions;
 
 /** Takes the pictures of the tabs for the documentation, while a robot with every sensor drives in a yard: {@code scripts/screenshots}. */
 public final class TabPictures {
     private static final String SCRIPT = "sear = Runtime.start('sear', 'SEAR')\nsear.loadProject('examples/sensors.sear')\nsear.startSimulation()\n"
         + "lidar = Runtime.start('lidar', 'LIDAR')\nlidar.connect('/dev/SEAR_LIDAR_01')\n"
         + "gps = Runtime.start('gps', 'GPS')\ngps.connect('/dev/SEAR_GPS_01')\n";
+    private static final String TERRAIN = "terrain-tab";
     private static final int WIDTH = 1180;
     /** Seconds at SPEED m/s on a circle of RADIUS metres to the left. */
     private static final double DRIVE = 22;
@@ -19,9 +22,21 @@ public final class TabPictures {
     private TabPictures() {
     }
 
-    /** @param arguments the folder for the pictures */
+    /** @param arguments the folder for the pictures and, if only the ground is wanted, the name of its picture */
     public static void main(String[] arguments) throws Exception {
         Path folder = Paths.get(arguments[0]);
+        if (arguments.length < 2 || !arguments[1].equals(TERRAIN)) {
+            drive(folder);
+        }
+        try (Browser browser = new Browser(WIDTH, 900); MyRobotLab robotLab = new MyRobotLab("Runtime.start('sear', 'SEAR')")) {
+            browser.driver().get(robotLab.url() + "#/sear");
+            terrain(browser, robotLab, folder);
+        }
+        System.exit(0);
+    }
+
+    /** The tabs of a robot that drives. */
+    private static void drive(Path folder) throws Exception {
         try (Browser browser = new Browser(WIDTH, 900); MyRobotLab robotLab = new MyRobotLab(SCRIPT)) {
             browser.driver().get(robotLab.url() + "#/sear");
             browser.see("#tab-gps");
@@ -46,7 +61,18 @@ public final class TabPictures {
                 take(browser, folder.resolve("tab-" + tab + ".png"));
             }
         }
-        System.exit(0);
+    }
+
+    /** The mountains of an example, with the pointer on them. */
+    private static void terrain(Browser browser, MyRobotLab robotLab, Path folder) throws Exception {
+        browser.see("mrl-panel[name='sear'] > *");
+        robotLab.run(Files.readString(Paths.get("examples/mountain.py")));
+        browser.until("the ground", () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "terrain() !== null && terrain().picture.complete")));
+        browser.script("document.querySelectorAll('footer .btn-link, .sear-clear').forEach(function(clear) { clear.click() })");
+        browser.script("angular.element(document.querySelector('.sear-main')).scope().zoom(0.3)");
+        new Actions(browser.driver()).moveToElement(browser.see(".sear-view"), 120, -90).perform();
+        browser.seeText(".sear-pointed", "above the geoid");
+        take(browser, folder.resolve(TERRAIN + ".png"));
     }
 
     /** The whole page, not more and not less. */

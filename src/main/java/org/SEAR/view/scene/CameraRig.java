@@ -7,6 +7,7 @@ import com.jme3.math.Vector3f;
 import com.jme3.renderer.Camera;
 import com.jme3.scene.Spatial;
 import java.util.List;
+import org.SEAR.geometry.HeightField;
 
 /**
  * Where the camera is: by default behind the robot and turning with it, as flycam where the user puts it. Angles in radians; yaw is counter-clockwise
@@ -15,6 +16,7 @@ import java.util.List;
 public final class CameraRig {
     private static final float FIELD_OF_VIEW = 50;
     private static final float NEAR = 0.05f;
+    /** Behind it, where there is a terrain, {@link org.SEAR.view.terrain.FarView} takes over. */
     private static final float FAR = 400;
     private static final float NEAREST = 0.4f;
     private static final float FARTHEST = 80;
@@ -28,8 +30,12 @@ public final class CameraRig {
     private static final float LAG = 0.5f;
     private static final float ZOOM = 1.15f;
 
-    /** Metres that the camera keeps from a wall. */
+    /** Metres that the camera keeps from a wall or the ground. */
     private static final float WALL = 0.12f;
+    /** Seconds in which a flight over a terrain goes as far as it is high. */
+    private static final float HEIGHT_TIME = 3;
+    /** Share of a terrain's side from which one sees it. */
+    private static final float OVERVIEW = 0.7f;
 
     private final Camera camera;
     private final CollisionResults hits = new CollisionResults();
@@ -43,10 +49,24 @@ public final class CameraRig {
     private float orbitYaw;
     private float orbitPitch = 0.45f;
     private float distance = 2.6f;
+    /** Null where there is no terrain. */
+    private GroundSight ground;
+    private float farthest = FARTHEST;
 
     public CameraRig(Camera camera) {
         this.camera = camera;
         reshape();
+    }
+
+    /**
+     * A terrain, over which the camera stays; one may go as far from the robot as it is large.
+     *
+     * @param whole whether all of it is to be seen at first
+     */
+    public void setGround(HeightField field, boolean whole) {
+        ground = new GroundSight(field, WALL);
+        farthest = Math.max(FARTHEST, ground.extent());
+        distance = whole ? OVERVIEW * ground.extent() : distance;
     }
 
     /** The window has another size. */
@@ -113,9 +133,9 @@ public final class CameraRig {
     /** The wheel was turned by so many notches, + to come nearer. */
     public void zoom(float notches) {
         if (flying) {
-            place.addLocal(direction().multLocal(notches * distance / FAST));
+            place.addLocal(direction().multLocal(notches * Math.max(Math.min(distance, FARTHEST), height()) / FAST));
         } else {
-            distance = FastMath.clamp(distance * FastMath.pow(ZOOM, -notches), NEAREST, FARTHEST);
+            distance = FastMath.clamp(distance * FastMath.pow(ZOOM, -notches), NEAREST, farthest);
         }
     }
 
@@ -130,7 +150,7 @@ public final class CameraRig {
         if (flying) {
             Vector3f ahead = direction();
             Vector3f right = ahead.cross(Vector3f.UNIT_Y).normalizeLocal();
-            float way = frameTime * FLY_SPEED * (fast ? FAST : 1);
+            float way = frameTime * Math.max(FLY_SPEED, height() / HEIGHT_TIME) * (fast ? FAST : 1);
             place.addLocal(right.multLocal(flight.x * way)).addLocal(0, flight.y * way, 0).addLocal(ahead.mult(flight.z * way));
         } else {
             turnAfter(heading, frameTime);
@@ -139,15 +159,23 @@ public final class CameraRig {
             Vector3f back = direction().negateLocal();
             place.set(target).addLocal(back.mult(sight(target, back, obstacles)));
         }
+        if (ground != null) {
+            ground.lift(place);
+        }
         camera.setLocation(place);
         camera.lookAtDirection(direction(), Vector3f.UNIT_Y);
+    }
+
+    /** Metres above a terrain; 0 where there is none. */
+    private float height() {
+        return ground == null ? 0 : ground.above(place);
     }
 
     /** How far back the camera may go from its target without a wall coming between. */
     private float sight(Vector3f target, Vector3f back, List<? extends Spatial> obstacles) {
         Ray ray = new Ray(target, back);
         ray.setLimit(distance);
-        float free = distance;
+        float free = ground == null ? distance : Math.max(NEAREST, ground.free(target, back, distance));
         for (Spatial obstacle : obstacles) {
             hits.clear();
             if (obstacle.collideWith(ray, hits) > 0 && hits.getClosestCollision().getDistance() < free) {

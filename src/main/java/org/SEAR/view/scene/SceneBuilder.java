@@ -20,6 +20,7 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SensorObject;
 import org.SEAR.POJOs.Shape;
+import org.SEAR.POJOs.Terrain;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
@@ -50,7 +51,7 @@ public final class SceneBuilder {
         this.warnings = warnings;
     }
 
-    /** An object of the environment or a part of a robot; an empty node for what has no shape. */
+    /** An object of the environment or a part of a robot; an empty node for what has no shape, and for the ground, which is drawn by itself. */
     Node object(SearObject object) {
         Node node = new Node(object.getName());
         try {
@@ -58,7 +59,7 @@ public final class SceneBuilder {
                 node.attachChild(wheel((Wheel) object));
             } else if (object instanceof Model) {
                 node.attachChild(model((Model) object));
-            } else if (object instanceof Shape) {
+            } else if (object instanceof Shape && !(object instanceof Terrain)) {
                 node.attachChild(solid((Shape) object));
             } else if (object instanceof SensorObject) {
                 node.attachChild(sensor(object));

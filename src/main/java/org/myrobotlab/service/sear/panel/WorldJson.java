@@ -11,8 +11,11 @@ import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
+import org.SEAR.POJOs.Terrain;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ObjectPose;
+import org.SEAR.project.Project;
+import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.Robot;
 import org.SEAR.sensors.DistanceReading;
 import org.SEAR.sensors.LidarScan;
@@ -31,7 +34,8 @@ import org.myrobotlab.service.sear.readings.ScriptReadings;
  *  "objects": [{"name": "Box1", "type": "Box", "corners": [[x, y, z], ..] (enough for its outline from any side, in its own frame),
  *               "image": null, "color": "#c49a6c", "colored": false (whether the colour is its own, not its kind's),
  *               "pose": [..]},
- *              {"name": "Tree1", "type": "Model", "terrain": false, ..}],
+ *              {"name": "Tree1", "type": "Model", "terrain": false, ..},
+ *              {"name": "Land", "type": "Terrain", "ground": "1f-2e" (its stamp: see {@link TerrainMap}), ..}],
  *  "robots": [{"name": "myRoomba", "pose": [..], "speed": 0.2, "turnRate": 0, "radius": 0.17, "path": [[x, z], ..], "status": [..],
  *              "parts": [{"name", "type", "corners", "image", "color", "colored", "pose" (in the body)}]}],
  *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "hit": [x, y, z] or null,
@@ -127,6 +131,17 @@ public final class WorldJson {
         }
         if (object instanceof Model) {
             map.put("terrain", ((Model) object).isTerrain());
+        }
+        if (object instanceof Terrain) {
+            map.put("ground", ground(world.getProject()));
+        }
+    }
+
+    private static String ground(Project project) {
+        try {
+            return TerrainMap.stamp(project);
+        } catch (ProjectException e) {
+            throw new IllegalStateException("a world was made of it: " + e.getMessage(), e);
         }
     }
 

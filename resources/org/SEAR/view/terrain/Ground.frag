@@ -1,0 +1,24 @@
+#import "Common/ShaderLib/GLSLCompat.glsllib"
+
+uniform sampler2D m_Picture;
+
+varying vec2 place;
+varying float haze;
+
+#ifdef GRAIN
+uniform sampler2D m_Grain;
+varying vec2 grain;
+// Metres at which the grain is gone.
+const float FAR = 150.0;
+#endif
+
+const vec3 AIR = vec3(0.75, 0.82, 0.87);
+
+void main() {
+    vec3 color = texture2D(m_Picture, place).rgb;
+#ifdef GRAIN
+    float near = max(0.0, 1.0 - 1.0 / (gl_FragCoord.w * FAR));
+    color *= 1.0 + near * near * 0.8 * (texture2D(m_Grain, grain).r - 0.5);
+#endif
+    gl_FragColor = vec4(mix(color, AIR, haze), 1.0);
+}

@@ -1,0 +1,92 @@
+package org.SEAR.terrain;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.InputStream;
+import javax.imageio.ImageIO;
+import org.SEAR.POJOs.Terrain;
+import org.SEAR.geometry.HeightField;
+import org.SEAR.project.models.Assets;
+import org.SEAR.terrain.relief.GroundPicture;
+
+/** The colours that a terrain has of its own: those of its picture, which fills the area north up, else its one colour. Any thread. */
+public final class TerrainColors {
+    private static final int OPAQUE = 0xff000000;
+
+    private TerrainColors() {
+    }
+
+    /**
+     * What colour the ground has where.
+     *
+     * @return null for colours by height and slope
+     * @throws IOException that names the picture, what is wrong with it and what is legal
+     */
+    public static GroundPicture.Colors of(Terrain terrain, Assets assets, Ground ground) throws IOException {
+        String path = terrain.getImage();
+        if (path != null) {
+            return AerialPicture.canSayItsPlace(path) && ground.origin != null ? placed(path, assets, ground)
+                : filling(picture(path, assets), ground.field);
+        }
+        if (!terrain.hasColor()) {
+            return null;
+        }
+        int color = OPAQUE | Integer.parseInt(terrain.getColor().substring(1), 16);
+        return (x, z) -> color;
+    }
+
+    /** A picture that says itself where it lies. */
+    private static GroundPicture.Colors placed(String path, Assets assets, Ground ground) throws IOException {
+        HeightField field = ground.field;
+        AerialPicture picture = AerialPicture.load(assets, path, ground.origin, field.x(0), field.x(field.rows - 1), field.z(0),
+            field.z(field.columns - 1));
+        double perX = picture.rows / (picture.north - picture.south);
+        double perZ = picture.columns / (picture.east - picture.west);
+        return (x, z) -> {
+            int row = Math.max(0, Math.min(picture.rows - 1, (int) ((picture.north - x) * perX)));
+            int column = Math.max(0, Math.min(picture.columns - 1, (int) ((z - picture.west) * perZ)));
+            return picture.colours[row * picture.columns + column];
+        };
+    }
+
+    private static BufferedImage picture(String path, Assets assets) throws IOException {
+        assets.checkPicture(path);
+        try (InputStream in = assets.open(path)) {
+            BufferedImage image = ImageIO.read(in);
+            if (image == null) {
+                throw new IOException(path + " is no picture that can be read, legal: .png, .jpg, .gif or .bmp");
+            }
+            return image;
+        }
+    }
+
+    /** A picture over all of a field. */
+    static GroundPicture.Colors filling(BufferedImage image, HeightField field) {
+        double perX = image.getHeight() / ((field.rows - 1) * field.spacingX);
+        double perZ = image.getWidth() / ((field.columns - 1) * field.spacingZ);
+        return (x, z) -> at(image, (z - field.lowZ) * perZ - 0.5, image.getHeight() - (x - field.lowX) * perX - 0.5);
+    }
+
+    /** The colour between the centres of four pixels. */
+    private static int at(BufferedImage image, double across, double down) {
+        int left = (int) Math.floor(across);
+        int top = (int) Math.floor(down);
+        double u = across - left;
+        double v = down - top;
+        int northWest = pixel(image, left, top);
+        int northEast = pixel(image, left + 1, top);
+        int southWest = pixel(image, left, top + 1);
+        int southEast = pixel(image, left + 1, top + 1);
+        int mixed = 0;
+        for (int shift = 24; shift >= 0; shift -= 8) {
+            double above = (northWest >>> shift & 0xff) * (1 - u) + (northEast >>> shift & 0xff) * u;
+            double below = (southWest >>> shift & 0xff) * (1 - u) + (southEast >>> shift & 0xff) * u;
+            mixed |= (int) Math.round(above * (1 - v) + below * v) << shift;
+        }
+        return mixed >>> 24 > 127 ? mixed : 0;
+    }
+
+    private static int pixel(BufferedImage image, int x, int y) {
+        return image.getRGB(Math.max(0, Math.min(image.getWidth() - 1, x)), Math.max(0, Math.min(image.getHeight() - 1, y)));
+    }
+}

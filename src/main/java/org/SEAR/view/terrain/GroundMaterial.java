@@ -1,0 +1,96 @@
+package org.SEAR.view.terrain;
+
+import com.jme3.asset.AssetManager;
+import com.jme3.material.Material;
+import com.jme3.math.Vector4f;
+import com.jme3.texture.Image;
+import com.jme3.texture.Texture;
+import com.jme3.texture.Texture2D;
+import com.jme3.texture.image.ColorSpace;
+import com.jme3.util.BufferUtils;
+import java.nio.ByteBuffer;
+import java.util.Random;
+import org.SEAR.geometry.HeightField;
+import org.SEAR.terrain.relief.GroundPicture;
+
+/** What the ground is drawn with: one picture over all of it, a grain close by, haze far away. Window thread only. */
+public final class GroundMaterial {
+    /** Metres at which the grain is gone. */
+    static final float GRAINY = 150;
+    private static final int GRAIN = 512;
+    private static final int OCTAVES = 7;
+    /** Metres after which the haze has taken two thirds: a clear day, or less where the world is smaller. */
+    private static final float CLEAR = 38_000;
+    private static final float NEAREST_HAZE = 2500;
+
+    /** Of what is near. */
+    final Material near;
+    /** Of what is farther than {@link #GRAINY}. */
+    final Material far;
+
+    /** @param fine whether pictures may cost time, as {@code Materials} has it */
+    public GroundMaterial(AssetManager assets, HeightField field, GroundPicture picture, boolean fine) {
+        double extentX = (field.rows - 1) * field.spacingX;
+        double extentZ = (field.columns - 1) * field.spacingZ;
+        far = new Material(assets, "org/SEAR/view/terrain/Ground.j3md");
+        far.setTexture("Picture", texture(image(picture), fine, Texture.WrapMode.EdgeClamp));
+        far.setVector4("Area", new Vector4f((float) field.lowX, (float) field.lowZ, (float) (1 / extentX), (float) (1 / extentZ)));
+        far.setFloat("Clear", Math.max(NEAREST_HAZE, Math.min(CLEAR, 2.2f * (float) Math.hypot(extentX, extentZ))));
+        near = far.clone();
+        near.setTexture("Grain", texture(grain(), fine, Texture.WrapMode.Repeat));
+    }
+
+    private static Texture texture(Image image, boolean fine, Texture.WrapMode wrap) {
+        Texture2D texture = new Texture2D(image);
+        texture.setMagFilter(Texture.MagFilter.Bilinear);
+        texture.setMinFilter(fine ? Texture.MinFilter.Trilinear : Texture.MinFilter.BilinearNoMipMaps);
+        texture.setAnisotropicFilter(fine ? 8 : 0);
+        texture.setWrap(wrap);
+        return texture;
+    }
+
+    private static Image image(GroundPicture picture) {
+        ByteBuffer bytes = BufferUtils.createByteBuffer(4 * picture.pixels.length);
+        for (int rgb : picture.pixels) {
+            bytes.put((byte) (rgb >> 16)).put((byte) (rgb >> 8)).put((byte) rgb).put((byte) 255);
+        }
+        bytes.flip();
+        return new Image(Image.Format.RGBA8, picture.width, picture.height, bytes, ColorSpace.Linear);
+    }
+
+    /** Grey noise of all sizes that fits to itself at its edges. */
+    private static Image grain() {
+        float[] sum = new float[GRAIN * GRAIN];
+        Random random = new Random(GRAIN);
+        for (int octave = 2; octave < 2 + OCTAVES; octave++) {
+            int cells = 1 << octave;
+            float[] values = new float[cells * cells];
+            for (int i = 0; i < values.length; i++) {
+                values[i] = random.nextFloat() - 0.5f;
+            }
+            for (int i = 0; i < sum.length; i++) {
+                sum[i] += 0.3f * smooth(values, cells, (float) (i / GRAIN) * cells / GRAIN, (float) (i % GRAIN) * cells / GRAIN);
+            }
+        }
+        ByteBuffer bytes = BufferUtils.createByteBuffer(4 * sum.length);
+        for (float value : sum) {
+            byte grey = (byte) Math.max(0, Math.min(255, Math.round(128 + 255 * value)));
+            bytes.put(grey).put(grey).put(grey).put((byte) 255);
+        }
+        bytes.flip();
+        return new Image(Image.Format.RGBA8, GRAIN, GRAIN, bytes, ColorSpace.Linear);
+    }
+
+    private static float smooth(float[] values, int cells, float x, float y) {
+        int row = (int) x;
+        int column = (int) y;
+        float u = x - row;
+        float v = y - column;
+        u = u * u * (3 - 2 * u);
+        v = v * v * (3 - 2 * v);
+        int above = (row + 1) % cells;
+        int right = (column + 1) % cells;
+        return (values[row * cells + column] * (1 - v) + values[row * cells + right] * v) * (1 - u)
+            + (values[above * cells + column] * (1 - v) + values[above * cells + right] * v) * u;
+    }
+}

@@ -1,0 +1,127 @@
+package org.SEAR.view.terrain;
+
+import com.jme3.renderer.Camera;
+import com.jme3.renderer.queue.RenderQueue.ShadowMode;
+import com.jme3.scene.Node;
+import com.jme3.scene.Spatial.CullHint;
+import java.util.ArrayList;
+import java.util.List;
+import org.SEAR.geometry.HeightField;
+
+/**
+ * The ground as it is drawn: the tiles that {@link TileChoice} wants, made when they are first seen and kept while there is room. Near the camera they
+ * are the field's own triangles. Window thread only.
+ */
+public final class TerrainView {
+    /** Tiles in one picture at most, 512 triangles each: with a graphics card, and where the processor draws. */
+    static final int MOST_FINE = 900;
+    static final int MOST_PLAIN = 120;
+    /** Tiles that are kept at most, 3.5 kB each. */
+    static final int MOST_KEPT = 2400;
+    /** Metres to which shadows are seen. */
+    private static final float SHADOWS = 25;
+
+    private final Node node = new Node("terrain");
+    private final TilePyramid pyramid;
+    private final TileChoice choice;
+    private final TileIndices indices = new TileIndices();
+    private final GroundMaterial material;
+    private final Tile[][] tiles;
+    private final List<Tile> kept = new ArrayList<>();
+    private long picture;
+    private long made;
+
+    /** @param fine whether there is a graphics card, as {@code Materials} has it */
+    public TerrainView(HeightField field, GroundMaterial material, boolean fine) {
+        this.material = material;
+        pyramid = new TilePyramid(field);
+        choice = new TileChoice(pyramid, fine ? MOST_FINE : MOST_PLAIN);
+        tiles = new Tile[pyramid.levels][];
+        for (int level = 0; level < pyramid.levels; level++) {
+            tiles[level] = new Tile[pyramid.rows(level) * pyramid.columns(level)];
+        }
+    }
+
+    public Node node() {
+        return node;
+    }
+
+    public HeightField field() {
+        return pyramid.field;
+    }
+
+    /** Shows what is to be seen from there. */
+    public void update(Camera camera) {
+        picture++;
+        choice.choose(camera);
+        for (int i = 0; i < choice.count(); i++) {
+            if (choice.isSeen(i)) {
+                Tile tile = tile(choice.level(i), choice.row(i), choice.column(i));
+                tile.stitch(indices, TileIndices.kind(choice.coarser(i, 0), choice.coarser(i, 1), choice.coarser(i, 2), choice.coarser(i, 3)));
+                float distance = choice.distance(i);
+                tile.geometry.setShadowMode(distance < SHADOWS ? ShadowMode.Receive : ShadowMode.Off);
+                tile.geometry.setMaterial(distance < GroundMaterial.GRAINY ? material.near : material.far);
+            }
+        }
+        for (int i = 0; i < kept.size(); i++) {
+            Tile tile = kept.get(i);
+            tile.geometry.setCullHint(tile.used == picture ? CullHint.Dynamic : CullHint.Always);
+        }
+    }
+
+    private Tile tile(int level, int row, int column) {
+        int at = row * pyramid.columns(level) + column;
+        Tile tile = tiles[level][at];
+        if (tile == null) {
+            tile = kept.size() < MOST_KEPT ? added() : oldest();
+            tile.fill(pyramid, level, row, column);
+            tiles[level][at] = tile;
+            made++;
+        }
+        tile.used = picture;
+        return tile;
+    }
+
+    private Tile added() {
+        Tile tile = new Tile();
+        kept.add(tile);
+        node.attachChild(tile.geometry);
+        return tile;
+    }
+
+    /** The one that was not drawn for longest, for other ground. */
+    private Tile oldest() {
+        Tile oldest = kept.get(0);
+        for (int i = 1; i < kept.size(); i++) {
+            oldest = kept.get(i).used < oldest.used ? kept.get(i) : oldest;
+        }
+        tiles[oldest.level][oldest.row * pyramid.columns(oldest.level) + oldest.column] = null;
+        return oldest;
+    }
+
+    /** How many tiles are drawn. */
+    public int seen() {
+        return choice.seen();
+    }
+
+    /** How many tiles are kept. */
+    public int kept() {
+        return kept.size();
+    }
+
+    /** How many tiles have been filled so far. */
+    public long made() {
+        return made;
+    }
+
+    /** Those drawn last. */
+    List<Tile> drawn() {
+        List<Tile> drawn = new ArrayList<>();
+        for (Tile tile : kept) {
+            if (tile.used == picture) {
+                drawn.add(tile);
+            }
+        }
+        return drawn;
+    }
+}

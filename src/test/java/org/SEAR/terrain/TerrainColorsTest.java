@@ -18,6 +18,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
+/** The colours that a terrain has of its own. */
 public class TerrainColorsTest {
     private static final int RED = 0xffff0000;
     private static final int BLUE = 0xff0000ff;

@@ -37,8 +37,8 @@ public class TerrainTabTest {
 
     /** Has the view show two kilometres. */
     private void whole() {
-        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); scope.view.x = scope.view.z = 0; scope.view.scale = 0.2;"
-            + "scope.view.chosen = scope.view.fitted = true; scope.redraw()");
+        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); scope.view.x = scope.view.z = 0; "
+            + "scope.view.scale = 0.2; scope.view.chosen = scope.view.fitted = true; scope.redraw()");
     }
 
     /** Puts the pointer on a point of the ground and reads what the tab says of it: height, metres above the geoid, latitude, longitude. */

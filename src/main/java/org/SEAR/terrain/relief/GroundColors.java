@@ -1,8 +1,8 @@
 package org.SEAR.terrain.relief;
 
 /**
- * What grows on the ground, as the colour it has in plain light: meadows and woods low down, grass and rock further up, snow on top of high mountains,
- * and rock where it is steep. Heights count within the terrain's own range. Any thread.
+ * What grows on the ground, as the colour it has in plain light: meadows and woods low down, grass and rock further up, snow on top of high
+ * mountains, and rock where it is steep. Heights count within the terrain's own range. Any thread.
  */
 final class GroundColors {
     /** By height: 0 is the lowest place, 1 the top of a mountain that is high enough for snow. */

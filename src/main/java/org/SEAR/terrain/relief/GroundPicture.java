@@ -1,8 +1,8 @@
 package org.SEAR.terrain.relief;
 
 /**
- * A picture of the ground from above, with the light of the sun in it: of an aerial picture, of one colour, or by height and slope. Its rows go from the
- * south to the north. Immutable, any thread.
+ * A picture of the ground from above, with the light of the sun in it: of an aerial picture, of one colour, or by height and slope. Its rows go from
+ * the south to the north. Immutable, any thread.
  */
 public final class GroundPicture {
     /** Cartographers' light: from the north-west, half way up. */

@@ -9,8 +9,8 @@ import java.util.List;
 import org.SEAR.geometry.HeightField;
 
 /**
- * The ground as it is drawn: the tiles that {@link TileChoice} wants, made when they are first seen and kept while there is room. Near the camera they
- * are the field's own triangles. Window thread only.
+ * The ground as it is drawn: the tiles that {@link TileChoice} wants, made when they are first seen and kept while there is room. Near the camera
+ * they are the field's own triangles. Window thread only.
  */
 public final class TerrainView {
     /** Tiles in one picture at most, 512 triangles each: with a graphics card, and where the processor draws. */

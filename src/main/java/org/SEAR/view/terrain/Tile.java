@@ -10,8 +10,8 @@ import com.jme3.util.BufferUtils;
 import java.nio.FloatBuffer;
 
 /**
- * A square of ground that can be drawn: 17 x 17 posts, 3.5 kB. Its corners are in the world's frame, so that neighbours' common corners come to lie on
- * each other to the bit. It is filled again with other ground when it is not needed any more.
+ * A square of ground that can be drawn: 17 x 17 posts, 3.5 kB. Its corners are in the world's frame, so that neighbours' common corners come to lie
+ * on each other to the bit. It is filled again with other ground when it is not needed any more.
  */
 final class Tile {
     private static final int SIDE = TilePyramid.CELLS + 1;

@@ -3,9 +3,9 @@ package org.SEAR.view.terrain;
 import org.SEAR.geometry.HeightField;
 
 /**
- * The squares of a height field that can be drawn, and how wrong each would be. A tile of level l has {@link #CELLS} cells on each side, of 2^l of the
- * field's cells each; at the field's northern and eastern ends cells are cut short. Level 0 is the very field; the last level is one tile. Holds about
- * 16 bytes for each 256 posts. Immutable once made.
+ * The squares of a height field that can be drawn, and how wrong each would be. A tile of level l has {@link #CELLS} cells on each side, of 2^l of
+ * the field's cells each; at the field's northern and eastern ends cells are cut short. Level 0 is the very field; the last level is one tile.
+ * Holds about 16 bytes for each 256 posts. Immutable once made.
  */
 final class TilePyramid {
     /** Cells on each side of a tile: a power of two. */

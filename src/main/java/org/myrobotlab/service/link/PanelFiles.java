@@ -24,7 +24,7 @@ public final class PanelFiles {
     private static final Logger log = LoggerFactory.getLogger(PanelFiles.class);
     private static final List<String> FILES = Arrays.asList("WebGui/app/service/js/%sGui.js",
         "WebGui/app/service/js/%sTerrain.js", "WebGui/app/service/views/%sGui.html", "%s.png", "%s/%s.py",
-        "%s/maze.sear", "%s/office.sear", "%s/ramps.sear", "%s/sensors.sear");
+        "%s/maze.sear", "%s/mountain.sear", "%s/office.sear", "%s/ramps.sear", "%s/sensors.sear");
     /** Where the jar has them. */
     private static final String IN_JAR = "/resource/";
     /** Below the resource root: what was written, by file name, as SHA-256. */

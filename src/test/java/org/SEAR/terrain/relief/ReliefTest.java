@@ -7,6 +7,7 @@ import static org.junit.Assert.assertTrue;
 import org.SEAR.geometry.HeightField;
 import org.junit.Test;
 
+/** Slopes, hill shading and colours of the ground. */
 public class ReliefTest {
     private static final GroundPicture.Light NOON = new GroundPicture.Light(new float[] {0, 0, 0}, new float[] {1, 1, 1}, new HillShade(0, 90));
 

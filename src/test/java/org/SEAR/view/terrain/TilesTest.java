@@ -34,7 +34,8 @@ public class TilesTest {
         for (int i = 0; i < heights.length; i++) {
             double x = i / columns * spacing / 900;
             double z = i % columns * spacing / 900;
-            heights[i] = (float) (spacing * (8 * Math.sin(x) * Math.cos(z) + 2 * Math.sin(5.3 * x + 3.1 * z) + 0.4 * Math.sin(17 * x) * Math.sin(19 * z)));
+            heights[i] = (float) (spacing * (8 * Math.sin(x) * Math.cos(z) + 2 * Math.sin(5.3 * x + 3.1 * z)
+                + 0.4 * Math.sin(17 * x) * Math.sin(19 * z)));
         }
         return new HeightField(rows, columns, -rows * spacing / 2, -columns * spacing / 2, spacing, spacing, heights);
     }
@@ -140,7 +141,8 @@ public class TilesTest {
                 for (int column = 0; column < field.columns; column += 3) {
                     double off = Math.abs(coarse(field, 1 << level, row, column) - field.y(row, column));
                     int size = TilePyramid.CELLS << level;
-                    float said = pyramid.error(level, Math.min(row / size, pyramid.rows(level) - 1), Math.min(column / size, pyramid.columns(level) - 1));
+                    float said = pyramid.error(level, Math.min(row / size, pyramid.rows(level) - 1),
+                        Math.min(column / size, pyramid.columns(level) - 1));
                     assertTrue("level " + level + ": " + off + " > " + said, off <= said + 1e-3);
                     worst = Math.max(worst, off);
                 }

@@ -35,7 +35,7 @@ final class GroundPlaces {
     void setDown(PlacedObject object, Body body) {
         if (object.isOnGround()) {
             Pose written = body.getPose();
-            setDown(object, body, pose -> new Pose(pose.x, 0, pose.z, written.qx, written.qy, written.qz, written.qw), new double[0][], "environment/");
+            setDown(object, body, pose -> turned(pose, written), new double[0][], "environment/");
         }
     }
 
@@ -47,8 +47,12 @@ final class GroundPlaces {
     void setDownRobot(SEARrobot robot, Body body, double[][] feet) {
         if (robot.isOnGround()) {
             Pose written = robot.getPlaceHeading() == null ? body.getPose() : Pose.ofDegrees(0, 0, 0, 0, EAST - robot.getPlaceHeading(), 0);
-            setDown(robot, body, pose -> alongSlope(new Pose(pose.x, 0, pose.z, written.qx, written.qy, written.qz, written.qw), feet), feet, "robot/");
+            setDown(robot, body, pose -> alongSlope(turned(pose, written), feet), feet, "robot/");
         }
+    }
+
+    private static Pose turned(Pose place, Pose rotation) {
+        return new Pose(place.x, 0, place.z, rotation.qx, rotation.qy, rotation.qz, rotation.qw);
     }
 
     /** @param turn turns a pose that has the right place */

@@ -79,7 +79,7 @@ public class FloodTest {
             double most = line.getDeviceBaud() / 10.0 * simulation.getTime();
             assertTrue(line.getObjectName() + " sent " + line.getDelivered(), line.getDelivered() <= most && line.getDelivered() > most / 4);
         }
-        assertEquals("one for each, beside how many there were: " + simulation.snapshot().warnings, 1, tellsOf(simulation, "roomba"));
+        assertEquals("one for each, beside how many there were: " + simulation.snapshot().warnings, 1, tellsOf(simulation, "roombaDynamics"));
         SerialLine drive = lines.stream().filter(line -> line.getObjectType().equals("Dynamics")).findFirst().get();
         long sent = drive.getDelivered();
         Worlds.run(simulation, 5);

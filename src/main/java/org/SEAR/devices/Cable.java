@@ -21,6 +21,7 @@ public final class Cable implements SerialLine {
     private final String uartPort;
     private final String userPort;
     private SerialDevice device;
+    private volatile boolean powered = true;
     private Sink sink = bytes -> { };
     private final Object lock = new Object();
     private byte[] incoming = new byte[FIRST_SIZE];
@@ -59,8 +60,15 @@ public final class Cable implements SerialLine {
         return device;
     }
 
-    /** Fresh cable, fresh device. What was written and not yet carried is gone; the user's speed stays. */
+    /** Fresh cable, fresh device with its power on. What was written and not yet carried is gone; the user's speed stays. */
     public void restart() {
+        clear();
+        powered = true;
+        device.reset();
+        deviceBaud = device.getBaud();
+    }
+
+    private void clear() {
         synchronized (lock) {
             incomingCount = 0;
             hasIncoming = false;
@@ -70,8 +78,35 @@ public final class Cable implements SerialLine {
         toDeviceTime = 0;
         waiting = 0;
         clearOutput();
-        device.reset();
-        deviceBaud = device.getBaud();
+    }
+
+    /**
+     * Switches the device's power; what is on the line is gone. What comes for a device without power is gone too. Does nothing if it is so already.
+     *
+     * @param time simulated seconds
+     */
+    public void setPowered(boolean on, double time) {
+        if (on == powered) {
+            return;
+        }
+        clear();
+        powered = on;
+        if (on) {
+            device.powerOn(time);
+            deviceBaud = device.getBaud();
+        } else {
+            device.powerOff();
+        }
+    }
+
+    /** What its device is doing, in words: {@link SerialDevice#status}, or that it is off. Simulation thread. */
+    public String status() {
+        return powered ? device.status() : "off";
+    }
+
+    /** Whether its device moves its robot when it is told to, see {@link SerialDevice#takesDriveCommands}. Simulation thread. */
+    public boolean takesDriveCommands() {
+        return powered && device.takesDriveCommands();
     }
 
     /** Commands phase: what was written until now is on its way from {@code time} on. */
@@ -130,6 +165,9 @@ public final class Cable implements SerialLine {
             }
             toDeviceTime = arrival;
             int value = toDevice[toDeviceFrom++] & 0xFF;
+            if (!powered) {
+                continue;
+            }
             device.advance(arrival);
             if (speed == device.getBaud()) {
                 device.receive(value, arrival);
@@ -140,7 +178,9 @@ public final class Cable implements SerialLine {
         if (waiting > 0) {
             waiting = toDeviceEnd - toDeviceFrom;
         }
-        device.advance(end);
+        if (powered) {
+            device.advance(end);
+        }
         deviceBaud = device.getBaud();
     }
 
@@ -230,6 +270,11 @@ public final class Cable implements SerialLine {
     @Override
     public String getUserPort() {
         return userPort;
+    }
+
+    @Override
+    public boolean isPowered() {
+        return powered;
     }
 
     @Override

@@ -22,8 +22,18 @@ public interface SerialDevice {
     /** Lets the device's own timers run up to a time. */
     void advance(double time);
 
-    /** Power off and on. */
+    /** Everything as at the start of a simulation: delivered from the factory, with its power on since long. */
     void reset();
+
+    /** Its power is switched off: what it moves stands still. Until {@link #powerOn} it is asked for nothing. */
+    void powerOff();
+
+    /**
+     * Its power is switched on again: what it forgets without power is as at its start, and it boots as long, and with the words, as the real one.
+     *
+     * @param time simulated seconds, from which its timers go on
+     */
+    void powerOn(double time);
 
     /** Whether it takes commands that move its robot now, so that who sends them drives. */
     default boolean takesDriveCommands() {

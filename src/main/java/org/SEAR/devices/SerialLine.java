@@ -23,6 +23,9 @@ public interface SerialLine {
     /** Port name of the user's end. */
     String getUserPort();
 
+    /** Whether the device has power; without, it hears and says nothing. */
+    boolean isPowered();
+
     /** The speed that the device's UART is set to now. */
     int getDeviceBaud();
 

@@ -9,6 +9,7 @@ import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SerialObject;
+import org.SEAR.devices.Cable;
 import org.SEAR.devices.DeviceTypes;
 import org.SEAR.devices.SerialDevice;
 import org.SEAR.devices.SerialLine;
@@ -27,6 +28,7 @@ final class Instruments {
     private final Map<Sensor<?>, RobotModel> carriers = new IdentityHashMap<>();
     private final List<Port> ports = new ArrayList<>();
     private final List<SerialLine> lines = new ArrayList<>();
+    private final PartNames<Cable> devices = new PartNames<>();
     private final List<String> names;
     private final SensorTypes types = SensorTypes.load();
     private final BiConsumer<String, String> warnings;
@@ -61,6 +63,7 @@ final class Instruments {
         if (device != null) {
             port.getCable().attach(device);
             ports.add(port);
+            devices.add(robot.getObject().getName(), part.getName(), port.getCable());
             lines.add(port.getCable());
         }
     }
@@ -146,6 +149,15 @@ final class Instruments {
                 + (names.isEmpty() ? "none, the project has no sensors" : String.join(", ", names)));
         }
         return sensor;
+    }
+
+    void power(String name, boolean on, double time) {
+        Cable cable = devices.find(name);
+        if (cable == null) {
+            throw new IllegalArgumentException("no device is called \"" + name + "\", legal: " + (lines.isEmpty()
+                ? "none, no object of the project has ports" : lines.stream().map(SerialLine::getObjectName).collect(Collectors.joining(", "))));
+        }
+        cable.setPowered(on, time);
     }
 
     Object read(String name) {

@@ -310,6 +310,17 @@ public final class Simulation implements AutoCloseable {
         world.setWantsContacts(on);
     }
 
+    /**
+     * Switches the power of a serial device; what is on its line is gone. Simulation thread.
+     *
+     * @param name of the object with its ports, as {@link #getSensor} takes it
+     * @throws IllegalArgumentException that names the devices there are
+     */
+    public void power(String name, boolean on) {
+        instruments.power(name, on, getTime());
+        snapshot = observer.lookClosely(step);
+    }
+
     /** The lines of all serial devices. Any thread (the list never changes). */
     public List<SerialLine> getLines() {
         return instruments.getLines();

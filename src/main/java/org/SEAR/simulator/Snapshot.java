@@ -32,6 +32,27 @@ public final class Snapshot {
         this.warnings = warnings;
     }
 
+    /** One serial device. Immutable. */
+    public static final class DeviceState {
+        /** Of the object with its ports, as {@link Simulation#power} takes it. */
+        public final String name;
+        public final boolean powered;
+        /** What it is doing, in words. */
+        public final String status;
+
+        DeviceState(String name, boolean powered, String status) {
+            this.name = name;
+            this.powered = powered;
+            this.status = status;
+        }
+
+        /** Its line for people. */
+        @Override
+        public String toString() {
+            return name + ": " + status;
+        }
+    }
+
     /** One robot's share of a snapshot. Immutable. */
     public static final class RobotState {
         public final String name;
@@ -42,18 +63,18 @@ public final class Snapshot {
         public final double turnRate;
         /** Pose of each wheel in the body frame, spin included, in the order of {@code SEARrobot.getWheels()}. */
         public final List<Pose> wheels;
-        /** Status lines of its devices. */
-        public final List<String> status;
+        /** Its serial devices. */
+        public final List<DeviceState> devices;
         /** Whether one of its devices takes drive commands: who sends them drives. */
         public final boolean commanded;
 
-        RobotState(String name, Pose pose, double speed, double turnRate, List<Pose> wheels, List<String> status, boolean commanded) {
+        RobotState(String name, Pose pose, double speed, double turnRate, List<Pose> wheels, List<DeviceState> devices, boolean commanded) {
             this.name = name;
             this.pose = pose;
             this.speed = speed;
             this.turnRate = turnRate;
             this.wheels = wheels;
-            this.status = status;
+            this.devices = devices;
             this.commanded = commanded;
         }
     }

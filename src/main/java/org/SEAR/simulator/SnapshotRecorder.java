@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import org.SEAR.devices.Cable;
 import org.SEAR.geometry.Pose;
 import org.SEAR.robot.RobotModel;
 
@@ -22,7 +23,7 @@ final class SnapshotRecorder {
     private int interval = DEFAULT_INTERVAL;
     private Map<String, Object> readings = Collections.emptyMap();
     private final Snapshot.RobotState[] states;
-    private final List<List<String>> status = new ArrayList<>();
+    private final List<List<Snapshot.DeviceState>> devices = new ArrayList<>();
     private final boolean[] commanded;
 
     SnapshotRecorder(World world, Instruments instruments, Warnings warnings) {
@@ -32,7 +33,7 @@ final class SnapshotRecorder {
         states = new Snapshot.RobotState[world.getRobots().size()];
         commanded = new boolean[states.length];
         for (int i = 0; i < states.length; i++) {
-            status.add(List.of());
+            devices.add(List.of());
         }
     }
 
@@ -50,15 +51,23 @@ final class SnapshotRecorder {
     }
 
     Snapshot look(long step) {
-        boolean display = step % interval == 0;
+        return look(step, step % interval == 0);
+    }
+
+    /** With readings and devices as they are at this moment. */
+    Snapshot lookClosely(long step) {
+        return look(step, true);
+    }
+
+    private Snapshot look(long step, boolean display) {
         if (display && !watched.isEmpty()) {
             readings = readings();
         }
         for (int i = 0; i < states.length; i++) {
             RobotModel robot = world.getRobots().get(i);
-            boolean changed = display && updateStatus(i);
+            boolean changed = display && updateDevices(i);
             if (step == 0 || changed || states[i] == null || world.getPhysics().isAwake(robot.getBody()) || states[i].speed != 0) {
-                states[i] = state(robot, status.get(i), commanded[i]);
+                states[i] = state(robot, devices.get(i), commanded[i]);
                 check(robot);
             }
         }
@@ -73,28 +82,49 @@ final class SnapshotRecorder {
         return Collections.unmodifiableMap(now);
     }
 
-    private boolean updateStatus(int number) {
+    private boolean updateDevices(int number) {
         RobotModel robot = world.getRobots().get(number);
-        List<String> old = status.get(number);
-        List<String> now = null;
+        List<Snapshot.DeviceState> old = devices.get(number);
+        List<Snapshot.DeviceState> now = null;
+        int count = 0;
         boolean wasCommanded = commanded[number];
         commanded[number] = false;
         for (int i = 0; i < instruments.getPorts().size(); i++) {
             Port port = instruments.getPorts().get(i);
             if (port.getRobot() == robot) {
-                now = now == null ? new ArrayList<>() : now;
-                now.add(port.getCable().getObjectName() + ": " + port.getCable().getDevice().status());
-                commanded[number] |= port.getCable().getDevice().takesDriveCommands();
+                commanded[number] |= port.getCable().takesDriveCommands();
+                Snapshot.DeviceState before = count < old.size() ? old.get(count) : null;
+                Snapshot.DeviceState after = after(before, port.getCable());
+                if (after != before) {
+                    now = now == null ? new ArrayList<>(old) : now;
+                    put(now, count, after);
+                }
+                count++;
             }
         }
-        if (now == null || now.equals(old)) {
+        if (now == null) {
             return commanded[number] != wasCommanded;
         }
-        status.set(number, List.copyOf(now));
+        devices.set(number, List.copyOf(now));
         return true;
     }
 
-    private static Snapshot.RobotState state(RobotModel robot, List<String> status, boolean commanded) {
+    /** @return {@code before} if that still holds */
+    private static Snapshot.DeviceState after(Snapshot.DeviceState before, Cable cable) {
+        String status = cable.status();
+        boolean same = before != null && before.powered == cable.isPowered() && before.status.equals(status);
+        return same ? before : new Snapshot.DeviceState(cable.getObjectName(), cable.isPowered(), status);
+    }
+
+    private static void put(List<Snapshot.DeviceState> list, int at, Snapshot.DeviceState state) {
+        if (at < list.size()) {
+            list.set(at, state);
+        } else {
+            list.add(state);
+        }
+    }
+
+    private static Snapshot.RobotState state(RobotModel robot, List<Snapshot.DeviceState> devices, boolean commanded) {
         Pose pose = robot.getPose();
         double[] velocity = robot.truth().velocity();
         double[] angular = robot.truth().angularVelocity();
@@ -102,7 +132,7 @@ final class SnapshotRecorder {
         double[] up = pose.rotate(0, 1, 0);
         return new Snapshot.RobotState(robot.getObject().getName(), pose,
             velocity[0] * ahead[0] + velocity[1] * ahead[1] + velocity[2] * ahead[2],
-            angular[0] * up[0] + angular[1] * up[1] + angular[2] * up[2], robot.getTrain().getWheelPoses(), status, commanded);
+            angular[0] * up[0] + angular[1] * up[1] + angular[2] * up[2], robot.getTrain().getWheelPoses(), devices, commanded);
     }
 
     private void check(RobotModel robot) {

@@ -219,6 +219,22 @@ public class SEAR extends Service<SEARConfig> {
         return session != null && session.isLockStep();
     }
 
+    // ---- devices (a simulation must run) ---------------------------------------------------------------------------
+
+    /**
+     * Switches the power of a serial device, as its user does when a driver has left it in a state that the next one does not expect. Off: it is
+     * silent, what it moves stands still, what comes for it is gone. On: as at power-on, with its first baud rate, no mode, no stream. A Create 2 says
+     * its boot message, a GPS receiver its own, an LMS200 starts for 5 simulated seconds and then sends its power-on telegram; its written
+     * configuration and a permanent baud rate stay.
+     *
+     * @param name of the object with ports: a robot's Dynamics, a LIDAR, a GPS; {@code "robot/part"} where several robots have a part of that name
+     * @throws IllegalArgumentException that names the devices there are
+     * @example sear.power("myLidar", False); sear.power("myLidar", True)
+     */
+    public void power(String name, boolean on) {
+        calls.act(() -> parts.control().session().power(ScriptText.of(name), on));
+    }
+
     // ---- driving (a simulation must run) ---------------------------------------------------------------------------
 
     /**

@@ -2,6 +2,7 @@ package org.SEAR.devices;
 
 import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.io.ByteArrayOutputStream;
@@ -22,6 +23,7 @@ public class CableTest {
         private final List<Double> times = new ArrayList<>();
         private final ByteArrayOutputStream heard = new ByteArrayOutputStream();
         private int garbage;
+        private double timeOn;
 
         @Override
         public int getBaud() {
@@ -42,6 +44,7 @@ public class CableTest {
 
         @Override
         public void advance(double time) {
+            assertFalse("runs without power", Double.isNaN(timeOn));
         }
 
         @Override
@@ -50,8 +53,23 @@ public class CableTest {
         }
 
         @Override
+        public void powerOff() {
+            timeOn = Double.NaN;
+        }
+
+        @Override
+        public void powerOn(double time) {
+            timeOn = time;
+        }
+
+        @Override
+        public boolean takesDriveCommands() {
+            return true;
+        }
+
+        @Override
         public String status() {
-            return "";
+            return "listens";
         }
     }
 
@@ -148,5 +166,41 @@ public class CableTest {
             assertEquals(flood[i], heard[i]);
         }
         assertEquals(1600, heard.length, 2);
+    }
+
+    @Test
+    public void withoutPowerTheDeviceHearsAndSaysNothing() {
+        cable.write(new byte[40]);
+        step(0);
+        int heard = device.heard.size();
+        int said = host.size();
+        assertTrue(heard > said && said > 0);
+        cable.setPowered(false, Simulation.STEP);
+        assertEquals("off", cable.status());
+        assertFalse(cable.isPowered() || cable.takesDriveCommands());
+        cable.write(new byte[] {1, 2, 3});
+        for (int i = 1; i < 60; i++) {
+            step(i);
+        }
+        assertEquals("what waited and what came are gone", heard, device.heard.size());
+        assertEquals("what was on the line is gone", said, host.size());
+        assertEquals(0, cable.getWaiting());
+        cable.setPowered(true, 1);
+        assertEquals(1, device.timeOn, 0);
+        assertEquals("listens", cable.status());
+        cable.write(new byte[] {4});
+        step(60);
+        step(61);
+        assertEquals(said + 1, host.size());
+        assertEquals(4, host.toByteArray()[said]);
+    }
+
+    @Test
+    public void aResetSwitchesThePowerOn() {
+        cable.setPowered(false, 0);
+        cable.restart();
+        device.timeOn = 0;
+        assertTrue(cable.isPowered() && cable.takesDriveCommands());
+        step(0);
     }
 }

@@ -247,6 +247,18 @@ public class SearTabTest {
         assertTrue(position, position.matches("-?\\d+\\.\\d{3}, -?\\d+\\.\\d{3}"));
     }
 
+    @Test
+    public void aButtonSwitchesThePowerOfADevice() {
+        tab.openExample("sensors");
+        tab.start();
+        browser.until("all on", () -> browser.text(".sear-power").equals("on"));
+        browser.click(".sear-power");
+        browser.until("it is off", () -> browser.text(".sear-power").equals("off"));
+        browser.seeText(".sear-robot-status div", ": off");
+        browser.click(".sear-power");
+        browser.until("it is on again", () -> browser.text(".sear-power").equals("on"));
+    }
+
     /** The square at a beam's end stands where the beam met something, and nowhere if it met nothing. */
     @Test
     public void aSonarThatMeetsNothingHasNoHit() {

@@ -549,4 +549,38 @@ public class SearServiceTest {
         }
         assertTrue(sear.getOdomResult() > 0.1);
     }
+
+    @Test
+    public void thePowerOfADeviceIsSwitchedByItsName() throws Exception {
+        sear.startSimulation();
+        sear.simSleep(1);
+        sear.power("scanner", false);
+        assertEquals("[false]", powers("scanner"));
+        sear.simSleep(1);
+        assertEquals("[true]", powers("receiver"));
+        sear.power("roomba/scanner", true);
+        assertEquals("[true]", powers("scanner"));
+        sear.pause();
+        sear.power("scanner", false);
+        assertEquals("while time stands still, too", "[false]", powers("scanner"));
+        sear.reset();
+        assertEquals("[true]", powers("scanner"));
+        assertFails("no device is called \"nose\", legal: ", () -> sear.power("nose", false));
+        sear.resume();
+        sear.stopSimulation();
+        assertFails("no simulation runs", () -> sear.power("scanner", false));
+    }
+
+    /** What panels are told. */
+    private String powers(String device) {
+        List<Object> found = new java.util.ArrayList<>();
+        for (Object robot : (List<?>) sear.getWorld().get("robots")) {
+            for (Object one : (List<?>) ((Map<?, ?>) robot).get("devices")) {
+                if (device.equals(((Map<?, ?>) one).get("name"))) {
+                    found.add(((Map<?, ?>) one).get("on"));
+                }
+            }
+        }
+        return found.toString();
+    }
 }

@@ -68,6 +68,19 @@ public final class Mt3301 implements SerialDevice {
     }
 
     @Override
+    public void powerOff() {
+        nextBaud = 0;
+    }
+
+    @Override
+    public void powerOn(double time) {
+        reset();
+        greeted = true;
+        restart(true, time);
+        nextFix = nextFixAfter(time);
+    }
+
+    @Override
     public int getBaud() {
         return baud;
     }
@@ -175,8 +188,12 @@ public final class Mt3301 implements SerialDevice {
             return false;
         }
         period = millis;
-        nextFix = (long) Math.floor(time * MILLIS / millis) * millis + millis;
+        nextFix = nextFixAfter(time);
         return true;
+    }
+
+    private long nextFixAfter(double time) {
+        return (long) Math.floor(time * MILLIS / period) * period + period;
     }
 
     private static boolean isPeriod(GpsModel model, int millis) {

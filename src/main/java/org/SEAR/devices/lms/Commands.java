@@ -36,16 +36,27 @@ final class Commands {
     }
 
     /** Back to what the device was delivered with. */
-    void powerOn() {
+    void toFactory() {
         configuration = Configuration.ofFactory();
         restartBaud = Baud.ofRate(powerOn.baud);
         permanent = false;
-        restart();
+        powerOn();
     }
 
-    private void restart() {
+    /**
+     * What it forgets without power is as delivered; the configuration and a permanent baud rate stay.
+     *
+     * @return the speed that it starts with
+     */
+    Baud powerOn() {
         variant = powerOn.variant;
         mode = OperatingMode.ON_REQUEST;
+        return restartBaud;
+    }
+
+    /** The telegram that it sends when it has started. */
+    byte[] greeting() {
+        return new Payload(Command.POWER_ON).text(powerOn.identity.getType()).add(StatusByte.OK).toBytes();
     }
 
     Variant variant() {
@@ -140,11 +151,7 @@ final class Commands {
             device.replyAfter(Timing.ANSWER, notPermitted(), time);
             return;
         }
-        device.later(time + Timing.RESET, t -> {
-            restart();
-            byte[] greeting = new Payload(Command.POWER_ON).text(powerOn.identity.getType()).add(StatusByte.OK).toBytes();
-            device.restart(Command.RESET.reply().add(StatusByte.OK).toBytes(), greeting, restartBaud, t);
-        });
+        device.later(time + Timing.RESET, t -> device.restart(Command.RESET.reply().add(StatusByte.OK).toBytes(), t));
     }
 
     private void changeMode(Telegram request, double time) {

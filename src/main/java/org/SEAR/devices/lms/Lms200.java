@@ -96,8 +96,18 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
 
     @Override
     public void reset() {
-        commands.powerOn();
+        commands.toFactory();
         start(Baud.ofRate(powerOn.baud));
+    }
+
+    @Override
+    public void powerOff() {
+        events.clear();
+    }
+
+    @Override
+    public void powerOn(double time) {
+        boot(commands.powerOn(), time);
     }
 
     @Override
@@ -171,21 +181,23 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
         });
     }
 
-    /** Restarts: mute until the power-on telegram, which comes at the given speed. */
-    void restart(byte[] last, byte[] powerOnPayload, Baud next, double time) {
+    /** Restarts: mute until the power-on telegram, which comes at the speed that holds from then on. */
+    void restart(byte[] last, double time) {
         send(last, time);
         double down = Math.max(time, context.lineFreeAt());
         stopStream();
         waiting.clear();
         events.clear();
         booting = true;
-        events.at(down, t -> {
-            start(next);
-            booting = true;
-            events.at(t + Timing.BOOT, up -> {
-                booting = false;
-                send(powerOnPayload, up);
-            });
+        events.at(down, t -> boot(commands.powerOn(), t));
+    }
+
+    private void boot(Baud speed, double time) {
+        start(speed);
+        booting = true;
+        events.at(time + Timing.BOOT, up -> {
+            booting = false;
+            send(commands.greeting(), up);
         });
     }
 

@@ -69,6 +69,26 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
         boot(powerOnBaud);
     }
 
+    @Override
+    public void powerOff() {
+        enter(OiMode.OFF);
+    }
+
+    /** As after command 7, which stands for taking the battery out and in again. */
+    @Override
+    public void powerOn(double time) {
+        beats = (long) Math.floor(time / BEAT);
+        lastCommand = time;
+        boot(powerOnBaud);
+        greet(time);
+    }
+
+    private void greet(double time) {
+        if (model == OiModel.CREATE2) {
+            context.send(BOOT, time);
+        }
+    }
+
     private void boot(int speed) {
         proximity.reset();
         packets = new SensorPackets(this, model, hardware, proximity);
@@ -190,7 +210,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
                 enter(OiMode.OFF);
                 boot(powerOnBaud);
                 context.clearOutput();
-                context.send(BOOT, time);
+                greet(time);
                 break;
             case START:
                 asleep = false;

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.project.Project;
@@ -73,7 +74,8 @@ public final class RunnerLink implements WorldLink {
     private SceneState sceneState(Snapshot snapshot) {
         List<SceneState.RobotState> robots = new ArrayList<>();
         for (Snapshot.RobotState state : snapshot.robots) {
-            robots.add(new SceneState.RobotState(state.name, state.pose, state.speed, state.turnRate, state.wheels, state.status));
+            robots.add(new SceneState.RobotState(state.name, state.pose, state.speed, state.turnRate, state.wheels,
+                state.devices.stream().map(Snapshot.DeviceState::toString).collect(Collectors.toList())));
         }
         Map<String, double[]> beams = new LinkedHashMap<>();
         Map<String, String> values = new LinkedHashMap<>();

@@ -188,4 +188,27 @@ public class Mt3301Test {
         line.pass(60);
         assertTrue("behind by " + (line.lineFreeAt() - line.now), line.lineFreeAt() - line.now < 1.5);
     }
+
+    @Test
+    public void thePowerSwitchMakesAReceiverBeginAgain() {
+        power(GpsModel.MT3301, 3);
+        line.pass(4);
+        ask("$PMTK251,9600*17");
+        line.pass(1);
+        ask("$PMTK220,200*2C");
+        line.pass(1);
+        assertEquals(9600, gps.getBaud());
+        gps.powerOff();
+        line.now += 100;
+        line.take();
+        gps.powerOn(line.now);
+        assertEquals(38400, gps.getBaud());
+        line.pass(2.5);
+        String text = line.takeText();
+        assertTrue(text, text.startsWith("$PMTK") && text.contains("RESTART_OCCURRED"));
+        assertEquals("a fix a second", 2, text.split("GPGGA", -1).length - 1, 1);
+        assertFalse("none yet: " + text, text.contains("GPRMC") && text.contains(",A,3336"));
+        line.pass(2);
+        assertTrue(line.takeText().contains(",A,3336"));
+    }
 }

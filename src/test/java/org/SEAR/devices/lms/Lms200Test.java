@@ -286,4 +286,41 @@ public class Lms200Test {
             assertTrue("scan after " + wait, wait <= 0.06 + 10.0 / baud.getRate());
         }
     }
+
+    @Test
+    public void thePowerSwitchEndsAStreamAt500000Baud() {
+        assertEquals(MODE_OK, ask("02 00 02 00 20 48 58 08"));
+        line.host("02 00 02 00 20 24 34 08");
+        line.pass(1);
+        assertEquals(500000, lms.getBaud());
+        lms.powerOff();
+        line.now += 100;
+        line.clearOutput();
+        line.take();
+        lms.powerOn(line.now);
+        assertEquals(9600, lms.getBaud());
+        line.host("02 00 01 00 31 15 12");
+        line.pass(4.9);
+        assertEquals("it starts", "", line.takeHex());
+        line.pass(0.2);
+        assertEquals("02 80 17 00 90 4C 4D 53 32 30 30 3B 33 30 31 30 36 33 3B 56 30 32 2E 31 30 20 10 63 5E", line.takeHex());
+        line.pass(5);
+        assertEquals("no stream", "", line.takeHex());
+        assertTrue(ask("02 00 02 00 30 01 31 18").startsWith("06 02 80 6E 01 B0"));
+    }
+
+    @Test
+    public void withoutPowerAnLms200ForgetsTheVariantButNoConfigurationAndPermanentBaudRate() {
+        ask("02 00 02 00 20 40 50 08");
+        ask("02 00 02 00 66 01 9D 4E");
+        ask("02 00 05 00 3B 64 00 64 00 1D 0F");
+        ask(INSTALLATION);
+        ask("02 00 23 00 77 00 00 70 00 00 04 01 00 00 02 02" + ZEROS + " 02 00 94 8A");
+        lms.powerOff();
+        lms.powerOn(line.now);
+        line.pass(6);
+        assertEquals(38400, lms.getBaud());
+        assertTrue(ask("02 00 01 00 74 50 12").startsWith("06 02 80 24 00 F4 00 00 70 00 00 04 01"));
+        assertTrue("180 degrees", ask("02 00 02 00 30 01 31 18").startsWith("06 02 80 6E 01 B0"));
+    }
 }

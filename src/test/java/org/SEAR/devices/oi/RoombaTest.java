@@ -334,12 +334,48 @@ public class RoombaTest {
     }
 
     @Test
-    public void powerOffAndOnIsAFreshStart() {
+    public void aResetIsAFreshStart() {
         power(OiModel.CREATE);
         String fresh = roomba.status();
         line.host("80 84 8B FF FF FF 94 01 07");
         line.pass(1);
         roomba.reset();
         assertEquals(fresh, roomba.status());
+    }
+
+    /** What a killed driver leaves behind: a stream at another speed, wheels that turn. */
+    @Test
+    public void thePowerSwitchEndsModeStreamAndBaudRate() {
+        for (OiModel model : OiModel.values()) {
+            power(model);
+            line.host(model.isLadder() ? "80 82 89 00 C8 80 00" : "80 81 07");
+            line.host(model.isLadder() ? "" : "83 89 00 C8 80 00 94 01 07");
+            line.pass(1);
+            assertEquals(model.isLadder() ? 57600 : 19200, roomba.getBaud());
+            assertEquals(0.2, line.hardware.left, 1e-6);
+            roomba.powerOff();
+            assertEquals("motors have no power", 0, line.hardware.left, 0);
+            line.now += 100;
+            line.take();
+            roomba.powerOn(line.now);
+            line.pass(1);
+            assertEquals("only a Create 2 says that it boots", model == OiModel.CREATE2 ? "bl-start\r\nRoomba by iRobot!\r\n" : "", line.takeText());
+            assertEquals(57600, roomba.getBaud());
+            assertEquals(OiMode.OFF, roomba.getMode());
+            assertEquals("", ask("8E 07"));
+            assertTrue("it listens", ask("80 8E 02").length() > 0);
+        }
+    }
+
+    @Test
+    public void theBatteryStaysAsEmptyWithoutPower() {
+        power(OiModel.CREATE);
+        line.host("80");
+        line.pass(60);
+        String used = ask("8E 19");
+        roomba.powerOff();
+        roomba.powerOn(line.now);
+        line.pass(0.1);
+        assertEquals(used, ask("80 8E 19"));
     }
 }

@@ -36,7 +36,8 @@ import org.myrobotlab.service.sear.readings.ScriptReadings;
  *               "pose": [..]},
  *              {"name": "Tree1", "type": "Model", "terrain": false, ..},
  *              {"name": "Land", "type": "Terrain", "ground": "1f-2e" (its stamp: see {@link TerrainMap}), ..}],
- *  "robots": [{"name": "myRoomba", "pose": [..], "speed": 0.2, "turnRate": 0, "radius": 0.17, "path": [[x, z], ..], "status": [..],
+ *  "robots": [{"name": "myRoomba", "pose": [..], "speed": 0.2, "turnRate": 0, "radius": 0.17, "path": [[x, z], ..],
+ *              "devices": [{"name", "on" (whether it has power), "status" (what it is doing)}],
  *              "parts": [{"name", "type", "corners", "image", "color", "colored", "pose" (in the body)}]}],
  *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "hit": [x, y, z] or null,
  *               "cones": [{"halfAngle", "range", "yaw"}]},
@@ -163,8 +164,20 @@ public final class WorldJson {
             Map<String, Object> map = posed(robot.pose);
             map.put("speed", rounded(robot.speed, FINE));
             map.put("turnRate", rounded(robot.turnRate, FINE));
-            map.put("status", robot.status);
+            map.put("devices", devices(robot));
             extendPath(robot);
+            list.add(map);
+        }
+        return list;
+    }
+
+    private static List<Object> devices(Snapshot.RobotState robot) {
+        List<Object> list = new ArrayList<>();
+        for (Snapshot.DeviceState device : robot.devices) {
+            Map<String, Object> map = new LinkedHashMap<>();
+            map.put("name", device.name);
+            map.put("on", device.powered);
+            map.put("status", device.status);
             list.add(map);
         }
         return list;

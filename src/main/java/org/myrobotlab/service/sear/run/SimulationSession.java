@@ -425,6 +425,21 @@ public final class SimulationSession {
         return paused;
     }
 
+    /** Switches the power of a serial device; what was written to its port until now is gone. */
+    public void power(String name, boolean on) throws InterruptedException {
+        sleepers.whileSleeping(SleepingThreads.NOW, () -> {
+            synchronized (stepping) {
+                if (lockStep) {
+                    quiescence.settle();
+                }
+                ask(world -> {
+                    world.power(name, on);
+                    return true;
+                });
+            }
+        });
+    }
+
     /** Everything back to the start. */
     public void reset() throws InterruptedException {
         sleepers.whileSleeping(SleepingThreads.NOW, this::toTheStart);

@@ -1,6 +1,6 @@
 """Drives the simulated robot and scans with the simulated LIDAR through pyserial, as a user's own script would do with the real ones.
 
-usage: pyserial_scan.py ROBOT_PORT ROBOT_BAUD LIDAR_PORT
+usage: pyserial_scan.py ROBOT_PORT ROBOT_BAUD LIDAR_PORT   (paths, or rfc2217://localhost:NUMBER)
 
 Prints the scan's raw values on one line and the distance driven on the next; exit status 1 with a reason when an answer is wrong or missing."""
 import struct
@@ -43,8 +43,18 @@ def ask(port, *data):
     return rest[:-2]
 
 
+def set_baud(port, code, baud):
+    done = ask(port, 0x20, code)
+    if bytearray(done)[:2] != bytearray(b"\xa0\x00"):
+        sys.exit("%d baud was refused: %r" % (baud, done))
+    port.baudrate = baud
+
+
 def scan(name):
-    with serial.Serial(name, 9600, timeout=3) as port:
+    with serial.serial_for_url(name, 9600, timeout=3) as port:
+        if name.startswith("rfc2217:"):
+            port.dtr, port.rts = False, True
+        set_baud(port, 0x40, 38400)
         kind = ask(port, 0x3A)
         if not kind[1:].startswith(b"LMS200"):
             sys.exit("the type telegram says %r" % kind)
@@ -55,11 +65,12 @@ def scan(name):
         count = struct.unpack("<H", data[1:3])[0] & 0x3FF
         if count != VALUES_180_BY_1:
             sys.exit("%d values instead of %d" % (count, VALUES_180_BY_1))
+        set_baud(port, 0x42, 9600)
         return [value & 0x1FFF for value in struct.unpack("<%dH" % count, data[3:3 + 2 * count])]
 
 
 def drive(name, baud):
-    with serial.Serial(name, baud, timeout=3) as port:
+    with serial.serial_for_url(name, baud, timeout=3) as port:
         port.write(b"\x80\x83\x8e\x13")
         port.read(2)
         port.write(b"\x89\x00\xc8\x80\x00")

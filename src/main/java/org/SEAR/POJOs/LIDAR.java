@@ -165,6 +165,26 @@ public class LIDAR extends SensorObject implements SerialObject {
         fanChanged();
     }
 
+    @Override
+    public String getExport() {
+        return serial.getExport();
+    }
+
+    /**
+     * Has every start of a simulation export the user's port; the export stays while the simulation is stopped.
+     *
+     * @param target the name of a link in the folder SEARports, for example {@code ttySICK}; or {@code tcp:5001} or {@code rfc2217:5001}, a port of
+     *     this computer; null for nowhere
+     */
+    public void setExport(String target) {
+        serial.setExport(this, target);
+    }
+
+    /** @param port raw bytes at this TCP port of this computer, 1024 to 65535 */
+    public void setExport(int port) {
+        serial.setExport(this, "tcp:" + port);
+    }
+
     /** @param newBaud speed at power-on, 300 to 1000000 */
     public void setBaud(int newBaud) {
         serial.setBaud(this, newBaud);

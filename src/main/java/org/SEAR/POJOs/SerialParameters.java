@@ -8,6 +8,8 @@ public final class SerialParameters {
     private String userPort;
     @Param(doc = "speed of the device's line at power-on", unit = "baud", min = 300, max = 1e6)
     private int baud;
+    @Param(doc = "where other programs on this computer find the user's port, from the start of a simulation on", text = TextRule.EXPORT)
+    private String export;
 
     /**
      * Without ports.
@@ -52,6 +54,27 @@ public final class SerialParameters {
         }
         uartPort = uart;
         userPort = user;
+        owner.changed();
+    }
+
+    /** Where programs outside find the user's end, see {@link ExportTarget}; null for nowhere. */
+    public String getExport() {
+        return export;
+    }
+
+    /**
+     * Says where programs outside find the user's end, and writes the object's file.
+     *
+     * @param owner the object whose parameters these are
+     * @param target see {@link ExportTarget}; null for nowhere
+     */
+    public void setExport(SearObject owner, String target) {
+        if (target == null) {
+            owner.checkChangeable();
+        } else {
+            owner.checked("export", target);
+        }
+        export = target;
         owner.changed();
     }
 

@@ -51,6 +51,13 @@ public enum TextRule {
             return true;
         }
     },
+    /** Where a port is exported to. */
+    EXPORT(ExportTarget.LEGAL) {
+        @Override
+        boolean allows(String text) {
+            return ExportTarget.isLegal(text);
+        }
+    },
     /** A colour. */
     COLOR("a colour: #rrggbb, or " + String.join(", ", ColorNames.all())) {
         @Override

@@ -28,13 +28,15 @@ import org.myrobotlab.service.interfaces.SerialDataListener;
  * a real cable. Any thread may call; listeners are called by the port's own reader thread, which lives while the port is open.
  */
 public class VirtualSerialPort extends Port {
+    /** Slowest and fastest rate that can be set, bits a second. */
+    public static final int LOWEST_BAUD = 50;
+    public static final int HIGHEST_BAUD = 4_000_000;
     /** Bytes that a real port takes before its writer has to wait, see {@link #awaitRoom}. */
     public static final int BUFFER = 4096;
 
-    private static final int LOWEST_BAUD = 50;
     /** How often a full line is looked at again, milliseconds. */
     private static final long LOOK_FOR_ROOM = 10;
-    private static final int HIGHEST_BAUD = 4_000_000;
+    private static final String WAY_OUT = "disconnect() there first";
     private static final int DEFAULT_BAUD = 115200;
     /** How long the reader waits for a service whose messages don't go out. */
     private static final long PATIENCE = TimeUnit.SECONDS.toNanos(1);
@@ -45,7 +47,7 @@ public class VirtualSerialPort extends Port {
     private volatile boolean paced = true;
     private volatile boolean opened;
     private volatile String owner;
-    private volatile String wayOut = "disconnect() there first";
+    private volatile String wayOut = WAY_OUT;
     private volatile IntConsumer baudListener = baud -> { };
     private volatile LongConsumer handedHook = total -> { };
     private volatile IntSupplier beyond = () -> 0;
@@ -100,9 +102,9 @@ public class VirtualSerialPort extends Port {
         owner = who;
     }
 
-    /** What a service does that wants this port while another has it, in words; "disconnect() there first" unless told otherwise. */
+    /** What a service does that wants this port while another has it, in words; null for "disconnect() there first". */
     public void setWayOut(String advice) {
-        wayOut = advice;
+        wayOut = advice == null ? WAY_OUT : advice;
     }
 
     /** See {@link #setOwner}. */
@@ -238,6 +240,12 @@ public class VirtualSerialPort extends Port {
         parity = newParity;
         baudListener.accept(newRate);
         return true;
+    }
+
+    /** The speed that was set holds no more: a simulated device at the other end is understood at any. */
+    public void forgetBaud() {
+        rate = DEFAULT_BAUD;
+        baudListener.accept(0);
     }
 
     @Override

@@ -81,7 +81,7 @@ public class SEAR extends Service<SEARConfig> {
      * @example sear.startSimulation(True)
      */
     public void startSimulation(boolean debugShapes) {
-        calls.act(() -> parts.control().start(debugShapes));
+        calls.act(() -> parts.start(debugShapes));
         changed();
     }
 
@@ -631,14 +631,15 @@ public class SEAR extends Service<SEARConfig> {
         return calls.attempt(() -> ExampleScripts.text(ScriptText.of(name)));
     }
 
-    // ---- ports for other programs (a simulation must run) ----------------------------------------------------------
+    // ---- ports for other programs (before, while and after a simulation runs) -------------------------------------
 
     /**
-     * Lets any program on this computer open a virtual port, as a pseudo-terminal (Linux, macOS).
+     * Lets any program on this computer open a virtual port, as a pseudo-terminal (Linux, macOS). An export belongs to the port's name: it may be made
+     * before the start, and stays when the simulation stops, silent until one with such a port runs again. Asked for again, it is the same one.
      *
      * @param userPort the port's name, for example {@code "/dev/SEAR_LIDAR_01"}
      * @return the path to open
-     * @throws IllegalStateException if there is no such port, or it is in use
+     * @throws IllegalStateException if the running simulation has no such port, or it is in use
      * @example path = sear.exportPort("/dev/SEAR_LIDAR_01")
      */
     public String exportPort(String userPort) {
@@ -649,26 +650,60 @@ public class SEAR extends Service<SEARConfig> {
      * The same, by a path that stays.
      *
      * @param userPort the port's name
-     * @param link path of a symbolic link that is to lead to the pseudo-terminal, so that its name stays the same
+     * @param link path of a symbolic link that is to lead to the pseudo-terminal, so that its name stays the same; one that an earlier run has left is
+     *     replaced, anything else of that name is not touched
      * @return the path to open
-     * @throws IllegalStateException if there is no such port, or it is in use, or something else has the link's name
+     * @throws IllegalStateException if the running simulation has no such port, or it is in use, or something else has the link's name
      * @example path = sear.exportPort("/dev/SEAR_GPS_01", "ttyGPS")
      */
     public String exportPort(String userPort, String link) {
-        return calls.attempt(() -> parts.exports().terminal(userPort, link));
+        return calls.attempt(() -> parts.exports().terminal(ScriptText.of(userPort), ScriptText.of(link)));
     }
 
     /**
-     * The same as a TCP server on the loopback address, raw bytes, on every system.
+     * The same as a TCP server on the loopback address, raw bytes, on every system. It has no baud rate: the device's own holds.
      *
      * @param userPort the port's name
      * @param number TCP port, 0 for any free one
      * @return the number
-     * @throws IllegalStateException if there is no such port, or it is in use, or the number is
+     * @throws IllegalStateException if the running simulation has no such port, or it is in use, or the number is
      * @example number = sear.exportTcp("/dev/SEAR_Robot_01", 0)
      */
     public int exportTcp(String userPort, int number) {
-        return calls.attempt(() -> parts.exports().tcp(userPort, number));
+        return calls.attempt(() -> parts.exports().tcp(ScriptText.of(userPort), number));
+    }
+
+    /**
+     * The same as a TCP server that speaks RFC 2217, by which a program sets the baud rate: pyserial's {@code rfc2217://localhost:5002}.
+     *
+     * @param userPort the port's name
+     * @param number TCP port, 0 for any free one
+     * @return the number
+     * @throws IllegalStateException if the running simulation has no such port, or it is in use, or the number is
+     * @example number = sear.exportRfc2217("/dev/SEAR_LIDAR_01", 0)
+     */
+    public int exportRfc2217(String userPort, int number) {
+        return calls.attempt(() -> parts.exports().rfc2217(ScriptText.of(userPort), number));
+    }
+
+    /**
+     * The exports that there are: each port's name with what programs open, in words, those of {@code setExport} too.
+     *
+     * @example for port, ways in sear.getExports().items(): print port, "is", ", ".join(ways)
+     */
+    public Map<String, List<String>> getExports() {
+        return calls.attempt(() -> parts.exports().list());
+    }
+
+    /**
+     * Ends all exports of a port.
+     *
+     * @param userPort the port's name
+     * @throws IllegalArgumentException that names the exported ports
+     * @example sear.exportPort("/dev/SEAR_GPS_01"); sear.endExport("/dev/SEAR_GPS_01")
+     */
+    public void endExport(String userPort) {
+        calls.act(() -> parts.exports().end(ScriptText.of(userPort)));
     }
 
     // ---- for panels ------------------------------------------------------------------------------------------------

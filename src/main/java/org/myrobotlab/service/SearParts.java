@@ -160,9 +160,15 @@ final class SearParts {
         return true;
     }
 
+    /** Starts the project's world, with its exports. */
+    public void start(boolean debugShapes) throws ProjectException, IOException {
+        control.start(debugShapes);
+        exports.begin();
+    }
+
     /** Ends the simulation and what hangs on it. */
     public void stop() {
-        exports.close();
+        exports.pause();
         control.stop();
         feed.forget();
     }
@@ -172,5 +178,6 @@ final class SearParts {
         Notices.leave(notices);
         publisher.close();
         stop();
+        exports.close();
     }
 }

@@ -48,7 +48,7 @@ public class ScriptExamplesTest {
         ScriptDocs docs = new ScriptDocs(ROOT);
         for (String service : ScriptDocs.SERVICES) {
             if (!service.equals("SEAR")) {
-                script.append("ready(False)\n");
+                script.append("ready(False)\nfor port in sear.getExports(): sear.endExport(port)\n");
             }
             for (ScriptCall call : docs.calls(service)) {
                 script.append("ready(").append(WHILE_STOPPED.contains(call.name) ? "False" : "True").append(")\n");

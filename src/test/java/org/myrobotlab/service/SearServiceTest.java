@@ -583,4 +583,61 @@ public class SearServiceTest {
         }
         return found.toString();
     }
+
+    /** A driver may start first: the export is there before the simulation, and stays when that stops. */
+    @Test
+    public void exportsOutliveSimulations() throws Exception {
+        int number = sear.exportTcp(TestWorld.ROOMBA_PORT, 0);
+        try (java.net.Socket driver = new java.net.Socket(java.net.InetAddress.getLoopbackAddress(), number)) {
+            for (int round = 0; round < 3; round++) {
+                sear.startSimulation();
+                assertEquals("mode passive", 1, modeOf(driver));
+                assertEquals(number, sear.exportTcp(TestWorld.ROOMBA_PORT, 0));
+                sear.stopSimulation();
+            }
+            assertEquals("[tcp port " + number + "]", sear.getExports().get(TestWorld.ROOMBA_PORT).toString());
+            sear.endExport(TestWorld.ROOMBA_PORT);
+            assertTrue(sear.getExports().isEmpty());
+            assertEquals("the driver is told", -1, driver.getInputStream().read());
+        }
+        assertFails("port \"/dev/nose\" is not exported, legal: none is", () -> sear.endExport("/dev/nose"));
+        sear.startSimulation();
+        assertFails("there is no virtual port \"/dev/nose\"; there are ", () -> sear.exportTcp("/dev/nose", 0));
+    }
+
+    /** What a Roomba answers to 128, 142 35: a lock-step simulation has to be advanced meanwhile. */
+    private int modeOf(java.net.Socket driver) throws IOException {
+        driver.getOutputStream().write(new byte[] {(byte) 0x80, (byte) 0x8E, 0x23});
+        while (driver.getInputStream().available() == 0) {
+            sear.step(1);
+        }
+        return driver.getInputStream().read();
+    }
+
+    @Test
+    public void anExportOfTheProjectIsMadeAtItsStartAndGoesWithTheProject() throws Exception {
+        Path ports = temporary.getRoot().toPath().resolve("SEARports");
+        robotOf(folder, "<export>ttyRobot</export>");
+        assertFalse(Files.exists(ports));
+        sear.startSimulation();
+        assertTrue(heard.awaitStatus("port " + TestWorld.ROOMBA_PORT + " is exported as " + ports.resolve("ttyRobot")));
+        sear.stopSimulation();
+        assertTrue("it stays", Files.isSymbolicLink(ports.resolve("ttyRobot")));
+        Path precious = Files.writeString(ports.resolve("ttyOther"), "precious");
+        robotOf(folder, "<export>ttyOther</export>");
+        sear.startSimulation();
+        assertFalse(Files.exists(ports.resolve("ttyRobot"), java.nio.file.LinkOption.NOFOLLOW_LINKS));
+        assertTrue(heard.awaitStatus("the export of port " + TestWorld.ROOMBA_PORT + " does not work: " + precious));
+        assertEquals("precious", Files.readString(precious));
+        assertTrue(sear.getExports().toString(), sear.getExports().values().stream().allMatch(List::isEmpty));
+        sear.stopSimulation();
+        robotOf(folder, "<export>../.bashrc</export>");
+        assertFails("export is \"../.bashrc\", legal: the name of a link", () -> sear.startSimulation());
+    }
+
+    private static void robotOf(Path project, String export) throws IOException {
+        Path file = project.resolve("robot/drive.xml");
+        String xml = Files.readString(file).replaceAll("\\s*<export>.*</export>", "");
+        Files.writeString(file, xml.replace("</userPort>", "</userPort>\n  " + export));
+    }
 }

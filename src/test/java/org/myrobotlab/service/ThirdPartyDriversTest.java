@@ -100,8 +100,18 @@ public class ThirdPartyDriversTest {
 
     @Test
     public void pyserialScansAndDrives() throws Exception {
+        scanAndDrive(sear.exportPort("/dev/SEAR_Robot_01"), sear.exportPort("/dev/SEAR_LIDAR_01"));
+    }
+
+    @Test
+    public void pyserialSetsTheBaudRateOverTcp() throws Exception {
+        scanAndDrive("rfc2217://localhost:" + sear.exportRfc2217("/dev/SEAR_Robot_01", 0),
+            "rfc2217://localhost:" + sear.exportRfc2217("/dev/SEAR_LIDAR_01", 0));
+    }
+
+    private void scanAndDrive(String robot, String scanner) throws Exception {
         int[] expected = millimetres(sear.getLidarResult("scanner"));
-        List<String> output = python("pyserial_scan.py", sear.exportPort("/dev/SEAR_Robot_01"), "115200", sear.exportPort("/dev/SEAR_LIDAR_01"));
+        List<String> output = python("pyserial_scan.py", robot, "115200", scanner);
         int[] scan = Arrays.stream(output.get(0).split(" ")).mapToInt(Integer::parseInt).toArray();
         assertEquals(expected.length, scan.length);
         for (int i = 0; i < scan.length; i++) {

@@ -1,8 +1,17 @@
 package org.myrobotlab.service.sear.export;
 
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import org.SEAR.POJOs.ExportTarget;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.SerialObject;
 import org.SEAR.devices.SerialLine;
 import org.myrobotlab.serial.Port;
 import org.myrobotlab.serial.SerialDeviceFactory;
@@ -11,11 +20,37 @@ import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
-/** The virtual ports that programs outside MyRobotLab can open. Any thread. */
+/**
+ * The virtual ports that programs outside MyRobotLab can open. An export belongs to the name of a port, not to a simulation: it may be made before,
+ * and stays when the simulation stops, silent, until there is a port of that name again. Those that a project asks for are made when it starts. Any
+ * thread.
+ */
 public final class Exports {
+    /** Folder, beside the project's, of the links that projects ask for: the only place where a project may have one. */
+    public static final String FOLDER = "SEARports";
+
     private final Host host;
     private final SimulationControl control;
     private final Map<String, PortBridge> bridges = new LinkedHashMap<>();
+    private final Map<String, Export> made = new LinkedHashMap<>();
+
+    /** An export that is there. */
+    private static final class Export {
+        private final PortBridge bridge;
+        private final ExternalEndpoint endpoint;
+        private final boolean ofProject;
+
+        Export(PortBridge bridge, ExternalEndpoint endpoint, boolean ofProject) {
+            this.bridge = bridge;
+            this.endpoint = endpoint;
+            this.ofProject = ofProject;
+        }
+    }
+
+    /** Makes an endpoint. */
+    private interface Opener {
+        ExternalEndpoint open() throws IOException;
+    }
 
     public Exports(Host host, SimulationControl control) {
         this.host = host;
@@ -23,67 +58,204 @@ public final class Exports {
     }
 
     /**
-     * Makes a pseudo-terminal for a port.
+     * Makes a pseudo-terminal for a port; asked for again, the same one.
      *
      * @param link path of a symbolic link to make to it, or null
      * @return path to open: the link's, or the terminal's own, for example {@code /dev/pts/3}
-     * @throws IOException if there is no such port, or it is in use, or this system has no pseudo-terminals
+     * @throws IOException if a simulation runs that has no such port, or it is in use, or this system has no pseudo-terminals
      */
     public synchronized String terminal(String port, String link) throws IOException {
-        PortBridge bridge = bridge(port);
-        PseudoTerminal terminal = PseudoTerminal.open(port, link, baudOf(port));
-        bridge.add(terminal);
-        return terminal.getPath();
+        return terminal(port, link == null ? null : Paths.get(link), false);
+    }
+
+    private String terminal(String port, Path link, boolean ofProject) throws IOException {
+        String key = port + " terminal " + (link == null ? "" : link.toAbsolutePath().normalize());
+        return ((PseudoTerminal) export(port, key, ofProject, () -> PseudoTerminal.open(port, link))).getPath();
     }
 
     /**
-     * Makes a TCP server on the loopback address for a port: raw bytes.
+     * Makes a TCP server on the loopback address for a port: raw bytes. Asked for again, the same one.
      *
      * @param number of the TCP port, 0 for any free one
      * @return the number
      */
     public synchronized int tcp(String port, int number) throws IOException {
-        PortBridge bridge = bridge(port);
-        TcpEndpoint server = TcpEndpoint.open(port, number);
-        bridge.add(server);
-        return server.getNumber();
+        return tcp(port, TcpSession.RAW, number, false);
     }
 
-    private PortBridge bridge(String name) throws IOException {
-        PortBridge present = bridges.get(name);
-        if (present != null && present.isOpen()) {
-            return present;
+    /** The same by RFC 2217, by which the program sets the line's baud rate. */
+    public synchronized int rfc2217(String port, int number) throws IOException {
+        return tcp(port, Rfc2217.KIND, number, false);
+    }
+
+    private int tcp(String port, TcpSession.Kind kind, int number, boolean ofProject) throws IOException {
+        String key = port + ' ' + kind.getName() + ' ' + number;
+        return ((TcpEndpoint) export(port, key, ofProject, () -> TcpEndpoint.open(port, kind, number))).getNumber();
+    }
+
+    private ExternalEndpoint export(String port, String key, boolean ofProject, Opener opener) throws IOException {
+        Export present = made.get(key);
+        if (present != null) {
+            if (!present.bridge.isAttached()) {
+                attach(port, present.bridge);
+            }
+            return present.endpoint;
         }
+        PortBridge bridge = bridges.get(port);
+        boolean fresh = bridge == null;
+        if (fresh) {
+            bridge = new PortBridge(port, host);
+        }
+        if (!bridge.isAttached()) {
+            attach(port, bridge);
+        }
+        try {
+            ExternalEndpoint endpoint = opener.open();
+            bridges.put(port, bridge);
+            made.put(key, new Export(bridge, endpoint, ofProject));
+            bridge.add(endpoint);
+            return endpoint;
+        } catch (IOException | RuntimeException e) {
+            if (fresh) {
+                bridge.close();
+            }
+            throw e;
+        }
+    }
+
+    /** Joins a bridge to the port of its name, if there is one. */
+    private void attach(String name, PortBridge bridge) throws IOException {
         Port port = SerialDeviceFactory.get(name);
-        if (!(port instanceof VirtualSerialPort)) {
+        SimulationSession session = control.sessionOrNull();
+        if (port instanceof VirtualSerialPort) {
+            SerialLine line = session == null ? null : lineOf(session, name);
+            bridge.attach((VirtualSerialPort) port, line == null ? () -> 0 : line::getDeviceBaud);
+        } else if (session != null) {
             throw new IOException("there is no virtual port \"" + name + "\"; there are " + names());
         }
-        PortBridge bridge = new PortBridge((VirtualSerialPort) port, host);
-        bridges.put(name, bridge);
-        return bridge;
     }
 
-    private static StringBuilder names() {
+    private static String names() {
         StringBuilder names = new StringBuilder();
         SerialDeviceFactory.getVirtualPorts().forEach(port -> names.append(names.length() == 0 ? "" : ", ").append(port.getName()));
-        return names;
+        return names.length() == 0 ? "none" : names.toString();
     }
 
-    private int baudOf(String port) {
+    private static SerialLine lineOf(SimulationSession session, String port) {
+        for (SerialLine line : session.getSimulation().getLines()) {
+            if (line.getUserPort().equals(port)) {
+                return line;
+            }
+        }
+        return null;
+    }
+
+    /** A simulation has started: joins the exports that there are to its ports, and makes those that its project asks for. What fails is said. */
+    public synchronized void begin() {
         SimulationSession session = control.sessionOrNull();
-        if (session != null) {
-            for (SerialLine line : session.getSimulation().getLines()) {
-                if (line.getUserPort().equals(port)) {
-                    return line.getDeviceBaud();
+        if (session == null) {
+            return;
+        }
+        Map<String, ExportTarget> wanted = wanted(session);
+        endThoseOfOtherProjects(wanted);
+        bridges.forEach((name, bridge) -> orSay(name, () -> attach(name, bridge)));
+        wanted.forEach((port, target) -> orSay(port, () -> host.progress("port " + port + " is exported as " + make(port, target))));
+    }
+
+    private static Map<String, ExportTarget> wanted(SimulationSession session) {
+        Map<String, ExportTarget> wanted = new LinkedHashMap<>();
+        for (SEARrobot robot : session.getSimulation().getProject().getRobots()) {
+            for (SearObject part : robot.getComponents()) {
+                String export = part instanceof SerialObject ? ((SerialObject) part).getExport() : null;
+                if (export != null && ((SerialObject) part).getUserPort() != null) {
+                    wanted.put(((SerialObject) part).getUserPort(), ExportTarget.of(export));
                 }
             }
         }
-        return 0;
+        return wanted;
+    }
+
+    private void endThoseOfOtherProjects(Map<String, ExportTarget> wanted) {
+        List<String> gone = new ArrayList<>();
+        made.forEach((key, export) -> {
+            if (export.ofProject && wanted.entrySet().stream().noneMatch(one -> key.equals(keyOf(one.getKey(), one.getValue())))) {
+                gone.add(key);
+            }
+        });
+        gone.forEach(this::drop);
+    }
+
+    private String keyOf(String port, ExportTarget target) {
+        return target.isLink() ? port + " terminal " + linkOf(target).normalize()
+            : port + ' ' + (target.isRfc2217() ? Rfc2217.KIND : TcpSession.RAW).getName() + ' ' + target.getNumber();
+    }
+
+    private Path linkOf(ExportTarget target) {
+        return control.getFolder().toAbsolutePath().resolveSibling(FOLDER).resolve(target.getLink());
+    }
+
+    private String make(String port, ExportTarget target) throws IOException {
+        if (target.isLink()) {
+            Path link = linkOf(target);
+            Files.createDirectories(link.getParent());
+            return terminal(port, link, true);
+        }
+        TcpSession.Kind kind = target.isRfc2217() ? Rfc2217.KIND : TcpSession.RAW;
+        return kind.getName() + " port " + tcp(port, kind, target.getNumber(), true);
+    }
+
+    private void orSay(String port, Attempt attempt) {
+        try {
+            attempt.run();
+        } catch (IOException | RuntimeException e) {
+            host.warn("the export of port " + port + " does not work: " + e.getMessage());
+        }
+    }
+
+    /** What may fail. */
+    private interface Attempt {
+        void run() throws IOException;
+    }
+
+    /** The simulation is about to stop: the exports fall silent. */
+    public synchronized void pause() {
+        bridges.values().forEach(PortBridge::detach);
+    }
+
+    /** What there is: the names of ports, each with what programs open. */
+    public synchronized Map<String, List<String>> list() {
+        Map<String, List<String>> list = new LinkedHashMap<>();
+        bridges.forEach((name, bridge) -> list.put(name, bridge.describe()));
+        return list;
+    }
+
+    /**
+     * Ends all exports of a port.
+     *
+     * @throws IllegalArgumentException that names the exported ports
+     */
+    public synchronized void end(String port) {
+        if (!bridges.containsKey(port)) {
+            throw new IllegalArgumentException("port \"" + port + "\" is not exported, legal: "
+                + (bridges.isEmpty() ? "none is" : String.join(", ", bridges.keySet())));
+        }
+        bridges.remove(port).close();
+        made.values().removeIf(export -> export.bridge.isEmpty());
+    }
+
+    private void drop(String key) {
+        Export export = made.remove(key);
+        export.bridge.remove(export.endpoint);
+        if (export.bridge.isEmpty()) {
+            export.bridge.close();
+            bridges.values().remove(export.bridge);
+        }
     }
 
     /** Takes all of them away. */
     public synchronized void close() {
         bridges.values().forEach(PortBridge::close);
         bridges.clear();
+        made.clear();
     }
 }

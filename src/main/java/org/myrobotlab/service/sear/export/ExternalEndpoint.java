@@ -1,20 +1,22 @@
 package org.myrobotlab.service.sear.export;
 
-import java.util.function.Consumer;
-import java.util.function.IntConsumer;
-
-/** Where a program outside MyRobotLab comes in to a port. */
+/** Where programs outside MyRobotLab come in to a port: made once, it stays while simulations come and go. Any thread. */
 interface ExternalEndpoint {
-    /**
-     * Starts taking bytes.
-     *
-     * @param bytes gets what the program sends
-     * @param baud gets the rate the program sets, where one can be set
-     */
-    void start(Consumer<byte[]> bytes, IntConsumer baud);
+    /** Starts taking bytes for {@code end}, which hears of every program that comes and goes. */
+    void start(LineEnd end);
 
     /** Bytes for the program; lost if nobody reads them. Never waits. */
     void write(byte[] bytes);
+
+    /**
+     * A device has come to the port.
+     *
+     * @param baud its speed, which programs find there if none has set another
+     */
+    void deviceAt(int baud);
+
+    /** What a program opens, in words, for example {@code "pseudo-terminal /dev/pts/3"}. */
+    String describe();
 
     /** Ends it. */
     void close();

@@ -1,56 +1,178 @@
 package org.myrobotlab.service.sear.export;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.IntSupplier;
+import java.util.stream.Collectors;
 import org.SEAR.devices.RepeatedWarnings;
 import org.myrobotlab.framework.QueueStats;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 import org.myrobotlab.service.sear.Host;
 
-/** Passes bytes between a virtual port and programs outside. Any thread. */
+/**
+ * Passes bytes between the virtual port of one name, whenever there is one, and programs outside. While there is none, what comes is gone. Any thread.
+ */
 final class PortBridge implements SerialDataListener {
     private static final int DATA_BITS = 8;
     private static final int STOP_BITS = 1;
     private static final int NO_PARITY = 0;
 
-    private final VirtualSerialPort port;
+    private final String name;
     private final Host host;
     private final RepeatedWarnings repeats = new RepeatedWarnings();
-    private final List<ExternalEndpoint> ends = new CopyOnWriteArrayList<>();
+    private final List<LineEnd> ends = new CopyOnWriteArrayList<>();
+    /** Those with a program, the one whose rate holds last. Guarded by this. */
+    private final List<LineEnd> inUse = new ArrayList<>();
+    private volatile VirtualSerialPort port;
+    private volatile IntSupplier deviceBaud = () -> 0;
+    /** What the port was set to last, 0 for the device's own. Guarded by this. */
+    private int applied;
 
-    /** @throws IOException if another has the port */
-    PortBridge(VirtualSerialPort port, Host host) throws IOException {
-        this.port = port;
+    PortBridge(String name, Host host) {
+        this.name = name;
         this.host = host;
-        if (port.isOpen()) {
-            throw new IOException("port " + port.getName() + " is in use within MyRobotLab: disconnect() there before exporting it");
-        }
-        port.open();
-        port.listen(this);
     }
 
-    void add(ExternalEndpoint end) {
+    /**
+     * The port of this name is there.
+     *
+     * @param baud answers the device's speed, 0 if it is unknown
+     * @throws IOException if another has the port
+     */
+    void attach(VirtualSerialPort present, IntSupplier baud) throws IOException {
+        if (present == port && present.isOpen()) {
+            return;
+        }
+        if (present.isOpen()) {
+            throw new IOException("port " + name + " is in use within MyRobotLab: disconnect() there before exporting it");
+        }
+        present.open();
+        present.listen(this);
+        present.setWayOut("endExport(\"" + name + "\") of the SEAR service first");
+        deviceBaud = baud;
+        ends.forEach(end -> end.getEndpoint().deviceAt(baud.getAsInt()));
+        synchronized (this) {
+            port = present;
+            applied = 0;
+            apply();
+        }
+    }
+
+    /** The port goes away, or is left to others. */
+    void detach() {
+        VirtualSerialPort present;
+        synchronized (this) {
+            present = port;
+            port = null;
+            deviceBaud = () -> 0;
+        }
+        if (present != null) {
+            present.close();
+            present.setWayOut(null);
+        }
+    }
+
+    boolean isAttached() {
+        VirtualSerialPort present = port;
+        return present != null && present.isOpen();
+    }
+
+    int getDeviceBaud() {
+        return deviceBaud.getAsInt();
+    }
+
+    void add(ExternalEndpoint endpoint) {
+        LineEnd end = new LineEnd(this, endpoint);
         ends.add(end);
-        end.start(this::fromOutside, this::setBaud);
+        endpoint.deviceAt(getDeviceBaud());
+        endpoint.start(end);
+    }
+
+    /** Ends one of the ways in. */
+    void remove(ExternalEndpoint endpoint) {
+        for (LineEnd end : ends) {
+            if (end.getEndpoint() == endpoint) {
+                endpoint.close();
+                leave(end);
+                ends.remove(end);
+            }
+        }
+    }
+
+    boolean isEmpty() {
+        return ends.isEmpty();
+    }
+
+    /** What programs open, in words. */
+    List<String> describe() {
+        return ends.stream().map(end -> end.getEndpoint().describe()).collect(Collectors.toList());
+    }
+
+    /** From now on the rate of this end holds. */
+    synchronized void use(LineEnd end) {
+        if (inUse.isEmpty() || inUse.get(inUse.size() - 1) != end) {
+            inUse.remove(end);
+            inUse.add(end);
+            apply();
+        }
+    }
+
+    /** The rate of an end has changed. */
+    synchronized void changed(LineEnd end) {
+        inUse.remove(end);
+        inUse.add(end);
+        apply();
+    }
+
+    /** Nobody uses this end any more: the rate of who came before holds again. */
+    synchronized void leave(LineEnd end) {
+        if (inUse.remove(end) && !inUse.isEmpty()) {
+            apply();
+        }
+    }
+
+    private void apply() {
+        VirtualSerialPort present = port;
+        int baud = inUse.isEmpty() ? 0 : inUse.get(inUse.size() - 1).getBaud();
+        if (present == null || baud == applied) {
+            return;
+        }
+        applied = baud;
+        try {
+            if (baud == 0) {
+                present.forgetBaud();
+            } else {
+                present.setParams(baud, DATA_BITS, STOP_BITS, NO_PARITY);
+            }
+        } catch (IllegalArgumentException e) {
+            warn("baud", e.getMessage());
+        }
     }
 
     /** Holds the program up while the line is full, as a real port does. */
-    private void fromOutside(byte[] bytes) {
+    void send(byte[] bytes) {
+        VirtualSerialPort present = port;
+        if (present == null) {
+            return;
+        }
         try {
             for (int done = 0; done < bytes.length;) {
-                int room = port.awaitRoom();
+                int room = present.awaitRoom();
                 if (room == 0) {
                     return;
                 }
                 int end = Math.min(bytes.length, done + room);
-                port.write(Arrays.copyOfRange(bytes, done, end));
+                present.write(Arrays.copyOfRange(bytes, done, end));
                 done = end;
             }
         } catch (IOException e) {
-            warn("loss", "bytes for exported port " + port.getName() + " were lost: " + e.getMessage());
+            if (present == port && present.isOpen()) {
+                warn("loss", "bytes for exported port " + name + " were lost: " + e.getMessage());
+            }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
@@ -66,32 +188,20 @@ final class PortBridge implements SerialDataListener {
         }
     }
 
-    private void setBaud(int baud) {
-        try {
-            port.setParams(baud, DATA_BITS, STOP_BITS, NO_PARITY);
-        } catch (IllegalArgumentException e) {
-            warn("baud", e.getMessage());
-        }
-    }
-
-    boolean isOpen() {
-        return port.isOpen();
-    }
-
     void close() {
-        port.close();
-        ends.forEach(ExternalEndpoint::close);
+        detach();
+        ends.forEach(end -> end.getEndpoint().close());
         ends.clear();
     }
 
     @Override
     public void onBytes(byte[] bytes) {
-        ends.forEach(end -> end.write(bytes));
+        ends.forEach(end -> end.getEndpoint().write(bytes));
     }
 
     @Override
     public String getName() {
-        return "export of " + port.getName();
+        return "export of " + name;
     }
 
     @Override

@@ -7,12 +7,8 @@ import com.sun.jna.NativeLong;
 import com.sun.jna.Platform;
 import com.sun.jna.Pointer;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.Arrays;
-import java.util.function.Consumer;
-import java.util.function.IntConsumer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -39,9 +35,11 @@ final class PseudoTerminal implements ExternalEndpoint {
     private static final int EVENTS_AT = Integer.BYTES;
     private static final int FOUND_AT = Integer.BYTES + Short.BYTES;
     private static final int NONE = -1;
+    /** Set while the device's rate is not known yet: one that no program sets. */
+    private static final int UNKNOWN_BAUD = 50;
     /** Linux's codes of baud rates (asm-generic/termbits.h). macOS uses the numbers themselves. */
-    private static final int[][] LINUX_BAUDS = {{300, 0x7}, {600, 0x8}, {1200, 0x9}, {2400, 0xB}, {4800, 0xC}, {9600, 0xD}, {19200, 0xE},
-        {38400, 0xF}, {57600, 0x1001}, {115200, 0x1002}, {230400, 0x1003}, {460800, 0x1004}, {500000, 0x1005}, {1000000, 0x1008}};
+    private static final int[][] LINUX_BAUDS = {{UNKNOWN_BAUD, 0x1}, {300, 0x7}, {600, 0x8}, {1200, 0x9}, {2400, 0xB}, {4800, 0xC}, {9600, 0xD},
+        {19200, 0xE}, {38400, 0xF}, {57600, 0x1001}, {115200, 0x1002}, {230400, 0x1003}, {460800, 0x1004}, {500000, 0x1005}, {1000000, 0x1008}};
     /** Linux's TCGETS2, whose termios2 has the rate as a number, those without a code (14400, 28800) too. */
     private static final long GET_TERMIOS_2 = 0x802C542AL;
     private static final int OUTPUT_SPEED = 40;
@@ -52,10 +50,13 @@ final class PseudoTerminal implements ExternalEndpoint {
     /** macOS: the side kept open; {@link #NONE} elsewhere. */
     private final int slave;
     private final String path;
-    private final Path link;
+    private final TerminalLink link;
     private final Memory writeDescriptor = new Memory(Long.BYTES);
     private volatile boolean open = true;
     private boolean unread;
+    /** What the terminal was set to here: as long as it has this rate no program has set one. */
+    private int ownBaud = UNKNOWN_BAUD;
+    private LineEnd end;
     private Thread reader;
 
     /** What is used of the C library. */
@@ -95,7 +96,7 @@ final class PseudoTerminal implements ExternalEndpoint {
         int tcflush(int fd, int what);
     }
 
-    private PseudoTerminal(String port, C c, int master, int slave, String path, Path link) {
+    private PseudoTerminal(String port, C c, int master, int slave, String path, TerminalLink link) {
         this.port = port;
         this.c = c;
         this.master = master;
@@ -104,11 +105,8 @@ final class PseudoTerminal implements ExternalEndpoint {
         this.link = link;
     }
 
-    /**
-     * @param link symbolic link to make, or null
-     * @param baud the rate it starts with, 0 for the system's
-     */
-    static PseudoTerminal open(String port, String link, int baud) throws IOException {
+    /** @param link symbolic link to make, or null */
+    static PseudoTerminal open(String port, Path link) throws IOException {
         if (!Platform.isLinux() && !Platform.isMac()) {
             throw new IOException("this system has no pseudo-terminals: use exportTcp(\"" + port + "\", 0)");
         }
@@ -130,13 +128,13 @@ final class PseudoTerminal implements ExternalEndpoint {
             closeIfOpen(c, master);
             throw new IOException("the pseudo-terminal " + path + " can't be opened (error " + Native.getLastError() + ")");
         }
-        makeRaw(c, slave, baud);
+        makeRaw(c, slave);
         int kept = Platform.isMac() ? slave : NONE;
         if (kept == NONE) {
             c.close(slave);
         }
         try {
-            return new PseudoTerminal(port, c, master, kept, path, makeLink(link, path));
+            return new PseudoTerminal(port, c, master, kept, path, link == null ? null : TerminalLink.make(link, path));
         } catch (IOException | RuntimeException e) {
             closeIfOpen(c, kept);
             closeIfOpen(c, master);
@@ -150,30 +148,16 @@ final class PseudoTerminal implements ExternalEndpoint {
         }
     }
 
-    private static void makeRaw(C c, int slave, int baud) {
+    private static void makeRaw(C c, int slave) {
         Memory termios = new Memory(TERMIOS_SIZE);
         c.tcgetattr(slave, termios);
         c.cfmakeraw(termios);
-        if (baud > 0 && codeOf(baud) > 0) {
-            c.cfsetspeed(termios, new NativeLong(codeOf(baud)));
-        }
+        c.cfsetspeed(termios, new NativeLong(codeOf(UNKNOWN_BAUD)));
         c.tcsetattr(slave, NOW, termios);
     }
 
     private static int codeOf(int baud) {
         return Platform.isMac() ? baud : translated(baud, 0, 1);
-    }
-
-    private static Path makeLink(String link, String path) throws IOException {
-        if (link == null) {
-            return null;
-        }
-        Path made = Paths.get(link).toAbsolutePath();
-        if (Files.exists(made, java.nio.file.LinkOption.NOFOLLOW_LINKS) && !Files.isSymbolicLink(made)) {
-            throw new IOException(made + " exists and is no symbolic link: choose another name");
-        }
-        Files.deleteIfExists(made);
-        return Files.createSymbolicLink(made, Paths.get(path));
     }
 
     /** The path for programs to open. */
@@ -182,32 +166,68 @@ final class PseudoTerminal implements ExternalEndpoint {
     }
 
     @Override
-    public void start(Consumer<byte[]> bytes, IntConsumer baud) {
-        reader = new Thread(() -> read(bytes, baud), "pseudo-terminal of " + port);
+    public String describe() {
+        return "pseudo-terminal " + getPath();
+    }
+
+    /** Programs that don't set a rate find the device's. */
+    @Override
+    public synchronized void deviceAt(int baud) {
+        Memory termios = new Memory(TERMIOS_SIZE);
+        int side = open && baud > 0 && codeOf(baud) > 0 && currentBaud(termios) == ownBaud ? c.open(path, READ_WRITE | NO_CONTROLLING_TERMINAL) : NONE;
+        if (side >= 0) {
+            c.tcgetattr(side, termios);
+            c.cfsetspeed(termios, new NativeLong(codeOf(baud)));
+            c.tcsetattr(side, NOW, termios);
+            ownBaud = currentBaud(termios);
+            c.close(side);
+        }
+    }
+
+    @Override
+    public void start(LineEnd lineEnd) {
+        end = lineEnd;
+        reader = new Thread(this::read, "pseudo-terminal of " + port);
         reader.setDaemon(true);
         reader.start();
     }
 
-    private void read(Consumer<byte[]> bytes, IntConsumer baud) {
+    private void read() {
         Memory descriptor = new Memory(Long.BYTES);
         Memory termios = new Memory(TERMIOS_SIZE);
         byte[] buffer = new byte[BUFFER];
-        int lastBaud = currentBaud(termios);
+        boolean inUse = false;
         while (open) {
             int found = poll(descriptor, POLL_MILLIS);
-            int newBaud = currentBaud(termios);
-            if (newBaud != lastBaud && newBaud > 0) {
-                lastBaud = newBaud;
-                baud.accept(newBaud);
+            boolean hungUp = (found & POLL_HANG_UP) != 0;
+            if (!hungUp && !inUse && open) {
+                end.opened();
+                inUse = true;
             }
+            inUse |= tellBaud(termios);
             int count = (found & POLL_IN) != 0 && open ? c.read(master, buffer, new NativeLong(buffer.length)).intValue() : 0;
             if (count > 0) {
-                bytes.accept(Arrays.copyOf(buffer, count));
-            } else if ((found & POLL_HANG_UP) != 0 && open) {
+                end.send(Arrays.copyOf(buffer, count));
+                inUse = true;
+            } else if (hungUp && open) {
+                if (inUse) {
+                    end.closed();
+                    inUse = false;
+                }
                 forgetUnread();
                 c.poll(null, new NativeLong(0), CLOSED_MILLIS);
             }
         }
+    }
+
+    /** @return whether a program has set another rate */
+    private synchronized boolean tellBaud(Memory termios) {
+        int baud = open ? currentBaud(termios) : 0;
+        boolean changed = baud > 0 && baud != (end.getBaud() > 0 ? end.getBaud() : ownBaud);
+        if (changed) {
+            end.setBaud(baud);
+        }
+        return changed;
     }
 
     /** What there is at the master, {@link #POLL_IN} and {@link #POLL_HANG_UP}; the latter while no program has the terminal open. */
@@ -271,7 +291,7 @@ final class PseudoTerminal implements ExternalEndpoint {
                 reader.join(10L * POLL_MILLIS);
             }
             if (link != null) {
-                Files.deleteIfExists(link);
+                link.remove();
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

@@ -3,36 +3,47 @@ package org.myrobotlab.service.sear.export;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
+import java.nio.channels.CancelledKeyException;
+import java.nio.channels.ClosedSelectorException;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.util.Iterator;
-import java.util.function.Consumer;
-import java.util.function.IntConsumer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** A TCP server on the loopback address: raw bytes, one program at a time, a new one takes over. */
+/**
+ * A TCP server on the loopback address: one program at a time, a new one takes over. What the bytes mean is up to its {@link TcpSession.Kind}. What a
+ * program is slow to take waits in the system's buffer; beyond, whole messages are lost.
+ */
 final class TcpEndpoint implements ExternalEndpoint {
     private static final Logger log = LoggerFactory.getLogger(TcpEndpoint.class);
     private static final int BUFFER = 4096;
     private static final int HIGHEST_PORT = 65535;
 
     private final String port;
+    private final TcpSession.Kind kind;
     private final Selector selector;
     private final ServerSocketChannel server;
-    private volatile SocketChannel client;
+    private LineEnd end;
+    /** Guarded by this, like what follows; null without a program. */
+    private SocketChannel client;
+    private TcpSession session;
+    /** The rest of a message of which the system took only a part. */
+    private ByteBuffer unsent = ByteBuffer.allocate(0);
 
-    private TcpEndpoint(String port, Selector selector, ServerSocketChannel server) {
+    private TcpEndpoint(String port, TcpSession.Kind kind, Selector selector, ServerSocketChannel server) {
         this.port = port;
+        this.kind = kind;
         this.selector = selector;
         this.server = server;
     }
 
     /** @param number of the TCP port, 0 for any free one */
-    static TcpEndpoint open(String port, int number) throws IOException {
+    static TcpEndpoint open(String port, TcpSession.Kind kind, int number) throws IOException {
         if (number < 0 || number > HIGHEST_PORT) {
             throw new IllegalArgumentException("TCP port is " + number + ", legal: 0 (any free one) to " + HIGHEST_PORT);
         }
@@ -42,7 +53,7 @@ final class TcpEndpoint implements ExternalEndpoint {
             server.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), number));
             server.configureBlocking(false);
             server.register(selector, SelectionKey.OP_ACCEPT);
-            return new TcpEndpoint(port, selector, server);
+            return new TcpEndpoint(port, kind, selector, server);
         } catch (IOException e) {
             server.close();
             selector.close();
@@ -55,13 +66,24 @@ final class TcpEndpoint implements ExternalEndpoint {
     }
 
     @Override
-    public void start(Consumer<byte[]> bytes, IntConsumer baud) {
-        Thread thread = new Thread(() -> serve(bytes), "TCP server of " + port);
+    public void start(LineEnd lineEnd) {
+        end = lineEnd;
+        Thread thread = new Thread(this::serve, "TCP server of " + port);
         thread.setDaemon(true);
         thread.start();
     }
 
-    private void serve(Consumer<byte[]> bytes) {
+    @Override
+    public void deviceAt(int baud) {
+        // A raw connection has no rate, and one with a rate asks for it.
+    }
+
+    @Override
+    public String describe() {
+        return kind.getName() + " port " + getNumber();
+    }
+
+    private void serve() {
         try {
             ByteBuffer buffer = ByteBuffer.allocate(BUFFER);
             while (server.isOpen()) {
@@ -71,31 +93,55 @@ final class TcpEndpoint implements ExternalEndpoint {
                     keys.remove();
                     if (key.isValid() && key.isAcceptable()) {
                         accept();
-                    } else if (key.isValid() && key.isReadable()) {
-                        read((SocketChannel) key.channel(), buffer, bytes);
+                    } else if (key.isValid()) {
+                        serve(key, buffer);
                     }
                 }
             }
-        } catch (java.nio.channels.ClosedSelectorException e) {
+        } catch (ClosedSelectorException e) {
             log.debug("TCP server of {} closed", port);
         } catch (IOException e) {
             log.warn("TCP server of {} ended: {}", port, e.toString());
         } finally {
-            drop(client);
+            drop(client());
+        }
+    }
+
+    private void serve(SelectionKey key, ByteBuffer buffer) {
+        SocketChannel from = (SocketChannel) key.channel();
+        if (key.isWritable()) {
+            sendRest(from, key);
+        }
+        if (key.isValid() && key.isReadable()) {
+            read(from, buffer);
         }
     }
 
     private void accept() throws IOException {
         SocketChannel accepted = server.accept();
         if (accepted != null) {
-            drop(client);
+            drop(client());
             accepted.configureBlocking(false);
+            accepted.setOption(StandardSocketOptions.TCP_NODELAY, true);
             accepted.register(selector, SelectionKey.OP_READ);
-            client = accepted;
+            synchronized (this) {
+                client = accepted;
+                session = kind.begin(end, bytes -> send(accepted, bytes));
+                unsent = ByteBuffer.allocate(0);
+            }
+            end.opened();
         }
     }
 
-    private void read(SocketChannel from, ByteBuffer buffer, Consumer<byte[]> bytes) {
+    private synchronized SocketChannel client() {
+        return client;
+    }
+
+    private synchronized TcpSession sessionOf(SocketChannel channel) {
+        return channel == client ? session : null;
+    }
+
+    private void read(SocketChannel from, ByteBuffer buffer) {
         buffer.clear();
         try {
             if (from.read(buffer) < 0) {
@@ -103,39 +149,97 @@ final class TcpEndpoint implements ExternalEndpoint {
                 return;
             }
         } catch (IOException e) {
-            log.debug("a program left the TCP server of {}: {}", port, e.toString());
-            drop(from);
+            leave(from, e);
             return;
         }
         buffer.flip();
         byte[] received = new byte[buffer.remaining()];
         buffer.get(received);
-        bytes.accept(received);
+        TcpSession present = sessionOf(from);
+        if (present != null) {
+            present.received(received);
+        }
+    }
+
+    private void leave(SocketChannel channel, IOException reason) {
+        log.debug("a program left the TCP server of {}: {}", port, reason.toString());
+        drop(channel);
     }
 
     private void drop(SocketChannel channel) {
-        if (channel != null) {
-            try {
-                channel.close();
-            } catch (IOException e) {
-                log.debug("closing a connection of {} failed: {}", port, e.toString());
-            }
-            if (client == channel) {
+        if (channel == null) {
+            return;
+        }
+        try {
+            channel.close();
+        } catch (IOException e) {
+            log.debug("closing a connection of {} failed: {}", port, e.toString());
+        }
+        boolean last;
+        synchronized (this) {
+            last = client == channel;
+            if (last) {
                 client = null;
+                session = null;
             }
+        }
+        if (last) {
+            end.closed();
         }
     }
 
     @Override
     public void write(byte[] bytes) {
-        SocketChannel to = client;
-        if (to != null) {
-            try {
-                to.write(ByteBuffer.wrap(bytes));
-            } catch (IOException e) {
-                log.debug("a program left the TCP server of {}: {}", port, e.toString());
-                drop(to);
+        SocketChannel to = client();
+        TcpSession present = sessionOf(to);
+        if (present != null) {
+            send(to, present.encode(bytes));
+        }
+    }
+
+    /** Sends a message whole, or not at all if the one before is not through yet. */
+    private void send(SocketChannel to, byte[] message) {
+        try {
+            synchronized (this) {
+                if (to != client || unsent.hasRemaining()) {
+                    return;
+                }
+                ByteBuffer left = ByteBuffer.wrap(message);
+                to.write(left);
+                unsent = left;
+                if (left.hasRemaining()) {
+                    listenFor(to, SelectionKey.OP_READ | SelectionKey.OP_WRITE);
+                }
             }
+        } catch (IOException e) {
+            leave(to, e);
+        }
+    }
+
+    private void sendRest(SocketChannel to, SelectionKey key) {
+        try {
+            synchronized (this) {
+                if (to == client && unsent.hasRemaining()) {
+                    to.write(unsent);
+                }
+                if (to != client || !unsent.hasRemaining()) {
+                    key.interestOps(SelectionKey.OP_READ);
+                }
+            }
+        } catch (IOException e) {
+            leave(to, e);
+        }
+    }
+
+    private void listenFor(SocketChannel channel, int operations) {
+        try {
+            SelectionKey key = channel.keyFor(selector);
+            if (key != null) {
+                key.interestOps(operations);
+                selector.wakeup();
+            }
+        } catch (CancelledKeyException | ClosedSelectorException e) {
+            log.debug("a program left the TCP server of {} while it was written to", port);
         }
     }
 

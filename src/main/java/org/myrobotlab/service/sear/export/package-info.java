@@ -1,5 +1,5 @@
 /**
- * Virtual ports for programs outside: pseudo-terminals and TCP. May use {@link org.myrobotlab.service.sear.run}. A thread for each program that has
- * come in.
+ * Virtual ports for programs outside: pseudo-terminals, TCP and RFC 2217. May use {@link org.myrobotlab.service.sear.run}. A thread for each
+ * export.
  */
 package org.myrobotlab.service.sear.export;

@@ -3,6 +3,8 @@ package org.myrobotlab.service.sear.export;
 import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNotEquals;
+import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 import static org.junit.Assert.fail;
 
@@ -12,13 +14,17 @@ import java.io.InputStream;
 import java.io.RandomAccessFile;
 import java.net.InetAddress;
 import java.net.Socket;
+import java.net.SocketException;
+import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.Random;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import org.SEAR.Bytes;
 import org.junit.After;
 import org.junit.Assume;
 import org.junit.Before;
@@ -33,6 +39,7 @@ import org.myrobotlab.service.sear.run.SimulationControl;
 
 /** Any program of the computer can open a virtual port, and come and go. */
 public class ExportsTest {
+    private static final int FLOOD = 1 << 20;
     private static final long PATIENCE = TimeUnit.SECONDS.toNanos(60);
 
     @Rule
@@ -227,9 +234,18 @@ public class ExportsTest {
                 }
             }
             exports.close();
-            assertEquals("the server ends", -1, client.getInputStream().read());
+            assertTrue("the server ends", isEnded(client));
         } finally {
             never.countDown();
+        }
+    }
+
+    /** Whether the server has closed the connection; it says so by a reset if bytes of the program were not read. */
+    private static boolean isEnded(Socket client) throws IOException {
+        try {
+            return client.getInputStream().read() < 0;
+        } catch (SocketException e) {
+            return true;
         }
     }
 
@@ -249,9 +265,10 @@ public class ExportsTest {
             exports.terminal("/dev/test_user", file.toString());
             fail("overwrote a file");
         } catch (IOException e) {
-            assertTrue(e.getMessage(), e.getMessage().contains("is no symbolic link"));
+            assertTrue(e.getMessage(), e.getMessage().contains("exists and is no link to a pseudo-terminal"));
         }
         assertTrue(Files.isRegularFile(file));
+        assertTrue("nothing is left", exports.list().isEmpty() && !user.isOpen());
     }
 
     @Test
@@ -330,14 +347,165 @@ public class ExportsTest {
     }
 
     @Test
-    public void aPortThatIsNotThereIsAnswerdWithThoseThatAre() throws Exception {
-        try {
-            exports.terminal("/dev/nowhere", null);
-            fail("exported nothing");
-        } catch (IOException e) {
-            assertTrue(e.getMessage(), e.getMessage().contains("no virtual port \"/dev/nowhere\""));
-            assertTrue(e.getMessage(), e.getMessage().contains("/dev/test_user"));
+    public void onlyALinkToAPseudoTerminalIsReplacedAndOnlyTheOwnOneRemoved() throws Exception {
+        Path file = temporary.newFile("precious").toPath();
+        Path other = Files.createSymbolicLink(temporary.getRoot().toPath().resolve("other"), file);
+        assertThrows(IOException.class, () -> exports.terminal("/dev/test_user", other.toString()));
+        assertEquals(file, Files.readSymbolicLink(other));
+        Path left = Files.createSymbolicLink(temporary.getRoot().toPath().resolve("left"), Paths.get("/dev/pts/99999"));
+        assertEquals(left.toString(), exports.terminal("/dev/test_user", left.toString()));
+        assertFalse(Files.readSymbolicLink(left).toString().contains("99999"));
+        Files.delete(left);
+        Files.createSymbolicLink(left, file);
+        exports.close();
+        assertEquals("another's now", file, Files.readSymbolicLink(left));
+        assertTrue(Files.exists(file));
+    }
+
+    @Test
+    public void askedForAgainItIsTheSameExport() throws Exception {
+        String link = temporary.getRoot().toPath().resolve("link").toString();
+        assertEquals(exports.terminal("/dev/test_user", null), exports.terminal("/dev/test_user", null));
+        assertEquals(link, exports.terminal("/dev/test_user", link));
+        assertEquals(link, exports.terminal("/dev/test_user", link));
+        int number = exports.tcp("/dev/test_user", 0);
+        assertEquals(number, exports.tcp("/dev/test_user", 0));
+        assertNotEquals(number, exports.rfc2217("/dev/test_user", 0));
+        assertEquals(4, exports.list().get("/dev/test_user").size());
+    }
+
+    @Test
+    public void anExportStaysWhileThereIsNoPortAndIsSilent() throws Exception {
+        SerialDeviceFactory.remove(user);
+        Path link = temporary.getRoot().toPath().resolve("early");
+        exports.terminal("/dev/test_user", link.toString());
+        int number = exports.tcp("/dev/test_user", 0);
+        try (RandomAccessFile client = new RandomAccessFile(link.toFile(), "rw"); Socket socket = new Socket(InetAddress.getLoopbackAddress(), number)) {
+            for (int round = 1; round <= 3; round++) {
+                client.write(new byte[FLOOD]);
+                VirtualSerialPort again = new VirtualSerialPort("/dev/test_user");
+                VirtualSerialPort.makeNullModem(device, again);
+                SerialDeviceFactory.add(again);
+                exports.terminal("/dev/test_user", link.toString());
+                client.write(round);
+                awaitLast(round);
+                socket.getOutputStream().write(100 + round);
+                awaitLast(100 + round);
+                device.write(round);
+                assertEquals(round, client.read());
+                exports.pause();
+                SerialDeviceFactory.remove(again);
+                assertTrue(Files.isSymbolicLink(link));
+            }
         }
+        exports.end("/dev/test_user");
+        assertFalse(Files.exists(link, LinkOption.NOFOLLOW_LINKS));
+        try {
+            exports.end("/dev/test_user");
+            fail("ended twice");
+        } catch (IllegalArgumentException e) {
+            assertEquals("port \"/dev/test_user\" is not exported, legal: none is", e.getMessage());
+        }
+    }
+
+    /** What the program wrote while there was no port held it up no more than what the system's buffer still has of it comes now. */
+    private void awaitLast(int expected) throws Exception {
+        long end = System.nanoTime() + PATIENCE;
+        synchronized (received) {
+            while ((received.size() == 0 || received.toByteArray()[received.size() - 1] != expected) && System.nanoTime() < end) {
+                received.wait(50);
+            }
+            assertEquals(expected, received.toByteArray()[received.size() - 1]);
+            assertTrue(received.size() + " of " + FLOOD, received.size() < FLOOD / 2);
+            received.reset();
+        }
+    }
+
+    @Test
+    public void aRateThatWasSetOnOneExportIsNotThatOfAnother() throws Exception {
+        int[] baud = {-1};
+        user.setBaudListener(rate -> {
+            synchronized (baud) {
+                baud[0] = rate;
+                baud.notifyAll();
+            }
+        });
+        String path = exports.terminal("/dev/test_user", null);
+        int raw = exports.tcp("/dev/test_user", 0);
+        int rfc2217 = exports.rfc2217("/dev/test_user", 0);
+        assertEquals(0, new ProcessBuilder("stty", "-F", path, "19200").inheritIO().start().waitFor());
+        awaitBaud(19200, baud);
+        try (Socket first = new Socket(InetAddress.getLoopbackAddress(), raw)) {
+            awaitBaud(0, baud);
+            try (Socket second = new Socket(InetAddress.getLoopbackAddress(), rfc2217)) {
+                second.getOutputStream().write(Bytes.bytes("FF FA 2C 01 00 00 25 80 FF F0"));
+                awaitBaud(9600, baud);
+                first.getOutputStream().write(1);
+                awaitBaud(0, baud);
+                second.getOutputStream().write(2);
+                awaitBaud(9600, baud);
+            }
+            awaitBaud(0, baud);
+            try (RandomAccessFile client = new RandomAccessFile(path, "rw")) {
+                client.write(3);
+                awaitBaud(19200, baud);
+            }
+            awaitBaud(0, baud);
+        }
+    }
+
+    @Test
+    public void programsThatSetNoRateFindTheDevices() throws Exception {
+        PseudoTerminal terminal = PseudoTerminal.open("/dev/test_user", null);
+        try {
+            terminal.deviceAt(57600);
+            assertEquals("57600", speed(terminal.getPath()));
+            terminal.deviceAt(9600);
+            assertEquals("9600", speed(terminal.getPath()));
+            assertEquals(0, new ProcessBuilder("stty", "-F", terminal.getPath(), "19200").inheritIO().start().waitFor());
+            terminal.deviceAt(57600);
+            assertEquals("set by a program", "19200", speed(terminal.getPath()));
+        } finally {
+            terminal.close();
+        }
+    }
+
+    private static String speed(String path) throws Exception {
+        Process told = new ProcessBuilder("stty", "-F", path, "speed").start();
+        return new String(told.getInputStream().readAllBytes(), StandardCharsets.US_ASCII).trim();
+    }
+
+    @Test
+    public void aTcpProgramThatReadsNothingLosesWholeMessagesAndHoldsNobodyUp() throws Exception {
+        int number = exports.rfc2217("/dev/test_user", 0);
+        try (Socket client = new Socket(InetAddress.getLoopbackAddress(), number)) {
+            client.getOutputStream().write(1);
+            awaitDevice(1);
+            for (int i = 0; i < 100_000; i++) {
+                device.write(new byte[] {(byte) 255, 7, (byte) 255, 8});
+            }
+            assertTrue(user.awaitHanded(TimeUnit.SECONDS.toMillis(60)));
+            client.setSoTimeout(1000);
+            byte[] read = readAll(client.getInputStream());
+            assertTrue(read.length > 0);
+            assertEquals("whole messages", 0, read.length % 6);
+            for (int i = 0; i < read.length; i += 6) {
+                assertArrayEquals(Bytes.bytes("FF FF 07 FF FF 08"), java.util.Arrays.copyOfRange(read, i, i + 6));
+            }
+        }
+    }
+
+    private static byte[] readAll(InputStream in) throws IOException {
+        ByteArrayOutputStream all = new ByteArrayOutputStream();
+        byte[] buffer = new byte[65536];
+        try {
+            for (int n = in.read(buffer); n >= 0; n = in.read(buffer)) {
+                all.write(buffer, 0, n);
+            }
+        } catch (SocketTimeoutException e) {
+            return all.toByteArray();
+        }
+        return all.toByteArray();
     }
 
     @Test

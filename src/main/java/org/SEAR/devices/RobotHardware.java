@@ -5,6 +5,9 @@ public interface RobotHardware {
     /** Sets the speed of the left and right driven wheels over ground, m/s; a servo with limited force reaches it. */
     void setWheelSpeeds(double left, double right);
 
+    /** Stops the driven wheels as fast as they may without tipping the robot over: no ramp as for {@link #setWheelSpeeds}. */
+    void brake();
+
     /** Distance between left and right driven wheels, metres. */
     double getWheelBase();
 
@@ -53,6 +56,9 @@ public interface RobotHardware {
 
     /** Radius of the body about its vertical axis, metres. */
     double getBodyRadius();
+
+    /** How far before the body's middle the axle of the foremost wheel is, metres. */
+    double getFrontAxle();
 
     /**
      * Whether the robot stands in the beam of a virtual wall: an environment object whose name begins with {@code virtualWall}. Its beam is a fan

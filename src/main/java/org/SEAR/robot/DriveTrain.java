@@ -27,6 +27,8 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     private static final double NO_TRACK = 1e-6;
     /** Greatest change of the wheels' speed that the motor controller asks for, m/s^2. */
     private static final double RAMP = 4;
+    /** The same for an emergency stop, which shorts the motors; the grip of the tyres sets the limit. */
+    private static final double BRAKE_RAMP = 20;
     /** The same as a share of what would lift a wheel off the ground. */
     private static final double TIPPING_SHARE = 0.5;
 
@@ -38,7 +40,10 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     private final int owner;
     private final double[] mounts;
     private final double track;
+    private final double frontAxle;
     private final double ramp;
+    private final double brakeRamp;
+    private boolean braking;
     private double scrub;
     private double left;
     private double right;
@@ -59,13 +64,16 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         }
         mounts = WheelPoses.mounts(wheels);
         track = equip();
-        ramp = ramp(objects, dynamics);
+        frontAxle = wheels.stream().mapToDouble(wheel -> wheel.z).max().orElse(0);
+        double safe = safeRamp(objects, dynamics);
+        ramp = Math.min(RAMP, safe);
+        brakeRamp = objects.size() < 3 ? RAMP : Math.min(BRAKE_RAMP, safe);
     }
 
-    /** How fast the controller changes speeds, m/s^2: a tall robot must not fall over when it starts or stops. */
-    private double ramp(List<Wheel> objects, Dynamics dynamics) {
+    /** How fast speeds may change, m/s^2: a tall robot must not fall over when it starts or stops. */
+    private double safeRamp(List<Wheel> objects, Dynamics dynamics) {
         if (objects.size() < 3) {
-            return RAMP;
+            return Double.POSITIVE_INFINITY;
         }
         double[] mass = body.getCentre();
         double lowest = Double.POSITIVE_INFINITY;
@@ -73,7 +81,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
             lowest = Math.min(lowest, wheel.y - dynamics.getRestLength() - wheel.radius);
         }
         double room = CentreOfMass.room(mass[0], mass[2], objects);
-        return Math.min(RAMP, TIPPING_SHARE * PhysicsWorld.GRAVITY * room / Math.max(mass[1] - lowest, NO_TRACK));
+        return TIPPING_SHARE * PhysicsWorld.GRAVITY * room / Math.max(mass[1] - lowest, NO_TRACK);
     }
 
     /**
@@ -121,6 +129,13 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     void setSpeeds(double newLeft, double newRight) {
         commandedLeft = newLeft;
         commandedRight = newRight;
+        braking &= newLeft == 0 && newRight == 0;
+    }
+
+    /** An emergency stop, until the next command that moves. */
+    void brake() {
+        setSpeeds(0, 0);
+        braking = true;
     }
 
     /** Whether the motors are to turn. */
@@ -131,7 +146,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     /** Brings both speeds nearer to what is commanded, in proportion, so that an arc stays the same arc. */
     private void approach() {
         double largest = Math.max(Math.abs(commandedLeft - left), Math.abs(commandedRight - right));
-        double step = ramp * TimeStep.SECONDS;
+        double step = (braking ? brakeRamp : ramp) * TimeStep.SECONDS;
         double share = largest <= step ? 1 : step / largest;
         left = share == 1 ? commandedLeft : left + share * (commandedLeft - left);
         right = share == 1 ? commandedRight : right + share * (commandedRight - right);
@@ -214,6 +229,11 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     /** Distance of the left from the right driven wheels, metres. */
     double getTrack() {
         return track;
+    }
+
+    /** How far before the body's middle the foremost wheel is fastened, metres; 0 without wheels. */
+    double getFrontAxle() {
+        return frontAxle;
     }
 
     /** Where the wheels are now in the body frame, spin included; immutable, of no use to the running world. */

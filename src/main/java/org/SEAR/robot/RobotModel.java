@@ -195,6 +195,11 @@ public final class RobotModel implements Robot, RobotHardware {
     }
 
     @Override
+    public void brake() {
+        train.brake();
+    }
+
+    @Override
     public void setWheelSpeeds(double left, double right) {
         if (!Double.isFinite(left) || !Double.isFinite(right)) {
             throw new IllegalArgumentException("robot " + object.getName() + ": wheel speeds are " + left + " and " + right
@@ -313,6 +318,11 @@ public final class RobotModel implements Robot, RobotHardware {
         double[] from = body.getPose().transform(x, y, z);
         double[] along = body.getPose().rotate(dx, dy, dz);
         return scenes.ground.cast(from[0], from[1], from[2], along[0], along[1], along[2], range, number, null);
+    }
+
+    @Override
+    public double getFrontAxle() {
+        return train.getFrontAxle();
     }
 
     @Override

@@ -2,6 +2,7 @@ package org.SEAR.devices;
 
 /** Hardware whose state a test sets. Lengths in metres, angles in radians. */
 public final class FakeHardware implements RobotHardware {
+    public int braked;
     public double left;
     public double right;
     public double base = 0.258;
@@ -96,6 +97,16 @@ public final class FakeHardware implements RobotHardware {
     public double look(double x, double y, double z, double dx, double dy, double dz, double range) {
         double distance = dy < 0 ? (z > 0.01 ? floorAhead : 0.05) : around;
         return distance <= range ? distance : Double.POSITIVE_INFINITY;
+    }
+
+    @Override
+    public void brake() {
+        braked++;
+    }
+
+    @Override
+    public double getFrontAxle() {
+        return 0.13;
     }
 
     @Override

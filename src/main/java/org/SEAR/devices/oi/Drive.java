@@ -67,6 +67,12 @@ final class Drive {
         direct(0, 0);
     }
 
+    /** An emergency stop. */
+    void brake() {
+        stop();
+        hardware.brake();
+    }
+
     private void set(double newLeft, double newRight) {
         left = newLeft;
         right = newRight;

@@ -5,9 +5,11 @@ import org.SEAR.devices.RobotHardware;
 /** The robot's short-range eyes: cliff sensors, wall sensor, light bumpers, in the simulated world. Distances in metres. */
 final class ProximitySensors {
     /** Bearings of the four cliff sensors, degrees from forward, + left: left, front left, front right, right. */
-    private static final double[] CLIFFS = {60, 15, -15, -60};
-    /** Share of the body's radius at which the cliff sensors sit. */
-    private static final double CLIFF_RADIUS = 0.9;
+    private static final double[] CLIFFS = {60, 10, -10, -60};
+    /** Share of the body's radius at which the cliff sensors sit, below the rim of the bumper. */
+    private static final double CLIFF_RADIUS = 0.99;
+    /** At least so far before the foremost axle, metres: what carries the robot's front must not be over the edge when it has stopped. */
+    private static final double CLIFF_LEAD = 0.04;
     /** How much lower than under the robot's middle the ground has to be. */
     private static final double CLIFF_DEPTH = 0.03;
     private static final double GROUND_RANGE = 1;
@@ -41,7 +43,7 @@ final class ProximitySensors {
             ground = middle;
         }
         double angle = Math.toRadians(CLIFFS[which]);
-        double radius = hardware.getBodyRadius() * CLIFF_RADIUS;
+        double radius = Math.max(hardware.getBodyRadius() * CLIFF_RADIUS, hardware.getFrontAxle() + CLIFF_LEAD);
         return Double.isFinite(ground) && down(radius * Math.sin(angle), radius * Math.cos(angle)) > ground + CLIFF_DEPTH;
     }
 

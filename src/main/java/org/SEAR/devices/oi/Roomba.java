@@ -148,6 +148,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
         String danger = mode == OiMode.SAFE ? danger() : null;
         if (danger != null) {
             enter(OiMode.PASSIVE);
+            drive.brake();
             context.warn(danger, danger + ": the robot left safe mode and stopped; send safe or full mode again when its wheels are on the ground");
         }
         if (model == OiModel.CREATE2 && mode == OiMode.PASSIVE && time - lastCommand > SLEEP_AFTER) {

@@ -210,6 +210,7 @@ public class RoombaTest {
         line.pass(0.02);
         assertEquals(OiMode.PASSIVE, roomba.getMode());
         assertEquals(0, line.hardware.left, 0);
+        assertEquals("an emergency stop", 1, line.hardware.braked);
         line.host("83 89 FF 38 80 00");
         line.pass(0.1);
         assertEquals("backing away from a cliff", OiMode.SAFE, roomba.getMode());

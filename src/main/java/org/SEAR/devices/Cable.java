@@ -232,6 +232,15 @@ public final class Cable implements SerialLine {
         freeAt = 0;
     }
 
+    /** Throws away what has not left the line by {@code time}, but for the byte that is on it then. */
+    public void cutOutput(double time) {
+        double byteTime = Uart.seconds(1, device.getBaud());
+        while (toHostEnd > toHostFrom && toHostTimes[toHostEnd - 1] - byteTime >= time) {
+            toHostEnd--;
+            freeAt = Math.max(time, toHostEnd > toHostFrom ? toHostTimes[toHostEnd - 1] : time);
+        }
+    }
+
     /** Outputs phase: gives the sink what has left the line by {@code end}. */
     public void deliver(double end) {
         int count = 0;

@@ -14,6 +14,9 @@ public interface DeviceContext {
     /** Throws away what has not yet left the line (a reset, a change of baud rate). */
     void clearOutput();
 
+    /** Throws away what has not left the line by {@code time}, but for the byte that is on it then. */
+    void cutOutput(double time);
+
     /** The robot the device sits on. */
     RobotHardware robot();
 

@@ -52,6 +52,11 @@ final class Port implements DeviceContext {
     }
 
     @Override
+    public void cutOutput(double time) {
+        cable.cutOutput(time);
+    }
+
+    @Override
     public RobotHardware robot() {
         return robot;
     }

@@ -203,4 +203,21 @@ public class CableTest {
         assertTrue(cable.isPowered() && cable.takesDriveCommands());
         step(0);
     }
+
+    @Test
+    public void outputIsCutBehindTheByteThatIsOnTheLine() {
+        cable.send(new byte[] {1, 2, 3, 4, 5, 6, 7, 8}, 0);
+        double half = 2.5 * 10 / BAUD;
+        cable.cutOutput(half);
+        assertEquals(3 * 10.0 / BAUD, cable.freeAt(), 1e-12);
+        cable.send(new byte[] {9}, half);
+        cable.deliver(1);
+        assertArrayEquals(new byte[] {1, 2, 3, 9}, host.toByteArray());
+        cable.cutOutput(2);
+        cable.send(new byte[] {10, 11}, 2);
+        cable.cutOutput(2);
+        assertEquals("nothing was on the line yet", 2, cable.freeAt(), 0);
+        cable.deliver(3);
+        assertEquals(4, host.size());
+    }
 }

@@ -113,6 +113,18 @@ public final class FakeContext implements DeviceContext {
     }
 
     @Override
+    public void cutOutput(double time) {
+        byte[] bytes = sent.toByteArray();
+        int kept = bytes.length;
+        while (kept > 0 && times.get(kept - 1) >= time) {
+            times.remove(--kept);
+        }
+        free = kept > 0 ? times.get(kept - 1) + byteTime() : time;
+        sent.reset();
+        sent.write(bytes, 0, kept);
+    }
+
+    @Override
     public RobotHardware robot() {
         return hardware;
     }

@@ -44,6 +44,8 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     private double readUntil;
     private int stream;
     private int telegramIndex;
+    /** When the last telegram of a stream has left the line. */
+    private double streamUntil;
     private int partial;
 
     /** @throws IllegalArgumentException unless the context's sensor is a {@link LidarSource} and the baud rate one of an LMS200 */
@@ -131,7 +133,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
         if (powerOn.lenient && (Arrays.equals(bytes, OLD_DRIVER_19200) || Arrays.equals(bytes, OLD_DRIVER_38400))) {
             onTelegram(new Telegram(0, new byte[] {bytes[4], bytes[5]}));
         } else {
-            events.at(readUntil + Timing.ACKNOWLEDGE, t -> context.send(new byte[] {Telegram.NAK}, t));
+            events.at(readUntil + Timing.ACKNOWLEDGE, t -> acknowledge(Telegram.NAK, t));
         }
     }
 
@@ -146,9 +148,17 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
         busy = true;
         Telegram request = waiting.remove();
         events.at(time + Timing.ACKNOWLEDGE, t -> {
-            context.send(new byte[] {Telegram.ACK}, t);
+            acknowledge(Telegram.ACK, t);
             commands.execute(request, t);
         });
+    }
+
+    /** The answer has to come within 60 ms: for it, a scan of the stream that is on the line is broken off. */
+    private void acknowledge(int answer, double time) {
+        if (streamUntil > time && streamUntil == context.lineFreeAt()) {
+            context.cutOutput(time);
+        }
+        context.send(new byte[] {(byte) answer}, time);
     }
 
     /** Sends the reply to the present request and goes on to the next. */
@@ -215,6 +225,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
         booting = false;
         lastByte = 0;
         stream++;
+        streamUntil = 0;
         telegramIndex = 0;
         partial = 0;
     }
@@ -265,6 +276,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
             double period = unit;
             if (context.lineFreeAt() <= t) {
                 send(payload, t);
+                streamUntil = context.lineFreeAt();
                 period = Timing.streamPeriod(payload.length + Telegram.FRAME_SIZE, baud.getRate(), unit);
             }
             double first = t + period - (format.scans - 1) * format.scanTime(variant);

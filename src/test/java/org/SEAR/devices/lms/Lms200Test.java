@@ -323,4 +323,45 @@ public class Lms200Test {
         assertTrue(ask("02 00 01 00 74 50 12").startsWith("06 02 80 24 00 F4 00 00 70 00 00 04 01"));
         assertTrue("180 degrees", ask("02 00 02 00 30 01 31 18").startsWith("06 02 80 6E 01 B0"));
     }
+
+    /** A driver is restarted in mid-stream: it gets its ACK in time at every moment, and whole telegrams after it. */
+    @Test
+    public void aScanOnTheLineDoesNotHoldUpAnAck() {
+        for (int phase = 0; phase < 40; phase++) {
+            power(Variant.V180_HALF, 38400, false, Identity.LMS200_30106);
+            line.host("02 00 02 00 20 24 34 08");
+            line.pass(1 + phase * 0.0073);
+            line.host(ON_REQUEST);
+            line.pass(0.05);
+            byte[] sent = line.take();
+            assertEquals("phase " + phase, Telegram.ACK, sent[sent.length - 1]);
+            line.pass(1);
+            assertEquals("phase " + phase, MODE_OK.substring(3), line.takeHex());
+            assertTrue(ask("02 00 01 00 31 15 12").startsWith("06 02 80 9A 00 B1"));
+        }
+    }
+
+    @Test
+    public void anAnsweredScanIsNeverBrokenOff() {
+        power(Variant.V180_HALF, 38400, false, Identity.LMS200_30106);
+        line.host("02 00 02 00 30 01 31 18");
+        line.pass(0.1);
+        line.host("02 00 01 00 31 15 12");
+        line.pass(1);
+        String all = line.takeHex();
+        assertTrue(all, all.startsWith("06 02 80 D6 02 B0"));
+        assertEquals("both replies whole", 3 * (1 + 733 + 161) - 1 - 3, all.length());
+    }
+
+    @Test
+    public void aStreamGoesOnAfterAQuestion() {
+        power(Variant.V180_HALF, 38400, false, Identity.LMS200_30106);
+        line.host("02 00 02 00 20 24 34 08");
+        line.pass(1);
+        line.host("02 00 01 00 31 15 12");
+        line.pass(0.2);
+        line.take();
+        line.pass(2);
+        assertTrue("about 4.7 a second", line.take().length > 8 * 732);
+    }
 }

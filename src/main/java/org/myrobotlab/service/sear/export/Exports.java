@@ -12,7 +12,6 @@ import org.SEAR.POJOs.ExportTarget;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SerialObject;
-import org.SEAR.devices.SerialLine;
 import org.myrobotlab.serial.Port;
 import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
@@ -128,8 +127,7 @@ public final class Exports {
         Port port = SerialDeviceFactory.get(name);
         SimulationSession session = control.sessionOrNull();
         if (port instanceof VirtualSerialPort) {
-            SerialLine line = session == null ? null : lineOf(session, name);
-            bridge.attach((VirtualSerialPort) port, line == null ? () -> 0 : line::getDeviceBaud);
+            bridge.attach((VirtualSerialPort) port, session == null ? null : session.outsideLine(name));
         } else if (session != null) {
             throw new IOException("there is no virtual port \"" + name + "\"; there are " + names());
         }
@@ -139,15 +137,6 @@ public final class Exports {
         StringBuilder names = new StringBuilder();
         SerialDeviceFactory.getVirtualPorts().forEach(port -> names.append(names.length() == 0 ? "" : ", ").append(port.getName()));
         return names.length() == 0 ? "none" : names.toString();
-    }
-
-    private static SerialLine lineOf(SimulationSession session, String port) {
-        for (SerialLine line : session.getSimulation().getLines()) {
-            if (line.getUserPort().equals(port)) {
-                return line;
-            }
-        }
-        return null;
     }
 
     /** A simulation has started: joins the exports that there are to its ports, and makes those that its project asks for. What fails is said. */

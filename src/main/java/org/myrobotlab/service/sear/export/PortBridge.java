@@ -5,13 +5,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.function.IntSupplier;
 import java.util.stream.Collectors;
 import org.SEAR.devices.RepeatedWarnings;
 import org.myrobotlab.framework.QueueStats;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 import org.myrobotlab.service.sear.Host;
+import org.myrobotlab.service.sear.run.OutsideLine;
 
 /**
  * Passes bytes between the virtual port of one name, whenever there is one, and programs outside. While there is none, what comes is gone. Any thread.
@@ -28,7 +28,8 @@ final class PortBridge implements SerialDataListener {
     /** Those with a program, the one whose rate holds last. Guarded by this. */
     private final List<LineEnd> inUse = new ArrayList<>();
     private volatile VirtualSerialPort port;
-    private volatile IntSupplier deviceBaud = () -> 0;
+    /** The short way to a simulated device; null where another end of the port is. */
+    private volatile OutsideLine line;
     /** What the port was set to last, 0 for the device's own. Guarded by this. */
     private int applied;
 
@@ -40,10 +41,10 @@ final class PortBridge implements SerialDataListener {
     /**
      * The port of this name is there.
      *
-     * @param baud answers the device's speed, 0 if it is unknown
+     * @param direct the short way to the simulated device behind it; null if there is none
      * @throws IOException if another has the port
      */
-    void attach(VirtualSerialPort present, IntSupplier baud) throws IOException {
+    void attach(VirtualSerialPort present, OutsideLine direct) throws IOException {
         if (present == port && present.isOpen()) {
             return;
         }
@@ -53,8 +54,11 @@ final class PortBridge implements SerialDataListener {
         present.open();
         present.listen(this);
         present.setWayOut("endExport(\"" + name + "\") of the SEAR service first");
-        deviceBaud = baud;
-        ends.forEach(end -> end.getEndpoint().deviceAt(baud.getAsInt()));
+        line = direct;
+        ends.forEach(end -> end.getEndpoint().deviceAt(getDeviceBaud()));
+        if (direct != null) {
+            direct.setReader(this::onBytes);
+        }
         synchronized (this) {
             port = present;
             applied = 0;
@@ -65,10 +69,15 @@ final class PortBridge implements SerialDataListener {
     /** The port goes away, or is left to others. */
     void detach() {
         VirtualSerialPort present;
+        OutsideLine direct;
         synchronized (this) {
             present = port;
             port = null;
-            deviceBaud = () -> 0;
+            direct = line;
+            line = null;
+        }
+        if (direct != null) {
+            direct.setReader(null);
         }
         if (present != null) {
             present.close();
@@ -82,7 +91,8 @@ final class PortBridge implements SerialDataListener {
     }
 
     int getDeviceBaud() {
-        return deviceBaud.getAsInt();
+        OutsideLine direct = line;
+        return direct == null ? 0 : direct.getDeviceBaud();
     }
 
     void add(ExternalEndpoint endpoint) {
@@ -156,6 +166,7 @@ final class PortBridge implements SerialDataListener {
     /** Holds the program up while the line is full, as a real port does. */
     void send(byte[] bytes) {
         VirtualSerialPort present = port;
+        OutsideLine direct = line;
         if (present == null) {
             return;
         }
@@ -166,7 +177,12 @@ final class PortBridge implements SerialDataListener {
                     return;
                 }
                 int end = Math.min(bytes.length, done + room);
-                present.write(Arrays.copyOfRange(bytes, done, end));
+                byte[] piece = Arrays.copyOfRange(bytes, done, end);
+                if (direct != null) {
+                    direct.write(piece);
+                } else {
+                    present.write(piece);
+                }
                 done = end;
             }
         } catch (IOException e) {

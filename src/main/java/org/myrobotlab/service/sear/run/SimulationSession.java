@@ -111,7 +111,7 @@ public final class SimulationSession {
         memoryAlarm.open();
         Map<SerialLine, String> serviceNames = UartLine.serviceNames(simulation.getLines());
         for (SerialLine line : simulation.getLines()) {
-            UartLine uart = new UartLine(line, serviceNames.get(line), host);
+            UartLine uart = new UartLine(line, serviceNames.get(line), host, this::scriptDrives);
             lines.add(uart);
             uart.open(clock);
         }
@@ -223,6 +223,21 @@ public final class SimulationSession {
     UartLine lineOf(String serviceName) {
         for (UartLine line : lines) {
             if (line.getServiceName().equals(serviceName)) {
+                return line;
+            }
+        }
+        return null;
+    }
+
+    /**
+     * The short way to the device behind a port.
+     *
+     * @param userPort the port's name
+     * @return null if the simulation has no such port
+     */
+    public OutsideLine outsideLine(String userPort) {
+        for (UartLine line : lines) {
+            if (line.getUserPort().getName().equals(userPort)) {
                 return line;
             }
         }

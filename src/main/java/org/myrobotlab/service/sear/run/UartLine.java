@@ -26,7 +26,7 @@ import org.myrobotlab.service.sear.Host;
  * Serial services sits. What the user sends comes to SEAR as that service's publishBytes messages; what the device sends goes out through the
  * same service. The line keeps the baud rate, so the ports don't.
  */
-final class UartLine {
+final class UartLine implements OutsideLine {
     private static final long PATIENCE = TimeUnit.SECONDS.toMillis(5);
     /** As long the simulation thread waits for MyRobotLab's messages to go out. */
     private static final long OUTBOX_PATIENCE = TimeUnit.MILLISECONDS.toNanos(50);
@@ -44,11 +44,17 @@ final class UartLine {
     private final RepeatedWarnings repeats = new RepeatedWarnings();
     private Serial serial;
     private long given;
+    private volatile SerialLine.Sink reader;
+    private final Runnable driven;
     private boolean complained;
 
-    /** @param serviceName as {@link #serviceNames} has it */
-    UartLine(SerialLine line, String serviceName, Host host) {
+    /**
+     * @param serviceName as {@link #serviceNames} has it
+     * @param driven is told when a program outside drives a robot
+     */
+    UartLine(SerialLine line, String serviceName, Host host, Runnable driven) {
         this.line = line;
+        this.driven = driven;
         this.host = host;
         this.serviceName = serviceName;
         uart = new VirtualSerialPort(line.getUartPort());
@@ -142,7 +148,12 @@ final class UartLine {
 
     /** The simulation thread brings bytes from the device. Whoever has closed the UART, as MyRobotLab does when it ends, wants none of them. */
     private void toUser(byte[] bytes) {
+        SerialLine.Sink outside = reader;
         try {
+            if (outside != null) {
+                outside.receive(bytes);
+                return;
+            }
             for (int at = 0; at < bytes.length && uart.isOpen(); at += Backlog.PIECE) {
                 Backlog.await(serial, OUTBOX_PATIENCE);
                 serial.write(Arrays.copyOfRange(bytes, at, Math.min(bytes.length, at + Backlog.PIECE)));
@@ -152,6 +163,24 @@ final class UartLine {
                 complain("bytes from " + line.getObjectName() + " did not reach port " + user.getName() + ": " + e);
             }
         }
+    }
+
+    @Override
+    public void write(byte[] bytes) {
+        if (isDrive()) {
+            driven.run();
+        }
+        line.write(bytes);
+    }
+
+    @Override
+    public void setReader(SerialLine.Sink newReader) {
+        reader = newReader;
+    }
+
+    @Override
+    public int getDeviceBaud() {
+        return line.getDeviceBaud();
     }
 
     /** MyRobotLab's message brings bytes from the user. */

@@ -4,6 +4,7 @@ import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertNotEquals;
+import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 import static org.junit.Assert.fail;
@@ -25,6 +26,7 @@ import java.util.Random;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.SEAR.Bytes;
+import org.SEAR.devices.SerialLine;
 import org.junit.After;
 import org.junit.Assume;
 import org.junit.Before;
@@ -35,6 +37,7 @@ import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 import org.myrobotlab.service.sear.RecordingHost;
+import org.myrobotlab.service.sear.run.OutsideLine;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
 /** Any program of the computer can open a virtual port, and come and go. */
@@ -519,5 +522,44 @@ public class ExportsTest {
         } catch (IOException e) {
             assertTrue(e.getMessage(), e.getMessage().contains("in use within MyRobotLab"));
         }
+    }
+
+    /** Each hand-over from one thread to another may take as long as the computer is busy. */
+    @Test
+    public void aSimulatedDeviceIsReachedWithoutHandOvers() throws Exception {
+        PortBridge bridge = new PortBridge("/dev/test_user", host);
+        TcpEndpoint server = TcpEndpoint.open("/dev/test_user", TcpSession.RAW, 0);
+        String[] writer = new String[1];
+        SerialLine.Sink[] reader = new SerialLine.Sink[1];
+        bridge.attach(user, new OutsideLine() {
+            @Override
+            public void write(byte[] bytes) {
+                synchronized (received) {
+                    writer[0] = Thread.currentThread().getName();
+                    received.write(bytes, 0, bytes.length);
+                    received.notifyAll();
+                }
+            }
+
+            @Override
+            public void setReader(SerialLine.Sink newReader) {
+                reader[0] = newReader;
+            }
+
+            @Override
+            public int getDeviceBaud() {
+                return 9600;
+            }
+        });
+        bridge.add(server);
+        try (Socket client = new Socket(InetAddress.getLoopbackAddress(), server.getNumber())) {
+            client.getOutputStream().write(all());
+            assertArrayEquals(all(), awaitDevice(256));
+            assertEquals("TCP server of /dev/test_user", writer[0]);
+            reader[0].receive(all());
+            assertArrayEquals("sent by the calling thread", all(), client.getInputStream().readNBytes(256));
+        }
+        bridge.close();
+        assertNull("the device's bytes take the other way again", reader[0]);
     }
 }

@@ -7,14 +7,15 @@ import static org.junit.Assert.assertTrue;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.Random;
-import java.util.concurrent.TimeUnit;
 import org.SEAR.Bytes;
 import org.SEAR.Fuzz;
+import org.SEAR.devices.SerialLine;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.sear.RecordingHost;
+import org.myrobotlab.service.sear.run.OutsideLine;
 
 /** The access server against the byte sequences of RFC 854 and RFC 2217. */
 public class Rfc2217Test {
@@ -31,17 +32,28 @@ public class Rfc2217Test {
     @Before
     public void plugIn() throws IOException {
         VirtualSerialPort.makeNullModem(device, user);
-        device.setPaced(false);
-        device.open();
-        device.listen(new BytesListener(heard::writeBytes));
         user.setBaudListener(rate -> baud = rate);
-        bridge.attach(user, () -> BAUD);
+        bridge.attach(user, new OutsideLine() {
+            @Override
+            public void write(byte[] bytes) {
+                heard.writeBytes(bytes);
+            }
+
+            @Override
+            public void setReader(SerialLine.Sink reader) {
+                // Nothing comes from the device.
+            }
+
+            @Override
+            public int getDeviceBaud() {
+                return BAUD;
+            }
+        });
     }
 
     @After
     public void unplug() {
         bridge.close();
-        device.close();
     }
 
     private String answer(String hex) {
@@ -50,8 +62,7 @@ public class Rfc2217Test {
         return Bytes.hex(replies.toByteArray());
     }
 
-    private String heard() throws InterruptedException {
-        assertTrue(device.awaitHanded(TimeUnit.SECONDS.toMillis(60)));
+    private String heard() {
         return Bytes.hex(heard.toByteArray());
     }
 
@@ -108,7 +119,7 @@ public class Rfc2217Test {
     }
 
     @Test
-    public void dataPassWithTheByte255Doubled() throws Exception {
+    public void dataPassWithTheByte255Doubled() {
         assertEquals("", answer("01 FF FF 02 FF F1 03"));
         assertEquals("01 FF 02 03", heard());
         assertEquals("02 FF FF 0D 0A", Bytes.hex(session.encode(Bytes.bytes("02 FF 0D 0A"))));
@@ -121,7 +132,7 @@ public class Rfc2217Test {
     }
 
     @Test
-    public void nothingThatComesHangsOrFillsIt() throws Exception {
+    public void nothingThatComesHangsOrFillsIt() {
         Random random = new Random(Fuzz.SEED);
         byte[] piece = new byte[1000];
         for (int done = 0; done < Fuzz.BYTES; done += piece.length) {

@@ -47,7 +47,8 @@ public final class ExportTarget {
             throw new IllegalArgumentException("export is " + ParameterTable.quote(text) + ", legal: " + LEGAL);
         }
         Matcher tcp = TCP.matcher(text);
-        return tcp.matches() ? new ExportTarget(null, tcp.group(1).equals("rfc2217"), Integer.parseInt(tcp.group(2))) : new ExportTarget(text, false, 0);
+        return !tcp.matches() ? new ExportTarget(text, false, 0)
+            : new ExportTarget(null, tcp.group(1).equals("rfc2217"), Integer.parseInt(tcp.group(2)));
     }
 
     /** Whether it is a link to a pseudo-terminal. */

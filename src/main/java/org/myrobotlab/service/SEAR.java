@@ -223,8 +223,8 @@ public class SEAR extends Service<SEARConfig> {
 
     /**
      * Switches the power of a serial device, as its user does when a driver has left it in a state that the next one does not expect. Off: it is
-     * silent, what it moves stands still, what comes for it is gone. On: as at power-on, with its first baud rate, no mode, no stream. A Create 2 says
-     * its boot message, a GPS receiver its own, an LMS200 starts for 5 simulated seconds and then sends its power-on telegram; its written
+     * silent, what it moves stands still, what comes for it is gone. On: as at power-on, with its first baud rate, no mode, no stream. A Create 2
+     * says its boot message, a GPS receiver its own, an LMS200 starts for 5 simulated seconds and then sends its power-on telegram; its written
      * configuration and a permanent baud rate stay.
      *
      * @param name of the object with ports: a robot's Dynamics, a LIDAR, a GPS; {@code "robot/part"} where several robots have a part of that name
@@ -634,8 +634,8 @@ public class SEAR extends Service<SEARConfig> {
     // ---- ports for other programs (before, while and after a simulation runs) -------------------------------------
 
     /**
-     * Lets any program on this computer open a virtual port, as a pseudo-terminal (Linux, macOS). An export belongs to the port's name: it may be made
-     * before the start, and stays when the simulation stops, silent until one with such a port runs again. Asked for again, it is the same one.
+     * Lets any program on this computer open a virtual port, as a pseudo-terminal (Linux, macOS). An export belongs to the port's name: it may be
+     * made before the start, and stays when the simulation stops, silent until one with such a port runs again. Asked for again, it is the same one.
      *
      * @param userPort the port's name, for example {@code "/dev/SEAR_LIDAR_01"}
      * @return the path to open
@@ -650,8 +650,8 @@ public class SEAR extends Service<SEARConfig> {
      * The same, by a path that stays.
      *
      * @param userPort the port's name
-     * @param link path of a symbolic link that is to lead to the pseudo-terminal, so that its name stays the same; one that an earlier run has left is
-     *     replaced, anything else of that name is not touched
+     * @param link path of a symbolic link that is to lead to the pseudo-terminal, so that its name stays the same; one that an earlier run has
+     *     left is replaced, anything else of that name is not touched
      * @return the path to open
      * @throws IllegalStateException if the running simulation has no such port, or it is in use, or something else has the link's name
      * @example path = sear.exportPort("/dev/SEAR_GPS_01", "ttyGPS")

@@ -65,7 +65,8 @@ public class CliffTest {
         for (int i = 0; i < robots.size(); i++) {
             SerialLine line = simulation.getLines().get(i);
             line.write(Bytes.bytes(start));
-            line.write(ByteBuffer.allocate(5).put((byte) 0x89).putShort((short) (share * SPEEDS[i / ANGLES.length])).putShort((short) 0x8000).array());
+            int speed = share * SPEEDS[i / ANGLES.length];
+            line.write(ByteBuffer.allocate(5).put((byte) 0x89).putShort((short) speed).putShort((short) 0x8000).array());
         }
     }
 

@@ -42,6 +42,7 @@ public class ThirdPartyDriversTest {
     private static final double LONGITUDE = -80.7;
     private static final int LMS_NO_RETURN = 8191;
     private static final int TRIES = 3;
+    private static final int RESTARTS = Integer.getInteger("sear.driverRestarts", 3);
 
     @Rule
     public TemporaryFolder folder = new TemporaryFolder();
@@ -157,6 +158,38 @@ public class ThirdPartyDriversTest {
         for (String line : lines.subList(1, lines.size())) {
             compare(expected, line.trim().split("\\s+"));
         }
+    }
+
+    /** Killed while the scanner streams, which goes on: the next one has to stop that and set it up anew. */
+    @Test
+    public void mrptsDriverStartsInMidStream() throws Exception {
+        Path config = folder.newFile("grabber.ini").toPath();
+        String port = sear.exportPort("/dev/SEAR_LIDAR_01");
+        Files.writeString(config, Files.readString(SCRIPTS.resolve("sick-mrpt.ini")).replace("@PORT@", port).replace("@BAUD@", "38400")
+            .replace("@OUTPUT@", folder.getRoot().toPath().resolve("log").toString()));
+        int streaming = 0;
+        int starts = 0;
+        List<String> output = new ArrayList<>();
+        while (streaming < RESTARTS && starts < RESTARTS * TRIES) {
+            Process grabber = start(new ProcessBuilder("stdbuf", "-oL", "rawlog-grabber", config.toString()));
+            starts++;
+            streaming += isStreaming(grabber, output) ? 1 : 0;
+            grabber.destroyForcibly().waitFor();
+        }
+        System.out.println("MRPT's driver streamed after " + streaming + " of " + starts + " starts");
+        assertEquals(starts + " starts: " + output, RESTARTS, streaming);
+    }
+
+    private boolean isStreaming(Process grabber, List<String> output) throws Exception {
+        long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(SECONDS + 60);
+        while (grabber.isAlive() && System.nanoTime() < deadline) {
+            output.clear();
+            output.addAll(read(grabber, 1));
+            if (output.stream().anyMatch(line -> line.matches(".*Saved \\d+ objects.*"))) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** MRPT asks for a value every half degree, the script call answers one a degree. */

@@ -14,7 +14,8 @@ import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.run.OutsideLine;
 
 /**
- * Passes bytes between the virtual port of one name, whenever there is one, and programs outside. While there is none, what comes is gone. Any thread.
+ * Passes bytes between the virtual port of one name, whenever there is one, and programs outside. While there is none, what comes is gone. Any
+ * thread.
  */
 final class PortBridge implements SerialDataListener {
     private static final int DATA_BITS = 8;

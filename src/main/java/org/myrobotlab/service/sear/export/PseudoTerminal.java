@@ -174,7 +174,8 @@ final class PseudoTerminal implements ExternalEndpoint {
     @Override
     public synchronized void deviceAt(int baud) {
         Memory termios = new Memory(TERMIOS_SIZE);
-        int side = open && baud > 0 && codeOf(baud) > 0 && currentBaud(termios) == ownBaud ? c.open(path, READ_WRITE | NO_CONTROLLING_TERMINAL) : NONE;
+        boolean free = open && baud > 0 && codeOf(baud) > 0 && currentBaud(termios) == ownBaud;
+        int side = free ? c.open(path, READ_WRITE | NO_CONTROLLING_TERMINAL) : NONE;
         if (side >= 0) {
             c.tcgetattr(side, termios);
             c.cfsetspeed(termios, new NativeLong(codeOf(baud)));

@@ -9,8 +9,8 @@ import java.nio.file.Paths;
 import java.util.regex.Pattern;
 
 /**
- * A symbolic link to a pseudo-terminal. It is made only where nothing is, or where an earlier link to a pseudo-terminal was left behind; what else has
- * its name is never touched. Any thread.
+ * A symbolic link to a pseudo-terminal. It is made only where nothing is, or where an earlier link to a pseudo-terminal was left behind; what else
+ * has its name is never touched. Any thread.
  */
 final class TerminalLink {
     /** Where Linux and macOS have their pseudo-terminals. */

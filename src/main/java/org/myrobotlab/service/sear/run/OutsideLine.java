@@ -3,8 +3,8 @@ package org.myrobotlab.service.sear.run;
 import org.SEAR.devices.SerialLine;
 
 /**
- * The short way between a device and a program outside that has its port: bytes pass neither MyRobotLab's messages nor the ports' reader threads, each of
- * which may have to wait for a busy processor. Any thread.
+ * The short way between a device and a program outside that has its port: bytes pass neither MyRobotLab's messages nor the ports' reader threads,
+ * each of which may have to wait for a busy processor. Any thread.
  */
 public interface OutsideLine {
     /** Bytes of the program, on their way from the next step on. Never waits. */

@@ -383,7 +383,8 @@ public class ExportsTest {
         Path link = temporary.getRoot().toPath().resolve("early");
         exports.terminal("/dev/test_user", link.toString());
         int number = exports.tcp("/dev/test_user", 0);
-        try (RandomAccessFile client = new RandomAccessFile(link.toFile(), "rw"); Socket socket = new Socket(InetAddress.getLoopbackAddress(), number)) {
+        try (RandomAccessFile client = new RandomAccessFile(link.toFile(), "rw");
+                Socket socket = new Socket(InetAddress.getLoopbackAddress(), number)) {
             for (int round = 1; round <= 3; round++) {
                 client.write(new byte[FLOOD]);
                 VirtualSerialPort again = new VirtualSerialPort("/dev/test_user");

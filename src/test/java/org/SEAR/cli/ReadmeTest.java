@@ -97,14 +97,26 @@ public class ReadmeTest {
     @Test
     public void theScriptsForOtherProgramsExportPorts() throws Exception {
         List<String> blocks = DocBlock.of("docs/other-programs.md", "python");
-        assertEquals(2, blocks.size());
+        assertEquals(4, blocks.size());
         Path link = folder.getRoot().toPath().resolve("ttySICK");
-        String calls = blocks.get(0).replace("/tmp/ttySICK", link.toString()).replace("5001", "0");
-        String output = run(blocks.get(1) + calls + "import os\nprint 'link', path, os.path.exists(path), 'port', port\n");
+        String calls = blocks.get(0).replace("/tmp/ttySICK", link.toString()).replace("5001", "0").replace("5002", "0");
+        String output = run(blocks.get(2) + calls + blocks.get(3) + "import os\nprint 'link', path, os.path.exists(path), 'port', port\n");
         for (String port : new String[] {"/dev/SEAR_Robot_01", "/dev/SEAR_LIDAR_01", "/dev/SEAR_GPS_01"}) {
             assertTrue(output, Pattern.compile(Pattern.quote(port) + " is /dev/\\S+").matcher(output).find());
         }
+        assertTrue(output, Pattern.compile("/dev/SEAR_LIDAR_01 is pseudo-terminal /dev/\\S+, pseudo-terminal " + Pattern.quote(link.toString())
+            + ", tcp port [1-9]\\d+, rfc2217 port [1-9]\\d+").matcher(output).find());
         assertTrue(output, Pattern.compile("link " + Pattern.quote(link.toString()) + " True port [1-9]\\d+").matcher(output).find());
+    }
+
+    @Test
+    public void aProjectCanHaveItsExports() throws Exception {
+        run("from org.SEAR.POJOs import *\nlidar = LIDAR('lidar')\nroomba = Dynamics('drive', 4)\ngps = GPS('gps', 33.61, 182.5, -80.865)\n"
+            + DocBlock.of("docs/other-programs.md", "python").get(1));
+        for (String[] one : new String[][] {{"lidar", "ttySICK"}, {"drive", "tcp:5001"}, {"gps", "rfc2217:5002"}}) {
+            String file = Files.readString(folder.getRoot().toPath().resolve("SEARproject/robot/" + one[0] + ".xml"));
+            assertTrue(file, file.contains("<export>" + one[1] + "</export>"));
+        }
     }
 
     /** The dissertation's experiment 5.6.2.1: beside each obstacle of the row the sonar reads the way to its nearest point. */

@@ -173,7 +173,11 @@ public class ThirdPartyDriversTest {
         while (streaming < RESTARTS && starts < RESTARTS * TRIES) {
             Process grabber = start(new ProcessBuilder("stdbuf", "-oL", "rawlog-grabber", config.toString()));
             starts++;
-            streaming += isStreaming(grabber, output) ? 1 : 0;
+            if (isStreaming(grabber, output)) {
+                streaming++;
+            } else {
+                System.out.println("start " + starts + " failed:\n" + String.join("\n", output));
+            }
             grabber.destroyForcibly().waitFor();
         }
         System.out.println("MRPT's driver streamed after " + streaming + " of " + starts + " starts");

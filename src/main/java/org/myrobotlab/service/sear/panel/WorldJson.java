@@ -38,8 +38,6 @@ import org.myrobotlab.service.sear.readings.ScriptReadings;
  *              {"name": "Land", "type": "Terrain", "ground": "1f-2e" (its stamp: see {@link TerrainMap}), ..}],
  *  "robots": [{"name": "myRoomba", "pose": [..], "speed": 0.2, "turnRate": 0, "radius": 0.17, "path": [[x, z], ..],
  *              "devices": [{"name", "on" (whether it has power), "status" (what it is doing)}],
- *  "robots": [{"name": "myRoomba", "pose": [..], "speed": 0.2, "turnRate": 0, "radius": 0.17, "path": [[x, z], ..],
- *              "devices": [{"name", "on" (whether it has power), "status" (what it is doing)}],
  *              "parts": [{"name", "type", "corners", "image", "color", "colored", "pose" (in the body)}]}],
  *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "hit": [x, y, z] or null,
  *               "cones": [{"halfAngle", "range", "yaw"}]},

@@ -4,6 +4,7 @@ import static org.junit.Assert.assertEquals;
 
 import org.junit.Test;
 
+/** A point of the world and its place on Earth belong together. */
 public class GeoOriginTest {
     @Test
     public void aPlaceIsWhereItsPointIs() {

@@ -17,7 +17,7 @@ import org.junit.rules.TemporaryFolder;
 /** The calls that drive a robot, and those for any sensor, on a small world in lock-step. */
 public class DrivingCallsTest {
     /** Half of the way between the wheels of the test's robot, m. */
-    private static final double HALF_TRACK = 0.16;
+    private static final double HALF_TRACK = 0.129;
 
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();
@@ -144,7 +144,7 @@ public class DrivingCallsTest {
         sear.startSimulation();
         assertTrue(refused(() -> sear.driveStraight(1)).startsWith("robot roomba has no driven wheels: "));
         sear.stopSimulation();
-        Files.writeString(robot, whole.replace("<x>-0.16</x>", "<x>0</x>").replace("<x>0.16</x>", "<x>0</x>"));
+        Files.writeString(robot, whole.replace("<x>-0.129</x>", "<x>0</x>").replace("<x>0.129</x>", "<x>0</x>"));
         sear.startSimulation();
         assertTrue(refused(() -> sear.spin(10)).startsWith("robot roomba can't turn in place: "));
     }

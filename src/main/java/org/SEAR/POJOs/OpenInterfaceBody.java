@@ -3,22 +3,23 @@ package org.SEAR.POJOs;
 /** What the drivers of a robot with an Open Interface take for its dimensions. Immutable, any thread. */
 public enum OpenInterfaceBody {
     /** Roomba 400 (SCI) and 500: distances come in millimetres, so the wheels' size is the robot's own affair. */
-    ROOMBA_400("roomba400", 0.258),
+    ROOMBA_400("roomba400", 0.258, 0.036),
     /** Create 1. */
-    CREATE("create", 0.258),
+    CREATE("create", 0.258, 0.036),
     /** Create 2 and Roomba 600: encoders count 508.8 a turn of a wheel of 72 mm. */
-    CREATE_2("create2", 0.235);
+    CREATE_2("create2", 0.235, 0.036);
 
     /** As in {@link Dynamics#getModel}. */
     public final String model;
     /** Metres from the middle of the left wheel to that of the right one. */
     public final double wheelBase;
     /** Metres; for the Create 2 by its document, for the others taken from there. */
-    public final double wheelRadius = 0.036;
+    public final double wheelRadius;
 
-    OpenInterfaceBody(String model, double wheelBase) {
+    OpenInterfaceBody(String model, double wheelBase, double wheelRadius) {
         this.model = model;
         this.wheelBase = wheelBase;
+        this.wheelRadius = wheelRadius;
     }
 
     /** Whether drivers count turns of the wheels, so that the wheels' radius matters to them. */

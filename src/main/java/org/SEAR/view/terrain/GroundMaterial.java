@@ -37,7 +37,7 @@ public final class GroundMaterial {
         far.setVector4("Area", new Vector4f((float) field.lowX, (float) field.lowZ, (float) (1 / extentX), (float) (1 / extentZ)));
         far.setFloat("Clear", Math.max(NEAREST_HAZE, Math.min(CLEAR, 2.2f * (float) Math.hypot(extentX, extentZ))));
         near = far.clone();
-        near.setTexture("Grain", texture(grain(), fine, Texture.WrapMode.Repeat));
+        near.setTexture("Grain", texture(grain(new Random(GRAIN)), fine, Texture.WrapMode.Repeat));
     }
 
     private static Texture texture(Image image, boolean fine, Texture.WrapMode wrap) {
@@ -59,9 +59,8 @@ public final class GroundMaterial {
     }
 
     /** Grey noise of all sizes that fits to itself at its edges. */
-    private static Image grain() {
+    private static Image grain(Random random) {
         float[] sum = new float[GRAIN * GRAIN];
-        Random random = new Random(GRAIN);
         for (int octave = 2; octave < 2 + OCTAVES; octave++) {
             int cells = 1 << octave;
             float[] values = new float[cells * cells];
@@ -69,7 +68,9 @@ public final class GroundMaterial {
                 values[i] = random.nextFloat() - 0.5f;
             }
             for (int i = 0; i < sum.length; i++) {
-                sum[i] += 0.3f * smooth(values, cells, (float) (i / GRAIN) * cells / GRAIN, (float) (i % GRAIN) * cells / GRAIN);
+                int row = i / GRAIN;
+                int column = i % GRAIN;
+                sum[i] += 0.3f * smooth(values, cells, (float) row * cells / GRAIN, (float) column * cells / GRAIN);
             }
         }
         ByteBuffer bytes = BufferUtils.createByteBuffer(4 * sum.length);

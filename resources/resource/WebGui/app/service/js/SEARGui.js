@@ -633,7 +633,7 @@
                 path.push([robot.pose[0], robot.pose[2]])
             }
             if (path.length > LONGEST_PATH) {
-                robot.path = path.filter(function(point, i) {
+                robot.path = path.filter(function(one, i) {
                     return i === 0 || i === path.length - 1 || (path.length - 2 - i) % 2
                 })
             }

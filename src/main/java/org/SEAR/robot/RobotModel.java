@@ -333,6 +333,6 @@ public final class RobotModel implements Robot, RobotHardware {
     @Override
     public boolean isInVirtualWall() {
         Pose pose = body.getPose();
-        return virtualWalls.reach(pose.x, pose.y, pose.z);
+        return virtualWalls.reach(pose.x, pose.y, pose.z, number);
     }
 }

@@ -5,8 +5,13 @@ import java.util.List;
 import java.util.Locale;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
+import org.SEAR.physics.Scenes;
+import org.SEAR.raycast.Hit;
 
-/** The beams of Roomba's virtual walls: objects whose name begins with {@code virtualWall}. Simulation thread. */
+/**
+ * The beams of Roomba's virtual walls: objects whose name begins with {@code virtualWall}. They are infrared light, so whatever is solid stops them.
+ * Simulation thread.
+ */
 public final class VirtualWalls {
     private static final String PREFIX = "virtualwall";
     /** Length of the beam, metres, and half of its angle (facts: a virtual wall reaches 2.4 m in a narrow fan with a halo of 0.4 m). */
@@ -15,6 +20,13 @@ public final class VirtualWalls {
     private static final double HALF_ANGLE = Math.toRadians(10);
 
     private final List<Body> walls = new ArrayList<>();
+    private final Scenes scenes;
+    private final Hit hit = new Hit();
+
+    /** @param scenes with everything that stops a beam */
+    public VirtualWalls(Scenes scenes) {
+        this.scenes = scenes;
+    }
 
     /** Keeps the body if it is a virtual wall. */
     public void consider(Body body) {
@@ -27,16 +39,30 @@ public final class VirtualWalls {
      * Whether a point is in a beam.
      *
      * @param x world frame, metres
+     * @param robot number of the one that looks, which is not in its own way
      */
-    boolean reach(double x, double y, double z) {
+    boolean reach(double x, double y, double z, int robot) {
         for (int i = 0; i < walls.size(); i++) {
             Pose wall = walls.get(i).getPose();
             double[] inWall = wall.rotateBack(x - wall.x, y - wall.y, z - wall.z);
             double distance = Math.hypot(inWall[0], inWall[2]);
-            if (distance <= HALO || distance <= LENGTH && Math.abs(Math.atan2(inWall[0], inWall[2])) <= HALF_ANGLE) {
+            boolean inBeam = distance <= HALO || distance <= LENGTH && Math.abs(Math.atan2(inWall[0], inWall[2])) <= HALF_ANGLE;
+            if (inBeam && sees(walls.get(i), x, y, z, robot)) {
                 return true;
             }
         }
         return false;
+    }
+
+    /** Whether nothing solid stands between. */
+    private boolean sees(Body body, double x, double y, double z, int robot) {
+        Pose wall = body.getPose();
+        double dx = wall.x - x;
+        double dy = wall.y - y;
+        double dz = wall.z - z;
+        double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        double way = distance == 0 ? Double.POSITIVE_INFINITY
+            : scenes.ground.cast(x, y, z, dx / distance, dy / distance, dz / distance, distance, robot, hit);
+        return way == Double.POSITIVE_INFINITY || scenes.body(hit.shape) == body;
     }
 }

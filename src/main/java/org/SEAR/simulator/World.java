@@ -39,7 +39,7 @@ final class World implements PhysicsWorld.Touches {
     private final List<Body> environment = new ArrayList<>();
     private final List<RobotModel> robots = new ArrayList<>();
     private final List<String> warnings = new ArrayList<>();
-    private final VirtualWalls virtualWalls = new VirtualWalls();
+    private final VirtualWalls virtualWalls;
     /** Of everything that has a shape; only looked up, never walked through. */
     private final Map<SearObject, Solid> shapes = new IdentityHashMap<>();
     private List<Pose> poses;
@@ -56,6 +56,7 @@ final class World implements PhysicsWorld.Touches {
      */
     World(Project project, long epochMillis, boolean groundVisible, Consumer<String> told) throws ProjectException {
         scenes = new Scenes(!groundVisible || hasInvisible(project));
+        virtualWalls = new VirtualWalls(scenes);
         for (SearObject object : project.getEnvironment()) {
             Body body = body(object, project);
             environment.add(body);

@@ -86,6 +86,19 @@ public class WorldTest {
     }
 
     @Test
+    public void whatIsSolidStopsAVirtualWall() throws Exception {
+        new Box("virtualWall north", 0.1, 0.1, 0.1, 0).move(0, 0.05, 5);
+        Box wall = new Box("wall", 2, 0.1, 0.5, 0);
+        wall.setVisibleToSensors(false);
+        wall.move(0, 0.25, 5.8);
+        Worlds.roomba("shaded", 0.1, 6.5, 0);
+        Worlds.roomba("halo", 0.3, 4.9, 0);
+        for (Robot robot : Worlds.start(project).getRobots()) {
+            assertEquals(robot.getObject().getName().equals("halo"), robot.getHardware().isInVirtualWall());
+        }
+    }
+
+    @Test
     public void aRobotOnItsSideIsReported() throws Exception {
         SEARrobot robot = Worlds.roomba("roomba", 0, 0, 0);
         for (SearObject part : robot.getComponents()) {

@@ -93,7 +93,7 @@ public class DistributionTest {
                 assertTrue(name, plugin.contains(name));
             }
         }
-        for (String drive : new String[] {"gps_waypoints", "lidar_mapper", "maze_solver", "obstacle_avoidance", "wall_follower"}) {
+        for (String drive : new String[] {"gps_waypoints", "lidar_mapper", "maze_solver", "mountain", "obstacle_avoidance", "wall_follower"}) {
             assertTrue(drive, plugin.contains("resource/SEAR/drive/" + drive + ".py"));
         }
     }
@@ -106,8 +106,8 @@ public class DistributionTest {
             + "print sear.getExampleScript('wall_follower.py').split('\\n')[0]\n");
         Distribution.Result result = sear(script.toString(), "--headless", "--port", "none");
         assertEquals(result.toString(), 0, result.status);
-        assertTrue(result.toString(), result.out.contains("gps_waypoints.py, lidar_mapper.py, maze_solver.py, obstacle_avoidance.py,"
-            + " wall_follower.py"));
+        assertTrue(result.toString(), result.out.contains("gps_waypoints.py, lidar_mapper.py, maze_solver.py, mountain.py,"
+            + " obstacle_avoidance.py, wall_follower.py"));
         assertTrue(result.toString(), result.out.contains("# Follows the wall on its right"));
     }
 

@@ -70,7 +70,8 @@ public class DrivingExamplesTest {
     @Test
     public void everyScriptIsTriedHere() throws IOException {
         try (Stream<Path> scripts = Files.list(EXAMPLES.resolve("drive"))) {
-            assertEquals(List.of("gps_waypoints.py", "lidar_mapper.py", "maze_solver.py", "mountain.py", "obstacle_avoidance.py", "wall_follower.py"),
+            assertEquals(List.of("gps_waypoints.py", "lidar_mapper.py", "maze_solver.py", "mountain_climber.py", "obstacle_avoidance.py",
+                "wall_follower.py"),
                 scripts.map(script -> script.getFileName().toString()).sorted().collect(Collectors.toList()));
         }
     }
@@ -116,7 +117,7 @@ public class DrivingExamplesTest {
 
     @Test
     public void theSummitIsReached() throws Exception {
-        String text = run("mountain.py", "rover", "summit");
+        String text = run("mountain_climber.py", "rover", "summit");
         double[] rover = end(text, "rover");
         double[] summit = end(text, "summit");
         assertEquals(text, 0, Math.hypot(rover[0] - summit[0], rover[1] - summit[1]), 3);

@@ -93,7 +93,8 @@ public class DistributionTest {
                 assertTrue(name, plugin.contains(name));
             }
         }
-        for (String drive : new String[] {"gps_waypoints", "lidar_mapper", "maze_solver", "mountain", "obstacle_avoidance", "wall_follower"}) {
+        for (String drive : List.of("gps_waypoints", "lidar_mapper", "maze_solver", "mountain_climber", "obstacle_avoidance",
+                "wall_follower")) {
             assertTrue(drive, plugin.contains("resource/SEAR/drive/" + drive + ".py"));
         }
     }
@@ -106,7 +107,7 @@ public class DistributionTest {
             + "print sear.getExampleScript('wall_follower.py').split('\\n')[0]\n");
         Distribution.Result result = sear(script.toString(), "--headless", "--port", "none");
         assertEquals(result.toString(), 0, result.status);
-        assertTrue(result.toString(), result.out.contains("gps_waypoints.py, lidar_mapper.py, maze_solver.py, mountain.py,"
+        assertTrue(result.toString(), result.out.contains("gps_waypoints.py, lidar_mapper.py, maze_solver.py, mountain_climber.py,"
             + " obstacle_avoidance.py, wall_follower.py"));
         assertTrue(result.toString(), result.out.contains("# Follows the wall on its right"));
     }

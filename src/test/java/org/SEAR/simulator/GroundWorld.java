@@ -46,7 +46,8 @@ final class GroundWorld {
             RobotBuilder builder = RobotBuilder.of(object, project, warnings);
             physics.add(builder.body);
             builder.addTo(scenes, 0);
-            robot = new RobotModel(builder, 0, scenes, new RobotTruth(builder.body, scenes, 0, Earth.of(project, object), 0), new VirtualWalls(scenes));
+            robot = new RobotModel(builder, 0, scenes, new RobotTruth(builder.body, scenes, 0, Earth.of(project, object), 0),
+                new VirtualWalls(scenes));
         }
         StartPoses.lift(physics.getBodies(), warnings);
         physics.restart();

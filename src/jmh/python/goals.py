@@ -17,15 +17,16 @@ REASONS = {
     "fan field": "The plane of a scan cuts about 290 triangles and opens 200 blocks of the pyramid for its 361 beams, so that nearly every beam meets "
                  "a triangle of its own.",
     "fan room-1000": "So full a room makes a scan open 77 nodes and cut 23 boxes; in `room-20` it is 26 and 10.",
-    "single room-20": "It changes from run to run, 3.8 to 4.8 on this machine: about 13 ns for each of the 10 nodes that a beam opens and 25 ns for "
+    "single room-20": "It changes from run to run, 2.6 to 4.8 on machines of this kind: about 13 ns for each of the 10 nodes that a beam opens and 25 ns for "
                       "each box, by a profile, and the rest to set out.",
     "single room-1000": "The boxes of so full a room overlap: a single beam opens 44 nodes and tests 12 boxes; in `room-20` it is 10 and 1.",
     "single hills": "A single beam opens 28 nodes of the hierarchy and tests 3 triangles.",
     "single room-100": "So many boxes in 100 m² overlap; `hall-100` has as many with room between them.",
-    "lidar-room": "LIDAR and wheels look among 1000 boxes that overlap; `1000 boxes in a hall` has as many with room between them.",
+    "lidar-room-20": "It is the machine: the line above says how much slower the other engines were on it, too.",
+    "lidar-room-1000": "LIDAR and wheels look among 1000 boxes that overlap; `1000 boxes in a hall` has as many with room between them.",
     "all-room": "Beams and wheels look among 1000 boxes that overlap.",
-    "start": "Each object is a file of its own, read and checked while the JVM still compiles: this is the project with 1000 of them. A third of the "
-             "time XStream sets itself up.",
+    "start": "Each object is a file of its own, read and checked while the JVM still compiles; a third of the time XStream sets itself up. The longest "
+             "is that of the project with 1000 objects.",
     "mesh seconds": "One thread builds the hierarchy.",
     "memory": "Garbage gathers between two collections; the table has what the heap's objects themselves need.",
 }

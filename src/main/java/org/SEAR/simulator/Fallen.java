@@ -1,5 +1,6 @@
 package org.SEAR.simulator;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
@@ -14,6 +15,8 @@ final class Fallen {
     private static final double END = 1000;
 
     private final List<Body> bodies;
+    /** Those that can fall: what is fixed costs nothing in a step. */
+    private final Body[] movable;
     private final Consumer<String> warnings;
     private final boolean[] told;
     private double lowest;
@@ -21,29 +24,30 @@ final class Fallen {
     Fallen(List<Body> bodies, Consumer<String> warnings) {
         this.bodies = bodies;
         this.warnings = warnings;
-        told = new boolean[bodies.size()];
+        movable = bodies.stream().filter(body -> !body.isFixed()).toArray(Body[]::new);
+        told = new boolean[movable.length];
     }
 
     /** Everything is where it started. */
     void restart() {
         lowest = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < told.length; i++) {
-            told[i] = false;
-            if (bodies.get(i).isFixed()) {
-                lowest = Math.min(lowest, bodies.get(i).lowest());
+        Arrays.fill(told, false);
+        for (Body body : bodies) {
+            if (body.isFixed()) {
+                lowest = Math.min(lowest, body.lowest());
             }
         }
-        for (int i = 0; lowest == Double.POSITIVE_INFINITY && i < told.length; i++) {
-            lowest = Math.min(lowest, bodies.get(i).lowest());
+        for (int i = 0; lowest == Double.POSITIVE_INFINITY && i < movable.length; i++) {
+            lowest = Math.min(lowest, movable[i].lowest());
         }
     }
 
     /** Looks at everything after a step. */
     void look() {
-        for (int i = 0; i < told.length; i++) {
-            Body body = bodies.get(i);
+        for (int i = 0; i < movable.length; i++) {
+            Body body = movable[i];
             double y = body.getPose().y;
-            if (y < lowest - OUT && !body.isFixed()) {
+            if (y < lowest - OUT) {
                 if (!told[i]) {
                     told[i] = true;
                     tell(body);

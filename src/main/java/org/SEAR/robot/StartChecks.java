@@ -6,7 +6,6 @@ import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.OpenInterfaceBody;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Scenes;
 import org.SEAR.raycast.Hit;
@@ -39,28 +38,27 @@ public final class StartChecks {
         }
     }
 
-    /** A driver works distances and turns out of the dimensions of the robot that it takes this one for. */
     private static void checkDimensions(RobotModel robot, List<String> warnings) {
-        SEARrobot object = robot.getObject();
-        for (SearObject part : object.getComponents()) {
+        for (SearObject part : robot.getObject().getComponents()) {
             if (part instanceof Dynamics && ((Dynamics) part).getUserPort() != null) {
-                OpenInterfaceBody real = OpenInterfaceBody.of(((Dynamics) part).getModel());
-                double base = robot.getHardware().getWheelBase();
-                if (base > 0 && differ(base, real.wheelBase)) {
-                    warnings.add(String.format(Locale.ROOT, "robot %s answers as a %s, whose wheels are %.3f m apart, and its own are %.3f m:"
-                        + " drivers that count on it misjudge turns; Robots.%s(name) makes one that fits", object.getName(), real.model,
-                        real.wheelBase, base, real.model));
-                }
-                for (Wheel wheel : object.getWheels()) {
-                    if (wheel.isDriven() && real.hasEncoders() && differ(wheel.getRadius(), real.wheelRadius)) {
-                        warnings.add(String.format(Locale.ROOT, "robot %s answers as a %s, whose wheels have a radius of %.3f m, and that of its"
-                            + " wheel %s is %.3f m: drivers that count on it misjudge distances; Robots.%s(name) makes one that fits",
-                            object.getName(), real.model, real.wheelRadius, wheel.getName(), wheel.getRadius(), real.model));
-                        break;
-                    }
-                }
+                checkDimensions(robot, OpenInterfaceBody.of(((Dynamics) part).getModel()), warnings);
             }
         }
+    }
+
+    /** A driver works distances and turns out of the dimensions of the robot that it takes this one for. */
+    private static void checkDimensions(RobotModel robot, OpenInterfaceBody real, List<String> warnings) {
+        SEARrobot object = robot.getObject();
+        double base = robot.getHardware().getWheelBase();
+        if (base > 0 && differ(base, real.wheelBase)) {
+            warnings.add(String.format(Locale.ROOT, "robot %s answers as a %s, whose wheels are %.3f m apart, and its own are %.3f m:"
+                + " drivers that count on it misjudge turns; Robots.%s(name) makes one that fits", object.getName(), real.model,
+                real.wheelBase, base, real.model));
+        }
+        object.getWheels().stream().filter(wheel -> real.hasEncoders() && wheel.isDriven() && differ(wheel.getRadius(), real.wheelRadius))
+            .findFirst().ifPresent(wheel -> warnings.add(String.format(Locale.ROOT, "robot %s answers as a %s, whose wheels have a radius of %.3f m,"
+                + " and that of its wheel %s is %.3f m: drivers that count on it misjudge distances; Robots.%s(name) makes one that fits",
+                object.getName(), real.model, real.wheelRadius, wheel.getName(), wheel.getRadius(), real.model)));
     }
 
     private static boolean differ(double one, double other) {

@@ -9,6 +9,7 @@ import org.junit.rules.ExternalResource;
 import org.junit.rules.TestRule;
 import org.junit.runner.Description;
 import org.junit.runners.model.Statement;
+import org.openqa.selenium.By;
 
 /**
  * One MyRobotLab and one browser for the tests of a class.
@@ -26,6 +27,7 @@ import org.junit.runners.model.Statement;
 public final class Tabs extends ExternalResource {
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 1000;
+    private static final int MOST_WORDS = 2000;
     private static final Path PICTURES = Paths.get(System.getProperty("sear.root", "."), "build/reports/web");
 
     private final String script;
@@ -90,10 +92,21 @@ public final class Tabs extends ExternalResource {
                     Assert.assertEquals("errors in the browser's console", List.of(), browser.errors());
                 } catch (Throwable e) {
                     keepPicture(description);
+                    e.addSuppressed(new AssertionError("the page said: " + words()));
                     throw e;
                 }
             }
         };
+    }
+
+    /** What can be read in the page; where only a run's output is kept, it tells more than which wait was in vain. */
+    private String words() {
+        try {
+            String text = browser.driver().findElement(By.tagName("body")).getText();
+            return text.substring(0, Math.min(text.length(), MOST_WORDS));
+        } catch (RuntimeException e) {
+            return "nothing, " + e;
+        }
     }
 
     private void keepPicture(Description test) {

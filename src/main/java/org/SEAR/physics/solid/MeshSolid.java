@@ -3,7 +3,6 @@ package org.SEAR.physics.solid;
 import com.bulletphysics.collision.shapes.CollisionShape;
 import java.io.IOException;
 import java.util.function.Predicate;
-import java.util.function.Supplier;
 import org.SEAR.POJOs.Model;
 import org.SEAR.collision.ConvexHull;
 import org.SEAR.collision.ConvexShape;
@@ -31,8 +30,8 @@ class MeshSolid extends Solid {
             .map(corner -> new double[] {corner.x, corner.y, corner.z}).toArray(double[][]::new);
     }
 
-    static MeshSolid of(Model model, Supplier<ModelLoader> models) throws IOException {
-        return new MeshSolid(models.get().triangles(model), new double[] {model.getScaleX(), model.getScaleY(), model.getScaleZ()}, Pose.IDENTITY);
+    static MeshSolid of(Model model, ModelLoader models) throws IOException {
+        return new MeshSolid(models.triangles(model), new double[] {model.getScaleX(), model.getScaleY(), model.getScaleZ()}, Pose.IDENTITY);
     }
 
     private static double half(Triangles mesh, double[] scale, int axis) {

@@ -5,7 +5,6 @@ import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.function.Supplier;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Cone;
 import org.SEAR.POJOs.Cylinder;
@@ -17,6 +16,7 @@ import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Sphere;
 import org.SEAR.POJOs.Terrain;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.geometry.HeightField;
 import org.SEAR.project.Project;
 import org.SEAR.project.models.ModelLoader;
 import org.SEAR.project.problems.Problem;
@@ -30,23 +30,38 @@ public final class Solids implements ObjectTypes {
     private static final Map<Class<? extends SearObject>, Maker<Shape>> ALL = new LinkedHashMap<>();
 
     static {
-        add(Box.class, (box, models) -> BoxSolid.of(box));
-        add(Cylinder.class, (cylinder, models) -> RoundSolid.of(cylinder));
-        add(Cone.class, (cone, models) -> RoundSolid.of(cone));
-        add(Sphere.class, (sphere, models) -> EllipsoidSolid.of(sphere));
-        add(Terrain.class, (terrain, models) -> null);
-        add(Floor.class, (floor, models) -> BoxSolid.of(floor));
-        add(Model.class, MeshSolid::of);
-        add(Wheel.class, (wheel, models) -> RoundSolid.of(wheel));
+        add(Box.class, (box, sources) -> BoxSolid.of(box));
+        add(Cylinder.class, (cylinder, sources) -> RoundSolid.of(cylinder));
+        add(Cone.class, (cone, sources) -> RoundSolid.of(cone));
+        add(Sphere.class, (sphere, sources) -> EllipsoidSolid.of(sphere));
+        add(Terrain.class, (terrain, sources) -> TerrainSolid.of(sources.ground()));
+        add(Floor.class, (floor, sources) -> BoxSolid.of(floor));
+        add(Model.class, (model, sources) -> MeshSolid.of(model, sources.models()));
+        add(Wheel.class, (wheel, sources) -> RoundSolid.of(wheel));
+    }
+
+    /** What a solid is made from beside the parameters of its shape; asked only by the shapes that need it. */
+    public interface Sources {
+        /** Models by their files; without one SEAR works without jMonkeyEngine. */
+        ModelLoader models();
+
+        /**
+         * The heights of the project's terrain; null where terrains are to have no solid.
+         *
+         * @throws ProjectException if the terrain's map can't be loaded
+         */
+        default HeightField ground() throws ProjectException {
+            return null;
+        }
     }
 
     /** Makes the solid of an object. */
     private interface Maker<S extends Shape> {
-        Solid make(S shape, Supplier<ModelLoader> models) throws IOException;
+        Solid make(S shape, Sources sources) throws IOException, ProjectException;
     }
 
     private static <S extends Shape> void add(Class<S> type, Maker<S> maker) {
-        ALL.put(type, (shape, models) -> maker.make(type.cast(shape), models));
+        ALL.put(type, (shape, sources) -> maker.make(type.cast(shape), sources));
     }
 
     @Override
@@ -63,11 +78,8 @@ public final class Solids implements ObjectTypes {
         if (!(object instanceof Shape)) {
             return null;
         }
-        if (object instanceof Terrain) {
-            return withSurface(new TerrainSolid(project.getGround().field), (Shape) object);
-        }
         try {
-            return of((Shape) object, () -> ModelLoader.withoutPictures(project.getAssets()));
+            return of((Shape) object, sourcesOf(project));
         } catch (IOException e) {
             String file = (project.getEnvironment().contains(object) ? "environment/" : "robot/") + object.getFileName() + ".xml";
             throw new ProjectException(Collections.singletonList(new Problem(file, 0, "path", ((Model) object).getPath(),
@@ -75,16 +87,30 @@ public final class Solids implements ObjectTypes {
         }
     }
 
+    private static Sources sourcesOf(Project project) {
+        return new Sources() {
+            @Override
+            public ModelLoader models() {
+                return ModelLoader.withoutPictures(project.getAssets());
+            }
+
+            @Override
+            public HeightField ground() throws ProjectException {
+                return project.getGround().field;
+            }
+        };
+    }
+
     /**
-     * The geometry of a shape; null for one that is not in the list, and for a terrain, whose ground the project has.
+     * The geometry of a shape; null for one that is not in the list, and for a terrain without ground.
      *
-     * @param models asked for a model only: without one SEAR works without jMonkeyEngine
      * @throws IOException if a model can't be loaded
+     * @throws ProjectException if the terrain's map can't be loaded
      */
-    public static Solid of(Shape shape, Supplier<ModelLoader> models) throws IOException {
+    public static Solid of(Shape shape, Sources sources) throws IOException, ProjectException {
         for (Class<?> type = shape.getClass(); type != null; type = type.getSuperclass()) {
             if (ALL.containsKey(type)) {
-                return withSurface(ALL.get(type).make(shape, models), shape);
+                return withSurface(ALL.get(type).make(shape, sources), shape);
             }
         }
         return null;

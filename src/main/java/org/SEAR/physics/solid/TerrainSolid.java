@@ -22,6 +22,11 @@ public final class TerrainSolid extends Solid {
         search = new HeightSearch(heights);
     }
 
+    /** @return null without heights */
+    static TerrainSolid of(HeightField heights) {
+        return heights == null ? null : new TerrainSolid(heights);
+    }
+
     private static double half(float low, float high) {
         return Math.max(Math.abs(low), Math.abs(high));
     }

@@ -29,6 +29,7 @@ import org.SEAR.physics.solid.Solid;
 import org.SEAR.physics.solid.Solids;
 import org.SEAR.project.ObjectPose;
 import org.SEAR.project.models.ModelLoader;
+import org.SEAR.project.problems.ProjectException;
 
 /** Makes what is seen of the objects of the grammar. Each node's own pose is left to whoever places it. Window thread only. */
 public final class SceneBuilder {
@@ -64,7 +65,7 @@ public final class SceneBuilder {
             } else if (object instanceof SensorObject) {
                 node.attachChild(sensor(object));
             }
-        } catch (IOException e) {
+        } catch (IOException | ProjectException e) {
             warnings.accept("a model can't be shown: " + e.getMessage());
         }
         return node;
@@ -92,7 +93,7 @@ public final class SceneBuilder {
         return new Vector3f((float) shape.getScaleX(), (float) shape.getScaleY(), (float) shape.getScaleZ());
     }
 
-    private Spatial solid(Shape shape) throws IOException {
+    private Spatial solid(Shape shape) throws IOException, ProjectException {
         Solid solid = Solids.of(shape, () -> models);
         if (solid == null) {
             return new Node(shape.getName());
@@ -139,7 +140,7 @@ public final class SceneBuilder {
         return pictures;
     }
 
-    private Spatial wheel(Wheel wheel) throws IOException {
+    private Spatial wheel(Wheel wheel) throws IOException, ProjectException {
         Node node = new Node(wheel.getName());
         Solid solid = Solids.of(wheel, () -> models);
         Geometry tyre = new Geometry("tyre", mesh(solid, null));

@@ -8,7 +8,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
-import java.util.function.Supplier;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Cone;
 import org.SEAR.POJOs.Cylinder;
@@ -22,7 +21,6 @@ import org.SEAR.collision.GjkDistance;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.project.ProjectRule;
-import org.SEAR.project.models.ModelLoader;
 import org.SEAR.raycast.BeamScene;
 import org.junit.Before;
 import org.junit.Rule;
@@ -33,7 +31,7 @@ public class SolidsTest {
     /** By how much the window's polygons may be smaller than what is round, and the tab's outline narrower. */
     private static final double COARSE = 0.03;
     private static final double EXACT = 1e-6;
-    private static final Supplier<ModelLoader> NO_MODELS = null;
+    private static final Solids.Sources NO_MODELS = null;
 
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -164,7 +164,7 @@ public class GPS extends SensorObject implements SerialObject {
         serial.setExport(this, "tcp:" + port);
     }
 
-    /** @param newBaud speed at power-on, 300 to 1000000 */
+    /** @param newBaud speed at power-on, 300 to 100000000 */
     public void setBaud(int newBaud) {
         serial.setBaud(this, newBaud);
     }

@@ -1,9 +1,9 @@
 package org.SEAR.POJOs;
 
-import org.SEAR.protocol.lms.Variant;
+import org.SEAR.protocol.lidar.LidarModel;
 
-/** A plane of beams; behind its ports a SICK LMS200 if LMS(1). */
-@Described("a plane of beams; behind its ports a SICK LMS200")
+/** A plane of beams; behind its ports a device of its model if LMS(1). */
+@Described("a plane of beams; behind its ports a SICK LMS200 or another model")
 public class LIDAR extends SensorObject implements SerialObject {
     private static final int MAX_BEAMS = 36001;
 
@@ -15,9 +15,11 @@ public class LIDAR extends SensorObject implements SerialObject {
     private double resolution = 1;
     @Included
     private final SerialParameters serial = new SerialParameters(9600);
-    @Param(doc = "device behind the ports: 1 SICK LMS200, 0 none", values = {"0", "1"}, max = 1)
+    @Param(doc = "device behind the ports", text = TextRule.LIDAR_MODEL)
+    private String model = LidarModel.LMS200.getName();
+    @Param(doc = "whether there is a device behind the ports: 1 its model, 0 none", values = {"0", "1"}, max = 1)
     private int lms = 1;
-    @Param(doc = "whether the LMS200 obeys the baud telegrams with a wrong checksum that MyRobotLab's old driver sends")
+    @Param(doc = "whether an LMS2xx obeys the baud telegrams with a wrong checksum that MyRobotLab's old driver sends")
     private boolean lenient;
     @Param(doc = "whether its beams see parts of the own robot")
     private boolean seesOwnRobot;
@@ -95,7 +97,7 @@ public class LIDAR extends SensorObject implements SerialObject {
         return serial.getBaud();
     }
 
-    /** 1 for a SICK LMS200 behind the ports, 0 for none. */
+    /** 1 for a device of the {@link #getModel model} behind the ports, 0 for none. */
     public int getLms() {
         return lms;
     }
@@ -105,12 +107,32 @@ public class LIDAR extends SensorObject implements SerialObject {
         return seesOwnRobot;
     }
 
+    /** Name of the device: {@code LMS200}. */
+    public String getModel() {
+        return model;
+    }
+
     /**
-     * Puts the device behind a port: an LMS200 unless {@link #LMS} says otherwise, which has only some fans.
+     * Chooses the device, and gives range, spread, resolution and baud the values that it is delivered with.
+     *
+     * @param name LMS200, LMS221, LMS291, LMS111, TiM561, URG-04LX, UTM-30LX or RPLIDAR-A1, in whatever spelling
+     * @throws IllegalArgumentException that names the models there are
+     */
+    public void setModel(String name) {
+        LidarModel wanted = LidarModel.of(checked("model", name));
+        model = wanted.getName();
+        range = wanted.getRange();
+        spread = wanted.getSpread();
+        resolution = wanted.getResolution();
+        serial.setBaud(this, wanted.getBaud());
+    }
+
+    /**
+     * Puts the device behind a port: that of {@link #setModel}, an LMS200 at first, unless {@link #LMS} says that there is none. It has only some fans.
      *
      * @param uart the device's end
      * @param user the end that the user opens
-     * @throws IllegalArgumentException if no LMS200 has the fan; without ports every fan is legal
+     * @throws IllegalArgumentException if the model doesn't have the fan; without ports every fan is legal
      */
     public void setPorts(String uart, String user) {
         if (uart != null) {
@@ -119,34 +141,55 @@ public class LIDAR extends SensorObject implements SerialObject {
         serial.setPorts(this, uart, user);
     }
 
+    private LidarModel device() {
+        return LidarModel.of(model);
+    }
+
     private void checkFan(int type) {
-        if (type == 1 && Variant.ofDegrees(spread, resolution) == null) {
+        if (type == 1 && !device().hasFan(spread, resolution)) {
             throw new IllegalArgumentException(noSuchFan());
         }
     }
 
     private String noSuchFan() {
-        return label() + ": at a port there is an LMS200, and none has spread " + Parameter.format(spread) + " with resolution "
-            + Parameter.format(resolution) + " deg, legal: 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5; without setPorts every fan, read by"
-            + " sear.getLidarResult(\"" + getName() + "\")";
+        String able = LidarModel.namesWith(spread, resolution);
+        return atItsPort() + ", and none has spread " + Parameter.format(spread) + " with resolution " + Parameter.format(resolution) + " deg, legal: "
+            + device().fans() + "; without setPorts every fan, read by sear.getLidarResult(\"" + getName() + "\")"
+            + (able.isEmpty() ? "; no model has it" : "; setModel has it with " + able);
+    }
+
+    private String atItsPort() {
+        return label() + ": at a port there is " + device().withArticle();
+    }
+
+    private boolean hasDevice() {
+        return serial.getUartPort() != null && lms == 1;
     }
 
     /** The fan has changed. What is wrong now may be right when the other half of it is changed, too, so this is no error. */
     private void fanChanged() {
         changed();
-        if (serial.getUartPort() != null && lms == 1 && Variant.ofDegrees(spread, resolution) == null) {
-            Notices.say(noSuchFan() + "; until that is changed its device starts with 180 and 0.5");
+        if (hasDevice() && !device().hasFan(spread, resolution)) {
+            Notices.say(noSuchFan() + "; until that is changed its device starts with " + device().widestFan());
         }
     }
 
-    /** @param metres 0.01 to 10000 */
+    /**
+     * Warns at once if the device at a port can't tell such a distance.
+     *
+     * @param metres 0.01 to 10000
+     */
     public void setRange(double metres) {
         range = checked("range", metres);
         changed();
+        if (hasDevice() && range > device().getFarthest()) {
+            Notices.say(atItsPort() + ", which tells " + Parameter.format(device().getFarthest()) + " m at most, and the range is "
+                + Parameter.format(range) + " m: what is farther is read by sear.getLidarResult(\"" + getName() + "\") only");
+        }
     }
 
     /**
-     * Warns at once if an LMS200 at a port can't do it.
+     * Warns at once if the device at a port can't do it.
      *
      * @param degrees from the rightmost to the leftmost beam, 0.01 to 360
      */
@@ -156,7 +199,7 @@ public class LIDAR extends SensorObject implements SerialObject {
     }
 
     /**
-     * Warns at once if an LMS200 at a port can't do it.
+     * Warns at once if the device at a port can't do it.
      *
      * @param degrees between two beams, 0.01 to 360
      */
@@ -185,12 +228,12 @@ public class LIDAR extends SensorObject implements SerialObject {
         serial.setExport(this, "tcp:" + port);
     }
 
-    /** @param newBaud speed at power-on, 300 to 1000000 */
+    /** @param newBaud speed at power-on, 300 to 100000000 */
     public void setBaud(int newBaud) {
         serial.setBaud(this, newBaud);
     }
 
-    /** @param type 1 for a SICK LMS200 behind the ports, 0 for none */
+    /** @param type 1 for a device of its {@link #setModel model} behind the ports, 0 for none */
     public void LMS(int type) {
         int wanted = checked("lms", type);
         if (serial.getUartPort() != null) {
@@ -206,7 +249,7 @@ public class LIDAR extends SensorObject implements SerialObject {
         changed();
     }
 
-    /** Whether the LMS200 obeys the baud telegrams with a wrong checksum that MyRobotLab's old driver sends: a real one answers NAK. At first not. */
+    /** Whether an LMS2xx obeys the baud telegrams with a wrong checksum that MyRobotLab's old driver sends: a real one answers NAK. At first not. */
     public boolean isLenient() {
         return lenient;
     }

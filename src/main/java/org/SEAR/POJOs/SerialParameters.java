@@ -6,7 +6,7 @@ public final class SerialParameters {
     private String uartPort;
     @Param(doc = "port that the user opens")
     private String userPort;
-    @Param(doc = "speed of the device's line at power-on", unit = "baud", min = 300, max = 1e6)
+    @Param(doc = "speed of the device's line at power-on", unit = "baud", min = 300, max = 1e8)
     private int baud;
     @Param(doc = "where other programs on this computer find the user's port, from the start of a simulation on", text = TextRule.EXPORT)
     private String export;
@@ -82,7 +82,7 @@ public final class SerialParameters {
      * Sets the speed at power-on and writes the object's file.
      *
      * @param owner the object whose parameters these are
-     * @param newBaud 300 to 1000000
+     * @param newBaud 300 to 100000000
      */
     public void setBaud(SearObject owner, int newBaud) {
         baud = owner.checked("baud", newBaud);

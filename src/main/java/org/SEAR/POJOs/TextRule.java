@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.Set;
 import java.util.regex.Pattern;
+import org.SEAR.protocol.lidar.LidarModel;
 
 /** What a text parameter may look like; each rule says in words what is legal. Immutable, any thread. */
 public enum TextRule {
@@ -70,6 +71,13 @@ public enum TextRule {
         @Override
         boolean allows(String text) {
             return RECEIVERS.contains(text.replaceAll("[^A-Za-z0-9]", "").toUpperCase(Locale.ROOT));
+        }
+    },
+    /** A laser scanner, in whatever spelling: urg04lx is a URG-04LX. */
+    LIDAR_MODEL(LidarModel.names()) {
+        @Override
+        boolean allows(String text) {
+            return LidarModel.isKnown(text);
         }
     };
 

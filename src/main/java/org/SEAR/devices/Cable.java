@@ -186,7 +186,7 @@ public final class Cable implements SerialLine {
 
     private int speedOfHost() {
         int speed = hostBaud;
-        return speed > 0 ? speed : device.getBaud();
+        return speed > 0 && !device.hearsEveryBaud() ? speed : device.getBaud();
     }
 
     /** Puts bytes from the device on the line. */

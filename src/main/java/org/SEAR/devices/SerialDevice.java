@@ -8,6 +8,11 @@ public interface SerialDevice {
     /** The speed the device's UART is set to, bits a second. */
     int getBaud();
 
+    /** Whether its line is USB or a network, so that who is at the other end is understood whatever baud rate it sets. */
+    default boolean hearsEveryBaud() {
+        return false;
+    }
+
     /**
      * A byte has arrived whole.
      *

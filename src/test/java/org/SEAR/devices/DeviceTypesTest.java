@@ -18,6 +18,8 @@ import org.SEAR.devices.gps.GpsModel;
 import org.SEAR.devices.gps.Mt3301Type;
 import org.SEAR.devices.oi.OiModel;
 import org.SEAR.project.ProjectRule;
+import org.SEAR.protocol.lidar.LidarModel;
+import org.SEAR.protocol.lidar.LidarProtocol;
 import org.SEAR.protocol.lms.Variant;
 import org.junit.Rule;
 import org.junit.Test;
@@ -59,6 +61,19 @@ public class DeviceTypesTest {
                 return device;
             }
         };
+    }
+
+    @Test
+    public void aKindAnswersOnlyForItsModels() {
+        LIDAR lidar = new LIDAR("lidar");
+        FakeContext line = new FakeContext();
+        for (LidarModel model : LidarModel.values()) {
+            lidar.setModel(model.getName());
+            assertEquals(model.getName(), model.getProtocol() == LidarProtocol.LMS, LidarSettings.of(lidar, LidarProtocol.LMS, line) != null);
+        }
+        lidar.LMS(0);
+        assertNull(LidarSettings.of(lidar, LidarProtocol.RPLIDAR, line));
+        assertTrue(line.warnings.toString(), line.warnings.isEmpty());
     }
 
     @Test

@@ -114,12 +114,15 @@ public class DoorTest {
         refused(() -> floor.setImageSize(0), "Floor \"f\": imageSize is 0, legal: a number from 0.01 to 100000 m");
         refused(() -> box.setColor(""), "Box \"box\": color is \"\"");
         refused(() -> lidar.setRange(0), "LIDAR \"lidar\": range is 0");
-        refused(() -> lidar.setBaud(1), "baud is 1, legal: a whole number from 300 to 1000000 baud");
+        refused(() -> lidar.setBaud(1), "baud is 1, legal: a whole number from 300 to 100000000 baud");
         refused(() -> lidar.setPorts("a", "a"), "ports are \"a\" and \"a\", legal: two different names");
         refused(() -> lidar.setPorts(null, "a"), "legal: two different names");
         refused(() -> lidar.LMS(2), "lms is 2, legal: 0, 1");
+        refused(() -> lidar.setModel("LMS400"), "LIDAR \"lidar\": model is \"LMS400\", legal: LMS200, LMS221, LMS291, LMS111, TiM561, URG-04LX,",
+            " UTM-30LX, RPLIDAR-A1");
         LIDAR wide = new LIDAR("wide", 10, 270, 0.3);
-        refused(() -> wide.setPorts("a", "b"), "none has spread 270 with resolution 0.3 deg, legal: 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5;");
+        refused(() -> wide.setPorts("a", "b"), "none has spread 270 with resolution 0.3 deg, legal: 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5;",
+            "without setPorts every fan", "; setModel has it with RPLIDAR-A1");
         wide.LMS(0);
         wide.setPorts("a", "b");
         refused(() -> wide.LMS(1), "LIDAR \"wide\": at a port there is an LMS200");

@@ -75,6 +75,30 @@ public class NoticesTest {
     }
 
     @Test
+    public void whatAModelCantDoIsSaidWhereItIsSet() {
+        LIDAR lidar = new LIDAR("scanner");
+        lidar.setModel("tim 561");
+        lidar.setPorts("A", "B");
+        lidar.setSpread(180);
+        lidar.setRange(10);
+        assertEquals("[]", said.toString());
+        lidar.setRange(11);
+        assertEquals("[LIDAR \"scanner\": at a port there is a TiM561, which tells 10 m at most, and the range is 11 m: what is farther is read by"
+            + " sear.getLidarResult(\"scanner\") only]", said.toString());
+        said.clear();
+        lidar.setResolution(0.25);
+        assertEquals("[LIDAR \"scanner\": at a port there is a TiM561, and none has spread 180 with resolution 0.25 deg, legal: up to 270 with"
+            + " 0.3333333; without setPorts every fan, read by sear.getLidarResult(\"scanner\"); setModel has it with LMS111, UTM-30LX, RPLIDAR-A1;"
+            + " until that is changed its device starts with 270 and 0.3333333]", said.toString());
+        said.clear();
+        lidar.setModel("LMS111");
+        assertEquals("[]", said.toString());
+        assertEquals("LMS111", lidar.getModel());
+        assertEquals("[20.0, 270.0, 0.5, 1.0E8]", Arrays.asList(lidar.getRange(), lidar.getSpread(), lidar.getResolution(),
+            (double) lidar.getBaud()).toString());
+    }
+
+    @Test
     public void foldersOfTheOtherSpelling() throws Exception {
         new Box("box", 1, 1, 1, 0);
         project.put("environments/lost.xml", project.text("environment/box.xml"));

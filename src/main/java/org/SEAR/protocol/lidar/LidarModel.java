@@ -1,0 +1,201 @@
+package org.SEAR.protocol.lidar;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+
+/**
+ * The LIDARs that can be behind a port: data. A further model of a known protocol is a further row. Sources: SICK's technical description 8008970 of
+ * the LMS2xx, Hokuyo's SCIP 2.0 specification, Slamtec's data sheet of the A1M8, recordings of LMS1xx and TiM.
+ */
+public enum LidarModel {
+    /** SICK, indoor; millimetres up to 8 m at first, by configuration up to 81.91 m. */
+    LMS200("LMS200", "SICK", LidarProtocol.LMS, 8.191, 81.91, 0, 180, 1, 75, Rates.RS422, Fans.of(100, 1, 0.5, 0.25), Fans.of(180, 1, 0.5)),
+    /** SICK, outdoor, centimetres. */
+    LMS221("LMS221", "SICK", LidarProtocol.LMS, 80, 81.91, 0, 180, 1, 75, Rates.RS422, Fans.of(100, 1, 0.5, 0.25), Fans.of(180, 1, 0.5)),
+    /** SICK, outdoor, centimetres. */
+    LMS291("LMS291", "SICK", LidarProtocol.LMS, 80, 81.91, 0, 180, 1, 75, Rates.RS422, Fans.of(100, 1, 0.5, 0.25), Fans.of(180, 1, 0.5)),
+    /** SICK, outdoor, on the network; 50 scans a second every half degree, 25 every quarter. */
+    LMS111("LMS111", "SICK", LidarProtocol.COLA, 20, 20, 0.5, 270, 0.5, 50, Rates.ETHERNET, Fans.upTo(270, 0.5, 0.25)),
+    /** SICK, on the network. */
+    TIM561("TiM561", "SICK", LidarProtocol.COLA, 10, 10, 0.05, 270, 1 / 3.0, 15, Rates.ETHERNET, Fans.upTo(270, 1 / 3.0)),
+    /** Hokuyo, indoor; steps of 1/1024 turn, 341 to either side of the middle. */
+    URG_04LX("URG-04LX", "Hokuyo", LidarProtocol.SCIP, 5.6, 5.6, 0.02, 682 * 360 / 1024.0, 360 / 1024.0, 10, Rates.URG,
+        Fans.ofSteps(682 * 360 / 1024.0, 360 / 1024.0, 99)),
+    /** Hokuyo, outdoor; steps of 1/1440 turn. */
+    UTM_30LX("UTM-30LX", "Hokuyo", LidarProtocol.SCIP, 30, 60, 0.023, 270, 0.25, 40, Rates.USB, Fans.ofSteps(270, 0.25, 99)),
+    /** Slamtec, indoor; its beams are as far apart as motor and sample rate make it. */
+    RPLIDAR_A1("RPLIDAR-A1", "Slamtec", LidarProtocol.RPLIDAR, 12, 12, 0.15, 360, 1, 5.5, Rates.RPLIDAR, Fans.between(360, 0.18, 1.8));
+
+    /** Speeds of lines, bits a second, the first that at power-on. */
+    private static final class Rates {
+        static final int[] RS422 = {9600, 19200, 38400, 500000};
+        static final int[] URG = {19200, 38400, 57600, 115200, 250000, 500000, 750000};
+        static final int[] RPLIDAR = {115200};
+        /** USB of full speed, which knows no other. */
+        static final int[] USB = {12000000};
+        /** Fast Ethernet, which knows no other. */
+        static final int[] ETHERNET = {100000000};
+    }
+
+    private static final String ALL = Arrays.stream(values()).map(LidarModel::getName).collect(Collectors.joining(", "));
+
+    private final String name;
+    private final String maker;
+    private final LidarProtocol protocol;
+    private final double range;
+    private final double farthest;
+    private final double nearest;
+    private final double spread;
+    private final double resolution;
+    private final double scanRate;
+    private final int[] rates;
+    private final List<Fans> fans;
+
+    LidarModel(String name, String maker, LidarProtocol protocol, double range, double farthest, double nearest, double spread, double resolution,
+            double scanRate, int[] rates, Fans... fans) {
+        this.name = name;
+        this.maker = maker;
+        this.protocol = protocol;
+        this.range = range;
+        this.farthest = farthest;
+        this.nearest = nearest;
+        this.spread = spread;
+        this.resolution = resolution;
+        this.scanRate = scanRate;
+        this.rates = rates;
+        this.fans = List.of(fans);
+    }
+
+    /** Whether there is a model of that name, in whatever spelling: {@code urg04lx} is a URG-04LX. */
+    public static boolean isKnown(String name) {
+        return find(name) != null;
+    }
+
+    /**
+     * The model of that name, in whatever spelling.
+     *
+     * @throws IllegalArgumentException that names the models there are
+     */
+    public static LidarModel of(String name) {
+        LidarModel model = find(name);
+        if (model == null) {
+            throw new IllegalArgumentException("LIDAR model is \"" + name + "\", legal: " + ALL);
+        }
+        return model;
+    }
+
+    private static LidarModel find(String name) {
+        String plain = plain(name);
+        return Arrays.stream(values()).filter(model -> plain(model.name).equals(plain)).findFirst().orElse(null);
+    }
+
+    private static String plain(String name) {
+        return name.replaceAll("[^A-Za-z0-9]", "").toUpperCase(Locale.ROOT);
+    }
+
+    /** The names of all models, with commas. */
+    public static String names() {
+        return ALL;
+    }
+
+    /** The names of the models that can send a fan, with commas; empty if none can. */
+    public static String namesWith(double spread, double resolution) {
+        return Arrays.stream(values()).filter(model -> model.hasFan(spread, resolution)).map(LidarModel::getName).collect(Collectors.joining(", "));
+    }
+
+    /** As its maker writes it: {@code URG-04LX}. */
+    public String getName() {
+        return name;
+    }
+
+    /** Its name as it is spoken in a sentence: {@code an LMS200}. */
+    public String withArticle() {
+        return (name.startsWith("T") || name.startsWith("U") ? "a " : "an ") + name;
+    }
+
+    /** Who makes it. */
+    public String getMaker() {
+        return maker;
+    }
+
+    /** Which firmware it has. */
+    public LidarProtocol getProtocol() {
+        return protocol;
+    }
+
+    /** Metres that it measures as delivered. */
+    public double getRange() {
+        return range;
+    }
+
+    /** Metres that it can tell at most, however it is configured. */
+    public double getFarthest() {
+        return farthest;
+    }
+
+    /** Metres from where on it measures. */
+    public double getNearest() {
+        return nearest;
+    }
+
+    /** Degrees from its rightmost to its leftmost beam, as delivered. */
+    public double getSpread() {
+        return spread;
+    }
+
+    /** Degrees between two beams, as delivered. */
+    public double getResolution() {
+        return resolution;
+    }
+
+    /** Scans a second with that fan. */
+    public double getScanRate() {
+        return scanRate;
+    }
+
+    /** Bits a second at power-on; a device on USB or a network has its speed. */
+    public int getBaud() {
+        return rates[0];
+    }
+
+    /** Whether its line can have that speed, bits a second. */
+    public boolean hasBaud(int baud) {
+        return Arrays.stream(rates).anyMatch(rate -> rate == baud);
+    }
+
+    /** The speeds of its line, with commas. */
+    public String bauds() {
+        return Arrays.stream(rates).mapToObj(String::valueOf).collect(Collectors.joining(", "));
+    }
+
+    /** Whether it can send that fan, degrees. */
+    public boolean hasFan(double wantedSpread, double wantedResolution) {
+        return fans.stream().anyMatch(one -> one.has(wantedSpread, wantedResolution));
+    }
+
+    /** The fans it can send, in words: {@code 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5}. */
+    public String fans() {
+        return fans.stream().map(Fans::toString).collect(Collectors.joining("; "));
+    }
+
+    private Fans widest() {
+        return fans.get(fans.size() - 1);
+    }
+
+    /** Degrees: the spread that it starts with when it is to have a fan that it can't send. */
+    public double getWidestSpread() {
+        return widest().spread;
+    }
+
+    /** Degrees: the resolution that it starts with when it is to have a fan that it can't send. */
+    public double getFinestResolution() {
+        return widest().finest;
+    }
+
+    /** That spread and resolution in words: {@code 180 and 0.5}. */
+    public String widestFan() {
+        return Fans.format(getWidestSpread()) + " and " + Fans.format(getFinestResolution());
+    }
+}

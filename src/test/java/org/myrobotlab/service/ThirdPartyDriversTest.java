@@ -3,10 +3,7 @@ package org.myrobotlab.service;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
-import java.io.File;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -14,7 +11,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Collectors;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Dynamics;
@@ -37,7 +33,7 @@ import org.junit.rules.TemporaryFolder;
 public class ThirdPartyDriversTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final Path SCRIPTS = ROOT.resolve("src/test/drivers");
-    private static final int SECONDS = Integer.getInteger("sear.driverSeconds", 8);
+    private static final int SECONDS = Programs.SECONDS;
     private static final double LATITUDE = 35.3;
     private static final double LONGITUDE = -80.7;
     private static final int LMS_NO_RETURN = 8191;
@@ -47,11 +43,11 @@ public class ThirdPartyDriversTest {
     @Rule
     public TemporaryFolder folder = new TemporaryFolder();
     private SEAR sear;
-    private final List<Process> processes = new ArrayList<>();
-    private final List<File> outputs = new ArrayList<>();
+    private Programs programs;
 
     @Before
     public void start() throws IOException {
+        programs = new Programs(folder);
         System.setProperty("sear.project", folder.getRoot().toPath().resolve("SEARproject").toString());
         System.setProperty("sear.headless", "true");
         new Floor("floor", 20, 20);
@@ -85,7 +81,7 @@ public class ThirdPartyDriversTest {
 
     @After
     public void stop() {
-        processes.forEach(Process::destroyForcibly);
+        programs.end();
         sear.stopSimulation();
         Runtime.releaseService("sear");
         System.clearProperty("sear.project");
@@ -139,24 +135,9 @@ public class ThirdPartyDriversTest {
         String port = sear.exportPort("/dev/SEAR_LIDAR_01", folder.getRoot().toPath().resolve("ttySICK").toString());
         Files.writeString(config, Files.readString(SCRIPTS.resolve("sick-mrpt.ini")).replace("@PORT@", port).replace("@BAUD@", "38400")
             .replace("@OUTPUT@", folder.getRoot().toPath().resolve("log").toString()));
-        Process grabber = null;
-        List<String> output = null;
-        for (int i = 0; i < TRIES && (grabber == null || !grabber.isAlive()); i++) { // it gives up when the machine lets it wait for half a second
-            grabber = start(new ProcessBuilder("rawlog-grabber", config.toString()));
-            output = read(grabber, SECONDS + 15);
-        }
-        assertTrue("rawlog-grabber ended by itself: " + output, grabber.isAlive());
-        grabber.getOutputStream().write('\n');
-        grabber.getOutputStream().flush();
-        assertTrue("rawlog-grabber ends at a key", grabber.waitFor(60, TimeUnit.SECONDS));
-        Path log = only("log*.rawlog", output);
-        run(new ProcessBuilder("rawlog-edit", "--export-2d-scans-txt", "-i", log.getFileName().toString(), "--out-dir", "."), output);
-        Path scans = only("*LASER*.txt", output, "times");
         int[] expected = millimetres(sear.getLidarResult("scanner"));
-        List<String> lines = Files.readAllLines(scans);
-        assertTrue("only " + lines.size() + " scans in " + SECONDS + " s: " + output, lines.size() > SECONDS);
-        for (String line : lines.subList(1, lines.size())) {
-            compare(expected, line.trim().split("\\s+"));
+        for (String[] line : programs.grabScans(config, 15)) {
+            compare(expected, line);
         }
     }
 
@@ -171,7 +152,7 @@ public class ThirdPartyDriversTest {
         int starts = 0;
         List<String> output = new ArrayList<>();
         while (streaming < RESTARTS && starts < RESTARTS * TRIES) {
-            Process grabber = start(new ProcessBuilder("stdbuf", "-oL", "rawlog-grabber", config.toString()));
+            Process grabber = programs.start(new ProcessBuilder("stdbuf", "-oL", "rawlog-grabber", config.toString()));
             starts++;
             if (isStreaming(grabber, output)) {
                 streaming++;
@@ -188,7 +169,7 @@ public class ThirdPartyDriversTest {
         long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(SECONDS + 60);
         while (grabber.isAlive() && System.nanoTime() < deadline) {
             output.clear();
-            output.addAll(read(grabber, 1));
+            output.addAll(programs.read(grabber, 1));
             if (output.stream().anyMatch(line -> line.matches(".*Saved \\d+ objects.*"))) {
                 return true;
             }
@@ -214,13 +195,13 @@ public class ThirdPartyDriversTest {
         String port = sear.exportPort("/dev/SEAR_GPS_01", link.toString());
         assertEquals(link.toString(), port);
         int number = freePort();
-        start(new ProcessBuilder(words(DocBlock.commands("docs/other-programs.md", "gpsd "), "/dev/pts/3", "-S " + number + " " + port)));
+        programs.start(new ProcessBuilder(words(DocBlock.commands("docs/other-programs.md", "gpsd "), "/dev/pts/3", "-S " + number + " " + port)));
         String fix = null;
         long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(SECONDS + 40);
         while (fix == null && System.nanoTime() < deadline) {
-            Process pipe = start(new ProcessBuilder(words(DocBlock.commands("docs/other-programs.md", "gpspipe "), "localhost",
+            Process pipe = programs.start(new ProcessBuilder(words(DocBlock.commands("docs/other-programs.md", "gpspipe "), "localhost",
                 "-n 12 localhost:" + number)));
-            fix = read(pipe, 20).stream().filter(line -> line.matches(".*\"class\":\"TPV\".*\"mode\":[23].*\"lat\":.*")).findFirst().orElse(null);
+            fix = programs.read(pipe, 20).stream().filter(line -> line.matches(".*\"class\":\"TPV\".*\"mode\":[23].*\"lat\":.*")).findFirst().orElse(null);
         }
         assertTrue("no fix", fix != null);
         assertEquals(LATITUDE, number(fix, "lat"), 1e-5);
@@ -252,17 +233,6 @@ public class ThirdPartyDriversTest {
         return values;
     }
 
-    private Path only(String glob, List<String> output, String... without) throws IOException {
-        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder.getRoot().toPath(), glob)) {
-            for (Path file : files) {
-                if (Arrays.stream(without).noneMatch(file.getFileName().toString()::contains)) {
-                    return file;
-                }
-            }
-        }
-        throw new AssertionError("there is no " + glob + " in " + Arrays.toString(folder.getRoot().list()) + "\n" + String.join("\n", output));
-    }
-
     private List<String> python(String script, String... arguments) throws Exception {
         return python(SCRIPTS.resolve(script), arguments);
     }
@@ -272,30 +242,6 @@ public class ThirdPartyDriversTest {
         command.addAll(Arrays.asList(arguments));
         ProcessBuilder builder = new ProcessBuilder(command);
         builder.environment().put("PYTHONPATH", System.getProperty("sear.drivers"));
-        return run(builder, new ArrayList<>());
-    }
-
-    private List<String> run(ProcessBuilder builder, List<String> before) throws Exception {
-        Process process = start(builder);
-        List<String> output = read(process, SECONDS + 60);
-        before.addAll(output);
-        assertEquals(String.join("\n", before), 0, process.waitFor());
-        return output;
-    }
-
-    private Process start(ProcessBuilder builder) throws IOException {
-        builder.environment().merge("PATH", "/usr/sbin:/sbin", (path, more) -> path + File.pathSeparator + more);
-        Process process = builder.redirectErrorStream(true).redirectOutput(folder.newFile()).directory(folder.getRoot()).start();
-        processes.add(process);
-        outputs.add(builder.redirectOutput().file());
-        return process;
-    }
-
-    /** All that a process has said when it ends, or after some seconds. */
-    private List<String> read(Process process, int seconds) throws Exception {
-        process.waitFor(seconds, TimeUnit.SECONDS);
-        File file = outputs.get(processes.indexOf(process));
-        return Arrays.stream(new String(Files.readAllBytes(file.toPath()), StandardCharsets.ISO_8859_1).split("\r?\n|\r"))
-            .collect(Collectors.toList());
+        return programs.run(builder, new ArrayList<>());
     }
 }

@@ -37,7 +37,7 @@ final class Commands {
 
     /** Back to what the device was delivered with. */
     void toFactory() {
-        configuration = Configuration.ofFactory();
+        configuration = Configuration.ofFactory().withMillimetres(powerOn.identity.isIndoor());
         restartBaud = Baud.ofRate(powerOn.baud);
         permanent = false;
         powerOn();

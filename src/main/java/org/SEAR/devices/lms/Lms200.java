@@ -18,7 +18,8 @@ import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.LidarSource;
 
 /**
- * The firmware of a SICK LMS200: telegrams in ({@link TelegramReader}), an ACK and a reply out, one request after the other, and streams of scans.
+ * The firmware of a SICK LMS200 and of its sisters for outdoors, LMS221 and LMS291: telegrams in ({@link TelegramReader}), an ACK and a reply out,
+ * one request after the other, and streams of scans.
  * What the commands do stands in {@link Commands}. Source: SICK telegram listing 8007954/Q501/2006-08-01.
  */
 public final class Lms200 implements SerialDevice, TelegramReader.Listener {
@@ -114,7 +115,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
 
     @Override
     public String status() {
-        return "LMS200: " + commands.describe() + ", " + baud.getRate() + " baud" + (booting ? ", starting" : "");
+        return powerOn.identity.getModel() + ": " + commands.describe() + ", " + baud.getRate() + " baud" + (booting ? ", starting" : "");
     }
 
     @Override

@@ -27,6 +27,6 @@ public final class Lms200Type implements DeviceType {
             return null;
         }
         Variant variant = Variant.of((int) Math.round(settings.spread), (int) Math.round(settings.resolution * HUNDREDTHS));
-        return new Lms200(new PowerOnSettings(variant, settings.baud, lidar.isLenient(), Identity.LMS200_30106), context);
+        return new Lms200(new PowerOnSettings(variant, settings.baud, lidar.isLenient(), Identity.of(settings.model.getName())), context);
     }
 }

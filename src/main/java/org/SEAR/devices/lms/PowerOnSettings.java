@@ -3,7 +3,7 @@ package org.SEAR.devices.lms;
 import org.SEAR.protocol.lms.Identity;
 import org.SEAR.protocol.lms.Variant;
 
-/** What one LMS200 is set to when its power comes on. Immutable. */
+/** What one LMS2xx is set to when its power comes on. Immutable. */
 public final class PowerOnSettings {
     /** Variant until another is chosen. */
     public final Variant variant;

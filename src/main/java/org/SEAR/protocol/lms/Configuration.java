@@ -30,7 +30,7 @@ public final class Configuration {
         this.bytes = bytes;
     }
 
-    /** A device as delivered: millimetres, mode 0 (8 m). */
+    /** An indoor device as delivered: millimetres, mode 0 (8 m). */
     public static Configuration ofFactory() {
         byte[] bytes = new byte[SIZE];
         bytes[STOP_THRESHOLD] = SENSITIVITY_DEFAULT;

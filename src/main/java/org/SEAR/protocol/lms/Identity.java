@@ -1,9 +1,18 @@
 package org.SEAR.protocol.lms;
 
-/** What is printed on one LMS200: data that its telegrams repeat. Immutable. */
+import java.util.List;
+import java.util.Set;
+
+/** What is printed on one LMS2xx: data that its telegrams repeat. Immutable. */
 public final class Identity {
     /** The device of SICK's telegram listing; drivers know its type. */
     public static final Identity LMS200_30106 = new Identity("LMS200;301063;V02.10 ", "00000000", 0);
+    /** Outdoors; drivers know it by the first ten characters of its type. */
+    public static final Identity LMS221_30206 = new Identity("LMS221;302063;V02.10 ", "00000000", 0);
+    /** Outdoors; drivers know it by the first ten characters of its type. */
+    public static final Identity LMS291_S05 = new Identity("LMS291;S05063;V02.10 ", "00000000", 0);
+    private static final List<Identity> ALL = List.of(LMS200_30106, LMS221_30206, LMS291_S05);
+    private static final Set<String> INDOOR = Set.of("LMS200", "LMS220");
     private static final int VERSION_SIZE = 7;
 
     private final String type;
@@ -19,6 +28,26 @@ public final class Identity {
         this.type = type;
         this.serial = serial;
         this.address = address;
+    }
+
+    /**
+     * The device of a model.
+     *
+     * @throws IllegalArgumentException if there is none of that name
+     */
+    public static Identity of(String model) {
+        return ALL.stream().filter(one -> one.getModel().equals(model)).findFirst().orElseThrow(() -> new IllegalArgumentException(
+            "no type is known of an LMS2xx that is an " + model));
+    }
+
+    /** {@code LMS291}. */
+    public String getModel() {
+        return type.substring(0, type.indexOf(';'));
+    }
+
+    /** Whether it measures indoors, in millimetres as delivered; the others in centimetres. */
+    public boolean isIndoor() {
+        return INDOOR.contains(getModel());
     }
 
     /** Type, part number and version. */

@@ -1,6 +1,7 @@
 package org.SEAR.devices.lms;
 
 import org.SEAR.devices.FakeContext;
+import org.SEAR.devices.FakeScanner;
 import org.SEAR.protocol.lms.Identity;
 import org.SEAR.protocol.lms.Variant;
 

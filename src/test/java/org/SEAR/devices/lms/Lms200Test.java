@@ -7,6 +7,7 @@ import static org.junit.Assert.assertTrue;
 import java.util.Arrays;
 import org.SEAR.Bytes;
 import org.SEAR.devices.FakeContext;
+import org.SEAR.devices.FakeScanner;
 import org.SEAR.protocol.lms.Baud;
 import org.SEAR.protocol.lms.Identity;
 import org.SEAR.protocol.lms.Telegram;

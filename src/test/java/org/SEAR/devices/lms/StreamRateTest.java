@@ -3,6 +3,7 @@ package org.SEAR.devices.lms;
 import static org.junit.Assert.assertEquals;
 
 import org.SEAR.devices.FakeContext;
+import org.SEAR.devices.FakeScanner;
 import org.SEAR.protocol.lms.Baud;
 import org.SEAR.protocol.lms.Identity;
 import org.SEAR.protocol.lms.Variant;

@@ -1,4 +1,4 @@
-package org.SEAR.devices.lms;
+package org.SEAR.devices;
 
 import java.util.Arrays;
 import java.util.function.IntToDoubleFunction;
@@ -9,12 +9,12 @@ import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.Truth;
 
 /** A LIDAR that measures what a test says. */
-final class FakeScanner extends Sensor<LidarScan> implements LidarSource {
+public final class FakeScanner extends Sensor<LidarScan> implements LidarSource {
     /** Metres by beam, from the right. */
-    IntToDoubleFunction world = beam -> Double.POSITIVE_INFINITY;
-    int scans;
+    public IntToDoubleFunction world = beam -> Double.POSITIVE_INFINITY;
+    public int scans;
 
-    FakeScanner() {
+    public FakeScanner() {
         super(new LIDAR("lidar"), 0, 1);
     }
 

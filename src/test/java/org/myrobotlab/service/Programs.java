@@ -1,0 +1,99 @@
+package org.myrobotlab.service;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import org.junit.rules.TemporaryFolder;
+
+/** Programs of others that a test runs in its temporary folder; they end with it. */
+final class Programs {
+    /** Seconds that a driver runs. */
+    static final int SECONDS = Integer.getInteger("sear.driverSeconds", 8);
+    private static final int TRIES = 3;
+
+    private final TemporaryFolder folder;
+    private final List<Process> processes = new ArrayList<>();
+    private final List<File> outputs = new ArrayList<>();
+
+    Programs(TemporaryFolder folder) {
+        this.folder = folder;
+    }
+
+    Process start(ProcessBuilder builder) throws IOException {
+        builder.environment().merge("PATH", "/usr/sbin:/sbin", (path, more) -> path + File.pathSeparator + more);
+        Process process = builder.redirectErrorStream(true).redirectOutput(folder.newFile()).directory(folder.getRoot()).start();
+        processes.add(process);
+        outputs.add(builder.redirectOutput().file());
+        return process;
+    }
+
+    /** All that a process has said when it ends, or after some seconds. */
+    List<String> read(Process process, int seconds) throws Exception {
+        process.waitFor(seconds, TimeUnit.SECONDS);
+        File file = outputs.get(processes.indexOf(process));
+        return Arrays.stream(new String(Files.readAllBytes(file.toPath()), StandardCharsets.ISO_8859_1).split("\r?\n|\r"))
+            .collect(Collectors.toList());
+    }
+
+    /** All that a process says that has to end well. */
+    List<String> run(ProcessBuilder builder, List<String> before) throws Exception {
+        Process process = start(builder);
+        List<String> output = read(process, SECONDS + 60);
+        before.addAll(output);
+        assertEquals(String.join("\n", before), 0, process.waitFor());
+        return output;
+    }
+
+    /** The only file of that name without those words in it. */
+    Path only(String glob, List<String> output, String... without) throws IOException {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder.getRoot().toPath(), glob)) {
+            for (Path file : files) {
+                if (Arrays.stream(without).noneMatch(file.getFileName().toString()::contains)) {
+                    return file;
+                }
+            }
+        }
+        throw new AssertionError("there is no " + glob + " in " + Arrays.toString(folder.getRoot().list()) + "\n" + String.join("\n", output));
+    }
+
+    /**
+     * What MRPT's rawlog-grabber, whose only sensor is a laser scanner with the label LASER, logs in {@link #SECONDS} and some time to start.
+     *
+     * @param config its configuration, which logs to {@code log} in the temporary folder
+     * @param starting seconds
+     * @return a line for each scan: time, ranges in metres, which of them are valid
+     */
+    List<String[]> grabScans(Path config, int starting) throws Exception {
+        Process grabber = null;
+        List<String> output = null;
+        for (int i = 0; i < TRIES && (grabber == null || !grabber.isAlive()); i++) { // it gives up when the machine lets it wait for half a second
+            grabber = start(new ProcessBuilder("rawlog-grabber", config.toString()));
+            output = read(grabber, SECONDS + starting);
+        }
+        assertTrue("rawlog-grabber ended by itself: " + output, grabber.isAlive());
+        grabber.getOutputStream().write('\n');
+        grabber.getOutputStream().flush();
+        assertTrue("rawlog-grabber ends at a key", grabber.waitFor(60, TimeUnit.SECONDS));
+        output = read(grabber, 0);
+        Path log = only("log*.rawlog", output);
+        run(new ProcessBuilder("rawlog-edit", "--export-2d-scans-txt", "-i", log.getFileName().toString(), "--out-dir", "."), output);
+        List<String> lines = Files.readAllLines(only("*LASER*.txt", output, "times"));
+        assertTrue("only " + lines.size() + " scans in " + SECONDS + " s: " + output, lines.size() > SECONDS);
+        return lines.stream().skip(1).map(line -> line.trim().split("\\s+")).collect(Collectors.toList());
+    }
+
+    void end() {
+        processes.forEach(Process::destroyForcibly);
+    }
+}

@@ -28,6 +28,7 @@ public final class Cable implements SerialLine {
     private int incomingCount;
     private volatile boolean hasIncoming;
     private volatile int hostBaud;
+    private volatile boolean hungUp;
     private volatile int deviceBaud;
     private volatile long written;
     private volatile long dropped;
@@ -111,6 +112,12 @@ public final class Cable implements SerialLine {
 
     /** Commands phase: what was written until now is on its way from {@code time} on. */
     public void accept(double time) {
+        if (hungUp) {
+            hungUp = false;
+            if (powered) {
+                device.hungUp(time);
+            }
+        }
         if (!hasIncoming) {
             return;
         }
@@ -289,6 +296,16 @@ public final class Cable implements SerialLine {
     @Override
     public int getDeviceBaud() {
         return deviceBaud;
+    }
+
+    @Override
+    public boolean hearsEveryBaud() {
+        return device.hearsEveryBaud();
+    }
+
+    @Override
+    public void hangUp() {
+        hungUp = true;
     }
 
     @Override

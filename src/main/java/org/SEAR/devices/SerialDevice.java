@@ -24,6 +24,14 @@ public interface SerialDevice {
     /** A byte came at another speed than the device's: a framing error. */
     void receiveGarbage(double time);
 
+    /**
+     * The last program has left the other end of its network connection. Who has a serial cable doesn't notice.
+     *
+     * @param time simulated seconds
+     */
+    default void hungUp(double time) {
+    }
+
     /** Lets the device's own timers run up to a time. */
     void advance(double time);
 

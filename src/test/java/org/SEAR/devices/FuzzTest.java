@@ -12,6 +12,7 @@ import org.SEAR.devices.gps.Mt3301;
 import org.SEAR.devices.lms.Devices;
 import org.SEAR.devices.oi.OiModel;
 import org.SEAR.devices.oi.Roomba;
+import org.SEAR.protocol.lidar.LidarModel;
 import org.SEAR.sensors.GpsFix;
 import org.junit.Test;
 
@@ -74,6 +75,34 @@ public class FuzzTest {
             line.host("02 00 01 00 32 16 12");
             line.pass(1);
             assertTrue("seed " + Fuzz.SEED + " round " + round + " " + device.status(), line.takeHex().contains("06 02 80 02 00 B2 10 3F 13"));
+        }
+    }
+
+    @Test
+    public void scannersWithCola() {
+        for (LidarModel model : new LidarModel[] {LidarModel.LMS111, LidarModel.TIM561}) {
+            fuzz(line -> org.SEAR.devices.cola.Devices.scanner(model, line), Bytes.ints("02 02 02 02 03 00 00 09 73 52 4E 20 53 54 6C 6D 73 3A"), null,
+                "02 02 02 02 00 00 00 07 73 4D 4E 20 52 75 6E 19", "73 41 4E 20 52 75 6E 20 01");
+        }
+    }
+
+    /** Whole requests with random values: the bytes of the other test hardly ever make one. */
+    @Test
+    public void requestsOfColaWithRandomValues() {
+        Random random = new Random(Fuzz.SEED);
+        String[] requests = {"sMN SetAccessMode 3 F4724744", "sMN mLMPsetscancfg", "sWN LMPoutputRange 1", "sWN LMDscandatacfg 1 0 0 1 0 0 0 0 0 0",
+            "sRN LMDscandata", "sEN LMDscandata", "sMN LMCstartmeas", "sMN LMCstandby", "sWN LocationName", "sRN STlms", "sMN mEEwriteall"};
+        String[] values = {"0", "1", "+1", "1388", "9C4", "+2500", "-450000", "FFF92230", "225510", "DBBA0", "FFFFFFFF", "+99999", "x", "3"};
+        FakeContext line = new FakeContext();
+        SerialDevice device = line.attach(org.SEAR.devices.cola.Devices.scanner(LidarModel.LMS111, line));
+        for (int i = 0; i < Fuzz.BYTES / 100; i++) {
+            StringBuilder text = new StringBuilder(requests[random.nextInt(requests.length)]);
+            for (int more = random.nextInt(6); more > 0; more--) {
+                text.append(' ').append(values[random.nextInt(values.length)]);
+            }
+            line.hostText("\u0002" + text + "\u0003");
+            line.pass(0.002);
+            assertTrue("seed " + Fuzz.SEED + ", " + text + " at " + device.status(), line.take().length > 0);
         }
     }
 

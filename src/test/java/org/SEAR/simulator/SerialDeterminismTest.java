@@ -5,9 +5,12 @@ import static org.junit.Assert.assertNotEquals;
 import static org.junit.Assert.assertTrue;
 
 import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import org.SEAR.Bytes;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Floor;
@@ -25,11 +28,19 @@ public class SerialDeterminismTest {
     private static final int STEPS = 1800;
     /** LMS200: type; status; one scan; send all scans. */
     private static final String[] LMS = {"02 00 01 00 3A 1E 12", "02 00 01 00 31 15 12", "02 00 02 00 30 01 31 18", "02 00 02 00 20 24 34 08"};
+    /** LMS111, of CoLa: log in; fine fan; state; one scan; send all scans. */
+    private static final String[] COLA = {hexOf("sMN SetAccessMode 03 F4724744"), hexOf("sMN mLMPsetscancfg +2500 +1 +2500 -450000 +2250000"),
+        hexOf("sRN STlms"), hexOf("sRN LMDscandata"), hexOf("sEN LMDscandata 1")};
     /** Roomba: start and full mode; drive at 200 mm/s straight; sensor groups; stream of bumps, distance and angle; stop. */
     private static final String[] ROOMBA = {"80 84", "89 00 C8 80 00", "8E 00", "94 03 07 13 14", "89 01 2C 01 F4", "8E 06"};
+    private static final Map<String, String[]> SCRIPTS = Map.of("lidar", LMS, "network", COLA);
 
     @Rule
     public final ProjectRule project = new ProjectRule();
+
+    private static String hexOf(String telegram) {
+        return "02 " + Bytes.hex(telegram.getBytes(StandardCharsets.US_ASCII)) + " 03";
+    }
 
     private static byte[] hex(String text) {
         String[] parts = text.split(" ");
@@ -52,6 +63,12 @@ public class SerialDeterminismTest {
         lidar.setNoise(new Noise().setWhite(0.01));
         lidar.setPorts("lidarUart", "lidarUser");
         robot.addComponent(lidar);
+        LIDAR network = new LIDAR("network");
+        network.setModel("LMS111");
+        network.move(0, 0.2, 0.1);
+        network.setNoise(new Noise().setWhite(0.01));
+        network.setPorts("networkUart", "networkUser");
+        robot.addComponent(network);
     }
 
     private static List<ByteArrayOutputStream> listen(Simulation simulation) {
@@ -73,7 +90,7 @@ public class SerialDeterminismTest {
         List<ByteArrayOutputStream> heard = listen(simulation);
         for (int step = 0; step < STEPS; step++) {
             for (SerialLine line : simulation.getLines()) {
-                String[] script = line.getObjectName().equals("lidar") ? LMS : ROOMBA;
+                String[] script = SCRIPTS.getOrDefault(line.getObjectName(), ROOMBA);
                 int next = (step - 600) / 120;
                 if (step >= 600 && step % 120 == 0 && next < script.length) {
                     line.write(hex(script[next]));
@@ -94,7 +111,7 @@ public class SerialDeterminismTest {
         world();
         Simulation simulation = Worlds.start(project);
         int[] first = run(simulation);
-        assertEquals(2, first.length);
+        assertEquals(3, first.length);
         simulation.reset();
         assertEquals("after reset", Arrays.toString(first), Arrays.toString(run(simulation)));
         assertEquals("fresh start", Arrays.toString(first), Arrays.toString(run(Worlds.start(project))));

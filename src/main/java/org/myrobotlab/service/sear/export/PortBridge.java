@@ -141,8 +141,14 @@ final class PortBridge implements SerialDataListener {
 
     /** Nobody uses this end any more: the rate of who came before holds again. */
     synchronized void leave(LineEnd end) {
-        if (inUse.remove(end) && !inUse.isEmpty()) {
+        if (!inUse.remove(end)) {
+            return;
+        }
+        OutsideLine direct = line;
+        if (!inUse.isEmpty()) {
             apply();
+        } else if (direct != null) {
+            direct.hangUp();
         }
     }
 

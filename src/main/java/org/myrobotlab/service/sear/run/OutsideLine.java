@@ -17,6 +17,9 @@ public interface OutsideLine {
      */
     void setReader(SerialLine.Sink reader);
 
+    /** The last program has gone. Never waits. */
+    void hangUp();
+
     /** The device's speed, bits a second. */
     int getDeviceBaud();
 }

@@ -131,7 +131,7 @@ final class UartLine implements OutsideLine {
 
     private void hostBaud(int baud) {
         line.setHostBaud(baud);
-        if (user.getListeners().stream().anyMatch(FindsBaudRate.class::isInstance)) {
+        if (line.hearsEveryBaud() || user.getListeners().stream().anyMatch(FindsBaudRate.class::isInstance)) {
             return;
         }
         if (baud != 0 && baud != line.getDeviceBaud()) {
@@ -176,6 +176,11 @@ final class UartLine implements OutsideLine {
     @Override
     public void setReader(SerialLine.Sink newReader) {
         reader = newReader;
+    }
+
+    @Override
+    public void hangUp() {
+        line.hangUp();
     }
 
     @Override

@@ -532,6 +532,7 @@ public class ExportsTest {
         TcpEndpoint server = TcpEndpoint.open("/dev/test_user", TcpSession.RAW, 0);
         String[] writer = new String[1];
         SerialLine.Sink[] reader = new SerialLine.Sink[1];
+        CountDownLatch hungUp = new CountDownLatch(1);
         bridge.attach(user, new OutsideLine() {
             @Override
             public void write(byte[] bytes) {
@@ -548,6 +549,11 @@ public class ExportsTest {
             }
 
             @Override
+            public void hangUp() {
+                hungUp.countDown();
+            }
+
+            @Override
             public int getDeviceBaud() {
                 return 9600;
             }
@@ -559,7 +565,9 @@ public class ExportsTest {
             assertEquals("TCP server of /dev/test_user", writer[0]);
             reader[0].receive(all());
             assertArrayEquals("sent by the calling thread", all(), client.getInputStream().readNBytes(256));
+            assertEquals("a program has it", 1, hungUp.getCount());
         }
+        assertTrue("the device is told that the program has gone", hungUp.await(30, TimeUnit.SECONDS));
         bridge.close();
         assertNull("the device's bytes take the other way again", reader[0]);
     }

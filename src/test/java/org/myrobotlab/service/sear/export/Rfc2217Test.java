@@ -45,6 +45,11 @@ public class Rfc2217Test {
             }
 
             @Override
+            public void hangUp() {
+                // The device has a cable.
+            }
+
+            @Override
             public int getDeviceBaud() {
                 return BAUD;
             }

@@ -16,7 +16,7 @@ import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
 /** The LIDAR service reads each model that it knows, in a world with a wall that only outdoor scanners see. */
-public class LidarModelsTest {
+public class OutdoorLidarTest {
     private static final String PORT = "/dev/SEAR_LIDAR_01";
     private static final double WALL = 50;
 

@@ -1,0 +1,93 @@
+package org.SEAR.devices.cola;
+
+import java.util.List;
+import org.SEAR.protocol.lidar.LidarModel;
+
+/**
+ * What distinguishes scanners that speak CoLa: data. A further one is a further row here and in {@link LidarModel}. Sources: SICK's telegram listing,
+ * recorded telegrams, {@code sick_scan_xd}.
+ */
+enum ColaModel {
+    LMS111(LidarModel.LMS111, "LMS10x_FieldEval", "V1.36-21.10.2010", 7, 15, true, new ScanRate(5000, 5000, 360), new ScanRate(2500, 2500, 360),
+        new ScanRate(2500, 5000, 360)),
+    TIM561(LidarModel.TIM561, "TiM561", "V2.60-20.02.15", 1, 8, false, new ScanRate(1500, 3333, 162));
+
+    /** Scans a second, the angle between beams, and beams a second, which belong together. Immutable. */
+    static final class ScanRate {
+        /** 1/100 Hz. */
+        final int frequency;
+        /** 1/10000 degree, cut off: 3333 is a third. */
+        final int resolution;
+        /** 100 beams a second. */
+        final int beams;
+
+        ScanRate(int frequency, int resolution, int beams) {
+            this.frequency = frequency;
+            this.resolution = resolution;
+            this.beams = beams;
+        }
+
+        /** Hz. */
+        double hertz() {
+            return frequency / 100.0;
+        }
+
+        /** Degrees between two beams. */
+        double degrees() {
+            return resolution == THIRD ? 1 / 3.0 : resolution / TEN_THOUSANDTHS;
+        }
+    }
+
+    /** Of a degree: angles are counted in them. */
+    static final double TEN_THOUSANDTHS = 10000;
+    /** Where the widest fan begins and ends, 1/10000 degree; 90 degrees is straight ahead. */
+    static final int FIRST_ANGLE = -450000;
+    static final int LAST_ANGLE = 2250000;
+    private static final int THIRD = 3333;
+
+    final LidarModel lidar;
+    final String type;
+    final String version;
+    /** The second word of the digital outputs in a scan: a bit for each output. */
+    final int outputs;
+    /** Seconds from power-on to the first measurement. */
+    final double boot;
+    /** Whether frequency and resolution can be set by mLMPsetscancfg. */
+    final boolean scanConfigurable;
+    final List<ScanRate> rates;
+
+    ColaModel(LidarModel lidar, String type, String version, int outputs, double boot, boolean scanConfigurable, ScanRate... rates) {
+        this.lidar = lidar;
+        this.type = type;
+        this.version = version;
+        this.outputs = outputs;
+        this.boot = boot;
+        this.scanConfigurable = scanConfigurable;
+        this.rates = List.of(rates);
+    }
+
+    /**
+     * The row of a model.
+     *
+     * @throws IllegalArgumentException if it has none
+     */
+    static ColaModel of(LidarModel lidar) {
+        for (ColaModel model : values()) {
+            if (model.lidar == lidar) {
+                return model;
+            }
+        }
+        throw new IllegalArgumentException("no firmware with CoLa is known of " + lidar.withArticle());
+    }
+
+    /** The fastest rate with beams so many degrees apart. */
+    ScanRate rateWith(double degrees) {
+        ScanRate nearest = rates.get(0);
+        for (ScanRate rate : rates) {
+            if (Math.abs(rate.degrees() - degrees) < Math.abs(nearest.degrees() - degrees)) {
+                nearest = rate;
+            }
+        }
+        return nearest;
+    }
+}

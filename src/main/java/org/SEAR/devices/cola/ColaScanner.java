@@ -1,0 +1,288 @@
+package org.SEAR.devices.cola;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Locale;
+import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.EventQueue;
+import org.SEAR.devices.SerialDevice;
+import org.SEAR.protocol.cola.ColaDialect;
+import org.SEAR.protocol.cola.ColaReader;
+import org.SEAR.protocol.cola.ColaTelegram;
+import org.SEAR.sensors.LidarScan;
+import org.SEAR.sensors.LidarSource;
+
+/**
+ * The firmware of SICK's LMS1xx and TiM: requests of CoLa A and B, each answered in its own dialect, and a stream of scans. It measures scan after scan
+ * at its own rate; a request for a scan gets the newest one. What the requests do stands in {@link Commands}. One client at a time.
+ */
+public final class ColaScanner implements SerialDevice {
+    /** End of a request to its answer, seconds; real ones take a few milliseconds. */
+    private static final double ANSWER = 0.001;
+    /** An unfinished request is forgotten after so many seconds without a byte. */
+    private static final double PATIENCE = 1;
+    /** Of a request, bytes; the longest are below 100. */
+    private static final int LONGEST = 1024;
+    /** Requests that wait while another is being answered; more are dropped. */
+    private static final int MAX_WAITING = 16;
+    /** Seconds from the start of measuring to the first scan: with the motor running, and from standby. */
+    private static final double LASER_ON = 1;
+    private static final double SPIN_UP = 8;
+    /** Guards a number of scans against the last bit of a product. */
+    private static final double SLACK = 1e-9;
+
+    /** What STlms tells. */
+    enum State {
+        BOOTING(1), IDLE(3), ROTATED(4), PREPARING(5), MEASURING(7);
+
+        final int code;
+
+        State(int code) {
+            this.code = code;
+        }
+    }
+
+    private final ColaModel model;
+    private final int baud;
+    private final DeviceContext context;
+    private final LidarSource source;
+    private final Settings delivered;
+    private final EventQueue events = new EventQueue();
+    private final Deque<ColaTelegram> waiting = new ArrayDeque<>();
+    private final ColaReader reader = new ColaReader(LONGEST, this::onTelegram);
+    private final Commands commands;
+    private Settings saved;
+    private Settings settings;
+    private State state;
+    private boolean busy;
+    private double poweredAt;
+    private double lastByte;
+    private ScanTelegram newest;
+    private long telegrams;
+    /** Counts starts and ends of streams and of measuring, so that what was planned before is not done after. */
+    private int session;
+
+    /**
+     * A device whose power is on since long.
+     *
+     * @param spread degrees
+     * @param resolution degrees
+     * @param baud bits a second of its network
+     * @throws IllegalArgumentException unless the context's sensor is a {@link LidarSource}
+     */
+    ColaScanner(ColaModel model, double spread, double resolution, int baud, DeviceContext context) {
+        if (!(context.sensor() instanceof LidarSource)) {
+            throw new IllegalArgumentException(model.lidar.withArticle() + " needs a LIDAR to scan with, not " + context.sensor());
+        }
+        this.model = model;
+        this.baud = baud;
+        this.context = context;
+        this.source = (LidarSource) context.sensor();
+        this.delivered = Settings.of(model.rateWith(resolution), spread);
+        this.commands = new Commands(this, model);
+        reset();
+    }
+
+    @Override
+    public int getBaud() {
+        return baud;
+    }
+
+    @Override
+    public boolean hearsEveryBaud() {
+        return true;
+    }
+
+    @Override
+    public void receive(int value, double time) {
+        advance(time);
+        lastByte = time;
+        if (state != State.BOOTING) {
+            reader.accept(value);
+        }
+    }
+
+    /** Login and stream belong to a connection. */
+    @Override
+    public void hungUp(double time) {
+        advance(time);
+        reader.clear();
+        waiting.clear();
+        commands.logOut();
+        session++;
+    }
+
+    @Override
+    public void receiveGarbage(double time) {
+        advance(time);
+        reader.clear();
+    }
+
+    @Override
+    public void advance(double time) {
+        if (reader.isPending() && time > lastByte + PATIENCE) {
+            reader.clear();
+        }
+        events.runUntil(time);
+    }
+
+    @Override
+    public void reset() {
+        saved = delivered;
+        start(0);
+        state = State.MEASURING;
+    }
+
+    @Override
+    public void powerOff() {
+        events.clear();
+    }
+
+    @Override
+    public void powerOn(double time) {
+        start(time);
+        state = State.BOOTING;
+        events.at(time + model.boot, t -> state = State.MEASURING);
+    }
+
+    private void start(double time) {
+        events.clear();
+        waiting.clear();
+        reader.clear();
+        commands.logOut();
+        settings = saved;
+        busy = false;
+        poweredAt = time;
+        lastByte = time;
+        newest = null;
+        telegrams = 0;
+        session++;
+    }
+
+    @Override
+    public String status() {
+        return model.lidar.getName() + ": " + settings.beams() + " beams every " + settings.rate.resolution / ColaModel.TEN_THOUSANDTHS + " degrees, "
+            + settings.rate.hertz() + " Hz, " + state.name().toLowerCase(Locale.ROOT) + (commands.isLoggedIn() ? ", logged in" : "");
+    }
+
+    private void onTelegram(ColaTelegram telegram) {
+        if (waiting.size() < MAX_WAITING) {
+            waiting.add(telegram);
+            serve(lastByte);
+        }
+    }
+
+    private void serve(double time) {
+        if (busy || waiting.isEmpty()) {
+            return;
+        }
+        busy = true;
+        ColaTelegram request = waiting.remove();
+        events.at(time + ANSWER, t -> {
+            busy = false;
+            context.send(commands.answer(request, t), t);
+            serve(t);
+        });
+    }
+
+    Settings settings() {
+        return settings;
+    }
+
+    /** Works with other settings from the next scan on. */
+    void set(Settings changed) {
+        settings = changed;
+        newest = null;
+    }
+
+    /** Keeps the settings without power. */
+    void save() {
+        saved = settings;
+    }
+
+    void toFactory() {
+        saved = delivered;
+        set(delivered);
+    }
+
+    void reboot(double time) {
+        events.at(time, this::powerOn);
+    }
+
+    State state() {
+        return state;
+    }
+
+    /** Seconds since power-on. */
+    double upTime(double time) {
+        return time - poweredAt;
+    }
+
+    void startMeasuring(double time) {
+        if (state != State.IDLE && state != State.ROTATED) {
+            return;
+        }
+        double ready = time + (state == State.IDLE ? SPIN_UP : LASER_ON);
+        state = State.PREPARING;
+        events.at(ready, t -> state = state == State.PREPARING ? State.MEASURING : state);
+    }
+
+    void stopMeasuring(State rest) {
+        state = rest;
+        newest = null;
+    }
+
+    /** The answer with the newest scan; null while it doesn't measure. */
+    byte[] newestScan(ColaDialect dialect, double time) {
+        return state == State.MEASURING ? encode(dialect, "sRA", time) : null;
+    }
+
+    private byte[] encode(ColaDialect dialect, String verb, double time) {
+        double up = upTime(time);
+        long number = (long) Math.floor(up * settings.rate.hertz() + SLACK);
+        if (newest == null || newest.getNumber() != number) {
+            newest = new ScanTelegram(model, settings, measure(), number, time);
+        }
+        return newest.encode(dialect, verb, telegrams++, number / settings.rate.hertz(), up, context.epochMillis());
+    }
+
+    /** The beams of the settings, right to left: a fan about the forward axis that has them all, cut to them. */
+    private double[] measure() {
+        double step = settings.rate.degrees();
+        int beams = settings.beams();
+        double first = settings.firstAngle();
+        double last = first + (beams - 1) * step;
+        int skipped = (int) Math.max(0, Math.ceil((first + last) / step - SLACK));
+        if (2 * (skipped * step - first) < step) {
+            skipped++;
+        }
+        LidarScan scan = source.scan(context.truth(), 2 * (skipped * step - first), step);
+        double[] ranges = new double[beams];
+        for (int i = 0; i < beams; i++) {
+            ranges[i] = scan.range(skipped + i);
+        }
+        return ranges;
+    }
+
+    /** Sends every so many-th scan from now on in a dialect; null for none. */
+    void stream(ColaDialect dialect, double time) {
+        session++;
+        if (dialect != null) {
+            next(dialect, session, time);
+        }
+    }
+
+    private void next(ColaDialect dialect, int stream, double time) {
+        double rate = settings.rate.hertz() / settings.every();
+        double due = poweredAt + (Math.floor(upTime(time) * rate + SLACK) + 1) / rate;
+        events.at(due, t -> {
+            if (stream != session) {
+                return;
+            }
+            if (state == State.MEASURING) {
+                context.send(encode(dialect, "sSN", t), t);
+            }
+            next(dialect, stream, t);
+        });
+    }
+}

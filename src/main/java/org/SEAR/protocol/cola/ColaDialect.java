@@ -1,0 +1,58 @@
+package org.SEAR.protocol.cola;
+
+import java.io.ByteArrayOutputStream;
+
+/**
+ * The two forms of a telegram. A: {@code 02 text 03}. B: {@code 02 02 02 02}, four bytes length of the payload with the high byte first, the payload,
+ * the exclusive or of its bytes: {@code 02 02 02 02 00 00 00 09 73 52 4E 20 53 54 6C 6D 73 3A} is {@code sRN STlms}.
+ */
+public enum ColaDialect {
+    /** Text: words with a space between, numbers in hexadecimal. */
+    A {
+        @Override
+        public byte[] frame(byte[] payload) {
+            ByteArrayOutputStream out = new ByteArrayOutputStream(payload.length + 2);
+            out.write(STX);
+            out.write(payload, 0, payload.length);
+            out.write(ETX);
+            return out.toByteArray();
+        }
+    },
+    /** Command and name as text, values as bytes with the high one first. */
+    B {
+        @Override
+        public byte[] frame(byte[] payload) {
+            ByteArrayOutputStream out = new ByteArrayOutputStream(payload.length + B_FRAME);
+            for (int i = 0; i < STX_OF_B; i++) {
+                out.write(STX);
+            }
+            for (int shift = 24; shift >= 0; shift -= 8) {
+                out.write(payload.length >> shift);
+            }
+            out.write(payload, 0, payload.length);
+            out.write(checksum(payload, payload.length));
+            return out.toByteArray();
+        }
+    };
+
+    /** Begins a telegram. */
+    static final int STX = 0x02;
+    /** Ends a telegram of CoLa A. */
+    static final int ETX = 0x03;
+    /** So many STX begin a telegram of CoLa B. */
+    static final int STX_OF_B = 4;
+    /** Bytes around the payload of CoLa B. */
+    private static final int B_FRAME = 9;
+
+    /** A payload with what lies around it on the wire. */
+    public abstract byte[] frame(byte[] payload);
+
+    /** The exclusive or of the first bytes. */
+    static int checksum(byte[] bytes, int count) {
+        int sum = 0;
+        for (int i = 0; i < count; i++) {
+            sum ^= bytes[i];
+        }
+        return sum & 0xFF;
+    }
+}

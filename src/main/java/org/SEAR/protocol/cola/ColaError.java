@@ -1,0 +1,32 @@
+package org.SEAR.protocol.cola;
+
+/** Why a scanner refuses a request, told by {@code sFA code}. Source: SICK's telegram listing and {@code sick_scan_xd}. */
+public enum ColaError {
+    ACCESS_DENIED(0x1),
+    UNKNOWN_METHOD(0x2),
+    UNKNOWN_VARIABLE(0x3),
+    CONDITION_FAILED(0x4),
+    INVALID_DATA(0x5),
+    TOO_FEW_VALUES(0x8),
+    WRITE_ACCESS_DENIED(0xA),
+    UNKNOWN_COMMAND(0xC),
+    UNKNOWN_EVENT(0xF),
+    VALUE_OVERFLOW(0x10),
+    INVALID_CHARACTER(0x11);
+
+    private final int code;
+
+    ColaError(int code) {
+        this.code = code;
+    }
+
+    /** The number after {@code sFA}. */
+    public int getCode() {
+        return code;
+    }
+
+    /** The telegram that tells it: text {@code sFA 3}, or {@code sFA} and two bytes. */
+    public byte[] telegram(ColaDialect dialect) {
+        return new ColaPayload(dialect).verb("sFA").u2(code).toTelegram();
+    }
+}

@@ -1,0 +1,353 @@
+package org.SEAR.devices.cola;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.function.IntToDoubleFunction;
+import org.SEAR.Bytes;
+import org.SEAR.POJOs.LIDAR;
+import org.SEAR.devices.FakeContext;
+import org.SEAR.devices.FakeScanner;
+import org.SEAR.protocol.cola.ColaDialect;
+import org.SEAR.protocol.lidar.LidarModel;
+import org.SEAR.sensors.LidarScan;
+import org.SEAR.sensors.LidarSource;
+import org.SEAR.sensors.Sensor;
+import org.SEAR.sensors.Truth;
+import org.junit.Before;
+import org.junit.Test;
+
+/** LMS111 and TiM561 against recorded telegrams and what their drivers send. */
+public class ColaScannerTest {
+    private static final String LOGIN = "sMN SetAccessMode 03 F4724744";
+    private static final int FIRST_VALUE = 26;
+
+    private FakeContext line;
+    private FakeScanner scanner;
+    private ColaScanner device;
+
+    @Before
+    public void power() {
+        power(LidarModel.LMS111, 270, 0.5, beam -> 1 + beam / 1000.0);
+    }
+
+    private void power(LidarModel model, double spread, double resolution, IntToDoubleFunction world) {
+        line = new FakeContext();
+        scanner = new FakeScanner();
+        scanner.world = world;
+        line.sensor = scanner;
+        device = line.attach(new ColaScanner(ColaModel.of(model), spread, resolution, model.getBaud(), line));
+    }
+
+    private void send(String telegram) {
+        line.hostText("\u0002" + telegram + "\u0003");
+    }
+
+    /** The answer in CoLa A without its frame; several with | between. */
+    private String ask(String telegram) {
+        line.take();
+        send(telegram);
+        line.pass(0.017);
+        return text();
+    }
+
+    private String text() {
+        return new String(line.take(), StandardCharsets.ISO_8859_1).replace("\u0003\u0002", "|").replaceAll("[\u0002\u0003]", "");
+    }
+
+    private String askB(String hex) {
+        line.take();
+        line.host(hex);
+        line.pass(0.017);
+        return line.takeHex();
+    }
+
+    private static void head(String[] scan, String frequency, String beams, String start, String step, String count) {
+        assertEquals("1 1", scan[2] + " " + scan[3]);
+        assertEquals("0 0", scan[5] + " " + scan[6]);
+        assertEquals("0 " + frequency + " " + beams + " 0 1 DIST1 3F800000 00000000 " + start + " " + step + " " + count,
+            String.join(" ", Arrays.copyOfRange(scan, 15, FIRST_VALUE)));
+    }
+
+    @Test
+    public void mrptsConversation() {
+        assertEquals("sAN SetAccessMode 1", ask(LOGIN));
+        assertEquals("sAN mLMPsetscancfg 0 9C4 1 9C4 FFF92230 225510", ask("sMN mLMPsetscancfg +2500 +1 +2500 -450000 +2250000"));
+        assertEquals("sWA LMDscandatacfg", ask("sWN LMDscandatacfg 01 00 0 1 0 00 00 0 0 0 0 +1"));
+        assertEquals("sAN LMCstartmeas 0", ask("sMN LMCstartmeas"));
+        assertTrue(ask("sRN STlms").matches("sRA STlms 7 0 8 00:00:00 A 01\\.01\\.1970 0 0 0"));
+        String[] scan = ask("sRN LMDscandata").split(" ");
+        head(scan, "9C4", "168", "FFF92230", "9C4", "439");
+        assertEquals("7 0", scan[13] + " " + scan[14]);
+        for (int beam = 0; beam < 1081; beam++) {
+            assertEquals("beam " + beam, 1000 + beam, Integer.parseInt(scan[FIRST_VALUE + beam], 16));
+        }
+        assertEquals("0 0 0 0 0 0", String.join(" ", Arrays.copyOfRange(scan, FIRST_VALUE + 1081, scan.length)));
+    }
+
+    @Test
+    public void theLms1xxLibrarysConversation() {
+        assertEquals("sAN SetAccessMode 1", ask(LOGIN));
+        assertEquals("sRA LMPscancfg 1388 1 1388 FFF92230 225510", ask("sRN LMPscancfg"));
+        assertEquals("sRA LMPoutputRange 1 1388 FFF92230 225510", ask("sRN LMPoutputRange"));
+        assertEquals("sWA LMDscandatacfg", ask("sWN LMDscandatacfg 01 00 1 1 0 00 00 0 0 0 0 +1"));
+        assertEquals("sAN LMCstartmeas 0", ask("sMN LMCstartmeas"));
+        assertTrue(ask("sRN STlms").startsWith("sRA STlms 7"));
+        assertEquals("sAN Run 1", ask("sMN Run"));
+        assertTrue(ask("sEN LMDscandata 1").startsWith("sEA LMDscandata 1"));
+        line.take();
+        line.pass(0.0201);
+        String[] scan = text().split(" ");
+        assertEquals("sSN LMDscandata", scan[0] + " " + scan[1]);
+        assertEquals("distances and remissions", "2 DIST1", scan[19] + " " + scan[20]);
+        assertEquals("RSSI1 3F800000 00000000 FFF92230 1388 21D", String.join(" ", Arrays.copyOfRange(scan, 26 + 541, 32 + 541)));
+        assertEquals("0 0 0 0 0 0", String.join(" ", Arrays.copyOfRange(scan, 32 + 2 * 541, scan.length)));
+        line.pass(1);
+        assertEquals("50 Hz", 50, text().split("sSN LMDscandata", -1).length - 1, 1);
+        ask("sEN LMDscandata 0");
+        line.pass(1);
+        assertEquals("", text());
+    }
+
+    @Test
+    public void sickScansConversationInBinary() {
+        power(LidarModel.TIM561, 270, 1 / 3.0, beam -> 2);
+        assertEquals("02 02 02 02 00 00 00 13 73 41 4E 20 53 65 74 41 63 63 65 73 73 4D 6F 64 65 20 01 38",
+            askB("02 02 02 02 00 00 00 17 73 4D 4E 20 53 65 74 41 63 63 65 73 73 4D 6F 64 65 20 03 F4 72 47 44 B3"));
+        assertEquals("02 02 02 02 00 00 00 0E 73 57 41 20 45 49 48 73 74 43 6F 6C 61 20 07",
+            askB("02 02 02 02 00 00 00 0F 73 57 4E 20 45 49 48 73 74 43 6F 6C 61 20 01 09"));
+        assertEquals("V2.60 with its length", "73 52 41 20 46 69 72 6D 77 61 72 65 56 65 72 73 69 6F 6E 20 00 05 56 32 2E 36 30",
+            payload(askB(binary("sRN FirmwareVersion"))));
+        assertEquals("ready", "73 52 41 20 53 43 64 65 76 69 63 65 73 74 61 74 65 20 01", payload(askB(binary("sRN SCdevicestate"))));
+        assertEquals("73 52 41 20 4C 4D 50 6F 75 74 70 75 74 52 61 6E 67 65 20 00 01 00 00 0D 05 FF F9 22 30 00 22 55 10",
+            payload(askB(binary("sRN LMPoutputRange"))));
+        assertTrue(askB("02 02 02 02 00 00 00 11 73 45 4E 20 4C 4D 44 73 63 61 6E 64 61 74 61 20 01 33")
+            .startsWith("02 02 02 02 00 00 00 11 73 45 41 20 4C 4D 44 73 63 61 6E 64 61 74 61 20 01 3C"));
+        line.take();
+        line.pass(1 / 15.0);
+        byte[] scan = line.take();
+        assertEquals("sSN LMDscandata ", new String(scan, 8, 16, StandardCharsets.US_ASCII));
+        assertEquals("outputs, reserved, 15 Hz, 16.2 kHz, encoders, one channel", "01 00 00 00 00 00 05 DC 00 00 00 A2 00 00 00 01",
+            Bytes.hex(Arrays.copyOfRange(scan, 48, 64)));
+        assertEquals("DIST1", new String(scan, 64, 5, StandardCharsets.US_ASCII));
+        assertEquals("-45 degrees, a third of a degree, 811 values of 2000", "FF F9 22 30 0D 05 03 2B 07 D0", Bytes.hex(Arrays.copyOfRange(scan, 77, 87)));
+        assertEquals("four bytes of length and nine around it", scan.length - 9, (scan[6] & 0xFF) << 8 | scan[7] & 0xFF);
+    }
+
+    private static String binary(String request) {
+        return Bytes.hex(ColaDialect.B.frame(request.getBytes(StandardCharsets.US_ASCII)));
+    }
+
+    private static String payload(String telegram) {
+        return telegram.substring(8 * 3, telegram.length() - 3);
+    }
+
+    @Test
+    public void whoItIs() {
+        assertEquals("sRA DeviceIdent 10 LMS10x_FieldEval 10 V1.36-21.10.2010", ask("sRN DeviceIdent"));
+        assertEquals("sRA LocationName B not defined", ask("sRN LocationName"));
+        assertEquals("sRA FirmwareVersion 5 V1.36", ask("sRN FirmwareVersion"));
+        power(LidarModel.TIM561, 270, 1 / 3.0, beam -> 2);
+        assertEquals("sRA 0 6 TiM561 E V2.60-20.02.15", ask("sRI0"));
+        assertEquals("sRA SerialNumber 8 18340008", ask("sRN SerialNumber"));
+        assertEquals("sRA ODpwrc 1", ask("sRN ODpwrc"));
+        assertEquals("sRA ODoprh 0", ask("sRN ODoprh"));
+    }
+
+    @Test
+    public void refusals() {
+        assertEquals("write access", "sFA A", ask("sWN LMPoutputRange 1 1388 0 1B7740"));
+        assertEquals("access", "sFA 1", ask("sMN mLMPsetscancfg 1388 1 1388 FFF92230 225510"));
+        assertEquals("sAN LMCstartmeas 1", ask("sMN LMCstartmeas"));
+        assertEquals("sAN SetAccessMode 0", ask("sMN SetAccessMode 03 F4724745"));
+        assertEquals("sFA 2", ask("sMN NoSuchThing"));
+        assertEquals("sFA 3", ask("sRN NoSuchThing"));
+        assertEquals("sFA F", ask("sEN NoSuchThing 1"));
+        assertEquals("sFA C", ask("sXN STlms"));
+        ask(LOGIN);
+        assertEquals("sFA 8", ask("sWN LocationName"));
+        assertEquals("sFA 8", ask("sWN LocationName 5 abc"));
+        assertEquals("sFA 11", ask("sMN SetAccessMode x"));
+        assertEquals("sFA 5", ask("sWN LMDscandatacfg 00 00 0 1 0 00 00 0 0 0 0 +1"));
+        assertEquals("beyond 225 degrees", "sFA 5", ask("sWN LMPoutputRange 1 1388 0 225511"));
+        assertEquals("a resolution that it doesn't have", "sFA 5", ask("sWN LMPoutputRange 1 1389 0 225510"));
+        assertEquals("an LMS1xx' method", "sFA 2", tim("sMN mLMPsetscancfg +2500 +1 +2500 -450000 +2250000"));
+    }
+
+    private String tim(String request) {
+        power(LidarModel.TIM561, 270, 1 / 3.0, beam -> 2);
+        ask(LOGIN);
+        return ask(request);
+    }
+
+    @Test
+    public void ratesThatAnLms1xxDoesNotHaveAreRefusedWithTheirReason() {
+        ask(LOGIN);
+        String present = " 1388 1 1388 FFF92230 225510";
+        assertEquals("frequency", "sAN mLMPsetscancfg 1" + present, ask("sMN mLMPsetscancfg +3000 +1 +5000 -450000 +2250000"));
+        assertEquals("resolution", "sAN mLMPsetscancfg 2" + present, ask("sMN mLMPsetscancfg +5000 +1 +1000 -450000 +2250000"));
+        assertEquals("both", "sAN mLMPsetscancfg 3" + present, ask("sMN mLMPsetscancfg +5000 +1 +2500 -450000 +2250000"));
+        assertEquals("area", "sAN mLMPsetscancfg 4" + present, ask("sMN mLMPsetscancfg +5000 +1 +5000 -450001 +2250000"));
+        assertEquals("sectors", "sAN mLMPsetscancfg 5" + present, ask("sMN mLMPsetscancfg +5000 +2 +5000 -450000 +2250000"));
+        assertEquals("sAN mLMPsetscancfg 0 9C4 1 1388 FFF92230 225510", ask("sMN mLMPsetscancfg 9C4 1 1388 FFF92230 225510"));
+    }
+
+    /** Measures 10 m and a centimetre more for each degree to the left of the forward axis, with as many beams as the real sensor. */
+    private static final class AngleScanner extends Sensor<LidarScan> implements LidarSource {
+        AngleScanner() {
+            super(new LIDAR("angles"), 0, 1);
+        }
+
+        @Override
+        public LidarScan scan(Truth truth, double spread, double resolution) {
+            assertTrue(spread + " " + resolution, resolution <= spread && spread <= 360);
+            double[] ranges = new double[(int) Math.floor(spread / resolution + 1e-9) + 1];
+            Arrays.setAll(ranges, beam -> 10 + (beam * resolution - spread / 2) / 100);
+            return new LidarScan(spread, resolution, ranges);
+        }
+
+        @Override
+        protected LidarScan measure(Truth truth) {
+            return scan(truth, 180, 1);
+        }
+    }
+
+    /** The fan that the sensor is asked for has the beams that are sent, wherever they begin. */
+    @Test
+    public void anyPartOfTheFanIsSent() {
+        line = new FakeContext();
+        line.sensor = new AngleScanner();
+        device = line.attach(new ColaScanner(ColaModel.LMS111, 270, 0.5, LidarModel.LMS111.getBaud(), line));
+        ask(LOGIN);
+        int[][] ranges = {{-450000, 2250000}, {0, 1800000}, {900000, 900000}, {1000000, 2250000}, {-450000, -445000}, {895000, 900000}, {123400, 987600}};
+        for (int[] range : ranges) {
+            assertEquals("sWA LMPoutputRange", ask("sWN LMPoutputRange 1 1388 " + hex(range[0]) + " " + hex(range[1])));
+            double first = range[0] / 10000.0 - 90;
+            int count = (range[1] - range[0]) / 5000 + 1;
+            String[] scan = ask("sRN LMDscandata").split(" ");
+            assertEquals(hex(range[0]), scan[23]);
+            assertEquals(count, Integer.parseInt(scan[25], 16));
+            for (int i = 0; i < count; i++) {
+                assertEquals(10000 + (first + i * 0.5) * 10, Integer.parseInt(scan[FIRST_VALUE + i], 16), 0.51);
+            }
+        }
+    }
+
+    private static String hex(int value) {
+        return Integer.toHexString(value).toUpperCase();
+    }
+
+    @Test
+    public void whatItCantMeasureIsZero() {
+        power(LidarModel.LMS111, 270, 0.5, beam -> new double[] {0.499, 0.5, 20, 65.535, 65.536, Double.POSITIVE_INFINITY}[beam % 6]);
+        String[] scan = ask("sRN LMDscandata").split(" ");
+        assertEquals("0 1F4 4E20 FFFF 0 0", String.join(" ", Arrays.copyOfRange(scan, FIRST_VALUE, FIRST_VALUE + 6)));
+    }
+
+    @Test
+    public void whatAScanCarriesIsChosen() {
+        ask(LOGIN);
+        ask("sWN LMPoutputRange 1 1388 DBBA0 DBBA0");
+        ask("sWN LocationName 5 front");
+        ask("sWN LMDscandatacfg 03 00 1 0 0 00 00 1 1 1 1 +2");
+        assertEquals("sRA LMDscandatacfg 3 0 1 0 0 0 0 1 1 1 1 2", ask("sRN LMDscandatacfg"));
+        String[] scan = ask("sRN LMDscandata").split(" ");
+        assertEquals("two channels of 16 bit, two of 8, name and time", "2 DIST1 3F800000 00000000 DBBA0 1388 1 3E9 "
+            + "DIST2 3F800000 00000000 DBBA0 1388 1 0 2 RSSI1 3F800000 00000000 DBBA0 1388 1 64 RSSI2 3F800000 00000000 DBBA0 1388 1 0 "
+            + "0 1 5 front 0 1 7EA 1 1 C 0 0", String.join(" ", Arrays.copyOfRange(scan, 19, scan.length - 2)));
+        ask("sEN LMDscandata 1");
+        line.take();
+        line.pass(1);
+        assertEquals("every second one", 25, text().split("sSN LMDscandata", -1).length - 1, 1);
+    }
+
+    @Test
+    public void standbyAndStart() {
+        ask(LOGIN);
+        assertEquals("sAN LMCstandby 0", ask("sMN LMCstandby"));
+        assertTrue(ask("sRN STlms").startsWith("sRA STlms 3"));
+        assertEquals("sRA SCdevicestate 0", ask("sRN SCdevicestate"));
+        assertEquals("no scan", "sFA 4", ask("sRN LMDscandata"));
+        assertEquals("sAN LMCstartmeas 0", ask("sMN LMCstartmeas"));
+        assertTrue(ask("sRN STlms").startsWith("sRA STlms 5"));
+        line.pass(8);
+        assertTrue(ask("sRN STlms").startsWith("sRA STlms 7"));
+        assertEquals("sAN LMCstopmeas 0", ask("sMN LMCstopmeas"));
+        assertTrue(ask("sRN STlms").startsWith("sRA STlms 4"));
+        ask("sMN LMCstartmeas");
+        line.pass(1);
+        assertEquals("sRA SCdevicestate 1", ask("sRN SCdevicestate"));
+    }
+
+    @Test
+    public void settingsAreKeptWithoutPowerOnlyIfTheyWereWritten() {
+        ask(LOGIN);
+        ask("sWN LMPoutputRange 1 1388 0 1B7740");
+        assertEquals("sAN mEEwriteall 1", ask("sMN mEEwriteall"));
+        ask("sMN mLMPsetscancfg +2500 +1 +2500 -450000 +2250000");
+        device.powerOff();
+        device.powerOn(line.now);
+        assertTrue(device.status(), device.status().endsWith("booting"));
+        assertEquals("it boots", "", ask("sRN STlms"));
+        line.pass(15);
+        assertTrue(ask("sRN STlms").startsWith("sRA STlms 7 0 8 00:00:15"));
+        assertEquals("sRA LMPscancfg 1388 1 1388 FFF92230 225510", ask("sRN LMPscancfg"));
+        assertEquals("sRA LMPoutputRange 1 1388 0 1B7740", ask("sRN LMPoutputRange"));
+        ask(LOGIN);
+        assertEquals("sAN mSCloadfacdef", ask("sMN mSCloadfacdef"));
+        assertEquals("sRA LMPoutputRange 1 1388 FFF92230 225510", ask("sRN LMPoutputRange"));
+        assertEquals("sAN mSCreboot", ask("sMN mSCreboot"));
+        assertEquals("it boots", "", ask("sRN STlms"));
+    }
+
+    @Test
+    public void aFanOfTheObjectIsWhatItStartsWith() {
+        power(LidarModel.LMS111, 100, 0.25, beam -> 2);
+        assertEquals("sRA LMPscancfg 9C4 1 9C4 FFF92230 225510", ask("sRN LMPscancfg"));
+        assertEquals("sRA LMPoutputRange 1 9C4 61A80 155CC0", ask("sRN LMPoutputRange"));
+        head(ask("sRN LMDscandata").split(" "), "9C4", "168", "61A80", "9C4", "191");
+        assertEquals("LMS111: 401 beams every 0.25 degrees, 25.0 Hz, measuring", device.status());
+    }
+
+    /** The newest scan is the same until the next one is measured. */
+    @Test
+    public void countersAndTimes() {
+        line.pass(2);
+        String[] first = ask("sRN LMDscandata").split(" ");
+        String[] second = ask("sRN LMDscandata").split(" ");
+        assertEquals(1, Integer.parseInt(second[7], 16) - Integer.parseInt(first[7], 16));
+        assertEquals(line.now * 50, Integer.parseInt(second[8], 16), 3);
+        assertEquals(line.now, Integer.parseInt(second[10], 16) / 1e6, 0.04);
+        int scans = scanner.scans;
+        for (int i = 0; i < 10; i++) {
+            send("sRN LMDscandata");
+        }
+        line.pass(0.012);
+        assertTrue("ten requests, " + (scanner.scans - scans) + " scans", scanner.scans - scans <= 2);
+    }
+
+    @Test
+    public void loginAndStreamEndWithTheConnection() {
+        ask(LOGIN);
+        ask("sEN LMDscandata 1");
+        line.hostText("\u0002sRN ST");
+        device.hungUp(line.now);
+        line.take();
+        line.pass(1);
+        assertEquals("", text());
+        assertEquals("sFA A", ask("sWN LMPoutputRange 1 1388 0 1B7740"));
+    }
+
+    @Test
+    public void anUnfinishedRequestIsForgotten() {
+        line.hostText("\u0002\u0002\u0002\u0002");
+        line.host("00 00 03 00 73");
+        line.pass(1.1);
+        assertEquals("sRA SCdevicestate 1", ask("sRN SCdevicestate"));
+        assertTrue(device.hearsEveryBaud());
+        assertFalse(device.takesDriveCommands());
+    }
+}

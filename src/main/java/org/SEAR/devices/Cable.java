@@ -248,7 +248,7 @@ public final class Cable implements SerialLine {
         }
     }
 
-    /** Outputs phase: gives the sink what has left the line by {@code end}. */
+    /** Outputs phase: gives the sink what has left the line by {@code end}; it is gone if the last program has just left the user's end. */
     public void deliver(double end) {
         int count = 0;
         while (toHostFrom + count < toHostEnd && toHostTimes[toHostFrom + count] <= end) {
@@ -264,8 +264,10 @@ public final class Cable implements SerialLine {
             toHostFrom = 0;
             toHostEnd = 0;
         }
-        sink.receive(bytes);
-        delivered += count;
+        if (!hungUp) {
+            sink.receive(bytes);
+            delivered += count;
+        }
     }
 
     @Override

@@ -7,6 +7,6 @@ public interface DeviceType {
     /** The class of the object grammar that has such a device behind its ports. */
     Class<? extends SearObject> parameterType();
 
-    /** A device for the object, powered on; null if this object has none (a LIDAR that is no LMS200). */
+    /** A device for the object, powered on; null if this object has none (a LIDAR of another model). */
     SerialDevice create(SearObject parameters, DeviceContext context);
 }

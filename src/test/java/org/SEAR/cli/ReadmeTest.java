@@ -97,7 +97,7 @@ public class ReadmeTest {
     @Test
     public void theScriptsForOtherProgramsExportPorts() throws Exception {
         List<String> blocks = DocBlock.of("docs/other-programs.md", "python");
-        assertEquals(4, blocks.size());
+        assertEquals(5, blocks.size());
         Path link = folder.getRoot().toPath().resolve("ttySICK");
         String calls = blocks.get(0).replace("/tmp/ttySICK", link.toString()).replace("5001", "0").replace("5002", "0");
         String output = run(blocks.get(2) + calls + blocks.get(3) + "import os\nprint 'link', path, os.path.exists(path), 'port', port\n");
@@ -117,6 +117,13 @@ public class ReadmeTest {
             String file = Files.readString(folder.getRoot().toPath().resolve("SEARproject/robot/" + one[0] + ".xml"));
             assertTrue(file, file.contains("<export>" + one[1] + "</export>"));
         }
+    }
+
+    @Test
+    public void aScannerOnANetworkIsExportedToItsPort() throws Exception {
+        run("from org.SEAR.POJOs import *\nlidar = LIDAR('lidar')\n" + DocBlock.of("docs/other-programs.md", "python").get(4));
+        String file = Files.readString(folder.getRoot().toPath().resolve("SEARproject/robot/lidar.xml"));
+        assertTrue(file, file.contains("<export>tcp:2112</export>") && file.contains("<model>LMS111</model>"));
     }
 
     /** The dissertation's experiment 5.6.2.1: beside each obstacle of the row the sonar reads the way to its nearest point. */

@@ -24,6 +24,7 @@ public class CableTest {
         private final ByteArrayOutputStream heard = new ByteArrayOutputStream();
         private int garbage;
         private double timeOn;
+        private int hungUp;
 
         @Override
         public int getBaud() {
@@ -40,6 +41,11 @@ public class CableTest {
         @Override
         public void receiveGarbage(double time) {
             garbage++;
+        }
+
+        @Override
+        public void hungUp(double time) {
+            hungUp++;
         }
 
         @Override
@@ -98,6 +104,22 @@ public class CableTest {
         assertEquals(40, host.size());
         assertEquals(40, cable.getWritten());
         assertEquals(40, cable.getDelivered());
+    }
+
+    @Test
+    public void whoComesAfterTheLastProgramHasGoneGetsNothingOfIts() {
+        cable.send(new byte[20], 0);
+        cable.hangUp();
+        cable.deliver(Simulation.STEP);
+        assertEquals("nobody is there", 0, host.size());
+        assertEquals(0, cable.getDelivered());
+        step(1);
+        assertEquals("what leaves the line from now on is for the next one", 4, host.size());
+        assertEquals(1, device.hungUp);
+        cable.setPowered(false, 1);
+        cable.hangUp();
+        step(60);
+        assertEquals("without power it notices nothing", 1, device.hungUp);
     }
 
     @Test

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Dynamics;
@@ -93,6 +94,29 @@ public class ThirdPartyLidarsTest {
         Path config = grabber("sick-mrpt.ini", "@PORT@", sear.exportPort(PORT), "@BAUD@", "38400", "mm_mode = 1", "mm_mode = 0", "FOV = 180",
             "FOV = " + spread, "resolution = 50", "resolution = " + hundredths);
         compare(programs.grabScans(config, 15), sear.getLidarResult("scanner"), 80, 0.0101);
+    }
+
+    @Test
+    public void mrptReadsAnLms111OverTcp() throws Exception {
+        start("LMS111", 270, 0.25);
+        Path config = grabber("sick-lms1xx-mrpt.ini", "@PORT@", Integer.toString(sear.exportTcp(PORT, 0)));
+        compare(inTime(programs.grabScans(config, 25)), sear.getLidarResult("scanner"), 20, 0.00101);
+    }
+
+    /** Its driver takes a TiM, too, and leaves it its own resolution. */
+    @Test
+    public void mrptReadsATim561OverTcp() throws Exception {
+        start("TiM561", 270, 1 / 3.0);
+        Path config = grabber("sick-lms1xx-mrpt.ini", "@PORT@", Integer.toString(sear.exportTcp(PORT, 0)));
+        compare(inTime(programs.grabScans(config, 25)), sear.getLidarResult("scanner"), 10, 0.00101);
+    }
+
+    /** Where an answer takes more than 40 ms, as on a busy computer, this driver logs a scan without values. */
+    private static List<String[]> inTime(List<String[]> lines) {
+        List<String[]> full = lines.stream().filter(line -> line.length > 1).collect(Collectors.toList());
+        System.out.println("MRPT's driver logged " + full.size() + " scans, and " + (lines.size() - full.size()) + " without values");
+        assertTrue("only " + full.size() + " of " + lines.size() + " scans in time", full.size() > Programs.SECONDS);
+        return full;
     }
 
     /** Lines have the time, the ranges and which of them are valid. */

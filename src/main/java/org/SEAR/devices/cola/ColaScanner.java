@@ -108,6 +108,7 @@ public final class ColaScanner implements SerialDevice {
         advance(time);
         reader.clear();
         waiting.clear();
+        context.clearOutput();
         commands.logOut();
         session++;
     }

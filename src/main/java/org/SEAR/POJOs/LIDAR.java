@@ -128,7 +128,8 @@ public class LIDAR extends SensorObject implements SerialObject {
     }
 
     /**
-     * Puts the device behind a port: that of {@link #setModel}, an LMS200 at first, unless {@link #LMS} says that there is none. It has only some fans.
+     * Puts the device behind a port: that of {@link #setModel}, an LMS200 at first, unless {@link #LMS} says that there is none. It has
+     * only some fans.
      *
      * @param uart the device's end
      * @param user the end that the user opens
@@ -153,8 +154,8 @@ public class LIDAR extends SensorObject implements SerialObject {
 
     private String noSuchFan() {
         String able = LidarModel.namesWith(spread, resolution);
-        return atItsPort() + ", and none has spread " + Parameter.format(spread) + " with resolution " + Parameter.format(resolution) + " deg, legal: "
-            + device().fans() + "; without setPorts every fan, read by sear.getLidarResult(\"" + getName() + "\")"
+        return atItsPort() + ", and none has spread " + Parameter.format(spread) + " with resolution " + Parameter.format(resolution)
+            + " deg, legal: " + device().fans() + "; without setPorts every fan, read by sear.getLidarResult(\"" + getName() + "\")"
             + (able.isEmpty() ? "; no model has it" : "; setModel has it with " + able);
     }
 

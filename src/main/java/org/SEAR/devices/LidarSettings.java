@@ -38,7 +38,8 @@ public final class LidarSettings {
         }
         boolean fan = model.hasFan(lidar.getSpread(), lidar.getResolution());
         if (!fan) {
-            context.warn("spread " + lidar.getSpread() + " with resolution " + lidar.getResolution() + " is none of " + model.withArticle() + " (" + model.fans() + "): its device starts with " + model.widestFan());
+            context.warn("spread " + lidar.getSpread() + " with resolution " + lidar.getResolution() + " is none of "
+                + model.withArticle() + " (" + model.fans() + "): its device starts with " + model.widestFan());
         }
         int baud = lidar.getBaud();
         if (!model.hasBaud(baud)) {

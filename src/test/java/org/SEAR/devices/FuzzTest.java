@@ -81,7 +81,8 @@ public class FuzzTest {
     @Test
     public void scannersWithCola() {
         for (LidarModel model : new LidarModel[] {LidarModel.LMS111, LidarModel.TIM561}) {
-            fuzz(line -> org.SEAR.devices.cola.Devices.scanner(model, line), Bytes.ints("02 02 02 02 03 00 00 09 73 52 4E 20 53 54 6C 6D 73 3A"), null,
+            int[] likely = Bytes.ints("02 02 02 02 03 00 00 09 73 52 4E 20 53 54 6C 6D 73 3A");
+            fuzz(line -> org.SEAR.devices.cola.Devices.scanner(model, line), likely, null,
                 "02 02 02 02 00 00 00 07 73 4D 4E 20 52 75 6E 19", "73 41 4E 20 52 75 6E 20 01");
         }
     }

@@ -201,7 +201,8 @@ public class ThirdPartyDriversTest {
         while (fix == null && System.nanoTime() < deadline) {
             Process pipe = programs.start(new ProcessBuilder(words(DocBlock.commands("docs/other-programs.md", "gpspipe "), "localhost",
                 "-n 12 localhost:" + number)));
-            fix = programs.read(pipe, 20).stream().filter(line -> line.matches(".*\"class\":\"TPV\".*\"mode\":[23].*\"lat\":.*")).findFirst().orElse(null);
+            fix = programs.read(pipe, 20).stream().filter(line -> line.matches(".*\"class\":\"TPV\".*\"mode\":[23].*\"lat\":.*")).findFirst()
+                .orElse(null);
         }
         assertTrue("no fix", fix != null);
         assertEquals(LATITUDE, number(fix, "lat"), 1e-5);

@@ -13,8 +13,8 @@ import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.LidarSource;
 
 /**
- * The firmware of SICK's LMS1xx and TiM: requests of CoLa A and B, each answered in its own dialect, and a stream of scans. It measures scan after scan
- * at its own rate; a request for a scan gets the newest one. What the requests do stands in {@link Commands}. One client at a time.
+ * The firmware of SICK's LMS1xx and TiM: requests of CoLa A and B, each answered in its own dialect, and a stream of scans. It measures scan
+ * after scan at its own rate; a request for a scan gets the newest one. What the requests do stands in {@link Commands}. One client at a time.
  */
 public final class ColaScanner implements SerialDevice {
     /** End of a request to its answer, seconds; real ones take a few milliseconds. */

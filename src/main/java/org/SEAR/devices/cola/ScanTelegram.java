@@ -7,16 +7,15 @@ import org.SEAR.protocol.cola.ColaDialect;
 import org.SEAR.protocol.cola.ColaPayload;
 
 /**
- * A scan as LMDscandata tells it: state, counters, times, a channel of distances for each echo, one of remissions, and what else the settings ask for.
- * Distances are millimetres; 0 where nothing was hit or what was hit is nearer or farther than the model measures. No second echo and no remission is
- * simulated: the second echo is 0 everywhere, the remission {@link #REMISSION} where something was hit. Immutable.
+ * A scan as LMDscandata tells it: state, counters, times, a channel of distances for each echo, one of remissions, and what else the settings ask
+ * for. Distances are millimetres; 0 where nothing was hit or what was hit is nearer or farther than the model measures. No second echo and no
+ * remission is simulated: the second echo is 0 everywhere, the remission {@link #REMISSION} where something was hit. Immutable.
  */
 final class ScanTelegram {
     /** Of whatever was hit; a scanner's own unit. */
     private static final int REMISSION = 100;
     static final int SERIAL_NUMBER = 18340008;
     private static final int MM_PER_METRE = 1000;
-    private static final int LARGEST = 0xFFFF;
     private static final int MICROSECONDS = 1000000;
     /** In a microsecond. */
     private static final int NANOSECONDS = 1000;
@@ -42,7 +41,7 @@ final class ScanTelegram {
         distances = new int[metres.length];
         for (int i = 0; i < metres.length; i++) {
             long mm = metres[i] >= model.lidar.getNearest() && metres[i] < Double.POSITIVE_INFINITY ? Math.round(metres[i] * MM_PER_METRE) : 0;
-            distances[i] = mm > LARGEST ? 0 : (int) mm;
+            distances[i] = mm > model.lidar.getFarthest() * MM_PER_METRE ? 0 : (int) mm;
         }
     }
 

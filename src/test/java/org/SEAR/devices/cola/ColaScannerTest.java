@@ -133,7 +133,8 @@ public class ColaScannerTest {
         assertEquals("outputs, reserved, 15 Hz, 16.2 kHz, encoders, one channel", "01 00 00 00 00 00 05 DC 00 00 00 A2 00 00 00 01",
             Bytes.hex(Arrays.copyOfRange(scan, 48, 64)));
         assertEquals("DIST1", new String(scan, 64, 5, StandardCharsets.US_ASCII));
-        assertEquals("-45 degrees, a third of a degree, 811 values of 2000", "FF F9 22 30 0D 05 03 2B 07 D0", Bytes.hex(Arrays.copyOfRange(scan, 77, 87)));
+        assertEquals("-45 degrees, a third of a degree, 811 values of 2000", "FF F9 22 30 0D 05 03 2B 07 D0",
+            Bytes.hex(Arrays.copyOfRange(scan, 77, 87)));
         assertEquals("four bytes of length and nine around it", scan.length - 9, (scan[6] & 0xFF) << 8 | scan[7] & 0xFF);
     }
 
@@ -222,7 +223,8 @@ public class ColaScannerTest {
         line.sensor = new AngleScanner();
         device = line.attach(new ColaScanner(ColaModel.LMS111, 270, 0.5, LidarModel.LMS111.getBaud(), line));
         ask(LOGIN);
-        int[][] ranges = {{-450000, 2250000}, {0, 1800000}, {900000, 900000}, {1000000, 2250000}, {-450000, -445000}, {895000, 900000}, {123400, 987600}};
+        int[][] ranges = {{-450000, 2250000}, {0, 1800000}, {900000, 900000}, {1000000, 2250000}, {-450000, -445000}, {895000, 900000},
+            {123400, 987600}};
         for (int[] range : ranges) {
             assertEquals("sWA LMPoutputRange", ask("sWN LMPoutputRange 1 1388 " + hex(range[0]) + " " + hex(range[1])));
             double first = range[0] / 10000.0 - 90;
@@ -242,9 +244,9 @@ public class ColaScannerTest {
 
     @Test
     public void whatItCantMeasureIsZero() {
-        power(LidarModel.LMS111, 270, 0.5, beam -> new double[] {0.499, 0.5, 20, 65.535, 65.536, Double.POSITIVE_INFINITY}[beam % 6]);
+        power(LidarModel.LMS111, 270, 0.5, beam -> new double[] {0.499, 0.5, 20, 20.0004, 20.001, Double.POSITIVE_INFINITY}[beam % 6]);
         String[] scan = ask("sRN LMDscandata").split(" ");
-        assertEquals("0 1F4 4E20 FFFF 0 0", String.join(" ", Arrays.copyOfRange(scan, FIRST_VALUE, FIRST_VALUE + 6)));
+        assertEquals("0 1F4 4E20 4E20 0 0", String.join(" ", Arrays.copyOfRange(scan, FIRST_VALUE, FIRST_VALUE + 6)));
     }
 
     @Test

@@ -53,7 +53,8 @@ public class ColaCodecTest {
         golden("02 02 02 02 00 00 00 13 73 52 41 20 53 43 64 65 76 69 63 65 73 74 61 74 65 20 01 1E", b("sRA", "SCdevicestate").u1(1));
         golden("02 02 02 02 00 00 00 11 73 45 4E 20 4C 4D 44 73 63 61 6E 64 61 74 61 20 01 33", b("sEN", "LMDscandata").u1(1));
         golden("02 02 02 02 00 00 00 11 73 45 41 20 4C 4D 44 73 63 61 6E 64 61 74 61 20 01 3C", b("sEA", "LMDscandata").u1(1));
-        golden("02 02 02 02 00 00 00 25 73 4D 4E 20 6D 4C 4D 50 73 65 74 73 63 61 6E 63 66 67 20 00 00 13 88 00 01 00 00 13 88 FF F9 22 30 00 22 55 10 21",
+        golden("02 02 02 02 00 00 00 25 73 4D 4E 20 6D 4C 4D 50 73 65 74 73 63 61 6E 63 66 67 20 "
+            + "00 00 13 88 00 01 00 00 13 88 FF F9 22 30 00 22 55 10 21",
             b("sMN", "mLMPsetscancfg").i4(5000).u2(1).i4(5000).i4(-450000).i4(2250000));
     }
 
@@ -161,7 +162,8 @@ public class ColaCodecTest {
 
     @Test
     public void garbageBetweenTelegramsIsSkipped() {
-        byte[] noise = Bytes.bytes("00 FF 03 41 00 02 73 02 73 52 4E 20 61 03 00 02 02 02 02 00 00 00 02 41 42 00 02 02 02 02 7F 00 00 00 02 73 52 4E 20 62 03");
+        byte[] noise = Bytes.bytes("00 FF 03 41 00 02 73 02 73 52 4E 20 61 03 00 "
+            + "02 02 02 02 00 00 00 02 41 42 00 02 02 02 02 7F 00 00 00 02 73 52 4E 20 62 03");
         StringBuilder names = new StringBuilder();
         read(noise).forEach(one -> names.append(one).append(';'));
         assertEquals("broken off, wrong checksum and too long are left out", "sRN a;sRN b;", names.toString());

@@ -82,6 +82,11 @@ public class Floor extends Shape {
     }
 
     @Override
+    public Double getPictureTile() {
+        return imageSize == null ? super.getPictureTile() : imageSize;
+    }
+
+    @Override
     public boolean isGround() {
         return true;
     }

@@ -1,5 +1,7 @@
 package org.SEAR.POJOs;
 
+import java.util.Map;
+
 /** A thing with a surface, a mass and a picture. */
 public abstract class Shape extends PlacedObject {
     /** Smallest size of anything, metres. */
@@ -10,6 +12,8 @@ public abstract class Shape extends PlacedObject {
     static final double LIGHT = 1e-6;
     /** Heaviest thing, kg. */
     static final double HEAVY = 1e6;
+    /** The pictures of surfaces that come with SEAR, and how many metres wide and high one is. */
+    private static final Map<String, Double> TILES = Map.of("textures/tiles.png", 1.0, "textures/brick.png", 1.0, "textures/grass.png", 2.0);
 
     @Param(doc = "mass; 0 fixes the object in place", unit = "kg", min = LIGHT, orZero = true, max = HEAVY)
     private double mass;
@@ -74,6 +78,11 @@ public abstract class Shape extends PlacedObject {
     public final String getPicture() {
         String path = image == null && color == null ? defaultPicture() : image;
         return path != null && path.startsWith("./") ? path.substring(2) : path;
+    }
+
+    /** Metres after which its picture is repeated, so that it has its true size on shapes of any size; null if it covers each side once. */
+    public Double getPictureTile() {
+        return getPicture() == null ? null : TILES.get(getPicture());
     }
 
     /** The picture of a shape without one, which comes with SEAR; null for none. */

@@ -4,6 +4,8 @@ import java.util.Arrays;
 
 /** The surface of a solid as it is drawn: triangles with normals and the place of the picture that is wrapped around. Not for several threads. */
 public final class SurfaceMesh {
+    private static final float HALF = 0.5f;
+
     private float[] positions = new float[96];
     private float[] normals = new float[96];
     private float[] pictures = new float[64];
@@ -67,5 +69,62 @@ public final class SurfaceMesh {
     /** Three vertices a triangle. */
     public int[] getIndices() {
         return Arrays.copyOf(indices, corners);
+    }
+
+    /**
+     * Has a picture repeated in its true size over the sides of a box.
+     *
+     * @param size metres that the picture is wide and high
+     */
+    public void tile(double size) {
+        for (int i = 0; i < vertices; i++) {
+            boolean level = Math.abs(normals[3 * i + 1]) > HALF;
+            pictures[2 * i] = (float) (positions[Math.abs(normals[3 * i]) > HALF ? 3 * i + 2 : 3 * i] / size);
+            pictures[2 * i + 1] = (float) (positions[level ? 3 * i + 2 : 3 * i + 1] / size);
+        }
+    }
+
+    /** Adds what a triangle mesh looks like: each triangle flat. */
+    public void addFlat(Triangles mesh, double[] scale) {
+        double[] at = new double[9];
+        for (int first = 0; first < mesh.indices.length; first += 3) {
+            for (int i = 0; i < at.length; i++) {
+                at[i] = mesh.vertices[3 * mesh.indices[first + i / 3] + i % 3] * scale[i % 3];
+            }
+            addFlat(at);
+        }
+    }
+
+    private void addFlat(double[] at) {
+        double ax = at[3] - at[0];
+        double ay = at[4] - at[1];
+        double az = at[5] - at[2];
+        double bx = at[6] - at[0];
+        double by = at[7] - at[1];
+        double bz = at[8] - at[2];
+        double nx = ay * bz - az * by;
+        double ny = az * bx - ax * bz;
+        double nz = ax * by - ay * bx;
+        if (nx == 0 && ny == 0 && nz == 0) {
+            return;
+        }
+        for (int i = 0; i < at.length; i += 3) {
+            vertex(at[i], at[i + 1], at[i + 2], nx, ny, nz, 0, 0);
+        }
+        triangle(vertices - 3, vertices - 2, vertices - 1);
+    }
+
+    /** The same surface of something that stands at a pose. */
+    public SurfaceMesh placed(Pose pose) {
+        SurfaceMesh placed = new SurfaceMesh();
+        for (int i = 0; i < vertices; i++) {
+            double[] at = pose.transform(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
+            double[] normal = pose.rotate(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]);
+            placed.vertex(at[0], at[1], at[2], normal[0], normal[1], normal[2], pictures[2 * i], pictures[2 * i + 1]);
+        }
+        for (int i = 0; i < corners; i += 3) {
+            placed.triangle(indices[i], indices[i + 1], indices[i + 2]);
+        }
+        return placed;
     }
 }

@@ -11,8 +11,10 @@ import java.util.concurrent.Future;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Shape;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
@@ -215,6 +217,16 @@ public final class Simulation implements AutoCloseable {
      */
     public double[][] getOutline(SearObject object) {
         return world.getOutline(object);
+    }
+
+    /**
+     * What a shape looks like, in its own frame, metres. Any thread.
+     *
+     * @param shape of this world's project
+     * @return null for a terrain, which is drawn by its heights
+     */
+    public SurfaceMesh getSurface(Shape shape) {
+        return world.getSurface(shape);
     }
 
     /**

@@ -13,6 +13,7 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
@@ -243,6 +244,13 @@ final class World implements PhysicsWorld.Touches {
     /** See {@link Solid#outline}. */
     double[][] getOutline(SearObject object) {
         return shapes.containsKey(object) ? shapes.get(object).outline() : new double[0][];
+    }
+
+    /** See {@link Simulation#getSurface}. */
+    SurfaceMesh getSurface(Shape shape) {
+        Solid solid = shapes.get(shape);
+        SurfaceMesh look = solid == null ? null : Solids.look(solid, shape);
+        return look == null ? null : look.placed(solid.offset);
     }
 
     List<double[]> getContacts() {

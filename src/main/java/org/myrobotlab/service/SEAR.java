@@ -739,6 +739,15 @@ public class SEAR extends Service<SEARConfig> {
         return calls.attempt(() -> parts.terrain());
     }
 
+    /**
+     * What shapes look like, for panels that show them in space; the form stands at {@code Looks}.
+     *
+     * @param wanted keys of looks and pictures that the panel has not got
+     */
+    public List<Map<String, Object>> getLooks(List<String> wanted) {
+        return calls.attempt(() -> parts.looks(wanted));
+    }
+
     /** Tells panels why a project could not be started or loaded. */
     public List<Problem> publishProblems(List<Problem> problems) {
         return problems;

@@ -129,6 +129,11 @@ final class SearParts {
         return terrain.of(session == null ? Project.read(Projects.folder()) : session.ask(Simulation::getProject));
     }
 
+    /** What shapes of the running world, or else of the project, look like. */
+    public List<Map<String, Object>> looks(List<String> wanted) {
+        return control.isRunning() ? feed.looks(wanted) : preview.looks(wanted);
+    }
+
     /** What is wrong with the project; empty if nothing. */
     public List<Problem> problems() {
         try {

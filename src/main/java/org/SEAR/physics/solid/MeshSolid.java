@@ -63,7 +63,9 @@ class MeshSolid extends Solid {
 
     @Override
     public SurfaceMesh look() {
-        return null;
+        SurfaceMesh look = new SurfaceMesh();
+        look.addFlat(mesh, scale);
+        return look;
     }
 
     @Override

@@ -46,7 +46,7 @@ public abstract class Solid {
     /** What of it collides, with its volume, centre of mass and inertia; made once. */
     protected abstract ConvexShape makeConvex();
 
-    /** What the window shows of it, in its own frame; null for a model, whose file has its own look. */
+    /** What it looks like, in its own frame: of a model its triangles, without the look that its file has; null for a terrain. */
     public abstract SurfaceMesh look();
 
     /** Points of its surface that are enough to draw its outline from any side: {x, y, z} in its own frame, metres. */

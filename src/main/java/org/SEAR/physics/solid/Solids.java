@@ -17,6 +17,7 @@ import org.SEAR.POJOs.Sphere;
 import org.SEAR.POJOs.Terrain;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.project.Project;
 import org.SEAR.project.models.ModelLoader;
 import org.SEAR.project.problems.Problem;
@@ -114,6 +115,16 @@ public final class Solids implements ObjectTypes {
             }
         }
         return null;
+    }
+
+    /** What a shape looks like in its solid's frame: a picture that is repeated in its true size is so on boxes; null for a terrain. */
+    public static SurfaceMesh look(Solid solid, Shape shape) {
+        SurfaceMesh look = solid.look();
+        Double tile = shape.getPictureTile();
+        if (tile != null && solid instanceof BoxSolid) {
+            look.tile(tile);
+        }
+        return look;
     }
 
     private static Solid withSurface(Solid solid, Shape shape) {

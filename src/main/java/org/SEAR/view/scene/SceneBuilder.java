@@ -12,7 +12,6 @@ import com.jme3.scene.VertexBuffer.Type;
 import com.jme3.scene.shape.Box;
 import com.jme3.util.BufferUtils;
 import java.io.IOException;
-import java.util.Map;
 import java.util.function.Consumer;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Model;
@@ -24,7 +23,6 @@ import org.SEAR.POJOs.Terrain;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
-import org.SEAR.physics.solid.BoxSolid;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.physics.solid.Solids;
 import org.SEAR.project.ObjectPose;
@@ -38,9 +36,6 @@ public final class SceneBuilder {
     private static final ColorRGBA SENSOR = new ColorRGBA(0.16f, 0.18f, 0.22f, 1);
     private static final float SENSOR_SIZE = 0.015f;
     private static final float SPOKE = 0.18f;
-    private static final float HALF = 0.5f;
-    /** The pictures of surfaces that come with SEAR, and how many metres wide and high one is. */
-    private static final Map<String, Float> TILES = Map.of("textures/tiles.png", 1f, "textures/brick.png", 1f, "textures/grass.png", 2f);
 
     private final ModelLoader models;
     private final Materials materials;
@@ -98,52 +93,28 @@ public final class SceneBuilder {
         if (solid == null) {
             return new Node(shape.getName());
         }
-        Geometry geometry = new Geometry(shape.getName(), mesh(solid, tile(shape)));
+        Geometry geometry = new Geometry(shape.getName(), mesh(Solids.look(solid, shape)));
         geometry.setMaterial(materials.surface(shape));
         geometry.setShadowMode(shape instanceof Floor ? ShadowMode.Receive : ShadowMode.CastAndReceive);
         place(geometry, solid.offset);
         return geometry;
     }
 
-    /** Metres after which a shape's picture is repeated; null if the picture covers each face once. */
-    private static Float tile(Shape shape) {
-        if (shape instanceof Floor && ((Floor) shape).getImageSize() != null) {
-            return ((Floor) shape).getImageSize().floatValue();
-        }
-        return shape.getPicture() == null ? null : TILES.get(shape.getPicture());
-    }
-
-    /** @param tile metres of the picture of a surface, which a box repeats in its true size; null for other pictures, which cover each face once */
-    private static Mesh mesh(Solid solid, Float tile) {
-        SurfaceMesh look = solid.look();
-        boolean repeated = tile != null && solid instanceof BoxSolid;
+    private static Mesh mesh(SurfaceMesh look) {
         Mesh mesh = new Mesh();
         mesh.setBuffer(Type.Position, 3, BufferUtils.createFloatBuffer(look.getPositions()));
         mesh.setBuffer(Type.Normal, 3, BufferUtils.createFloatBuffer(look.getNormals()));
-        mesh.setBuffer(Type.TexCoord, 2, BufferUtils.createFloatBuffer(repeated ? tiled(look, tile) : look.getPictures()));
+        mesh.setBuffer(Type.TexCoord, 2, BufferUtils.createFloatBuffer(look.getPictures()));
         mesh.setBuffer(Type.Index, 3, BufferUtils.createIntBuffer(look.getIndices()));
         mesh.updateBound();
         mesh.setStatic();
         return mesh;
     }
 
-    /** The places in a picture of a surface that is repeated in its true size. */
-    private static float[] tiled(SurfaceMesh box, float size) {
-        float[] places = box.getPositions();
-        float[] normals = box.getNormals();
-        float[] pictures = box.getPictures();
-        for (int i = 0; i < pictures.length / 2; i++) {
-            boolean level = Math.abs(normals[3 * i + 1]) > HALF;
-            pictures[2 * i] = places[Math.abs(normals[3 * i]) > HALF ? 3 * i + 2 : 3 * i] / size;
-            pictures[2 * i + 1] = places[level ? 3 * i + 2 : 3 * i + 1] / size;
-        }
-        return pictures;
-    }
-
     private Spatial wheel(Wheel wheel) throws IOException, ProjectException {
         Node node = new Node(wheel.getName());
         Solid solid = Solids.of(wheel, () -> models);
-        Geometry tyre = new Geometry("tyre", mesh(solid, null));
+        Geometry tyre = new Geometry("tyre", mesh(solid.look()));
         tyre.setMaterial(wheel.getImage() == null && !wheel.hasColor() ? materials.lit(TYRE) : materials.surface(wheel));
         place(tyre, solid.offset);
         float radius = (float) wheel.getRadius();

@@ -9,6 +9,7 @@ import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.UUID;
@@ -30,6 +31,7 @@ import org.myrobotlab.service.sear.run.RunSettings;
  * <p>The form of a world stands at {@link WorldJson}; where there is no project yet, it has nothing in it. Any thread; one at a time.
  */
 public final class Preview {
+    private final Looks looks = new Looks();
     private Map<String, Object> last = Collections.emptyMap();
 
     /** @param known the stamp that the asker has; empty if none */
@@ -49,17 +51,22 @@ public final class Preview {
         return last;
     }
 
-    private static Map<String, Object> make(Path folder, String stamp) {
+    private Map<String, Object> make(Path folder, String stamp) {
         if (!Files.isDirectory(folder)) {
             return answer(stamp, WorldJson.empty(), Collections.emptyList(), null);
         }
         try (Simulation start = Simulation.load(folder, RunSettings.fromSystem().seed)) {
-            return answer(stamp, new WorldJson().of(start), Collections.emptyList(), null);
+            return answer(stamp, new WorldJson(looks).of(start), Collections.emptyList(), null);
         } catch (ProjectException e) {
             return answer(stamp, null, e.getProblems(), null);
         } catch (RuntimeException e) {
             return answer(stamp, null, Collections.emptyList(), "its world can't be made: " + e);
         }
+    }
+
+    /** What the shapes of the last world look like, as {@link Looks} tells it. */
+    public List<Map<String, Object>> looks(List<String> wanted) {
+        return looks.of(wanted);
     }
 
     /** There is no world, and not because of the project. */

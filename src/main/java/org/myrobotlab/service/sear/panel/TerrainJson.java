@@ -1,19 +1,11 @@
 package org.myrobotlab.service.sear.panel;
 
 import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import javax.imageio.IIOImage;
-import javax.imageio.ImageIO;
-import javax.imageio.ImageWriteParam;
-import javax.imageio.ImageWriter;
-import javax.imageio.stream.ImageOutputStream;
 import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.HeightField;
 import org.SEAR.terrain.relief.GroundPicture;
@@ -42,7 +34,6 @@ final class TerrainJson {
     /** Points on a side at which latitude and longitude are told: between them straight is right to a metre over 100 km. */
     static final int PLACES = 33;
     private static final int PER_POST = 3;
-    private static final float QUALITY = 0.85f;
     private static final double SMALLER = 0.8;
     private static final double FULL = 65535;
     private static final double MILLIMETRES = 1e3;
@@ -67,7 +58,7 @@ final class TerrainJson {
         map.put("north", field.x(field.rows - 1));
         map.put("west", field.z(0));
         map.put("east", field.z(field.columns - 1));
-        map.put("picture", "data:image/jpeg;base64," + Base64.getEncoder().encodeToString(picture(field, detail, colors)));
+        map.put("picture", SmallPicture.address("jpeg", picture(field, detail, colors)));
         addHeights(map, field);
         map.put("altitude", origin == null ? null : WorldJson.rounded(altitude, MILLIMETRES));
         map.put("places", origin == null ? null : places(field, origin));
@@ -90,20 +81,7 @@ final class TerrainJson {
         for (int row = 0; row < picture.height; row++) {
             image.setRGB(0, picture.height - 1 - row, picture.width, 1, picture.pixels, row * picture.width, picture.width);
         }
-        ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ImageOutputStream out = ImageIO.createImageOutputStream(bytes)) {
-            writer.setOutput(out);
-            ImageWriteParam how = writer.getDefaultWriteParam();
-            how.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
-            how.setCompressionQuality(QUALITY);
-            writer.write(null, new IIOImage(image, null, null), how);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        } finally {
-            writer.dispose();
-        }
-        return bytes.toByteArray();
+        return SmallPicture.jpeg(image);
     }
 
     private static void addHeights(Map<String, Object> map, HeightField field) {

@@ -28,7 +28,8 @@ public final class WorldFeed {
     private static final double FASTEST = 1e6;
     private static final double ROUNDING = 1e3;
 
-    private final WorldJson state = new WorldJson();
+    private final Looks looks = new Looks();
+    private final WorldJson state = new WorldJson(looks);
     private long number;
     private Simulation world;
     private Map<String, Object> last;
@@ -64,6 +65,11 @@ public final class WorldFeed {
         Map<String, Object> message = numbered(state.of(present));
         message.put("warnings", present.snapshot().warnings);
         return message;
+    }
+
+    /** What its shapes look like, as {@link Looks} tells it. */
+    public List<Map<String, Object>> looks(List<String> wanted) {
+        return looks.of(wanted);
     }
 
     /** The world has ended. */

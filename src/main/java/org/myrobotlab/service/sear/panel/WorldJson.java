@@ -32,13 +32,14 @@ import org.myrobotlab.service.sear.readings.ScriptReadings;
  * <pre>
  * {"time": 1.5, "step": 90,
  *  "objects": [{"name": "Box1", "type": "Box", "corners": [[x, y, z], ..] (enough for its outline from any side, in its own frame),
- *               "image": null, "color": "#c49a6c", "colored": false (whether the colour is its own, not its kind's),
+ *               "look": "6f1e.." (see {@link Looks}; empty if it is not told), "picture": "textures/cardboard.png" or null,
+ *               "color": "#c49a6c", "colored": false (whether the colour is its own, not its kind's),
  *               "pose": [..]},
  *              {"name": "Tree1", "type": "Model", "terrain": false, ..},
  *              {"name": "Land", "type": "Terrain", "ground": "1f-2e" (its stamp: see {@link TerrainMap}), ..}],
  *  "robots": [{"name": "myRoomba", "pose": [..], "speed": 0.2, "turnRate": 0, "radius": 0.17, "path": [[x, z], ..],
  *              "devices": [{"name", "on" (whether it has power), "status" (what it is doing)}],
- *              "parts": [{"name", "type", "corners", "image", "color", "colored", "pose" (in the body)}]}],
+ *              "parts": [{"name", "type", "corners", "look", "picture", "color", "colored", "pose" (in the body)}], "wheels": [pose, ..]}],
  *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "hit": [x, y, z] or null,
  *               "cones": [{"halfAngle", "range", "yaw"}]},
  *              {"name": "myLidar", "type": "LIDAR", "pose": [..], "spread": 180, "resolution": 1, "ranges": [.., null, ..]}]}
@@ -56,11 +57,17 @@ public final class WorldJson {
     private static final int LONGEST_PATH = 500;
 
     private final Map<String, List<double[]>> paths = new LinkedHashMap<>();
+    private final Looks looks;
     private double lastTime;
+
+    WorldJson(Looks looks) {
+        this.looks = looks;
+    }
 
     /** The world without what only a running simulation has; simulation thread. */
     public synchronized Map<String, Object> of(Simulation world) {
         Map<String, Object> state = moving(world);
+        looks.begin(world);
         addFixed(list(state, "objects"), world.getProject().getEnvironment(), world);
         List<Map<String, Object>> robots = list(state, "robots");
         List<Map<String, Object>> sensors = list(state, "sensors");
@@ -115,18 +122,18 @@ public final class WorldJson {
         return map;
     }
 
-    private static void addFixed(List<Map<String, Object>> maps, List<? extends SearObject> objects, Simulation world) {
+    private void addFixed(List<Map<String, Object>> maps, List<? extends SearObject> objects, Simulation world) {
         for (int i = 0; i < maps.size(); i++) {
             addFixed(maps.get(i), objects.get(i), world);
         }
     }
 
-    private static void addFixed(Map<String, Object> map, SearObject object, Simulation world) {
+    private void addFixed(Map<String, Object> map, SearObject object, Simulation world) {
         map.put("name", object.getName());
         map.put("type", object.getClass().getSimpleName());
         map.put("corners", corners(world.getOutline(object)));
         if (object instanceof Shape) {
-            map.put("image", ((Shape) object).getImage());
+            looks.add(map, (Shape) object, world);
             map.put("color", ((Shape) object).getColor());
             map.put("colored", ((Shape) object).hasColor());
         }
@@ -165,9 +172,17 @@ public final class WorldJson {
             map.put("speed", rounded(robot.speed, FINE));
             map.put("turnRate", rounded(robot.turnRate, FINE));
             map.put("devices", devices(robot));
+            map.put("wheels", wheels(robot));
             extendPath(robot);
             list.add(map);
         }
+        return list;
+    }
+
+    /** Their poses in the body, as they have turned, in the order of the wheels among the parts. */
+    private static List<double[]> wheels(Snapshot.RobotState robot) {
+        List<double[]> list = new ArrayList<>();
+        robot.wheels.forEach(pose -> list.add(numbers(pose)));
         return list;
     }
 
@@ -183,7 +198,7 @@ public final class WorldJson {
         return list;
     }
 
-    private static List<Object> parts(Simulation world, Robot robot) {
+    private List<Object> parts(Simulation world, Robot robot) {
         List<SearObject> visible = new ArrayList<>();
         robot.getObject().getComponents().stream().filter(part -> part instanceof Shape).forEach(visible::add);
         visible.addAll(robot.getObject().getWheels());

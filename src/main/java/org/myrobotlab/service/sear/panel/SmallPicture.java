@@ -1,0 +1,92 @@
+package org.myrobotlab.service.sear.panel;
+
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.Base64;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.ImageWriter;
+import javax.imageio.stream.ImageOutputStream;
+
+/** Pictures in the form that pages show, small enough for one message. */
+final class SmallPicture {
+    private static final String DATA = "data:image/";
+    private static final float QUALITY = 0.85f;
+    /** Pixels of the longer side. */
+    private static final int LONGEST = 512;
+    /** Characters of an address. */
+    private static final int MOST = 400_000;
+    private static final double SMALLER = 0.7;
+
+    private SmallPicture() {
+    }
+
+    /**
+     * A picture of a project, at most 512 pixels long, as an address of its own; what can be seen through stays so.
+     *
+     * @param bytes whose size was checked
+     * @param path for the error
+     * @throws IOException if it is of another format than PNG, JPEG, GIF or BMP
+     */
+    static String of(byte[] bytes, String path) throws IOException {
+        BufferedImage image = ImageIO.read(new ByteArrayInputStream(bytes));
+        if (image == null) {
+            throw new IOException(path + " is shown in the window only, legal in pages: .png, .jpg, .gif or .bmp");
+        }
+        int longest = Math.min(LONGEST, Math.max(image.getWidth(), image.getHeight()));
+        while (true) {
+            String address = of(image, longest);
+            if (address.length() <= MOST) {
+                return address;
+            }
+            longest *= SMALLER;
+        }
+    }
+
+    private static String of(BufferedImage image, int longest) throws IOException {
+        double scale = (double) longest / Math.max(image.getWidth(), image.getHeight());
+        boolean solid = !image.getColorModel().hasAlpha();
+        BufferedImage small = new BufferedImage(Math.max(1, (int) (image.getWidth() * scale)), Math.max(1, (int) (image.getHeight() * scale)),
+            solid ? BufferedImage.TYPE_INT_RGB : BufferedImage.TYPE_INT_ARGB);
+        Graphics2D pen = small.createGraphics();
+        pen.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+        pen.drawImage(image, 0, 0, small.getWidth(), small.getHeight(), null);
+        pen.dispose();
+        return solid ? address("jpeg", jpeg(small)) : address("png", png(small));
+    }
+
+    /** What a page takes as the address of a picture. */
+    static String address(String format, byte[] bytes) {
+        return DATA + format + ";base64," + Base64.getEncoder().encodeToString(bytes);
+    }
+
+    private static byte[] png(BufferedImage image) throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", bytes);
+        return bytes.toByteArray();
+    }
+
+    /** Without what can be seen through. */
+    static byte[] jpeg(BufferedImage image) {
+        ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ImageOutputStream out = ImageIO.createImageOutputStream(bytes)) {
+            writer.setOutput(out);
+            ImageWriteParam how = writer.getDefaultWriteParam();
+            how.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+            how.setCompressionQuality(QUALITY);
+            writer.write(null, new IIOImage(image, null, null), how);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        } finally {
+            writer.dispose();
+        }
+        return bytes.toByteArray();
+    }
+}

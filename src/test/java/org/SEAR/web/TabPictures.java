@@ -57,10 +57,20 @@ public final class TabPictures {
             for (String tab : new String[] {"sear", "lidar", "gps"}) {
                 browser.click("#tab-" + tab);
                 browser.see("mrl-panel[name='" + tab + "'] > *");
+                if (tab.equals("sear")) {
+                    showInSpace(browser);
+                }
                 browser.script("document.activeElement.blur()");
                 take(browser, folder.resolve("tab-" + tab + ".png"));
             }
         }
+    }
+
+    private static void showInSpace(Browser browser) {
+        browser.click(".sear-space");
+        browser.until("all that is to be seen", () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "scene() !== null")) && Boolean.TRUE.equals(
+            browser.script("var scene = angular.element(document.querySelector('.sear-main')).scope().scene();"
+                + "return Object.keys(scene.looks.wanted).length === 0 && scene.objects.every(function(item) { return item.dressed })")));
     }
 
     /** The mountains of an example, with the pointer on them. */

@@ -22,15 +22,21 @@ import org.slf4j.LoggerFactory;
  */
 public final class PanelFiles {
     private static final Logger log = LoggerFactory.getLogger(PanelFiles.class);
-    private static final List<String> FILES = Arrays.asList("WebGui/app/service/js/%sGui.js",
-        "WebGui/app/service/js/%sTerrain.js", "WebGui/app/service/views/%sGui.html", "%s.png", "%s/%s.py",
-        "%s/maze.sear", "%s/mountain.sear", "%s/office.sear", "%s/ramps.sear", "%s/sensors.sear");
+    private static final List<String> FILES = Arrays.asList("%s.png", "%s/%s.py",
+        "%s/maze.sear", "%s/mountain.sear", "%s/office.sear", "%s/ramps.sear", "%s/sensors.sear", "WebGui/app/service/views/%sGui.html",
+        script("Gui"), script("Geometry"), script("Looks"), script("Map"), script("Panel"), script("Projects"), script("Scene"), script("Terrain"),
+        script("Views"), script("Words"), script("World"));
     /** Where the jar has them. */
     private static final String IN_JAR = "/resource/";
     /** Below the resource root: what was written, by file name, as SHA-256. */
     private static final String RECORD = ".sear-files.properties";
 
     private PanelFiles() {
+    }
+
+    /** A file of a panel's script: {@code Gui} is the one that MyRobotLab loads, the others are loaded by it. */
+    private static String script(String part) {
+        return "WebGui/app/service/js/%s" + part + ".js";
     }
 
     /** Installs the files of a service class. Never throws: what goes wrong is logged. */

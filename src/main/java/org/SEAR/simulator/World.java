@@ -38,6 +38,8 @@ final class World implements PhysicsWorld.Touches {
     private final PhysicsWorld physics = new PhysicsWorld();
     private final Scenes scenes;
     private final List<Body> environment = new ArrayList<>();
+    /** Those of the environment that can move: what is fixed costs nothing in a step. */
+    private final Body[] movable;
     private final List<RobotModel> robots = new ArrayList<>();
     private final List<String> warnings = new ArrayList<>();
     private final VirtualWalls virtualWalls;
@@ -73,6 +75,7 @@ final class World implements PhysicsWorld.Touches {
             }
         }
         environment.stream().filter(Objects::nonNull).forEach(body -> body.mirror(scenes));
+        movable = environment.stream().filter(body -> body != null && !body.isFixed()).toArray(Body[]::new);
         scenes.commit();
         if (project.getGround() != null) {
             warnings.addAll(project.getGround().warnings);
@@ -184,9 +187,9 @@ final class World implements PhysicsWorld.Touches {
         physics.step();
         fallen.look();
         boolean moved = false;
-        for (int i = 0; i < environment.size(); i++) {
-            Body body = environment.get(i);
-            if (body != null && !body.isFixed() && physics.isAwake(body)) {
+        for (int i = 0; i < movable.length; i++) {
+            Body body = movable[i];
+            if (physics.isAwake(body)) {
                 body.mirror(scenes);
                 moved = true;
             }

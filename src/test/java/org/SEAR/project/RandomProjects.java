@@ -24,6 +24,7 @@ import org.SEAR.POJOs.SensorObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Sphere;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.protocol.lidar.LidarModel;
 
 /** Creates random legal projects: any class, any legal value, odd names. The same seed gives the same project. */
 final class RandomProjects {
@@ -156,6 +157,9 @@ final class RandomProjects {
             case 5:
                 LIDAR lidar = new LIDAR(name(), number(0.01, 10000), 360, number(0.01, 360));
                 lidar.LMS(random.nextInt(2));
+                if (random.nextBoolean()) {
+                    lidar.setModel(LidarModel.values()[random.nextInt(LidarModel.values().length)].getName());
+                }
                 return lidar;
             case 6:
                 List<String> beams = new BeamLibrary(ProjectFolder.present()).names();

@@ -101,6 +101,25 @@ public class ColaPortTest {
         }
     }
 
+    /** A network has no baud rate: whatever the port is set to, it is understood. */
+    @Test
+    public void aSerialServiceReadsItAtAnyBaudRate() throws Exception {
+        sear.endExport("/dev/SEAR_LIDAR_01");
+        Heard heard = (Heard) Runtime.start("heard", "Heard");
+        sear.addListener("publishStatus", "heard", "onStatus");
+        Serial serial = (Serial) Runtime.start("plain", "Serial");
+        serial.connect("/dev/SEAR_LIDAR_01", 9600, 8, 1, 0);
+        serial.addListener("publishRX", "heard", "onValue");
+        String answer = "\u0002sRA SCdevicestate 1\u0003";
+        serial.write("\u0002sRN SCdevicestate\u0003".getBytes(StandardCharsets.US_ASCII));
+        StringBuilder text = new StringBuilder();
+        heard.await(answer.length()).forEach(value -> text.append((char) (int) (Integer) value));
+        assertEquals(answer, text.toString());
+        assertEquals("no warning of a wrong rate", "[]", heard.getStatuses().toString());
+        Runtime.releaseService("plain");
+        Runtime.releaseService("heard");
+    }
+
     @Test
     public void eachProgramStartsAfreshWhateverTheOneBeforeHasLeft() throws Exception {
         for (int kill = 0; kill < KILLS; kill++) {

@@ -2,28 +2,41 @@ package org.SEAR.raycast;
 
 import org.SEAR.geometry.HeightField;
 
-/** The lines in which a fan's plane cuts the triangles of two by two cells of a {@link HeightField}. One thread. */
+/**
+ * The lines in which a fan's plane cuts the triangles of four by four cells of a {@link HeightField}. Which of the posts lie under the plane says
+ * which edges it crosses; two crossed edges of a triangle make a line, and the beams that meet it are those that pass between its ends. One thread.
+ */
 final class CellCut {
-    /** Posts in a row. */
-    private static final int WIDTH = 3;
-    /** Up to so many beams are asked one by one. */
-    private static final int FEW = 24;
+    /** Cells on a side. */
+    static final int CELLS = 4;
+    private static final int WIDTH = CELLS + 1;
+    /** A post is numbered by its row times this, and its column. */
+    private static final int ROW = 8;
+    private static final int POSTS = ROW * WIDTH;
+    /** The posts that are the south-western ones of cells, a bit each. */
+    private static final long CORNERS = 0x0f0f0f0fL;
+    /** Those from which an edge goes east, and north. */
+    private static final long EASTWARD = 0x0f0f0f0f0fL;
+    private static final long NORTHWARD = 0x1f1f1f1fL;
+    /** Edges are numbered by the post from which they go; northward ones from here on, diagonal ones from there on. */
+    private static final int NORTH = POSTS;
+    private static final int DIAGONAL = 2 * POSTS;
 
     private final DepthBuffer depth;
     private final TriangleCut triangles;
     private final PlaneCut plane;
-    /** Of the posts: height above the plane, and place in the fan's frame. */
-    private final double[] above = new double[WIDTH * WIDTH];
-    private final double[] left = new double[WIDTH * WIDTH];
-    private final double[] ahead = new double[WIDTH * WIDTH];
+    /** Where rows and columns of posts are, and how far in the field columns are from the first one. */
+    private final double[] souths = new double[WIDTH];
+    private final double[] wests = new double[WIDTH];
+    private final int[] offsets = new int[WIDTH];
+    /** Of the posts: height, and height above the plane. */
+    private final double[] ups = new double[POSTS];
+    private final double[] above = new double[POSTS];
+    /** Of the crossed edges: where, and the first of the beams that passes there or to the left. */
+    private final double[] xs = new double[3 * POSTS];
+    private final double[] zs = new double[3 * POSTS];
+    private final int[] beams = new int[3 * POSTS];
     private final float[] corners = new float[9];
-    private HeightField field;
-    private int first;
-    private int last;
-    private int looked;
-    /** Where the plane crosses an edge. */
-    private double x;
-    private double z;
 
     CellCut(DepthBuffer depth, TriangleCut triangles) {
         this.depth = depth;
@@ -34,96 +47,111 @@ final class CellCut {
     /**
      * Looks at the cells from a south-western post on.
      *
-     * @param from the first beam that may see them, likewise to
+     * @param first the first beam that may see them, likewise last: they see the cells ahead of them, less than half a turn apart
      * @return how many triangles there were to look at
      */
-    int meet(HeightField heights, int row, int column, int from, int to) {
-        field = heights;
-        first = from;
-        last = to;
-        looked = 0;
-        int rows = Math.min(WIDTH, heights.rows - row);
-        int columns = Math.min(WIDTH, heights.columns - column);
-        for (int r = 0; r < rows; r++) {
-            double south = heights.x(row + r);
-            int post = (row + r) * heights.columns + column;
-            for (int c = 0; c < columns; c++) {
-                double up = heights.heights[post + c];
-                double west = heights.z(column + c);
-                above[WIDTH * r + c] = plane.height(south, up, west);
-                left[WIDTH * r + c] = plane.x(south, up, west);
-                ahead[WIDTH * r + c] = plane.z(south, up, west);
+    int meet(HeightField heights, int row, int column, int first, int last) {
+        long under = posts(heights, row, column);
+        long east = (under ^ under >> 1) & EASTWARD;
+        long north = (under ^ under >> ROW) & NORTHWARD;
+        long diagonal = (under ^ under >> ROW + 1) & CORNERS;
+        if ((east | north | diagonal) == 0) {
+            return 0;
+        }
+        cross(under, east, 0, 1, first, last);
+        cross(under, north, NORTH, ROW, first, last);
+        cross(under, diagonal, DIAGONAL, ROW + 1, first, last);
+        long southEastern = (east | diagonal) & CORNERS;
+        for (long posts = southEastern; posts != 0; posts &= posts - 1) {
+            int post = Long.numberOfTrailingZeros(posts);
+            line(post, NORTH + post + 1, DIAGONAL + post, east >> post & 1, diagonal >> post & 1);
+        }
+        long northWestern = (north | diagonal) & CORNERS;
+        for (long posts = northWestern; posts != 0; posts &= posts - 1) {
+            int post = Long.numberOfTrailingZeros(posts);
+            line(NORTH + post, post + ROW, DIAGONAL + post, north >> post & 1, diagonal >> post & 1);
+        }
+        return Long.bitCount(southEastern) + Long.bitCount(northWestern);
+    }
+
+    /** As {@link #meet} for all beams, wherever they and the fan's origin are. */
+    int meetAll(HeightField heights, int row, int column) {
+        int endRow = Math.min(row + CELLS, heights.rows - 1);
+        int endColumn = Math.min(column + CELLS, heights.columns - 1);
+        for (int r = row; r < endRow; r++) {
+            for (int c = column; c < endColumn; c++) {
+                heights.triangle(r, c, 0, corners);
+                triangles.triangle(corners, 0);
+                heights.triangle(r, c, 1, corners);
+                triangles.triangle(corners, 0);
             }
         }
-        for (int r = 0; r < rows - 1; r++) {
-            for (int c = 0; c < columns - 1; c++) {
-                cell(row + r, column + c, WIDTH * r + c);
-            }
-        }
-        return looked;
+        return 2 * (endRow - row) * (endColumn - column);
     }
 
-    private void cell(int row, int column, int southWest) {
-        int southEast = southWest + 1;
-        int northWest = southWest + WIDTH;
-        int northEast = northWest + 1;
-        boolean up = above[southWest] >= 0;
-        boolean lone = above[southEast] >= 0 != up;
-        boolean otherLone = above[northWest] >= 0 != up;
-        if (above[northEast] >= 0 != up) {
-            cross(southWest, northEast);
-            double middleX = x;
-            double middleZ = z;
-            cross(southEast, lone ? southWest : northEast);
-            segment(middleX, middleZ, row, column, 0);
-            cross(northWest, otherLone ? southWest : northEast);
-            segment(middleX, middleZ, row, column, 1);
+    /** Sets out the posts; cells beside the field have no area. Answers which posts lie under the plane. */
+    private long posts(HeightField heights, int row, int column) {
+        int end = heights.columns - 1 - column;
+        for (int c = 0; c < WIDTH; c++) {
+            offsets[c] = Math.min(c, end);
+            wests[c] = heights.z(column + offsets[c]);
+        }
+        long under = 0;
+        for (int r = 0; r < WIDTH; r++) {
+            int line = Math.min(row + r, heights.rows - 1);
+            souths[r] = heights.x(line);
+            under |= row(heights.heights, line * heights.columns + column, r) << ROW * r;
+        }
+        return under;
+    }
+
+    private long row(float[] heights, int from, int row) {
+        int under = 0;
+        for (int c = 0; c < WIDTH; c++) {
+            double y = heights[from + offsets[c]];
+            double height = plane.height(souths[row], y, wests[c]);
+            ups[ROW * row + c] = y;
+            above[ROW * row + c] = height;
+            under |= FanDirections.negative(height + 0.0) << c;
+        }
+        return under;
+    }
+
+    /** Finds where the plane crosses edges, the same for both triangles that share one, and the beams there. */
+    private void cross(long under, long edges, int number, int step, int first, int last) {
+        for (long from = edges; from != 0; from &= from - 1) {
+            int post = Long.numberOfTrailingZeros(from);
+            int down = post + (step & (int) (under >> post & 1) - 1);
+            int up = post + post + step - down;
+            double share = above[up] / (above[up] - above[down]);
+            double south = souths[up / ROW];
+            double west = wests[up % ROW];
+            double otherSouth = souths[down / ROW];
+            double otherWest = wests[down % ROW];
+            double left = plane.x(south, ups[up], west);
+            double ahead = plane.z(south, ups[up], west);
+            double x = left + (plane.x(otherSouth, ups[down], otherWest) - left) * share;
+            double z = ahead + (plane.z(otherSouth, ups[down], otherWest) - ahead) * share;
+            xs[number + post] = x;
+            zs[number + post] = z;
+            beams[number + post] = depth.beams.first(x, z, first, last);
+        }
+    }
+
+    /** The line between the two of a triangle's edges that are crossed: an outer one, the other outer one, the diagonal. */
+    private void line(int outer, int other, int diagonal, long outerCrossed, long diagonalCrossed) {
+        int one = outerCrossed == 1 ? outer : diagonal;
+        int two = (outerCrossed & diagonalCrossed) == 1 ? diagonal : other;
+        if (beams[one] == beams[two]) {
             return;
         }
-        if (lone) {
-            cross(southWest, southEast);
-            double fromX = x;
-            double fromZ = z;
-            cross(southEast, northEast);
-            segment(fromX, fromZ, row, column, 0);
-        }
-        if (otherLone) {
-            cross(southWest, northWest);
-            double fromX = x;
-            double fromZ = z;
-            cross(northWest, northEast);
-            segment(fromX, fromZ, row, column, 1);
-        }
-    }
-
-    /** Where the plane crosses the edge between two posts, one above and one below it; the same for both triangles that share it. */
-    private void cross(int one, int other) {
-        int up = above[one] >= 0 ? one : other;
-        int down = one + other - up;
-        double share = above[up] / (above[up] - above[down]);
-        x = left[up] + (left[down] - left[up]) * share;
-        z = ahead[up] + (ahead[down] - ahead[up]) * share;
-    }
-
-    /** The line from a point to where the last edge was crossed, in one triangle of a cell. */
-    private void segment(double px, double pz, int row, int column, int half) {
-        looked++;
-        double turn = pz * x - px * z;
-        double ex = x - px;
-        double ez = z - pz;
-        if (Math.abs(turn) <= TriangleCut.TOUCHING * (Math.abs(ex) + Math.abs(ez))) {
-            field.triangle(row, column, half, corners);
-            triangles.triangle(corners, 0);
-            return;
-        }
-        double a = -ez / turn;
-        double b = ex / turn;
-        if (last - first > FEW) {
-            triangles.line(px, pz, x, z, turn, a, b);
-        } else if (turn > 0) {
-            depth.line(px, pz, x, z, a, b, triangles.shape(), first, last);
-        } else {
-            depth.line(x, z, px, pz, a, b, triangles.shape(), first, last);
+        double turn = zs[one] * xs[two] - xs[one] * zs[two];
+        double a = -(zs[two] - zs[one]) / turn;
+        double b = (xs[two] - xs[one]) / turn;
+        if (turn > 0) {
+            depth.fill(beams[one], beams[two], a, b, triangles.shape());
+        } else if (turn < 0) {
+            depth.fill(beams[two], beams[one], a, b, triangles.shape());
         }
     }
 }

@@ -1,5 +1,7 @@
 package org.SEAR.raycast;
 
+import java.util.Arrays;
+
 /**
  * What each beam of a fan has met so far. Kept as inverse distances, because along a straight line in the fan's plane the inverse distance is linear
  * in the beam's direction: 1 / t = a * x + b * z. The lower shape number wins a tie, so the order in which shapes come does not matter.
@@ -19,11 +21,8 @@ final class DepthBuffer {
             inverse = new double[count];
             shape = new int[count];
         }
-        double least = Math.nextDown(1 / maxRange * (1 - 1e-15));
-        for (int i = 0; i < count; i++) {
-            inverse[i] = Math.max(0, least);
-            shape[i] = -1;
-        }
+        Arrays.fill(inverse, 0, count, Math.max(0, Math.nextDown(1 / maxRange * (1 - 1e-15))));
+        Arrays.fill(shape, 0, count, -1);
     }
 
     private FanDirections table(double startAngle, double step, int count) {
@@ -96,25 +95,18 @@ final class DepthBuffer {
         return open(from, beams.count - 1, enough) || open(0, to, enough);
     }
 
-    /** Whether a beam could see into a circle of the plane. */
-    boolean isOpen(int beam, double middleX, double middleZ, double radius) {
-        double x = beams.x[beam];
-        double z = beams.z[beam];
-        double along = x * middleX + z * middleZ;
-        return Math.abs(z * middleX - x * middleZ) <= radius && along >= -radius && inverse[beam] * (along - radius) <= 1 + 1e-12;
+    /** Whether a beam could see into a circle of the plane ahead of it, whose nearest point has an inverse distance. */
+    boolean isOpen(int beam, double middleX, double middleZ, double radius, double enough) {
+        return Math.abs(beams.z[beam] * middleX - beams.x[beam] * middleZ) <= radius && inverse[beam] <= enough;
     }
 
-    /** As {@link #line}, for some beams only. */
-    void line(double px, double pz, double qx, double qz, double a, double b, int shapeNumber, int from, int to) {
-        double[] x = beams.x;
-        double[] z = beams.z;
-        for (int i = from; i <= to; i++) {
-            if (z[i] * px - x[i] * pz <= 0 && z[i] * qx - x[i] * qz > 0) {
-                double value = a * x[i] + b * z[i];
-                if (value > inverse[i] || value == inverse[i] && shapeNumber < shape[i]) {
-                    inverse[i] = value;
-                    shape[i] = shapeNumber;
-                }
+    /** The line of inverse distances a * x + b * z, seen by the beams from one up to before another. */
+    void fill(int first, int end, double a, double b, int shapeNumber) {
+        for (int i = first; i < end; i++) {
+            double value = a * beams.x[i] + b * beams.z[i];
+            if (value > inverse[i] || value == inverse[i] && shapeNumber < shape[i]) {
+                inverse[i] = value;
+                shape[i] = shapeNumber;
             }
         }
     }

@@ -66,7 +66,8 @@ final class FanDirections {
         return angle + WRAP[negative(angle)];
     }
 
-    private static int negative(double value) {
+    /** 1 for what has a minus, -0 included. */
+    static int negative(double value) {
         return (int) (Double.doubleToRawLongBits(value) >>> 63);
     }
 
@@ -88,6 +89,26 @@ final class FanDirections {
         }
         while (i < count && side(i, px, pz) > 0) {
             i++;
+        }
+        return i;
+    }
+
+    /** The first of some beams at or to the left of a point, the one after the last where none is. They and the point lie within half a turn. */
+    int first(double px, double pz, int from, int to) {
+        double right = side(from, px, pz);
+        double left = side(to, px, pz);
+        if (right <= 0) {
+            return from;
+        }
+        if (left > 0) {
+            return to + 1;
+        }
+        int i = from + (int) (right / (right - left) * (to - from));
+        while (side(i, px, pz) > 0) {
+            i++;
+        }
+        while (side(i - 1, px, pz) <= 0) {
+            i--;
         }
         return i;
     }

@@ -12,10 +12,14 @@ final class FanHeights {
     private static final double ROUNDING = 1e-13;
     /** Four blocks of each level at most. */
     private static final int DEPTH = 4 * Integer.SIZE;
-    /** From so many beams on their directions are found by angle, not one by one. */
-    private static final int MANY = 24;
+    /** The level whose blocks are cut cell by cell. */
+    private static final int LEAF = 1;
+    /** With more than so many beams it pays to leave out those that pass beside a block. They are less than a quarter of a turn apart. */
+    private static final int FEW = 4;
     /** An angle is at most this times its sine, where that is at most a half. */
     private static final double ARC_SINE = Math.PI / 3 * (1 + 1e-12);
+    /** Metres from a block within which the origin counts as close to it: far more than what counts as touching a triangle. */
+    private static final double CLOSE = 1e-3;
 
     /** Blocks and triangles that the last {@link #cast} looked at. */
     int nodes;
@@ -35,8 +39,10 @@ final class FanHeights {
     private final int[] firsts = new int[DEPTH];
     private final int[] lasts = new int[DEPTH];
     private int size;
+    /** Of the block looked at: the beams that may see into it, and whether they lie around it rather than it ahead of them. */
     private int first;
     private int last;
+    private boolean around;
     private HeightField field;
     private float[] data;
     private double range;
@@ -74,15 +80,17 @@ final class FanHeights {
         triangles = 0;
         first = 0;
         last = depth.beams.count - 1;
-        push(pyramid.top, 0, 0, 0);
+        push(pyramid.top, 0, 0, 0, heights.lowX + halfX[pyramid.top], heights.lowZ + halfZ[pyramid.top]);
         while (size > 0) {
             size--;
             if (see()) {
                 nodes++;
-                if (levels[size] == 0) {
-                    triangles += cells.meet(heights, 2 * rows[size], 2 * columns[size], first, last);
-                } else {
+                if (levels[size] > LEAF) {
                     open(pyramid, levels[size], rows[size], columns[size]);
+                } else if (around) {
+                    triangles += cells.meetAll(heights, CellCut.CELLS * rows[size], CellCut.CELLS * columns[size]);
+                } else {
+                    triangles += cells.meet(heights, CellCut.CELLS * rows[size], CellCut.CELLS * columns[size], first, last);
                 }
             }
         }
@@ -107,32 +115,32 @@ final class FanHeights {
         tilt = Math.sqrt(plane.xb * plane.xb + plane.zb * plane.zb);
     }
 
-    /** Adds the four parts of a block, the nearest last. */
+    /** Adds those of the four parts of a block that the plane meets within the range, the nearest last. */
     private void open(HeightPyramid pyramid, int level, int row, int column) {
+        double x = field.lowX + (2 * row + 1) * halfX[level];
+        double z = field.lowZ + (2 * column + 1) * halfZ[level];
+        int near = (originX >= x ? 2 : 0) + (originZ >= z ? 1 : 0);
         int at = pyramid.children(level, row, column);
-        int north = originX >= field.lowX + (2 * row + 1) * halfX[level] ? 1 : 0;
-        int east = originZ >= field.lowZ + (2 * column + 1) * halfZ[level] ? 1 : 0;
-        int r = 2 * row;
-        int c = 2 * column;
-        push(level - 1, r + 1 - north, c + 1 - east, at + 4 * (1 - north) + 2 * (1 - east));
-        push(level - 1, r + 1 - north, c + east, at + 4 * (1 - north) + 2 * east);
-        push(level - 1, r + north, c + 1 - east, at + 4 * north + 2 * (1 - east));
-        push(level - 1, r + north, c + east, at + 4 * north + 2 * east);
+        double north = halfX[level - 1];
+        double east = halfZ[level - 1];
+        for (int k = 3; k >= 0; k--) {
+            int part = near ^ k;
+            push(level - 1, 2 * row + (part >> 1), 2 * column + (part & 1), at + 2 * part, part > 1 ? x + north : x - north,
+                (part & 1) == 1 ? z + east : z - east);
+        }
     }
 
     /** Keeps a block for later, if the plane meets it within the range. */
-    private void push(int level, int row, int column, int at) {
-        double x = field.lowX + (2 * row + 1) * halfX[level];
+    private void push(int level, int row, int column, int at, double x, double z) {
         double y = ((double) data[at] + data[at + 1]) / 2;
-        double z = field.lowZ + (2 * column + 1) * halfZ[level];
         double halfY = data[at + 1] - y;
         if (!(Math.abs(plane.height(x, y, z)) <= reach[level] + steepness * halfY)) {
             return;
         }
         double left = plane.x(x, y, z);
         double ahead = plane.z(x, y, z);
-        double around = radius[level] + tilt * halfY;
-        if (left * left + ahead * ahead > (range + around) * (range + around)) {
+        double far = radius[level] + tilt * halfY;
+        if (left * left + ahead * ahead > (range + far) * (range + far)) {
             return;
         }
         levels[size] = level;
@@ -140,7 +148,7 @@ final class FanHeights {
         columns[size] = column;
         xs[size] = left;
         zs[size] = ahead;
-        radii[size] = around;
+        radii[size] = far;
         firsts[size] = first;
         lasts[size++] = last;
     }
@@ -149,32 +157,43 @@ final class FanHeights {
     private boolean see() {
         double x = xs[size];
         double z = zs[size];
-        double around = radii[size];
+        double far = radii[size];
+        double squared = x * x + z * z;
         first = firsts[size];
         last = lasts[size];
-        if (last - first >= MANY) {
-            double squared = x * x + z * z;
-            if (squared <= 4 * around * around) {
-                return true;
-            }
-            narrow(x, z, around / Math.sqrt(squared));
+        around = squared <= 4 * far * far || squared < (far + CLOSE) * (far + CLOSE);
+        if (around) {
+            return true;
         }
-        while (first <= last && !depth.isOpen(first, x, z, around)) {
+        double distance = Math.sqrt(squared);
+        double nearest = distance - far;
+        double inverse = 1 / (distance * nearest);
+        if (last - first >= FEW) {
+            narrow(depth.beams.angle(x, z), ARC_SINE * far * nearest * inverse);
+        }
+        double enough = (1 + 1e-12) * distance * inverse;
+        while (first <= last && !depth.isOpen(first, x, z, far, enough)) {
             first++;
         }
-        while (last > first && !depth.isOpen(last, x, z, around)) {
+        while (last > first && !depth.isOpen(last, x, z, far, enough)) {
             last--;
         }
         return first <= last;
     }
 
     /** Leaves out beams that pass beside a circle. */
-    private void narrow(double x, double z, double sine) {
-        double half = ARC_SINE * sine;
-        double middle = depth.beams.angle(x, z);
+    private void narrow(double middle, double half) {
+        FanDirections beams = depth.beams;
         if (FanDirections.inOneGo(middle - half, middle + half)) {
-            first = Math.max(first, depth.beams.from(middle - half));
-            last = Math.min(last, depth.beams.to(middle + half));
+            first = Math.max(first, beams.from(middle - half));
+            last = Math.min(last, beams.to(middle + half));
+            return;
+        }
+        double right = middle < Math.PI ? middle - half + 2 * Math.PI : middle - half;
+        if (beams.from(right) >= beams.count) {
+            last = Math.min(last, beams.to(right + 2 * half - 2 * Math.PI));
+        } else {
+            around = last - first >= FEW;
         }
     }
 }

@@ -122,7 +122,7 @@ final class TriangleCut {
     }
 
     /** The line between two points, seen from the side that the turn says. */
-    void line(double px, double pz, double qx, double qz, double turn, double a, double b) {
+    private void line(double px, double pz, double qx, double qz, double turn, double a, double b) {
         if (turn > 0) {
             depth.line(px, pz, qx, qz, a, b, shape);
         } else {

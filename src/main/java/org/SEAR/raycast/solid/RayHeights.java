@@ -12,7 +12,7 @@ public final class RayHeights {
     private static final double LARGEST = 1e30;
     /** More than the rounding of a place on the beam, relative to how far out the field and the origin are. */
     private static final double ROUNDING = 1e-12;
-    /** Four blocks of each level at most. */
+    /** Four blocks of each level at most, and four cells. */
     private static final int DEPTH = 4 * Integer.SIZE;
 
     /** Blocks looked at since the beginning. */
@@ -28,6 +28,7 @@ public final class RayHeights {
     private int depth;
     private final float[] corners = new float[9];
     private HeightField field;
+    private HeightPyramid pyramid;
     private float[] data;
     private double ox;
     private double oy;
@@ -37,12 +38,22 @@ public final class RayHeights {
     private double dz;
     private double ix;
     private double iz;
-    /** 1 where the beam goes south, or west: there the far side of a cell is met first. */
-    private int south;
-    private int west;
+    /** 1 where the beam goes north, or east; else the other half of a block comes first. */
+    private int north;
+    private int east;
+    /** Of the field: by what its places may be rounded, and how far out they are. */
+    private double ulpX;
+    private double ulpZ;
+    private double far;
+    /** Cells a metre. */
+    private double perX;
+    private double perZ;
+    /** What a place may be off the beam; likewise with the sign of its direction. */
     private double slackX;
     private double slackY;
     private double slackZ;
+    private double aheadX;
+    private double aheadZ;
     private double best;
     private double limit;
     /** The triangle that the last successful {@link #meet} met: twice the number of its south-western post, plus 1 west of the diagonal. */
@@ -50,9 +61,9 @@ public final class RayHeights {
 
     /** The distance to the nearest triangle up to a distance, both in units of the direction's length; the first of two that are equally near. */
     public double meet(HeightField heights, double px, double py, double pz, double vx, double vy, double vz, double maxRange) {
-        field = heights;
-        HeightPyramid pyramid = heights.getPyramid();
-        data = pyramid.data;
+        if (heights != field) {
+            measure(heights);
+        }
         ox = px;
         oy = py;
         oz = pz;
@@ -61,27 +72,27 @@ public final class RayHeights {
         dz = vz;
         ix = inverse(vx);
         iz = inverse(vz);
-        south = ix < 0 ? 1 : 0;
-        west = iz < 0 ? 1 : 0;
-        double farX = Math.max(Math.abs(heights.x(0)), Math.abs(heights.x(heights.rows - 1)));
-        double farZ = Math.max(Math.abs(heights.z(0)), Math.abs(heights.z(heights.columns - 1)));
-        slackX = Math.ulp((float) farX) + ROUNDING * Math.abs(ox);
-        slackZ = Math.ulp((float) farZ) + ROUNDING * Math.abs(oz);
-        slackY = ROUNDING * (Math.max(Math.abs(data[0]), Math.abs(data[1])) + Math.abs(oy) + Math.abs(ox) + Math.abs(oz) + farX + farZ);
+        north = ix < 0 ? 0 : 1;
+        east = iz < 0 ? 0 : 1;
+        slackX = ulpX + ROUNDING * Math.abs(ox);
+        slackZ = ulpZ + ROUNDING * Math.abs(oz);
+        slackY = ROUNDING * (far + Math.abs(oy) + Math.abs(ox) + Math.abs(oz));
+        aheadX = north == 1 ? slackX : -slackX;
+        aheadZ = east == 1 ? slackZ : -slackZ;
         best = Double.POSITIVE_INFINITY;
         limit = maxRange;
         depth = 0;
-        push(pyramid.top, 0, 0, 0, 0, maxRange);
+        start();
         while (depth > 0) {
             depth--;
             nodes++;
             if (ins[depth] > limit) {
                 continue;
             }
-            if (levels[depth] == 0) {
-                cells(rows[depth], columns[depth], ins[depth], outs[depth]);
+            if (levels[depth] < 0) {
+                cell(rows[depth], columns[depth]);
             } else {
-                open(pyramid, levels[depth], rows[depth], columns[depth], ins[depth], outs[depth]);
+                open(levels[depth], rows[depth], columns[depth], ins[depth], Math.min(outs[depth], limit));
             }
         }
         return best;
@@ -91,11 +102,58 @@ public final class RayHeights {
         return Math.abs(d) < 1 / LARGEST ? Math.copySign(LARGEST, d) : 1 / d;
     }
 
-    /** Keeps a block for later, if the part of the beam over it comes between its least and greatest height. */
-    private void push(int level, int row, int column, int at, double in, double out) {
-        double from = oy + in * dy;
-        double to = oy + out * dy;
-        if (in <= out && Math.max(from, to) >= data[at] - slackY && Math.min(from, to) <= data[at + 1] + slackY) {
+    private void measure(HeightField heights) {
+        field = heights;
+        pyramid = heights.getPyramid();
+        data = pyramid.data;
+        double farX = Math.max(Math.abs(heights.x(0)), Math.abs(heights.x(heights.rows - 1)));
+        double farZ = Math.max(Math.abs(heights.z(0)), Math.abs(heights.z(heights.columns - 1)));
+        ulpX = Math.ulp((float) farX);
+        ulpZ = Math.ulp((float) farZ);
+        perX = 1 / heights.spacingX;
+        perZ = 1 / heights.spacingZ;
+        far = Math.max(Math.abs(data[0]), Math.abs(data[1])) + farX + farZ;
+    }
+
+    /** Begins with the least block over which all of the beam is that is over the field. */
+    private void start() {
+        double sizeX = (field.rows - 1) * field.spacingX;
+        double sizeZ = (field.columns - 1) * field.spacingZ;
+        double nearX = (field.lowX + (1 - north) * sizeX - ox - aheadX) * ix;
+        double farX = (field.lowX + north * sizeX - ox + aheadX) * ix;
+        double nearZ = (field.lowZ + (1 - east) * sizeZ - oz - aheadZ) * iz;
+        double farZ = (field.lowZ + east * sizeZ - oz + aheadZ) * iz;
+        double in = Math.max(0, Math.max(nearX, nearZ));
+        double out = Math.min(limit, Math.min(farX, farZ));
+        if (in <= out) {
+            double fromX = ox + in * dx;
+            double toX = ox + out * dx;
+            double fromZ = oz + in * dz;
+            double toZ = oz + out * dz;
+            int south = row(Math.min(fromX, toX) - slackX);
+            int west = column(Math.min(fromZ, toZ) - slackZ);
+            int apart = south ^ row(Math.max(fromX, toX) + slackX) | west ^ column(Math.max(fromZ, toZ) + slackZ);
+            int level = Integer.SIZE - 1 - Integer.numberOfLeadingZeros(apart | 1);
+            int at = pyramid.block(level, south >> level + 1, west >> level + 1);
+            push(level, south >> level + 1, west >> level + 1, data[at], data[at + 1], in, out);
+        }
+    }
+
+    /** The row of cells at a place, the nearest one beside the field. */
+    private int row(double x) {
+        return Math.max(0, Math.min((int) ((x - field.lowX) * perX), field.rows - 2));
+    }
+
+    private int column(double z) {
+        return Math.max(0, Math.min((int) ((z - field.lowZ) * perZ), field.columns - 2));
+    }
+
+    /** Keeps a block for later, if the part of the beam over it comes between its least and greatest height. A cell is a block of level -1. */
+    private void push(int level, int row, int column, float lowest, float highest, double in, double out) {
+        boolean falls = dy < 0;
+        double low = oy + (falls ? out : in) * dy;
+        double high = oy + (falls ? in : out) * dy;
+        if (high >= lowest - slackY && low <= highest + slackY) {
             levels[depth] = level;
             rows[depth] = row;
             columns[depth] = column;
@@ -104,66 +162,62 @@ public final class RayHeights {
         }
     }
 
-    /** Adds the four parts of a block, those last that the beam comes to first. */
-    private void open(HeightPyramid pyramid, int level, int row, int column, double in, double out) {
+    /** Adds those of the four parts of a block over which the beam comes, in the opposite order. */
+    private void open(int level, int row, int column, double in, double out) {
         int size = 1 << level;
         double x = field.lowX + (2 * row + 1) * size * field.spacingX - ox;
         double z = field.lowZ + (2 * column + 1) * size * field.spacingZ - oz;
-        double last = Math.min(out, limit);
-        double nearX = (x + (south == 0 ? slackX : -slackX)) * ix;
-        double farX = (x - (south == 0 ? slackX : -slackX)) * ix;
-        double nearZ = (z + (west == 0 ? slackZ : -slackZ)) * iz;
-        double farZ = (z - (west == 0 ? slackZ : -slackZ)) * iz;
-        int at = pyramid.children(level, row, column);
-        int r = 2 * row;
-        int c = 2 * column;
-        int lateRow = 1 - south;
-        int lateColumn = 1 - west;
-        double inFar = Math.max(in, farX);
-        double outNear = Math.min(last, nearX);
-        push(level - 1, r + lateRow, c + lateColumn, at + 4 * lateRow + 2 * lateColumn, Math.max(inFar, farZ), last);
-        push(level - 1, r + lateRow, c + west, at + 4 * lateRow + 2 * west, inFar, Math.min(last, nearZ));
-        push(level - 1, r + south, c + lateColumn, at + 4 * south + 2 * lateColumn, Math.max(in, farZ), outNear);
-        push(level - 1, r + south, c + west, at + 4 * south + 2 * west, in, Math.min(outNear, nearZ));
-    }
-
-    /** The cells of a block of the lowest level. */
-    private void cells(int blockRow, int blockColumn, double in, double out) {
-        int endRow = Math.min(2 * blockRow + 2, field.rows - 1);
-        int endColumn = Math.min(2 * blockColumn + 2, field.columns - 1);
-        for (int row = 2 * blockRow; row < endRow; row++) {
-            double low = (field.x(row + south) - ox + (south == 0 ? -slackX : slackX)) * ix;
-            double high = (field.x(row + 1 - south) - ox + (south == 0 ? slackX : -slackX)) * ix;
-            double inRow = Math.max(in, low);
-            double outRow = Math.min(out, high);
-            for (int column = 2 * blockColumn; inRow <= outRow && column < endColumn; column++) {
-                low = (field.z(column + west) - oz + (west == 0 ? -slackZ : slackZ)) * iz;
-                high = (field.z(column + 1 - west) - oz + (west == 0 ? slackZ : -slackZ)) * iz;
-                cell(row, column, Math.max(inRow, low), Math.min(outRow, high));
-            }
+        double leaveX = (x + aheadX) * ix;
+        double enterX = (x - aheadX) * ix;
+        double leaveZ = (z + aheadZ) * iz;
+        double enterZ = (z - aheadZ) * iz;
+        if (enterX <= out) {
+            half(level, row, column, north, Math.max(in, enterX), out, enterZ, leaveZ);
+        }
+        if (leaveX >= in) {
+            half(level, row, column, 1 - north, in, Math.min(out, leaveX), enterZ, leaveZ);
         }
     }
 
-    private void cell(int row, int column, double in, double out) {
-        if (!(in <= Math.min(out, limit))) {
+    /** The parts of a block's southern or northern half. */
+    private void half(int level, int row, int column, int northern, double in, double out, double enterZ, double leaveZ) {
+        if (enterZ <= out) {
+            part(level, row, column, northern, east, Math.max(in, enterZ), out);
+        }
+        if (leaveZ >= in) {
+            part(level, row, column, northern, 1 - east, in, Math.min(out, leaveZ));
+        }
+    }
+
+    private void part(int level, int row, int column, int northern, int eastern, double in, double out) {
+        int r = 2 * row + northern;
+        int c = 2 * column + eastern;
+        float lowest;
+        float highest;
+        if (level > 0) {
+            int at = pyramid.children(level, row, column) + 4 * northern + 2 * eastern;
+            lowest = data[at];
+            highest = data[at + 1];
+        } else if (r < field.rows - 1 && c < field.columns - 1) {
+            int at = r * field.columns + c;
+            float a = field.heights[at];
+            float b = field.heights[at + 1];
+            float d = field.heights[at + field.columns];
+            float e = field.heights[at + field.columns + 1];
+            lowest = Math.min(Math.min(a, b), Math.min(d, e));
+            highest = Math.max(Math.max(a, b), Math.max(d, e));
+        } else {
             return;
         }
-        int at = row * field.columns + column;
-        float a = field.heights[at];
-        float b = field.heights[at + 1];
-        float c = field.heights[at + field.columns];
-        float d = field.heights[at + field.columns + 1];
-        double from = oy + in * dy;
-        double to = oy + out * dy;
-        if (Math.max(from, to) < Math.min(Math.min(a, b), Math.min(c, d)) - slackY
-            || Math.min(from, to) > Math.max(Math.max(a, b), Math.max(c, d)) + slackY) {
-            return;
-        }
+        push(level - 1, r, c, lowest, highest, in, out);
+    }
+
+    private void cell(int row, int column) {
         for (int half = 0; half < 2; half++) {
             triangles++;
             field.triangle(row, column, half, corners);
             double t = RayTriangle.meet(corners, 0, ox, oy, oz, dx, dy, dz);
-            long number = 2L * at + half;
+            long number = 2L * (row * field.columns + column) + half;
             if (t <= limit && (t < best || t == best && number < triangle)) {
                 best = t;
                 limit = t;

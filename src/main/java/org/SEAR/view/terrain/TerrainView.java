@@ -15,7 +15,7 @@ import org.SEAR.geometry.HeightField;
 public final class TerrainView {
     /** Tiles in one picture at most, 512 triangles each: with a graphics card, and where the processor draws. */
     static final int MOST_FINE = 900;
-    static final int MOST_PLAIN = 120;
+    static final int MOST_PLAIN = 50;
     /** Tiles that are kept at most, 3.5 kB each. */
     static final int MOST_KEPT = 2400;
     /** Metres to which shadows are seen. */

@@ -17,6 +17,8 @@ final class TileChoice {
     private static final float FAR_PIXELS = 1.5f;
     /** Pixels that the near ground may be off, where things stand on it. */
     private static final float NEAR_PIXELS = 0.25f;
+    /** Pixels by which ground has to be lower than what is before it to count as hidden, besides what both may be off. */
+    private static final float SURELY = 3;
     private static final float NEAR = 20;
     private static final float FAR = 120;
     private static final float COARSER = 1.25f;
@@ -26,6 +28,7 @@ final class TileChoice {
 
     private final TilePyramid pyramid;
     private final int most;
+    private final Horizon horizon;
     private final byte[] levels;
     private final boolean[][] forced;
     private final Plane[] sides = new Plane[4];
@@ -41,6 +44,7 @@ final class TileChoice {
     TileChoice(TilePyramid pyramid, int most) {
         this.pyramid = pyramid;
         this.most = most;
+        horizon = new Horizon(pyramid.field, pyramid.high(pyramid.levels - 1, 0, 0));
         levels = new byte[pyramid.rows(0) * pyramid.columns(0)];
         forced = new boolean[pyramid.levels][];
         for (int level = 0; level < pyramid.levels; level++) {
@@ -55,6 +59,7 @@ final class TileChoice {
         }
         eye.set(camera.getLocation());
         pixels = camera.getHeight() * camera.getFrustumNear() / (camera.getFrustumTop() - camera.getFrustumBottom());
+        horizon.look(camera);
         tolerance = Math.max(1, seen < ROOM * most ? tolerance * FINER : tolerance);
         pass();
         while (seen > most && count > 1) {
@@ -136,7 +141,7 @@ final class TileChoice {
         return pyramid.field.z(pyramid.postColumn(level, column, 0));
     }
 
-    /** Whether a part of a tile's box may lie within the picture, however far off. */
+    /** Whether a part of a tile's box may lie within the picture, however far off, and is not behind nearer ground. */
     private boolean isVisible(int level, int row, int column) {
         for (Plane side : sides) {
             Vector3f inward = side.getNormal();
@@ -147,7 +152,8 @@ final class TileChoice {
                 return false;
             }
         }
-        return true;
+        return !horizon.hides(south(level, row), south(level, row + 1), west(level, column), west(level, column + 1),
+            pyramid.high(level, row, column), (SURELY + FAR_PIXELS * tolerance) / pixels);
     }
 
     /** Marks tiles that are too coarse for a neighbour. */

@@ -4,6 +4,8 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
+import com.jme3.math.FastMath;
+import com.jme3.math.Vector2f;
 import com.jme3.math.Vector3f;
 import com.jme3.renderer.Camera;
 import java.nio.FloatBuffer;
@@ -177,6 +179,60 @@ public class TilesTest {
             assertFalse("a coarse tile underfoot", choice.distance(tile) < 2 && choice.isSeen(tile) && choice.level(tile) > 0);
         }
         assertTrue(under > 0);
+    }
+
+    @Test
+    public void groundBehindNearerGroundIsLeftOutAndNoneThatIsSeen() {
+        TilePyramid pyramid = new TilePyramid(hills(1800, 1800, 30));
+        HeightField field = pyramid.field;
+        Random random = new Random(3);
+        int least = Integer.MAX_VALUE;
+        for (int place = 0; place < 12; place++) {
+            float x = random.nextInt(20_000) - 10_000;
+            float z = random.nextInt(20_000) - 10_000;
+            float y = (float) field.height(x, z) + (place % 3 == 0 ? 60 : 1.5f);
+            float yaw = random.nextFloat() * FastMath.TWO_PI;
+            Camera camera = camera(x, y, z, new Vector3f(x + 100 * FastMath.cos(yaw), y - 4, z + 100 * FastMath.sin(yaw)));
+            TileChoice choice = new TileChoice(pyramid, 10_000);
+            choice.choose(camera);
+            least = Math.min(least, choice.seen());
+            int met = 0;
+            for (int beam = 0; beam < 3000; beam++) {
+                Vector3f end = camera.getWorldCoordinates(new Vector2f(random.nextInt(1024), random.nextInt(640)), 0.99f);
+                Vector3f at = meet(field, camera.getLocation(), end.subtract(camera.getLocation()).normalizeLocal());
+                if (at != null) {
+                    met++;
+                    assertTrue("from " + camera.getLocation() + " ground at " + at + " is not drawn", isDrawn(pyramid, choice, at));
+                }
+            }
+            assertTrue(met + " of 3000 beams from " + camera.getLocation() + " met the ground", met > 300);
+        }
+        assertTrue("at least " + least + " tiles", least < 60);
+    }
+
+    /** Where a beam goes under the ground, in steps that get longer with the distance. */
+    private static Vector3f meet(HeightField field, Vector3f from, Vector3f direction) {
+        for (float t = 1; t < 60_000; t *= 1.002f) {
+            Vector3f at = direction.mult(t).addLocal(from);
+            double ground = field.height(at.x, at.z);
+            if (at.y < ground) {
+                return at;
+            }
+        }
+        return null;
+    }
+
+    private static boolean isDrawn(TilePyramid pyramid, TileChoice choice, Vector3f at) {
+        HeightField field = pyramid.field;
+        int row = (int) ((at.x - field.lowX) / field.spacingX) / TilePyramid.CELLS;
+        int column = (int) ((at.z - field.lowZ) / field.spacingZ) / TilePyramid.CELLS;
+        for (int tile = 0; tile < choice.count(); tile++) {
+            int level = choice.level(tile);
+            if (choice.isSeen(tile) && choice.row(tile) == row >> level && choice.column(tile) == column >> level) {
+                return true;
+            }
+        }
+        return false;
     }
 
     @Test

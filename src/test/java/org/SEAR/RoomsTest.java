@@ -42,7 +42,7 @@ public class RoomsTest {
         "org.SEAR.project.bundle", "org.SEAR.project", "org.SEAR.project.xml", "org.SEAR.terrain", "org.SEAR.terrain.format", "org.SEAR.terrain.tiff",
         "org.SEAR.project.models", "org.SEAR.project.problems",
         "org.SEAR.terrain.relief", "org.SEAR.geometry", "org.SEAR.POJOs", "org.SEAR.protocol.lidar", "org.SEAR.protocol.lms",
-        "org.SEAR.protocol.cola", "org.SEAR.protocol.nmea", "org.SEAR.protocol");
+        "org.SEAR.protocol.cola", "org.SEAR.protocol.nmea", "org.SEAR.protocol.ubx", "org.SEAR.protocol");
     private static final List<String> CORE = ROOMS.subList(ROOMS.indexOf("org.SEAR.simulator"), ROOMS.size());
     /** The one that makes a thread, for a model's loading only, and waits for it: see there. */
     private static final String LOADER = "EngineThread.java";

@@ -6,6 +6,9 @@ package org.SEAR.POJOs;
  */
 @Described("where the robot is on Earth; behind its ports a receiver that sends NMEA 0183")
 public class GPS extends SensorObject implements SerialObject {
+    private static final int MEDIATEK_BAUD = 38400;
+    private static final int UBLOX_BAUD = 9600;
+
     @Param(doc = "latitude of the world's centre, north positive; without it, altitude and longitude the terrain says where it is", unit = "deg",
         min = -90, max = 90)
     private Double latitude;
@@ -14,7 +17,7 @@ public class GPS extends SensorObject implements SerialObject {
     @Param(doc = "longitude of the world's centre, east positive", unit = "deg", min = -180, max = 180)
     private Double longitude;
     @Included
-    private final SerialParameters serial = new SerialParameters(38400);
+    private final SerialParameters serial = new SerialParameters(MEDIATEK_BAUD);
     @Param(doc = "receiver behind the ports", text = TextRule.GPS_MODEL)
     private String model = "MT3301";
     @Param(doc = "fixes a second", unit = "Hz", min = 0.1, max = 5)
@@ -169,10 +172,23 @@ public class GPS extends SensorObject implements SerialObject {
         serial.setBaud(this, newBaud);
     }
 
-    /** @param newModel the receiver, for example MT3301 */
+    /**
+     * The receiver. If the line's speed is the one with which the present receiver is delivered, it becomes the one with which the new receiver is:
+     * 38400 of an MT3301 or MT3329, 9600 of a NEO-M8N.
+     *
+     * @param newModel MT3301 (also FV-M8, FV-M11), MT3329 or NEO-M8N (also u-blox)
+     */
     public void setModel(String newModel) {
+        int old = deliveredBaud(model);
         model = checked("model", newModel);
+        if (getBaud() == old && old != deliveredBaud(newModel)) {
+            serial.setBaud(this, deliveredBaud(newModel));
+        }
         changed();
+    }
+
+    private static int deliveredBaud(String receiver) {
+        return TextRule.isUblox(receiver) ? UBLOX_BAUD : MEDIATEK_BAUD;
     }
 
     /** @param hertz fixes a second, 0.1 to 5 */

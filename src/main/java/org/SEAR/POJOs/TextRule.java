@@ -67,10 +67,10 @@ public enum TextRule {
         }
     },
     /** A GPS receiver, in whatever spelling: fv_m8 is an FV-M8. */
-    GPS_MODEL("MT3301 (also FV-M8, FV-M11) or MT3329") {
+    GPS_MODEL("MT3301 (also FV-M8, FV-M11), MT3329 or NEO-M8N (also u-blox)") {
         @Override
         boolean allows(String text) {
-            return RECEIVERS.contains(text.replaceAll("[^A-Za-z0-9]", "").toUpperCase(Locale.ROOT));
+            return RECEIVERS.contains(plain(text));
         }
     },
     /** A laser scanner, in whatever spelling: urg04lx is a URG-04LX. */
@@ -86,7 +86,8 @@ public enum TextRule {
     private static final Pattern LINE_BREAKS = Pattern.compile("[\\p{Cntrl}\\x{fffe}\\x{ffff}]");
     private static final Set<String> DEVICES = Set.of("CON", "PRN", "AUX", "NUL", "COM1", "COM2", "COM3", "COM4", "COM5", "COM6", "COM7", "COM8",
         "COM9", "LPT1", "LPT2", "LPT3", "LPT4", "LPT5", "LPT6", "LPT7", "LPT8", "LPT9");
-    private static final Set<String> RECEIVERS = Set.of("MT3301", "MT3329", "FVM8", "FVM11");
+    private static final Set<String> RECEIVERS = Set.of("MT3301", "MT3329", "FVM8", "FVM11", "NEOM8N", "UBLOX");
+    private static final Set<String> UBLOX = Set.of("NEOM8N", "UBLOX");
     private static final int MAX_LENGTH = 200;
     /** With {@code robot/} and {@code .xml} a path of a bundle. */
     private static final int MAX_COMPONENT = 190;
@@ -97,6 +98,15 @@ public enum TextRule {
 
     TextRule(String legal) {
         this.legal = legal;
+    }
+
+    /** Whether a GPS receiver is one of u-blox. */
+    static boolean isUblox(String receiver) {
+        return UBLOX.contains(plain(receiver));
+    }
+
+    private static String plain(String text) {
+        return text.replaceAll("[^A-Za-z0-9]", "").toUpperCase(Locale.ROOT);
     }
 
     abstract boolean allows(String text);

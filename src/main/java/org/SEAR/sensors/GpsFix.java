@@ -7,8 +7,14 @@ public final class GpsFix {
     private final double altitude;
     private final double speed;
     private final double course;
+    private final double climb;
     private final long time;
     private final boolean valid;
+
+    /** A valid fix of something that moves on the level. */
+    public GpsFix(double latitude, double longitude, double altitude, double speed, double course, long time) {
+        this(latitude, longitude, altitude, speed, course, 0, time);
+    }
 
     /**
      * A valid fix.
@@ -18,25 +24,27 @@ public final class GpsFix {
      * @param altitude metres above mean sea level
      * @param speed over ground, m/s, never negative
      * @param course over ground, degrees clockwise from true north, [0, 360); 0 while standing
+     * @param climb upwards, m/s
      * @param time UTC of the fix, milliseconds since 1970
      */
-    public GpsFix(double latitude, double longitude, double altitude, double speed, double course, long time) {
-        this(latitude, longitude, altitude, speed, course, time, true);
+    public GpsFix(double latitude, double longitude, double altitude, double speed, double course, double climb, long time) {
+        this(latitude, longitude, altitude, speed, course, climb, time, true);
     }
 
-    private GpsFix(double latitude, double longitude, double altitude, double speed, double course, long time, boolean valid) {
+    private GpsFix(double latitude, double longitude, double altitude, double speed, double course, double climb, long time, boolean valid) {
         this.latitude = latitude;
         this.longitude = longitude;
         this.altitude = altitude;
         this.speed = speed;
         this.course = course;
+        this.climb = climb;
         this.time = time;
         this.valid = valid;
     }
 
     /** The receiver lost its satellites: it knows the time only, all else is NaN. */
     public static GpsFix none(long time) {
-        return new GpsFix(Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN, time, false);
+        return new GpsFix(Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN, time, false);
     }
 
     /** Whether there is a position. */
@@ -67,6 +75,11 @@ public final class GpsFix {
     /** Course over ground, degrees clockwise from true north, [0, 360). */
     public double getCourse() {
         return course;
+    }
+
+    /** Speed upwards, m/s. */
+    public double getClimb() {
+        return climb;
     }
 
     /** UTC of the fix, milliseconds since 1970. */

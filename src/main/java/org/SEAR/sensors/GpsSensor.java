@@ -49,9 +49,10 @@ public final class GpsSensor extends Sensor<GpsFix> {
         double[] turn = truth.angularVelocity();
         double north = truth.velocity()[0] + turn[1] * arm[2] - turn[2] * arm[1];
         double east = truth.velocity()[2] + turn[0] * arm[1] - turn[1] * arm[0];
+        double climb = truth.velocity()[1] + turn[2] * arm[0] - turn[0] * arm[2];
         double speed = Math.hypot(north, east);
         double course = speed < STANDING ? 0 : course(Math.toDegrees(Math.atan2(east, north)) + place.convergence);
-        return new GpsFix(place.latitude, place.longitude, place.altitude, speed, course, time);
+        return new GpsFix(place.latitude, place.longitude, place.altitude, speed, course, climb, time);
     }
 
     /** The same angle in [0, 360). */

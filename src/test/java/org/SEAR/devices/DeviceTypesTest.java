@@ -15,7 +15,7 @@ import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.TextRule;
 import org.SEAR.devices.gps.GpsModel;
-import org.SEAR.devices.gps.Mt3301Type;
+import org.SEAR.devices.gps.GpsType;
 import org.SEAR.devices.oi.OiModel;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.protocol.lidar.LidarModel;
@@ -42,7 +42,7 @@ public class DeviceTypesTest {
     @Test
     public void theNextKindIsAskedWhenOneHasNoDeviceForAnObject() {
         GPS gps = new GPS("gps", 48, 300, 11);
-        SerialDevice device = new Mt3301Type().create(gps, new FakeContext());
+        SerialDevice device = new GpsType().create(gps, new FakeContext());
         DeviceTypes types = new DeviceTypes(Arrays.asList(type(GPS.class, null), type(LIDAR.class, null), type(LIDAR.class, device)));
         assertSame(device, types.create(new LIDAR("lidar"), new FakeContext()));
         assertNull(types.create(gps, new FakeContext()));
@@ -100,7 +100,7 @@ public class DeviceTypesTest {
     /** A project that is valid starts. */
     @Test
     public void anObjectTakesTheReceiversThatThereAreInAnySpelling() {
-        for (String name : Arrays.asList("FV_M8", "fv m11", "mt3329", "MT3301")) {
+        for (String name : Arrays.asList("FV_M8", "fv m11", "mt3329", "MT3301", "u-blox", "NEO-M8N")) {
             assertTrue(name, TextRule.GPS_MODEL.isLegal(name) && GpsModel.of(name) != null);
         }
         assertTrue(!TextRule.GPS_MODEL.isLegal("NEO-6M") && refusal(() -> GpsModel.of("NEO-6M")).contains("MT3329"));

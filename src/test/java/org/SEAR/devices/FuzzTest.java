@@ -9,10 +9,13 @@ import org.SEAR.Bytes;
 import org.SEAR.Fuzz;
 import org.SEAR.devices.gps.GpsModel;
 import org.SEAR.devices.gps.Mt3301;
+import org.SEAR.devices.gps.NeoM8n;
 import org.SEAR.devices.lms.Devices;
 import org.SEAR.devices.oi.OiModel;
 import org.SEAR.devices.oi.Roomba;
 import org.SEAR.protocol.lidar.LidarModel;
+import org.SEAR.protocol.ubx.UbxFrame;
+import org.SEAR.protocol.ubx.UbxMessage;
 import org.SEAR.sensors.GpsFix;
 import org.junit.Test;
 
@@ -120,5 +123,38 @@ public class FuzzTest {
     public void mt3301() {
         fuzz(line -> new Mt3301(GpsModel.MT3301, 38400, 1, 0, line), Bytes.ints("24 50 4D 54 4B 32 30 31 34 2C 2A 0D 0A"),
             "0D 0A", Bytes.hex("$PMTK000*32\r\n".getBytes(StandardCharsets.US_ASCII)), "50 4D 54 4B 30 30 31 2C 30 2C 33");
+    }
+
+    /** Whole frames come seldom by chance; it may be set to say nothing, so that it is switched off before it is asked. */
+    @Test
+    public void neoM8n() {
+        fuzz(line -> new NeoM8n(9600, 1, 0, line), Bytes.ints("B5 62 06 01 00 08 09 04 0A F0 07 03 14"), null, "B5 62 0A 04 00 00 0E 34",
+            "B5 62 0A 04 FA 00");
+    }
+
+    /** Frames that are whole but for what they carry. */
+    @Test
+    public void neoM8nInWholeFrames() {
+        Random random = new Random(Fuzz.SEED);
+        FakeContext line = new FakeContext();
+        line.reading = new GpsFix(1, 2, 3, 0, 0, 0);
+        NeoM8n device = line.attach(new NeoM8n(9600, 1, 0, line));
+        UbxMessage[] messages = UbxMessage.values();
+        for (int bytes = 0; bytes < Fuzz.BYTES / 4; bytes += 20) {
+            byte[] payload = new byte[new int[] {0, 1, 2, 3, 4, 6, 8, 12, 13, 20}[random.nextInt(10)]];
+            random.nextBytes(payload);
+            if (payload.length > 0 && random.nextBoolean()) {
+                payload[0] = 1;
+            }
+            for (byte each : new UbxFrame(messages[random.nextInt(messages.length)], payload).toBytes()) {
+                line.host(each & 0xFF);
+            }
+            line.take();
+            if (bytes % 50000 == 0) {
+                line.restart();
+                line.host("B5 62 0A 04 00 00 0E 34");
+                assertTrue("seed " + Fuzz.SEED + " " + device.status(), line.takeHex().contains("B5 62 0A 04 FA 00"));
+            }
+        }
     }
 }

@@ -1,54 +1,70 @@
 package org.SEAR.devices.gps;
 
+import java.util.Locale;
+import java.util.Map;
+import org.SEAR.protocol.nmea.Nmea;
+
 /** What distinguishes receivers: data. Source: recordings of real ones. */
 public enum GpsModel {
     /** San Jose Navigation FV-M8, FV-M11. */
-    MT3301(6, 3, 200, "8960.000000,N,00000.000000,E", "137.000,M,13.000,M", "MTK3301_1.0", "PMTK010,001"),
+    MT3301(SentenceStyle.MT3301, 200, "MTK3301_1.0") {
+        @Override
+        String getGreeting() {
+            return MEDIATEK;
+        }
+    },
     /** GlobalTop and others. */
-    MT3329(4, 1, 100, ",,,", ",M,,M", "AXN_1.30", "PMTK010,001");
+    MT3329(SentenceStyle.MT3329, 100, "AXN_1.30") {
+        @Override
+        String getGreeting() {
+            return MEDIATEK;
+        }
+    },
+    /** u-blox NEO-M8N. */
+    NEOM8N(SentenceStyle.UBLOX, 100, "EXT CORE 3.01 (107900)") {
+        @Override
+        String getGreeting() {
+            StringBuilder text = new StringBuilder();
+            for (String line : UBLOX) {
+                text.append(Nmea.sentence("GNTXT,01,01,02," + line));
+            }
+            return text.toString();
+        }
+    };
 
-    private final int minuteDecimals;
-    private final int altitudeDecimals;
+    private static final String MEDIATEK = Nmea.sentence("PMTK010,001")
+        + "$POLYN,TIME,RESTART_OCCURRED\r\n$POLYN,EPH,0,00000000\r\n$POLYN,ALM,0,00000000\r\n";
+    private static final String[] UBLOX = {"u-blox AG - www.u-blox.com", "HW UBX-M8030 00080000", "EXT CORE 3.01 (107900)", "ROM BASE 3.01 (107888)",
+        "FWVER=SPG 3.01", "PROTVER=18.00", "MOD=NEO-M8N-0", "FIS=0xC22536 (100111)", "GPS;GLO;GAL;BDS", "SBAS;IMES;QZSS", "ANTSTATUS=OK"};
+    private static final Map<String, GpsModel> ALIASES = Map.of("FVM8", MT3301, "FVM11", MT3301, "UBLOX", NEOM8N);
+
+    private final SentenceStyle style;
     private final int shortestPeriod;
-    private final String noPosition;
-    private final String noAltitude;
     private final String release;
-    private final String greeting;
 
-    GpsModel(int minuteDecimals, int altitudeDecimals, int shortestPeriod, String noPosition, String noAltitude, String release, String greeting) {
-        this.minuteDecimals = minuteDecimals;
-        this.altitudeDecimals = altitudeDecimals;
+    GpsModel(SentenceStyle style, int shortestPeriod, String release) {
+        this.style = style;
         this.shortestPeriod = shortestPeriod;
-        this.noPosition = noPosition;
-        this.noAltitude = noAltitude;
         this.release = release;
-        this.greeting = greeting;
     }
 
     /**
-     * The model of that name; FV-M8 and FV-M11 are MT3301.
+     * The model of that name, in any spelling; FV-M8 and FV-M11 are MT3301, u-blox is NEO-M8N.
      *
      * @throws IllegalArgumentException that names the models there are
      */
     public static GpsModel of(String name) {
-        String plain = name.replaceAll("[^A-Za-z0-9]", "");
-        if (plain.equalsIgnoreCase("FVM8") || plain.equalsIgnoreCase("FVM11")) {
-            return MT3301;
-        }
+        String plain = name.replaceAll("[^A-Za-z0-9]", "").toUpperCase(Locale.ROOT);
         for (GpsModel model : values()) {
-            if (model.name().equalsIgnoreCase(plain)) {
+            if (model.name().equals(plain) || model == ALIASES.get(plain)) {
                 return model;
             }
         }
-        throw new IllegalArgumentException("GPS model " + name + ": there are MT3301 (also FV-M8, FV-M11) and MT3329");
+        throw new IllegalArgumentException("GPS model " + name + ": there are MT3301 (also FV-M8, FV-M11), MT3329 and NEO-M8N (also u-blox)");
     }
 
-    int getMinuteDecimals() {
-        return minuteDecimals;
-    }
-
-    int getAltitudeDecimals() {
-        return altitudeDecimals;
+    SentenceStyle getStyle() {
+        return style;
     }
 
     /** Milliseconds from fix to fix at the highest rate. */
@@ -56,23 +72,11 @@ public enum GpsModel {
         return shortestPeriod;
     }
 
-    /** Fields 2 to 5 of GGA without a fix. */
-    String getNoPosition() {
-        return noPosition;
-    }
-
-    /** Fields 9 to 12 of GGA without a fix. */
-    String getNoAltitude() {
-        return noAltitude;
-    }
-
-    /** Answer to PMTK605. */
+    /** The firmware, as it answers when it is asked. */
     String getRelease() {
         return release;
     }
 
-    /** First sentence after power-on. */
-    String getGreeting() {
-        return greeting;
-    }
+    /** First sentences after power-on. */
+    abstract String getGreeting();
 }

@@ -1,8 +1,10 @@
 package org.SEAR.devices.gps;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
 import org.SEAR.devices.DeviceContext;
-import org.SEAR.devices.SerialDevice;
 import org.SEAR.protocol.nmea.Nmea;
 import org.SEAR.protocol.nmea.SentenceReader;
 import org.SEAR.sensors.GpsFix;
@@ -11,83 +13,47 @@ import org.SEAR.sensors.GpsFix;
  * The firmware of a MediaTek GPS receiver (San Jose Navigation FV-M8 class): sentences out with each fix, PMTK commands in with acknowledgements.
  * Sources: recordings of FV-M11 and MT3329 receivers, MTK NMEA packet manual.
  */
-public final class Mt3301 implements SerialDevice {
+public final class Mt3301 extends Receiver {
     /** Bits a second of a receiver as delivered. */
     public static final int DEFAULT_BAUD = 38400;
-    private static final double MILLIS = 1000;
-    private static final String RESTARTED = "$POLYN,TIME,RESTART_OCCURRED\r\n$POLYN,EPH,0,00000000\r\n$POLYN,ALM,0,00000000\r\n";
+    private static final int CHANNELS = 32;
+    private static final int TRACKED = 2;
 
-    private final GpsModel model;
     private final int powerOnBaud;
     private final int powerOnPeriod;
-    private final long timeToFix;
-    private final DeviceContext context;
     private final SentenceReader reader = new SentenceReader(this::onSentence);
     private PmtkCommands commands;
     private OutputRates rates;
-    private int period;
-    private long nextFix;
-    private long fixNumber;
-    private long firstFix;
-    private boolean greeted;
-    private int baud;
-    private int nextBaud;
-    private double switchAt;
     private double heardAt;
 
     /**
+     * @param model MT3301 or MT3329
      * @param baud bits a second at power-on
      * @param rate fixes a second at power-on
      * @param timeToFix seconds without a fix after power-on
      */
     public Mt3301(GpsModel model, int baud, double rate, double timeToFix, DeviceContext context) {
-        int millis = (int) Math.round(MILLIS / rate);
-        if (!isPeriod(model, millis)) {
-            throw new IllegalArgumentException("GPS rate " + rate + " Hz: an " + model + " has 0.1 to " + MILLIS / model.getShortestPeriod());
-        }
-        this.model = model;
-        this.powerOnBaud = baud;
-        this.powerOnPeriod = millis;
-        this.timeToFix = Math.round(timeToFix * MILLIS);
-        this.context = context;
+        super(model, timeToFix, context);
+        powerOnBaud = baud;
+        powerOnPeriod = period(model, rate);
         reset();
     }
 
+    /** It keeps nothing that was set. */
     @Override
-    public void reset() {
+    void deliver() {
+        heardAt = 0;
+    }
+
+    @Override
+    void boot() {
         rates = new OutputRates();
         commands = new PmtkCommands(this);
-        period = powerOnPeriod;
-        baud = powerOnBaud;
-        nextBaud = 0;
-        nextFix = period;
-        fixNumber = 0;
-        firstFix = timeToFix;
-        greeted = false;
-        reader.reset();
+        begin(powerOnBaud, powerOnPeriod);
     }
 
     @Override
-    public void powerOff() {
-        nextBaud = 0;
-    }
-
-    @Override
-    public void powerOn(double time) {
-        reset();
-        greeted = true;
-        restart(true, time);
-        nextFix = nextFixAfter(time);
-    }
-
-    @Override
-    public int getBaud() {
-        return baud;
-    }
-
-    @Override
-    public void receive(int value, double time) {
-        advance(time);
+    void take(int value, double time) {
         heardAt = time;
         reader.accept(value);
     }
@@ -101,81 +67,47 @@ public final class Mt3301 implements SerialDevice {
     }
 
     @Override
-    public void receiveGarbage(double time) {
-        advance(time);
+    void forgetInput() {
         reader.reset();
     }
 
     @Override
-    public void advance(double time) {
-        if (!greeted) {
-            greeted = true;
-            context.send((Nmea.sentence(model.getGreeting()) + RESTARTED).getBytes(StandardCharsets.US_ASCII), 0);
-        }
-        while (nextFix / MILLIS <= time) {
-            switchBaud(nextFix / MILLIS);
-            fix(nextFix);
-            nextFix += period;
-        }
-        switchBaud(time);
-    }
-
-    private void switchBaud(double time) {
-        if (nextBaud != 0 && time >= switchAt) {
-            baud = nextBaud;
-            nextBaud = 0;
-            reader.reset();
-        }
-    }
-
-    /** Sends the sentences of a fix; while those of the last one are still on the line there is no new fix. */
-    private void fix(long millis) {
-        double time = millis / MILLIS;
-        if (context.lineFreeAt() > time) {
-            return;
-        }
-        GpsFix fix = null;
-        if (millis >= firstFix) {
-            Object reading = context.read(context.sensor());
-            fix = reading instanceof GpsFix && ((GpsFix) reading).isValid() ? (GpsFix) reading : null;
-        }
-        String text = text(new Sentences(model, fix, context.epochMillis() + millis), fix != null);
-        fixNumber++;
-        if (!text.isEmpty()) {
-            context.send(text.getBytes(StandardCharsets.US_ASCII), time);
-        }
-    }
-
-    private String text(Sentences sentences, boolean hasFix) {
+    byte[] output(GpsFix fix, long millis, long number) {
+        Sentences sentences = new Sentences(getModel().getStyle(), fix, millis);
         StringBuilder text = new StringBuilder();
-        add(text, OutputRates.GGA, sentences.gga());
-        add(text, OutputRates.GSA, Satellites.gsa(hasFix));
-        for (int i = 1; i <= Satellites.gsvSentences(); i++) {
-            add(text, OutputRates.GSV, Satellites.gsv(i));
-        }
-        add(text, OutputRates.RMC, sentences.rmc());
-        add(text, OutputRates.VTG, sentences.vtg());
-        add(text, OutputRates.GLL, sentences.gll());
-        add(text, OutputRates.ZDA, sentences.zda());
-        add(text, OutputRates.CHANNELS, Satellites.channels());
-        return text.toString();
+        add(text, OutputRates.GGA, number, one(sentences.gga()));
+        add(text, OutputRates.GSA, number, sentences.gsa());
+        add(text, OutputRates.GSV, number, sentences.gsv(true));
+        add(text, OutputRates.RMC, number, one(sentences.rmc()));
+        add(text, OutputRates.VTG, number, one(sentences.vtg()));
+        add(text, OutputRates.GLL, number, one(sentences.gll()));
+        add(text, OutputRates.ZDA, number, one(sentences.zda()));
+        add(text, OutputRates.CHANNELS, number, one(channels()));
+        return text.toString().getBytes(StandardCharsets.US_ASCII);
     }
 
-    private void add(StringBuilder text, int sentence, String body) {
-        if (rates.isDue(sentence, fixNumber)) {
-            text.append(Nmea.sentence(body));
+    private static List<String> one(String body) {
+        return Collections.singletonList(body);
+    }
+
+    private void add(StringBuilder text, int sentence, long number, List<String> bodies) {
+        if (rates.isDue(sentence, number)) {
+            bodies.forEach(body -> text.append(Nmea.sentence(body)));
         }
+    }
+
+    /** {@code PMTKCHN,21502,...}: satellite, signal and state of each of 32 channels. */
+    private static String channels() {
+        StringBuilder body = new StringBuilder("PMTKCHN");
+        Constellation sky = Constellation.GPS;
+        for (int i = 0; i < CHANNELS; i++) {
+            body.append(i < sky.size() ? String.format(Locale.ROOT, ",%02d%02d%d", sky.number(i), sky.signal(i), TRACKED) : ",00000");
+        }
+        return body.toString();
     }
 
     void answer(String body, double time) {
-        context.send(Nmea.sentence(body).getBytes(StandardCharsets.US_ASCII), time);
-    }
-
-    /** Goes on at another speed once what was sent has left. */
-    void changeBaud(int newBaud, double time) {
-        nextBaud = newBaud;
-        switchAt = Math.max(time, context.lineFreeAt());
-        switchBaud(time);
+        send(Nmea.sentence(body), time);
     }
 
     /**
@@ -183,43 +115,20 @@ public final class Mt3301 implements SerialDevice {
      *
      * @return whether the model can do that
      */
-    boolean setPeriod(int millis, double time) {
-        if (!isPeriod(model, millis)) {
-            return false;
+    boolean takePeriod(int millis, double time) {
+        boolean can = millis >= getModel().getShortestPeriod() && millis <= PmtkCommands.MAX_PERIOD;
+        if (can) {
+            setPeriod(millis, time);
         }
-        period = millis;
-        nextFix = nextFixAfter(time);
-        return true;
-    }
-
-    private long nextFixAfter(double time) {
-        return (long) Math.floor(time * MILLIS / period) * period + period;
-    }
-
-    private static boolean isPeriod(GpsModel model, int millis) {
-        return millis >= model.getShortestPeriod() && millis <= PmtkCommands.MAX_PERIOD;
-    }
-
-    /** Starts anew; a cold one takes its time to the first fix. */
-    void restart(boolean cold, double time) {
-        firstFix = cold ? Math.round(time * MILLIS) + timeToFix : 0;
-        context.send((Nmea.sentence(model.getGreeting()) + RESTARTED).getBytes(StandardCharsets.US_ASCII), time);
+        return can;
     }
 
     OutputRates getRates() {
         return rates;
     }
 
-    int getPeriod() {
-        return period;
-    }
-
-    GpsModel getModel() {
-        return model;
-    }
-
     @Override
     public String status() {
-        return model + ": a fix every " + period + " ms, " + baud + " baud";
+        return getModel() + ": a fix every " + getPeriod() + " ms, " + getBaud() + " baud";
     }
 }

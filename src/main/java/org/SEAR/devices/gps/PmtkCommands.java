@@ -93,9 +93,9 @@ final class PmtkCommands {
                 device.restart(true, time);
                 return DONE;
             case SET_PERIOD:
-                return a.length != 1 || a[0] < 0 ? INVALID : device.setPeriod(a[0], time) ? DONE : FAILED;
+                return a.length != 1 || a[0] < 0 ? INVALID : device.takePeriod(a[0], time) ? DONE : FAILED;
             case SET_FIX_INTERVAL:
-                return a.length < 1 || a[0] < 0 ? INVALID : device.setPeriod(a[0], time) ? DONE : FAILED;
+                return a.length < 1 || a[0] < 0 ? INVALID : device.takePeriod(a[0], time) ? DONE : FAILED;
             case SET_BAUD:
                 return a.length == 1 && (a[0] == 0 || Pmtk.BAUDS.contains(a[0])) ? DONE : INVALID;
             case SET_DGPS:

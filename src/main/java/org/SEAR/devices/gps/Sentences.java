@@ -4,6 +4,8 @@ import java.time.Instant;
 import java.time.ZoneOffset;
 import java.time.ZonedDateTime;
 import java.time.format.DateTimeFormatter;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import org.SEAR.protocol.nmea.Nmea;
 import org.SEAR.sensors.GpsFix;
@@ -13,64 +15,92 @@ import org.SEAR.sensors.GpsFix;
  * {@code GPGGA,081436.000,5212.982135,N,00653.101394,E,1,3,2.88,102.907,M,47.093,M,,}.
  */
 final class Sentences {
-    private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("HHmmss.SSS", Locale.ROOT);
     private static final DateTimeFormatter DATE = DateTimeFormatter.ofPattern("ddMMyy", Locale.ROOT);
     private static final DateTimeFormatter ZDA_DATE = DateTimeFormatter.ofPattern("dd,MM,yyyy", Locale.ROOT);
     private static final double KNOTS = 3600 / 1852.0;
     private static final double KILOMETRES_PER_HOUR = 3.6;
+    /** Slower than this is standing, m/s. */
+    private static final double STANDING = 0.1;
     /** The simulated world's sea level is the ellipsoid. */
     private static final double GEOID_SEPARATION = 0;
 
-    private final GpsModel model;
+    private final SentenceStyle style;
     private final GpsFix fix;
-    private final ZonedDateTime time;
+    private final ZonedDateTime when;
+    private final String time;
 
     /**
      * @param fix null for none
-     * @param millis UTC since 1970
+     * @param millis UTC since 1970; null if it isn't known
      */
-    Sentences(GpsModel model, GpsFix fix, long millis) {
-        this.model = model;
+    Sentences(SentenceStyle style, GpsFix fix, Long millis) {
+        this.style = style;
         this.fix = fix;
-        this.time = Instant.ofEpochMilli(millis).atZone(ZoneOffset.UTC);
+        this.when = millis == null ? null : Instant.ofEpochMilli(millis).atZone(ZoneOffset.UTC);
+        this.time = when == null ? "" : style.time.format(when);
     }
 
     String gga() {
-        return fix == null ? ggaNoFix() : gga(Satellites.size(), Satellites.HDOP, GEOID_SEPARATION);
+        return fix == null ? ggaNoFix() : gga(style.satellites(), dop(Constellation.HDOP), GEOID_SEPARATION);
     }
 
     String gga(int satellites, String hdop, double separation) {
-        int decimals = model.getAltitudeDecimals();
-        return "GPGGA," + TIME.format(time) + "," + position() + ",1," + satellites + "," + hdop + "," + Nmea.number(fix.getAltitude(), decimals)
-            + ",M," + Nmea.number(separation, decimals) + ",M,,";
+        int decimals = style.altitudeDecimals;
+        return style.talker + "GGA," + time + "," + position() + ",1," + count(satellites) + "," + hdop + ","
+            + Nmea.number(fix.getAltitude(), decimals) + ",M," + Nmea.number(separation, decimals) + ",M,,";
     }
 
     private String ggaNoFix() {
-        return "GPGGA," + TIME.format(time) + "," + model.getNoPosition() + ",0,0,," + model.getNoAltitude() + ",,";
+        return style.talker + "GGA," + time + "," + style.noPosition + ",0," + count(0) + "," + style.noDop + "," + style.noAltitude + ",,";
+    }
+
+    private String count(int satellites) {
+        return String.format(Locale.ROOT, style.satelliteFormat, satellites);
     }
 
     String rmc() {
         String where = fix == null ? ",V,,,,,,," : ",A," + position() + "," + knots() + "," + course() + ",";
-        return "GPRMC," + TIME.format(time) + where + DATE.format(time) + ",,," + (fix == null ? "N" : "A");
+        return style.talker + "RMC," + time + where + (when == null ? "" : DATE.format(when)) + ",,," + (fix == null ? "N" : "A");
     }
 
     String vtg() {
         if (fix == null) {
-            return "GPVTG,,T,,M,,N,,K,N";
+            return style.talker + "VTG," + style.noCourse + ",N";
         }
-        return "GPVTG," + course() + ",T,,M," + knots() + ",N," + Nmea.number(fix.getSpeed() * KILOMETRES_PER_HOUR, 3) + ",K,A";
+        return style.talker + "VTG," + course() + ",T,,M," + knots() + ",N," + Nmea.number(fix.getSpeed() * KILOMETRES_PER_HOUR, 3) + ",K,A";
     }
 
     String gll() {
-        return "GPGLL," + (fix == null ? ",,," : position()) + "," + TIME.format(time) + (fix == null ? ",V,N" : ",A,A");
+        return style.talker + "GLL," + (fix == null ? ",,," : position()) + "," + time + (fix == null ? ",V,N" : ",A,A");
     }
 
     String zda() {
-        return "GPZDA," + TIME.format(time) + "," + ZDA_DATE.format(time) + ",00,00";
+        return style.talker + "ZDA," + time + "," + (when == null ? ",," : ZDA_DATE.format(when)) + ",00,00";
+    }
+
+    /** One for each constellation: {@code GPGSA,A,3,21,28,...,1.88,1.02,1.58}. */
+    List<String> gsa() {
+        List<String> bodies = new ArrayList<>();
+        for (Constellation each : style.sky) {
+            bodies.add(style.talker + "GSA,A," + (fix == null ? 1 : 3) + each.used(fix != null) + "," + dop(Constellation.PDOP) + ","
+                + dop(Constellation.HDOP) + "," + dop(Constellation.VDOP));
+        }
+        return bodies;
+    }
+
+    /** Some for each constellation. */
+    List<String> gsv(boolean seen) {
+        List<String> bodies = new ArrayList<>();
+        style.sky.forEach(each -> bodies.addAll(each.gsv(seen)));
+        return bodies;
+    }
+
+    private String dop(double value) {
+        return fix == null ? style.noDop : Nmea.number(value, 2);
     }
 
     private String position() {
-        int decimals = model.getMinuteDecimals();
+        int decimals = style.minuteDecimals;
         return Nmea.degrees(fix.getLatitude(), Nmea.LATITUDE_DIGITS, decimals) + (fix.getLatitude() < 0 ? ",S," : ",N,")
             + Nmea.degrees(fix.getLongitude(), Nmea.LONGITUDE_DIGITS, decimals) + (fix.getLongitude() < 0 ? ",W" : ",E");
     }
@@ -80,6 +110,6 @@ final class Sentences {
     }
 
     private String course() {
-        return Nmea.number(fix.getCourse() % 360, 2);
+        return style.courseWhileStanding || fix.getSpeed() >= STANDING ? Nmea.number(fix.getCourse() % 360, 2) : "";
     }
 }

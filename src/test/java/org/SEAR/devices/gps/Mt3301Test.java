@@ -53,15 +53,15 @@ public class Mt3301Test {
 
     @Test
     public void sentencesAsRecorded() {
-        Sentences real = new Sentences(GpsModel.MT3301, recorded(), millis("2008-08-23T08:14:36Z"));
+        Sentences real = new Sentences(SentenceStyle.MT3301, recorded(), millis("2008-08-23T08:14:36Z"));
         assertEquals("$GPGGA,081436.000,5212.982135,N,00653.101394,E,1,3,2.88,102.907,M,47.093,M,,*5F\r\n",
             Nmea.sentence(real.gga(3, "2.88", 47.093)));
         assertEquals("$GPRMC,081436.000,A,5212.982135,N,00653.101394,E,0.039,0.00,230808,,,A*53\r\n", Nmea.sentence(real.rmc()));
         assertEquals("$GPVTG,0.00,T,,M,0.039,N,0.072,K,A*32\r\n", Nmea.sentence(real.vtg()));
-        Sentences none = new Sentences(GpsModel.MT3301, null, millis("2008-08-22T23:59:46.005Z"));
+        Sentences none = new Sentences(SentenceStyle.MT3301, null, millis("2008-08-22T23:59:46.005Z"));
         assertEquals("$GPGGA,235946.005,8960.000000,N,00000.000000,E,0,0,,137.000,M,13.000,M,,*49\r\n", Nmea.sentence(none.gga()));
         GpsFix other = new GpsFix(51 + 29.0623 / 60, 6 + 32.2910 / 60, 29.7, 0, 0, 0);
-        Sentences mt3329 = new Sentences(GpsModel.MT3329, other, millis("2010-01-01T10:21:28Z"));
+        Sentences mt3329 = new Sentences(SentenceStyle.MT3329, other, millis("2010-01-01T10:21:28Z"));
         assertEquals("$GPGGA,102128.000,5129.0623,N,00632.2910,E,1,4,1.31,29.7,M,47.4,M,,*6D\r\n", Nmea.sentence(mt3329.gga(4, "1.31", 47.4)));
         assertEquals("$PMTK010,001*2E\r\n", Nmea.sentence("PMTK010,001"));
     }

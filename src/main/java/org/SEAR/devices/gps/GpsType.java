@@ -6,8 +6,8 @@ import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.DeviceType;
 import org.SEAR.devices.SerialDevice;
 
-/** Puts a MediaTek receiver behind the ports of a GPS. */
-public final class Mt3301Type implements DeviceType {
+/** Puts a receiver behind the ports of a GPS. */
+public final class GpsType implements DeviceType {
     @Override
     public Class<? extends SearObject> parameterType() {
         return GPS.class;
@@ -16,6 +16,8 @@ public final class Mt3301Type implements DeviceType {
     @Override
     public SerialDevice create(SearObject parameters, DeviceContext context) {
         GPS gps = (GPS) parameters;
-        return new Mt3301(GpsModel.of(gps.getModel()), gps.getBaud(), gps.getRate(), gps.getTimeToFix(), context);
+        GpsModel model = GpsModel.of(gps.getModel());
+        return model == GpsModel.NEOM8N ? new NeoM8n(gps.getBaud(), gps.getRate(), gps.getTimeToFix(), context)
+            : new Mt3301(model, gps.getBaud(), gps.getRate(), gps.getTimeToFix(), context);
     }
 }

@@ -1,0 +1,204 @@
+package org.SEAR.devices.gps;
+
+import java.nio.charset.StandardCharsets;
+import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.SerialDevice;
+import org.SEAR.sensors.GpsFix;
+
+/** What all receivers have in common: the clock of their fixes, the time to the first one, and how they change their line's speed. */
+abstract class Receiver implements SerialDevice {
+    static final double MILLIS = 1000;
+
+    private final GpsModel model;
+    private final DeviceContext context;
+    private final long timeToFix;
+    private int period;
+    private long nextFix;
+    private long fixNumber;
+    private long firstFix;
+    private long startedAt;
+    private boolean greeted;
+    private int baud;
+    private int nextBaud;
+    private double switchAt;
+
+    /** @param timeToFix seconds without a fix after power-on */
+    Receiver(GpsModel model, double timeToFix, DeviceContext context) {
+        this.model = model;
+        this.timeToFix = Math.round(timeToFix * MILLIS);
+        this.context = context;
+    }
+
+    /**
+     * Milliseconds from fix to fix of a rate.
+     *
+     * @throws IllegalArgumentException if the model can't do that
+     */
+    static int period(GpsModel model, double rate) {
+        int millis = (int) Math.round(MILLIS / rate);
+        if (millis < model.getShortestPeriod() || millis > PmtkCommands.MAX_PERIOD) {
+            throw new IllegalArgumentException("GPS rate " + rate + " Hz: an " + model + " has 0.1 to " + MILLIS / model.getShortestPeriod());
+        }
+        return millis;
+    }
+
+    /** Forgets everything that was set, as if it came from the factory. */
+    abstract void deliver();
+
+    /** Forgets what it does without power; calls {@link #begin}. */
+    abstract void boot();
+
+    /** What it sends with a fix, null for none; at a UTC in milliseconds since 1970; the number counts from power-on. */
+    abstract byte[] output(GpsFix fix, long millis, long number);
+
+    /** A byte that has come whole. */
+    abstract void take(int value, double time);
+
+    /** Forgets a command that was begun. */
+    abstract void forgetInput();
+
+    /** Its line's speed and milliseconds from fix to fix from now on. */
+    final void begin(int newBaud, int newPeriod) {
+        baud = newBaud;
+        nextBaud = 0;
+        period = newPeriod;
+        fixNumber = 0;
+        forgetInput();
+    }
+
+    @Override
+    public final void reset() {
+        deliver();
+        boot();
+        nextFix = period;
+        firstFix = timeToFix;
+        startedAt = 0;
+        greeted = false;
+    }
+
+    @Override
+    public final void powerOff() {
+        nextBaud = 0;
+    }
+
+    @Override
+    public final void powerOn(double time) {
+        boot();
+        greeted = true;
+        restart(true, time);
+        nextFix = nextFixAfter(time);
+    }
+
+    @Override
+    public final int getBaud() {
+        return baud;
+    }
+
+    @Override
+    public final void receive(int value, double time) {
+        advance(time);
+        take(value, time);
+    }
+
+    @Override
+    public final void receiveGarbage(double time) {
+        advance(time);
+        forgetInput();
+    }
+
+    @Override
+    public final void advance(double time) {
+        if (!greeted) {
+            greeted = true;
+            send(model.getGreeting(), 0);
+        }
+        while (nextFix / MILLIS <= time) {
+            switchBaud(nextFix / MILLIS);
+            fix(nextFix);
+            nextFix += period;
+        }
+        switchBaud(time);
+    }
+
+    private void switchBaud(double time) {
+        if (nextBaud != 0 && time >= switchAt) {
+            baud = nextBaud;
+            nextBaud = 0;
+            forgetInput();
+        }
+    }
+
+    /** Sends what belongs to a fix; while that of the last one is still on the line there is no new fix. */
+    private void fix(long millis) {
+        double time = millis / MILLIS;
+        if (context.lineFreeAt() > time) {
+            return;
+        }
+        byte[] bytes = output(fixAt(millis), context.epochMillis() + millis, fixNumber);
+        fixNumber++;
+        if (bytes.length > 0) {
+            context.send(bytes, time);
+        }
+    }
+
+    /** Where it is; null if it doesn't know. */
+    final GpsFix fixAt(long millis) {
+        Object reading = millis >= firstFix ? context.read(context.sensor()) : null;
+        return reading instanceof GpsFix && ((GpsFix) reading).isValid() ? (GpsFix) reading : null;
+    }
+
+    final void send(String text, double time) {
+        send(text.getBytes(StandardCharsets.US_ASCII), time);
+    }
+
+    final void send(byte[] bytes, double time) {
+        context.send(bytes, time);
+    }
+
+    /** Goes on at another speed once what was sent has left. */
+    final void changeBaud(int newBaud, double time) {
+        nextBaud = newBaud;
+        switchAt = Math.max(time, context.lineFreeAt());
+        switchBaud(time);
+    }
+
+    final int getPeriod() {
+        return period;
+    }
+
+    /** Milliseconds from fix to fix, from the next multiple of them on. */
+    final void setPeriod(int millis, double time) {
+        period = millis;
+        nextFix = nextFixAfter(time);
+    }
+
+    private long nextFixAfter(double time) {
+        return (long) Math.floor(time * MILLIS / period) * period + period;
+    }
+
+    /** Starts anew; a cold one takes its time to the first fix. */
+    final void restart(boolean cold, double time) {
+        lookAnew(cold, time);
+        startedAt = Math.round(time * MILLIS);
+        send(model.getGreeting(), time);
+    }
+
+    /** Looks at the sky anew; a cold one takes its time to the first fix. */
+    final void lookAnew(boolean cold, double time) {
+        firstFix = cold ? Math.round(time * MILLIS) + timeToFix : 0;
+    }
+
+    final GpsModel getModel() {
+        return model;
+    }
+
+    /** UTC of a simulated time, milliseconds since 1970. */
+    final long utc(double time) {
+        return context.epochMillis() + Math.round(time * MILLIS);
+    }
+
+    /** Milliseconds from its last start to a UTC. */
+    final long sinceStart(long utc) {
+        return utc - context.epochMillis() - startedAt;
+    }
+}

@@ -1,0 +1,75 @@
+package org.SEAR.protocol.ubx;
+
+/**
+ * Messages of u-blox receivers that are known here, by their class and their number in it. Those of class F0 are NMEA sentences, whose rates are set
+ * in the same way.
+ */
+public enum UbxMessage {
+    NAV_POSECEF(0x01, 0x01),
+    NAV_POSLLH(0x01, 0x02),
+    NAV_STATUS(0x01, 0x03),
+    NAV_DOP(0x01, 0x04),
+    NAV_SOL(0x01, 0x06),
+    NAV_PVT(0x01, 0x07),
+    NAV_VELECEF(0x01, 0x11),
+    NAV_VELNED(0x01, 0x12),
+    NAV_TIMEGPS(0x01, 0x20),
+    NAV_CLOCK(0x01, 0x22),
+    NAV_SAT(0x01, 0x35),
+    NAV_EOE(0x01, 0x61),
+    ACK_NAK(0x05, 0x00),
+    ACK_ACK(0x05, 0x01),
+    CFG_PRT(0x06, 0x00),
+    CFG_MSG(0x06, 0x01),
+    CFG_RST(0x06, 0x04),
+    CFG_RATE(0x06, 0x08),
+    CFG_CFG(0x06, 0x09),
+    CFG_NMEA(0x06, 0x17),
+    MON_VER(0x0A, 0x04),
+    NMEA_GGA(0xF0, 0x00),
+    NMEA_GLL(0xF0, 0x01),
+    NMEA_GSA(0xF0, 0x02),
+    NMEA_GSV(0xF0, 0x03),
+    NMEA_RMC(0xF0, 0x04),
+    NMEA_VTG(0xF0, 0x05),
+    NMEA_ZDA(0xF0, 0x08);
+
+    /** Class of what a receiver knows about its place. */
+    public static final int NAV = 0x01;
+    /** Class of what a receiver is set to. */
+    public static final int CFG = 0x06;
+    private static final int NMEA = 0xF0;
+
+    private final int group;
+    private final int id;
+
+    UbxMessage(int group, int id) {
+        this.group = group;
+        this.id = id;
+    }
+
+    /** The message of that class and number; null for one that isn't known here. */
+    public static UbxMessage of(int group, int id) {
+        for (UbxMessage message : values()) {
+            if (message.group == group && message.id == id) {
+                return message;
+            }
+        }
+        return null;
+    }
+
+    /** Its class, 0 to 255. */
+    public int getGroup() {
+        return group;
+    }
+
+    /** Its number in the class, 0 to 255. */
+    public int getId() {
+        return id;
+    }
+
+    /** Whether a receiver can send it again and again. */
+    public boolean isPeriodic() {
+        return group == NAV || group == NMEA;
+    }
+}

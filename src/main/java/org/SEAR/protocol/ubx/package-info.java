@@ -1,0 +1,5 @@
+/**
+ * The frames, messages and speeds of u-blox receivers (UBX, protocol 18); for the simulated receiver and for the driver. Uses nothing else. A reader
+ * serves one thread.
+ */
+package org.SEAR.protocol.ubx;

@@ -1,0 +1,106 @@
+package org.SEAR.protocol.ubx;
+
+import static org.junit.Assert.assertArrayEquals;
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.SEAR.Bytes;
+import org.SEAR.Fuzz;
+import org.junit.Test;
+
+/** Frames and their reader against frames of real receivers and of gpsd. */
+public class UbxTest {
+    /** From gpsd's log of a NEO-M8N, 2017-07-19. */
+    private static final String PVT = "B5 62 01 07 5C 00 30 98 58 11 E1 07 07 13 08 32 00 37 03 00 00 00 27 80 AD 2F 03 03 0A 0E AD EB 9D 52 89 BB 31 EB "
+        + "50 63 00 00 DF 70 00 00 6C 04 00 00 42 06 00 00 F6 FF FF FF E4 FF FF FF 26 00 00 00 1E 00 00 00 AA 05 30 00 E5 00 00 00 68 5F 0D 00 91 00 "
+        + "00 E0 AC 4C 22 00 00 E0 00 E0 00 00 00 80 C8 55";
+    private static final String[] FRAMES = {"B5 62 0A 04 00 00 0E 34", "B5 62 06 00 01 00 01 08 22", "B5 62 05 01 02 00 06 01 0F 38",
+        "B5 62 05 00 02 00 06 8A 97 BC", "B5 62 06 08 06 00 E8 03 01 00 01 00 01 39", "B5 62 06 01 03 00 F0 01 00 FB 11",
+        "B5 62 06 8A 09 00 00 01 00 00 07 00 91 20 01 53 48", "B5 62 01 04 12 00 A0 66 17 19 C5 00 AD 00 5E 00 94 00 5B 00 47 00 38 00 8B 9B",
+        "B5 62 06 00 14 00 01 00 00 00 D0 08 00 00 80 25 00 00 27 00 23 00 00 00 00 00 E2 75", PVT};
+
+    private final List<UbxFrame> found = new ArrayList<>();
+    private final ByteArrayOutputStream others = new ByteArrayOutputStream();
+    private final UbxReader reader = new UbxReader(found::add, others::write);
+
+    @Test
+    public void framesBothWays() {
+        for (String frame : FRAMES) {
+            reader.feed(Bytes.bytes(frame));
+            assertEquals(frame, Bytes.hex(found.remove(0).toBytes()));
+        }
+        assertEquals(0, reader.getDamaged());
+        assertEquals(0, others.size());
+    }
+
+    @Test
+    public void theSolutionOfARealReceiver() {
+        reader.feed(Bytes.bytes(PVT));
+        byte[] payload = found.get(0).getPayload();
+        assertEquals(UbxMessage.NAV_PVT, found.get(0).getMessage());
+        assertEquals(2017, NavPvt.YEAR.get(payload));
+        assertEquals(799899687, NavPvt.NANO.get(payload));
+        assertEquals(138.6081197, NavPvt.LONGITUDE.get(payload) / 1e7, 1e-12);
+        assertEquals(-34.9062263, NavPvt.LATITUDE.get(payload) / 1e7, 1e-12);
+        assertEquals(28895, NavPvt.ALTITUDE.get(payload));
+        assertEquals(14, NavPvt.SATELLITES.get(payload));
+        assertEquals(145, NavPvt.PDOP.get(payload));
+        assertEquals(291018800, NavPvt.TIME_OF_WEEK.get(payload));
+        assertEquals(-10, NavPvt.NORTHWARD.get(payload));
+        byte[] again = new byte[NavPvt.SIZE];
+        for (NavPvt field : NavPvt.values()) {
+            field.put(again, field.get(payload));
+        }
+        assertArrayEquals(java.util.Arrays.copyOf(payload, 80), java.util.Arrays.copyOf(again, 80));
+    }
+
+    @Test
+    public void sentencesBetweenFramesGoOn() {
+        reader.feed("$GPGGA,1*00\r\n".getBytes());
+        reader.feed(Bytes.bytes(FRAMES[0]));
+        reader.feed("$GP".getBytes());
+        assertEquals("$GPGGA,1*00\r\n$GP", others.toString());
+        assertEquals(1, found.size());
+    }
+
+    /** A frame that noise seems to begin ends in the midst of good ones, or says that it is 60000 bytes long; only the first, that of a lone byte, counts as none. */
+    @Test
+    public void aDamagedFrameCostsNoGoodOne() {
+        String wrongSum = FRAMES[2].substring(0, FRAMES[2].length() - 2) + "39";
+        for (String noise : new String[] {"B5", "B5 B5 62", "B5 62 01 07 0A 00", "B5 62 01 07 60 EA", wrongSum}) {
+            found.clear();
+            reader.feed(Bytes.bytes(noise + FRAMES[0] + FRAMES[4]));
+            assertEquals(noise, 2, found.size());
+        }
+        assertEquals(4, reader.getDamaged());
+    }
+
+    @Test
+    public void unknownMessagesAreFramesToo() {
+        reader.feed(new UbxFrame(0x21, 0x0E, new byte[] {1, 2, 3}).toBytes());
+        assertNull(found.get(0).getMessage());
+        assertEquals(3, found.get(0).getLength());
+        assertEquals(UbxMessage.MON_VER, UbxMessage.of(0x0A, 0x04));
+    }
+
+    @Test
+    public void randomBytesNeverStopIt() {
+        Random random = new Random(Fuzz.SEED);
+        for (int i = 0; i < Fuzz.BYTES; i++) {
+            reader.accept(random.nextInt(4) == 0 ? (random.nextBoolean() ? 0xB5 : 0x62) : random.nextInt(6) == 0 ? 0 : random.nextInt(256));
+            if (i % 50000 == 0) {
+                reader.feed(new byte[UbxFrame.MOST + UbxFrame.OVERHEAD]);
+                found.clear();
+                others.reset();
+                reader.feed(Bytes.bytes(FRAMES[0]));
+                assertEquals("seed " + Fuzz.SEED + " after " + i, 1, found.size());
+            }
+        }
+        assertTrue(reader.getDamaged() > 0);
+    }
+}

@@ -17,8 +17,15 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
     var METRES_PER_DEGREE = 111132.954
     var EQUATOR_DEGREE = 111412.84
 
-    $scope.bauds = [4800, 9600, 14400, 19200, 38400, 57600, 115200]
-    $scope.models = ['FV-M8', 'MT3301', 'MT3329', 'NMEA']
+    var UBLOX = 'NEO-M8N'
+    var UBLOX_BAUD = 9600       // as delivered
+    var OTHER_BAUD = 38400
+    $scope.models = ['FV-M8', 'MT3301', 'MT3329', UBLOX, 'NMEA']
+    var bauds = [4800, 9600, 14400, 19200, 38400, 57600, 115200]
+    var ubloxBauds = [4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600]
+    $scope.bauds = function() {
+        return $scope.form.model === UBLOX ? ubloxBauds : bauds
+    }
     $scope.form = {port: '', baud: 38400, model: 'FV-M8', raw: false}
     $scope.ports = []
     $scope.sentences = []
@@ -183,6 +190,14 @@ angular.module('mrlapp.service.GPSGui', []).controller('GPSGuiCtrl', ['$scope', 
 
     $scope.touch = function() {
         touched = true
+    }
+    /** A speed that the other kind of receiver is delivered with becomes that of this kind. */
+    $scope.chooseModel = function() {
+        var ublox = $scope.form.model === UBLOX
+        touched = true
+        if ($scope.form.baud === (ublox ? OTHER_BAUD : UBLOX_BAUD)) {
+            $scope.form.baud = ublox ? UBLOX_BAUD : OTHER_BAUD
+        }
     }
     $scope.connect = function() {
         $scope.last = null

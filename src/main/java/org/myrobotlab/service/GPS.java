@@ -2,23 +2,28 @@ package org.myrobotlab.service;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import org.SEAR.protocol.Uart;
 import org.SEAR.protocol.nmea.Nmea;
 import org.SEAR.protocol.nmea.Pmtk;
 import org.SEAR.protocol.nmea.SentenceReader;
+import org.SEAR.protocol.ubx.UbxFrame;
+import org.SEAR.protocol.ubx.UbxMessage;
+import org.SEAR.protocol.ubx.UbxReader;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.GPSConfig;
 import org.myrobotlab.service.gps.GgaFix;
+import org.myrobotlab.service.gps.PvtFix;
+import org.myrobotlab.service.gps.ReceiverModel;
+import org.myrobotlab.service.gps.UbxText;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 import org.myrobotlab.service.link.PanelFiles;
 import org.myrobotlab.service.link.SerialLink;
 import org.myrobotlab.service.link.Warnings;
 
 /**
- * Reads a GPS receiver that sends NMEA sentences, real or simulated, on any port of MyRobotLab's Serial service.
+ * Reads a GPS receiver that sends NMEA sentences or u-blox' UBX, real or simulated, on any port of MyRobotLab's Serial service.
  *
  * <pre>
  * gps = Runtime.start("roofGps", "GPS")
@@ -31,8 +36,6 @@ import org.myrobotlab.service.link.Warnings;
 public class GPS extends Service<GPSConfig> implements SerialDataListener {
     private static final long serialVersionUID = 1L;
     private static final String PEER = "serial";
-    private static final List<String> MODELS = Arrays.asList("FV-M8", "MT3301", "MT3329", "NMEA");
-    private static final String PLAIN = "NMEA";
     /** What the answer to the question for the firmware starts with. */
     private static final String FIRMWARE = "$" + Pmtk.RELEASE.body() + ",";
     /** Receivers send once a second; this long without a good sentence is a loss. Seconds. */
@@ -45,11 +48,13 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     }
 
     private final transient SentenceReader reader = new SentenceReader(this::onSentence);
+    private final transient UbxReader frames = new UbxReader(this::onFrame, reader::accept);
     private transient SerialLink link;
     private transient double lastHeard;
     private transient double changeBaudAt = Double.POSITIVE_INFINITY;
     private transient int nextBaud;
     private transient volatile GgaFix lastFix;
+    private transient boolean lastFixOfUbx;
     private transient boolean asked;
     private String firmware;
     private boolean connected;
@@ -71,7 +76,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     }
 
     /**
-     * Connects to the port the receiver is on, at the configured baud rate, 38400 unless set.
+     * Connects to the port the receiver is on, at the configured baud rate: unless set, 9600 for a NEO-M8N and 38400 for others.
      *
      * @param port the port's name, for example {@code "/dev/SEAR_GPS_01"} or {@code "COM3"}
      * @throws IOException if there is no such port, or it is in use
@@ -83,10 +88,10 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
 
     /**
      * Connects to the port the receiver is on. When the first sentence has come, a receiver is asked for its firmware (unless the model is NMEA),
-     * and the model becomes the one it names.
+     * and the model becomes the one it names, if that is one of MediaTek's.
      *
      * @param port the port's name
-     * @param baud 4800, 9600, 14400, 19200, 38400, 57600 or 115200
+     * @param baud 4800, 9600, 19200, 38400, 57600 or 115200; a NEO-M8N has 230400, 460800 and 921600 as well, the others 14400
      * @throws IOException if there is no such port, or it is in use
      * @example gps.connect("/dev/SEAR_GPS_01", 38400)
      */
@@ -94,9 +99,10 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         if (link == null) {
             startService();
         }
-        checkedBaud(baud);
+        model().checkedBaud(baud);
         disconnect();
         reader.reset();
+        frames.reset();
         silent = false;
         fix = false;
         asked = false;
@@ -152,46 +158,59 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     }
 
     /**
-     * Tells the receiver to talk at another rate ({@code $PMTK251}) and follows it; not connected, or of model NMEA: the rate of the port.
+     * Tells the receiver to talk at another rate ({@code $PMTK251}; a NEO-M8N by CFG-PRT) and follows it; not connected, or of model NMEA: the rate
+     * of the port.
      *
-     * @param baud 4800, 9600, 14400, 19200, 38400, 57600 or 115200
+     * @param baud 4800, 9600, 19200, 38400, 57600 or 115200; a NEO-M8N has 230400, 460800 and 921600 as well, the others 14400
      * @throws IllegalArgumentException that names those there are
      * @example gps.setBaud(38400)
      */
     public synchronized void setBaud(int baud) {
         int old = link != null && connected ? link.getBaud() : config.baud;
-        config.baud = checkedBaud(baud);
-        if (connected && PLAIN.equals(config.model)) {
+        config.baud = model().checkedBaud(baud);
+        if (connected && !model().takesCommands()) {
             link.setBaud(baud);
         } else if (connected) {
-            String command = Nmea.sentence(Pmtk.SET_BAUD.body(baud));
+            byte[] command = model().baudCommand(baud);
             send(command);
             nextBaud = baud;
-            changeBaudAt = link.timeOutNow() + Uart.seconds(command.length(), old) + BEFORE_BAUD_CHANGE;
+            changeBaudAt = link.timeOutNow() + Uart.seconds(command.length, old) + BEFORE_BAUD_CHANGE;
         }
         broadcastState();
     }
 
-    private static int checkedBaud(int baud) {
-        if (!Pmtk.BAUDS.contains(baud)) {
-            throw new IllegalArgumentException("GPS baud rate is " + baud + ", legal: " + Pmtk.BAUDS);
-        }
-        return baud;
+    /**
+     * Tells the receiver how many fixes a second to send ({@code $PMTK220}; a NEO-M8N by CFG-RATE). More sentences than the line carries are left out
+     * by the receiver: at 9600 baud a NEO-M8N sends its six kinds once a second.
+     *
+     * @param hertz 0.1 to 5; to 10 for an MT3329 or a NEO-M8N
+     * @throws IllegalArgumentException that says how many the model can
+     * @throws IllegalStateException if it is not connected
+     * @example gps.setRate(5)
+     */
+    public void setRate(double hertz) {
+        send(model().rateCommand(hertz));
+    }
+
+    private ReceiverModel model() {
+        return ReceiverModel.of(config.model);
     }
 
     /**
-     * The receiver's type.
+     * The receiver's type. While not connected, a configured baud rate that is the present model's as delivered becomes the new one's: 9600 for a
+     * NEO-M8N, 38400 for others.
      *
-     * @param model FV-M8 (FV_M8 as well), MT3301, MT3329 (these take PMTK commands) or NMEA (never sent anything)
+     * @param model FV-M8 (FV_M8 as well), MT3301, MT3329 (these take PMTK commands), NEO-M8N (u-blox as well; takes UBX) or NMEA (never sent anything)
      * @throws IllegalArgumentException that names those there are
      * @example gps.setModel("FV-M8")
      */
     public void setModel(String model) {
-        String known = model == null ? null : model.replace('_', '-');
-        if (!MODELS.contains(known)) {
-            throw new IllegalArgumentException("GPS model is \"" + model + "\", legal: " + MODELS);
+        ReceiverModel old = model();
+        ReceiverModel known = ReceiverModel.of(model);
+        config.model = known.getLabel();
+        if (!connected && config.baud == old.deliveredBaud()) {
+            config.baud = known.deliveredBaud();
         }
-        config.model = known;
         broadcastState();
     }
 
@@ -203,15 +222,27 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
      * @example gps.sendCommand("PMTK220,200")
      */
     public void sendCommand(String body) {
-        send(Nmea.sentence(body));
+        send(Nmea.sentence(body).getBytes(StandardCharsets.US_ASCII));
     }
 
-    private void send(String sentence) {
+    /**
+     * Sends a message to a u-blox receiver.
+     *
+     * @param hex class, number and payload, without what frames them; {@code "06 01 01 07 01"} switches NAV-PVT on
+     * @throws IllegalArgumentException if these are not two bytes or more in hexadecimal
+     * @throws IllegalStateException if it is not connected
+     * @example gps.sendUbx("06 01 01 07 01")
+     */
+    public void sendUbx(String hex) {
+        send(UbxText.frame(hex).toBytes());
+    }
+
+    private void send(byte[] bytes) {
         if (!isConnected()) {
             lost();
             throw new IllegalStateException(getName() + " is not connected: call connect(port) first");
         }
-        link.write(sentence.getBytes(StandardCharsets.US_ASCII));
+        link.write(bytes);
     }
 
     /**
@@ -233,7 +264,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     }
 
     /**
-     * Whether the last GGA sentence had a position.
+     * Whether the last GGA sentence, or NAV-PVT, had a position.
      *
      * @example print gps.hasFix()
      */
@@ -242,7 +273,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     }
 
     /**
-     * The firmware as the receiver names it, for example {@code "MTK3301_1.0"}; None before it did.
+     * The firmware as the receiver names it, for example {@code "MTK3301_1.0"} or {@code "EXT CORE 3.01 (107900)"}; None before it did.
      *
      * @example print gps.getFirmware()
      */
@@ -251,7 +282,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     }
 
     /**
-     * The last GGA sentence; None before the first. It has latitude and longitude (decimal degrees, + north and east), altitude (m), quality
+     * The last GGA sentence, or NAV-PVT in its form; None before the first. It has latitude and longitude (decimal degrees, + north and east), altitude (m), quality
      * (0 = no fix), satellites, utc (hhmmss.sss) and tokens.
      *
      * @example fix = gps.getLastFix()
@@ -261,7 +292,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     }
 
     /**
-     * Good sentences received since the service was made.
+     * Good sentences and UBX messages received since the service was made.
      *
      * @example print gps.getSentenceCount()
      */
@@ -270,17 +301,18 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     }
 
     /**
-     * Sentences left out because they were damaged.
+     * Sentences and UBX messages left out because they were damaged.
      *
      * @example print gps.getDamagedCount()
      */
     public long getDamagedCount() {
-        return reader.getDamaged();
+        return reader.getDamaged() + frames.getDamaged();
     }
 
     /**
      * The fields of a GGA sentence. Token 0 is {@code "$GPGGA"}, 2 the latitude as ddmm.mmmm and 4 the longitude as dddmm.mmmm, both negative in
-     * the south and west ({@code "-08051.8999"}), 6 the quality of the fix, 9 the altitude in metres.
+     * the south and west ({@code "-08051.8999"}), 6 the quality of the fix, 9 the altitude in metres. A u-blox receiver's NAV-PVT comes in this form,
+     * too; of both of one moment only the first.
      *
      * @example gps.addListener("publishGGAData", python.getName(), "onGuideGga")
      */
@@ -317,7 +349,27 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
 
     @Override
     public void onBytes(byte[] bytes) {
-        reader.feed(bytes);
+        frames.feed(bytes);
+    }
+
+    private void onFrame(UbxFrame frame) {
+        sentences++;
+        heard();
+        if (frame.getMessage() == UbxMessage.MON_VER) {
+            firmware = UbxText.version(frame);
+            broadcastState();
+        } else if (frame.getMessage() == UbxMessage.ACK_NAK) {
+            Warnings.publish(this, "%s refuses what it was told: %s", getName(), UbxText.refused(frame));
+        } else if (frame.getMessage() == UbxMessage.NAV_PVT) {
+            try {
+                onGga(PvtFix.of(frame.getPayload()), true);
+            } catch (IllegalArgumentException e) {
+                Warnings.publish(this, "%s sent a NAV-PVT that makes no sense: %s", getName(), e.getMessage());
+            }
+        }
+        if (!asked && connected) {
+            askFirmware();
+        }
     }
 
     private void onSentence(String sentence) {
@@ -331,7 +383,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         invoke("publishSentence", sentence);
         if (sentence.startsWith("GGA", 3)) {
             try {
-                onGga(new GgaFix(sentence));
+                onGga(new GgaFix(sentence), false);
             } catch (IllegalArgumentException e) {
                 Warnings.publish(this, "%s sent a GGA sentence that makes no sense: %s", getName(), sentence);
             }
@@ -340,23 +392,19 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
 
     private void askFirmware() {
         asked = true;
-        if (!PLAIN.equals(config.model)) {
+        if (model().takesCommands()) {
             try {
-                sendCommand(Pmtk.QUERY_RELEASE.body());
+                send(model().firmwareQuestion());
             } catch (IllegalStateException e) {
                 log.info("{} can't be asked for its firmware: {}", getName(), e.getMessage());
             }
         }
     }
 
-    /** {@code MTK3301_1.0} is an MT3301's, {@code AXN_1.30} an MT3329's. */
     private void onFirmware(String release) {
         firmware = release;
-        if (release.contains("3301")) {
-            config.model = "MT3301";
-        } else if (release.startsWith("AXN")) {
-            config.model = "MT3329";
-        }
+        ReceiverModel named = ReceiverModel.ofRelease(release);
+        config.model = named == null ? config.model : named.getLabel();
         broadcastState();
     }
 
@@ -369,8 +417,14 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         }
     }
 
-    private void onGga(GgaFix received) {
+    /** A receiver may send a sentence and a message of the same moment. */
+    private void onGga(GgaFix received, boolean ofUbx) {
+        GgaFix before = lastFix;
+        if (before != null && lastFixOfUbx != ofUbx && !received.utc.isEmpty() && received.utc.equals(before.utc)) {
+            return;
+        }
         lastFix = received;
+        lastFixOfUbx = ofUbx;
         if (fix != received.hasFix()) {
             fix = received.hasFix();
             if (fix) {

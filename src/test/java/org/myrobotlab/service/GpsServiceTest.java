@@ -8,16 +8,27 @@ import static org.junit.Assert.fail;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.Random;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
+import org.SEAR.Bytes;
+import org.SEAR.Fuzz;
 import org.SEAR.protocol.nmea.Nmea;
+import org.SEAR.protocol.ubx.NavPvt;
+import org.SEAR.protocol.ubx.UbxFrame;
+import org.SEAR.protocol.ubx.UbxMessage;
 
 /** The GPS service with a receiver that says what real ones said. */
 public class GpsServiceTest {
     private static final String PORT = "/dev/test_gps";
     private static final String SOUTH_CAROLINA = Nmea.sentence("GPGGA,120000.000,3336.6000,N,08051.8999,W,1,8,1.0,182.5,M,-33.0,M,,");
     private static final String NO_FIX = "$GPGGA,235946.005,8960.000000,N,00000.000000,E,0,0,,137.000,M,13.000,M,,*49\r\n";
+
+    /** gpsd's log of a NEO-M8N. */
+    private static final String PVT = "B5 62 01 07 5C 00 30 98 58 11 E1 07 07 13 08 32 00 37 03 00 00 00 27 80 AD 2F 03 03 0A 0E AD EB 9D 52 89 BB 31 EB "
+        + "50 63 00 00 DF 70 00 00 6C 04 00 00 42 06 00 00 F6 FF FF FF E4 FF FF FF 26 00 00 00 1E 00 00 00 AA 05 30 00 E5 00 00 00 68 5F 0D 00 91 00 "
+        + "00 E0 AC 4C 22 00 00 E0 00 E0 00 00 00 80 C8 55";
 
     private FarEnd receiver;
     private GPS gps;
@@ -153,5 +164,103 @@ public class GpsServiceTest {
             }
         }
         assertFalse(gps.isConnected());
+    }
+
+    @Test
+    public void aSolutionOfUbxIsReadAsASentenceIs() throws Exception {
+        gps.addListener("publishGGAData", "positions", "onValue");
+        gps.connect(PORT);
+        receiver.send(Bytes.bytes("B5 62" + PVT));
+        String[] tokens = (String[]) heard.await(1).get(0);
+        assertEquals("$GNGGA", tokens[0]);
+        assertEquals("085000.80", tokens[1]);
+        assertEquals("-3454.3735780", tokens[2]);
+        assertEquals("13836.4871820", tokens[4]);
+        assertEquals("differential", "2", tokens[6]);
+        assertEquals("28.895", tokens[9]);
+        assertEquals("-3.471", tokens[11]);
+        assertTrue(gps.hasFix());
+        assertEquals(-34.9062263, gps.getLastFix().latitude, 1e-9);
+        assertEquals(1, gps.getSentenceCount());
+        assertEquals("what seemed to begin a frame", 1, gps.getDamagedCount());
+    }
+
+    /** The receiver sends both with each fix. */
+    @Test
+    public void aSentenceAndASolutionOfOneMomentAreOnePosition() throws Exception {
+        gps.addListener("publishGPS", "positions", "onValue");
+        gps.connect(PORT);
+        receiver.send(Bytes.bytes(PVT));
+        say(Nmea.sentence("GNGGA,085000.80,3454.37358,S,13836.48718,E,1,14,1.45,28.9,M,-3.5,M,,"));
+        say(Nmea.sentence("GNGGA,085001.80,3454.37358,S,13836.48718,E,1,14,1.45,28.9,M,-3.5,M,,"));
+        assertArrayEquals(new double[] {-34.9062263, 138.6081197, 28.895}, (double[]) heard.await(1).get(0), 1e-9);
+        assertArrayEquals(new double[] {-34.906226333, 138.608119667, 28.9}, (double[]) heard.await(2).get(1), 1e-9);
+        assertEquals(2, heard.await(2).size());
+    }
+
+    @Test
+    public void aNeoM8nIsToldInItsOwnLanguage() throws Exception {
+        gps.setModel("u-blox");
+        assertEquals("NEO-M8N", gps.getConfig().model);
+        assertEquals(9600, gps.getConfig().baud);
+        gps.connect(PORT);
+        say(SOUTH_CAROLINA);
+        assertEquals("B5 62 0A 04 00 00 0E 34", receiver.await(1).get(0));
+        gps.setRate(5);
+        assertEquals("B5 62 06 08 06 00 C8 00 01 00 01 00 DE 6A", receiver.await(2).get(1));
+        gps.sendUbx("06 01 01 07 01");
+        assertEquals("B5 62 06 01 03 00 01 07 01 13 51", receiver.await(3).get(2));
+        gps.setBaud(115200);
+        assertEquals("B5 62 06 00 14 00 01 00 00 00 D0 08 00 00 00 C2 01 00 07 00 03 00 00 00 00 00 C0 7E", receiver.await(4).get(3));
+        receiver.send(Bytes.bytes("B5 62 05 00 02 00 06 8A 97 BC"));
+        assertTrue(heard.awaitStatus("warn: testGps refuses what it was told: message 06 8A"));
+        byte[] version = Arrays.copyOf("EXT CORE 3.01 (107900)".getBytes(StandardCharsets.US_ASCII), 40);
+        gps.addListener("publishSentence", "positions", "onValue");
+        receiver.send(new UbxFrame(UbxMessage.MON_VER, version).toBytes());
+        say(SOUTH_CAROLINA);
+        heard.await(1);
+        assertEquals("EXT CORE 3.01 (107900)", gps.getFirmware());
+    }
+
+    @Test
+    public void theRateIsSetWithTheReceiversOwnCommand() throws Exception {
+        gps.connect(PORT);
+        gps.setRate(5);
+        assertEquals(FarEnd.hex("$PMTK220,200*2C\r\n".getBytes(StandardCharsets.US_ASCII)), String.join(" ", receiver.await(1)));
+        assertEquals("GPS rate is 20.0 Hz, legal of FV-M8: 0.1 to 5.0", refusal(() -> gps.setRate(20)));
+        assertTrue(refusal(() -> gps.sendUbx("06 0")).startsWith("UBX message is \"06 0\", legal: class, number and payload"));
+        gps.setModel("NMEA");
+        assertTrue(refusal(() -> gps.setRate(1)).contains("model NMEA is never sent anything"));
+    }
+
+    private static String refusal(Runnable call) {
+        try {
+            call.run();
+        } catch (IllegalArgumentException e) {
+            return e.getMessage();
+        }
+        return "taken";
+    }
+
+    @Test
+    public void randomBytesNeverStopIt() throws Exception {
+        Random random = new Random(Fuzz.SEED);
+        gps.connect(PORT);
+        byte[] block = new byte[1000];
+        for (int done = 0; done < Fuzz.BYTES; done += block.length) {
+            random.nextBytes(block);
+            for (int i = 0; i + 1 < block.length; i += 50) {
+                block[i] = (byte) 0xB5;
+                block[i + 1] = 0x62;
+            }
+            gps.onBytes(block);
+            byte[] payload = new byte[NavPvt.LEAST + random.nextInt(20)];
+            random.nextBytes(payload);
+            gps.onBytes(new UbxFrame(UbxMessage.NAV_PVT, payload).toBytes());
+        }
+        gps.onBytes(new byte[UbxFrame.MOST + UbxFrame.OVERHEAD]);
+        gps.addListener("publishGPS", "positions", "onValue");
+        say(SOUTH_CAROLINA);
+        assertEquals("seed " + Fuzz.SEED, 182.5, ((double[]) heard.await(1).get(0))[2], 0);
     }
 }

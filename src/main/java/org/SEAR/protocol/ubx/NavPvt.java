@@ -56,6 +56,8 @@ public enum NavPvt {
     /** 1 the place is not valid. */
     FLAGS_3(78, 2, false);
 
+    /** Bytes of the payload of older receivers, u-blox 7, which lacks nothing that is here. */
+    public static final int LEAST = 84;
     /** Bytes of the payload. */
     public static final int SIZE = 92;
     private static final int BITS = 8;
@@ -71,7 +73,7 @@ public enum NavPvt {
         this.signed = signed;
     }
 
-    /** Reads the field of a payload of {@link #SIZE} bytes. */
+    /** Reads the field of a payload of {@link #LEAST} bytes or more. */
     public long get(byte[] payload) {
         long value = signed ? payload[offset + size - 1] : payload[offset + size - 1] & BYTE;
         for (int i = offset + size - 2; i >= offset; i--) {

@@ -6,9 +6,9 @@ import org.myrobotlab.framework.Plan;
 public class GPSConfig extends ServiceConfig {
     /** The port last connected to; null before the first time. */
     public String port;
-    /** Bits a second: 4800 to 115200, default 38400. */
+    /** Bits a second: 4800 to 115200, of a NEO-M8N to 921600; default 38400. */
     public int baud = 38400;
-    /** FV-M8 (default), MT3301, MT3329 or NMEA. */
+    /** FV-M8 (default), MT3301, MT3329, NEO-M8N or NMEA. */
     public String model = "FV-M8";
 
     @Override

@@ -8,7 +8,7 @@ public class GPSMeta extends MetaData {
 
     /** As MyRobotLab makes it. */
     public GPSMeta() {
-        addDescription("reads a GPS receiver that sends NMEA sentences, real or simulated");
+        addDescription("reads a GPS receiver that sends NMEA sentences or UBX, real or simulated");
         addCategory("sensors");
         setLicenseApache();
     }

@@ -23,6 +23,7 @@ import org.SEAR.web.PanelsPageTest;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.service.GpsDriversTest;
 import org.myrobotlab.service.ThirdPartyDriversTest;
 
 /**
@@ -49,7 +50,8 @@ public class CodeOfTheDocsTest {
         entry("docs/objects.md xml", ObjectDocsTest.class),
         entry("docs/other-programs.md python", ReadmeTest.class),
         entry("docs/other-programs.md python3", ThirdPartyDriversTest.class),
-        entry("docs/other-programs.md sh gpsd ", ThirdPartyDriversTest.class),
+        entry("docs/other-programs.md sh gpsd -N -n -b", ThirdPartyDriversTest.class),
+        entry("docs/other-programs.md sh gpsd -N -n -s", GpsDriversTest.class),
         entry("docs/other-programs.md sh gpspipe ", ThirdPartyDriversTest.class),
         entry("docs/panels.md html", PanelsPageTest.class),
         entry("docs/panels.md js", PanelsPageTest.class),

@@ -1,0 +1,103 @@
+package org.myrobotlab.service;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.GPS;
+import org.SEAR.POJOs.Robots;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.documents.DocBlock;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** Programs of others, written for real u-blox receivers, on the exported port of a simulated NEO-M8N. */
+public class GpsDriversTest {
+    private static final String PORT = "/dev/SEAR_GPS_01";
+    private static final double LATITUDE = 35.3;
+    private static final double LONGITUDE = -80.7;
+    private static final double ALTITUDE = 200;
+
+    @Rule
+    public final DriverProcesses drivers = new DriverProcesses();
+    private SEAR sear;
+
+    @Before
+    public void start() {
+        new Floor("floor", 20, 20);
+        SEARrobot robot = Robots.create2("create");
+        GPS gps = new GPS("receiver", LATITUDE, ALTITUDE, LONGITUDE);
+        gps.setModel("NEO-M8N");
+        gps.setPorts("/dev/my_GPS_01", PORT);
+        robot.addComponent(gps);
+        sear = (SEAR) Runtime.start("sear", "SEAR");
+        sear.startSimulation();
+        sear.simSleep(1);
+    }
+
+    @After
+    public void stop() {
+        sear.stopSimulation();
+        Runtime.releaseService("sear");
+    }
+
+    /** It sets the receiver to UBX, which it says, and then goes by NAV-PVT. */
+    @Test
+    public void gpsdSwitchesToUbxAndGetsAFix() throws Exception {
+        String port = sear.exportPort(PORT, drivers.path("ttyGPS"));
+        int number = DriverProcesses.freePort();
+        List<String> gpsd = words("gpsd -N -n -s 9600", "/dev/pts/3", "-S " + number + " " + port);
+        Process daemon = drivers.start(new ProcessBuilder(gpsd));
+        List<String> output = new ArrayList<>();
+        boolean ubx = false;
+        String fix = null;
+        long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(DriverProcesses.SECONDS + 60);
+        while ((fix == null || !ubx) && System.nanoTime() < deadline) {
+            Process pipe = drivers.start(new ProcessBuilder("gpspipe", "-w", "-n", "12", "localhost:" + number));
+            output.addAll(drivers.read(pipe, 20));
+            ubx |= output.stream().anyMatch(line -> line.contains("\"driver\":\"u-blox\"") && line.contains("PROTVER=18"));
+            fix = ubx ? output.stream().filter(GpsDriversTest::isUbxFix).findFirst().orElse(null) : null;
+        }
+        assertTrue("gpsd ended: " + drivers.read(daemon, 0), daemon.isAlive());
+        assertTrue(String.join("\n", output), fix != null);
+        assertEquals(LATITUDE, number(fix, "lat"), 1e-6);
+        assertEquals(LONGITUDE, number(fix, "lon"), 1e-6);
+        assertEquals(sear.getGpsResult("receiver")[2], number(fix, "altMSL"), 0.1);
+    }
+
+    /** In NMEA there is no such speed accuracy. */
+    private static boolean isUbxFix(String line) {
+        return line.matches(".*\"class\":\"TPV\".*\"mode\":3.*\"lat\":.*") && line.contains("\"ecefx\"");
+    }
+
+    private static List<String> words(String start, String word, String here) {
+        List<String> commands = DocBlock.commands("docs/other-programs.md", start);
+        assertEquals(commands.toString(), 1, commands.size());
+        return Arrays.asList(commands.get(0).replace(word, here).split(" "));
+    }
+
+    private static double number(String json, String field) {
+        return Double.parseDouble(json.replaceAll(".*\"" + field + "\":(-?[0-9.]+).*", "$1"));
+    }
+
+    @Test
+    public void pyubx2SetsUpTheReceiverAndReadsItsSolutions() throws Exception {
+        List<String> output = drivers.python("pyubx2_read.py", sear.exportPort(PORT), Integer.toString(5 * DriverProcesses.SECONDS));
+        assertEquals("EXT CORE 3.01 (107900)", output.get(0));
+        assertEquals("12", output.get(1));
+        assertEquals(2 + 5 * DriverProcesses.SECONDS, output.size());
+        double[] truth = sear.getGpsResult("receiver");
+        for (String line : output.subList(2, output.size())) {
+            String[] fields = line.split(" ");
+            assertEquals(line, truth[0], Double.parseDouble(fields[0]), 2e-7);
+            assertEquals(line, truth[1], Double.parseDouble(fields[1]), 2e-7);
+            assertEquals(line, truth[2], Double.parseDouble(fields[2]), 0.02);
+        }
+    }
+}

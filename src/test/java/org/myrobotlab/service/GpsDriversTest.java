@@ -12,6 +12,7 @@ import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.documents.DocBlock;
+import org.SEAR.geometry.Geoid;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
@@ -68,7 +69,9 @@ public class GpsDriversTest {
         assertTrue(String.join("\n", output), fix != null);
         assertEquals(LATITUDE, number(fix, "lat"), 1e-6);
         assertEquals(LONGITUDE, number(fix, "lon"), 1e-6);
-        assertEquals(sear.getGpsResult("receiver")[2], number(fix, "altMSL"), 0.1);
+        double altitude = sear.getGpsResult("receiver")[2];
+        assertEquals(altitude, number(fix, "altMSL"), 0.1);
+        assertEquals(altitude + Geoid.separation(LATITUDE, LONGITUDE), number(fix, "altHAE"), 0.1);
     }
 
     /** In NMEA there is no such speed accuracy. */
@@ -98,6 +101,7 @@ public class GpsDriversTest {
             assertEquals(line, truth[0], Double.parseDouble(fields[0]), 2e-7);
             assertEquals(line, truth[1], Double.parseDouble(fields[1]), 2e-7);
             assertEquals(line, truth[2], Double.parseDouble(fields[2]), 0.02);
+            assertEquals(line, truth[2] + Geoid.separation(LATITUDE, LONGITUDE), Double.parseDouble(fields[3]), 0.02);
         }
     }
 }

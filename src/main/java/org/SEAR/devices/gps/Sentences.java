@@ -7,6 +7,7 @@ import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import org.SEAR.geometry.Geoid;
 import org.SEAR.protocol.nmea.Nmea;
 import org.SEAR.sensors.GpsFix;
 
@@ -21,8 +22,6 @@ final class Sentences {
     private static final double KILOMETRES_PER_HOUR = 3.6;
     /** Slower than this is standing, m/s. */
     private static final double STANDING = 0.1;
-    /** The simulated world's sea level is the ellipsoid. */
-    private static final double GEOID_SEPARATION = 0;
 
     private final SentenceStyle style;
     private final GpsFix fix;
@@ -41,7 +40,7 @@ final class Sentences {
     }
 
     String gga() {
-        return fix == null ? ggaNoFix() : gga(style.satellites(), dop(Constellation.HDOP), GEOID_SEPARATION);
+        return fix == null ? ggaNoFix() : gga(style.satellites(), dop(Constellation.HDOP), Geoid.separation(fix.getLatitude(), fix.getLongitude()));
     }
 
     String gga(int satellites, String hdop, double separation) {

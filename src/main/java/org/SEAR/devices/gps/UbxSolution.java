@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.time.Instant;
 import java.time.ZoneOffset;
 import java.time.ZonedDateTime;
+import org.SEAR.geometry.Geoid;
 import org.SEAR.protocol.ubx.NavPvt;
 import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
@@ -130,8 +131,9 @@ final class UbxSolution {
         return fix == null ? UNKNOWN_DOP : scaled(value, HUNDREDTHS);
     }
 
+    /** Above the ellipsoid, metres. */
     private double height() {
-        return fix.getAltitude();
+        return fix.getAltitude() + Geoid.separation(fix.getLatitude(), fix.getLongitude());
     }
 
     private double north() {

@@ -114,7 +114,7 @@ public class Mt3301Test {
         assertEquals(10, text.split("\\$GPGGA", -1).length - 1);
         assertEquals(10, text.split("\\$GPRMC", -1).length - 1);
         assertEquals(2, text.split("\\$GPGSA", -1).length - 1);
-        assertTrue(text, text.startsWith("$GPGGA,120001.000,3336.600000,N,08051.900000,W,1,8,1.02,182.500,M,0.000,M,,*"));
+        assertTrue(text, text.startsWith("$GPGGA,120001.000,3336.600000,N,08051.900000,W,1,8,1.02,182.500,M,-32.797,M,,*"));
         for (String sentence : text.split("\r\n")) {
             assertTrue(sentence, Nmea.body(sentence) != null);
         }

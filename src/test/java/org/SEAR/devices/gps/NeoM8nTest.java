@@ -87,7 +87,7 @@ public class NeoM8nTest {
         assertTrue(lines.stream().allMatch(each -> Nmea.body(each) != null));
         assertTrue(lines.toString(), lines.get(0).startsWith("$GNRMC,120001.00,A,4717.11399,N,00833.91590,E,5.832,30.00,010126,,,A*"));
         assertTrue(lines.toString(), lines.get(1).startsWith("$GNVTG,30.00,T,,M,5.832,N,10.800,K,A*"));
-        assertTrue(lines.toString(), lines.get(2).startsWith("$GNGGA,120001.00,4717.11399,N,00833.91590,E,1,12,1.02,499.6,M,"));
+        assertTrue(lines.toString(), lines.get(2).startsWith("$GNGGA,120001.00,4717.11399,N,00833.91590,E,1,12,1.02,499.6,M,48.2,M,,*"));
         assertTrue(lines.toString(), lines.get(4).startsWith("$GNGSA,A,3,66,73,81,82,,,,,,,,,1.88,1.02,1.58*"));
         assertTrue(lines.toString(), lines.get(8).startsWith("$GNGLL,4717.11399,N,00833.91590,E,120001.00,A,A*"));
     }
@@ -152,6 +152,7 @@ public class NeoM8nTest {
         byte[] pvt = poll(UbxMessage.NAV_PVT);
         assertEquals(471190000 / 1e7 + 0.166233166, NavPvt.LATITUDE.get(pvt) / 1e7, 1e-7);
         assertEquals(499600, NavPvt.ALTITUDE.get(pvt));
+        assertEquals("above the ellipsoid", 499600 + 48179, NavPvt.HEIGHT.get(pvt), 1);
         assertEquals("2598", Long.toString(NavPvt.NORTHWARD.get(pvt)));
         assertEquals(1500, NavPvt.EASTWARD.get(pvt));
         assertEquals(-250, NavPvt.DOWNWARD.get(pvt));
@@ -167,6 +168,7 @@ public class NeoM8nTest {
         ByteBuffer ecef = UbxFrame.room(20).put(poll(UbxMessage.NAV_POSECEF));
         double[] place = {ecef.getInt(4) / 100.0, ecef.getInt(8) / 100.0, ecef.getInt(12) / 100.0};
         assertEquals(sol.getInt(12), ecef.getInt(4));
+        assertEquals("from the Earth's axis, by the ellipsoid's formula", 4334814.037, Math.hypot(place[0], place[1]), 0.02);
         assertEquals("longitude", 8 + 33.91590 / 60, Math.toDegrees(Math.atan2(place[1], place[0])), 1e-7);
         ByteBuffer moving = UbxFrame.room(20).put(poll(UbxMessage.NAV_VELECEF));
         assertEquals("speed is the same in each frame", Math.hypot(3, 0.25) * 100,

@@ -26,6 +26,12 @@ public final class AccelerometerSensor extends InertialSensor {
         this.gravity = parameters.isGravity();
     }
 
+    /** With gravity and without errors, as part of another sensor. */
+    AccelerometerSensor(SearObject parameters, double bandwidth) {
+        super(parameters, bandwidth);
+        this.gravity = true;
+    }
+
     @Override
     public void track(Truth truth) {
         super.track(truth);

@@ -56,9 +56,13 @@ public final class CompassSensor extends Sensor<Double> {
     }
 
     private static double declination(Truth truth, Pose pose) {
+        return field(truth, pose).declination();
+    }
+
+    /** The Earth's magnetic field at a place of a world whose place on Earth is known, at the simulated date. */
+    static MagneticModel.Field field(Truth truth, Pose pose) {
         GeoOrigin.GeoPoint place = truth.earth().getOrigin().at(pose.x, pose.y, pose.z);
-        double year = decimalYear(truth);
-        return truth.earth().getMagneticModel().field(place.latitude, place.longitude, place.altitude / METRES_PER_KILOMETRE, year).declination();
+        return truth.earth().getMagneticModel().field(place.latitude, place.longitude, place.altitude / METRES_PER_KILOMETRE, decimalYear(truth));
     }
 
     /** The simulated date as a year with fraction. */

@@ -16,6 +16,11 @@ public final class GyroscopeSensor extends InertialSensor {
         super(parameters, parameters.getBandwidth(), seed);
     }
 
+    /** Without errors, as part of another sensor. */
+    GyroscopeSensor(SearObject parameters, double bandwidth) {
+        super(parameters, bandwidth);
+    }
+
     @Override
     public void track(Truth truth) {
         super.track(truth);

@@ -15,6 +15,12 @@ abstract class InertialSensor extends Sensor<VectorReading> {
         this.bandwidth = bandwidth;
     }
 
+    /** Without errors, as part of another sensor. */
+    InertialSensor(SearObject parameters, double bandwidth) {
+        super(parameters, ErrorModel.NONE);
+        this.bandwidth = bandwidth;
+    }
+
     /** Puts the value of the last step into the window, along the sensor's axes. */
     final void add(Truth truth, double x, double y, double z) {
         window.add(MovingAverage.steps(bandwidth, truth.stepLength()), x, y, z);

@@ -30,8 +30,13 @@ public abstract class Sensor<R> {
      * @param channels values that drift by themselves, see {@link ErrorModel#of}
      */
     protected Sensor(SearObject parameters, long seed, int channels) {
+        this(parameters, ErrorModel.of(parameters, seed, channels));
+    }
+
+    /** A sensor with errors of another's. */
+    Sensor(SearObject parameters, ErrorModel errors) {
         this.parameters = parameters;
-        this.errors = ErrorModel.of(parameters, seed, channels);
+        this.errors = errors;
         this.mount = ObjectPose.of(parameters);
     }
 

@@ -10,6 +10,8 @@ import org.SEAR.Fuzz;
 import org.SEAR.devices.gps.GpsModel;
 import org.SEAR.devices.gps.Mt3301;
 import org.SEAR.devices.gps.NeoM8n;
+import org.SEAR.devices.imu.Hmc6352;
+import org.SEAR.devices.imu.Razor;
 import org.SEAR.devices.lms.Devices;
 import org.SEAR.devices.oi.OiModel;
 import org.SEAR.devices.oi.Roomba;
@@ -17,6 +19,7 @@ import org.SEAR.protocol.lidar.LidarModel;
 import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
 import org.SEAR.sensors.GpsFix;
+import org.SEAR.sensors.ImuReading;
 import org.junit.Test;
 
 /** Random bytes, whole commands among them, never stop a device; see {@link Fuzz} for how many. */
@@ -156,5 +159,21 @@ public class FuzzTest {
                 assertTrue("seed " + Fuzz.SEED + " " + device.status(), line.takeHex().contains("B5 62 0A 04 FA 00"));
             }
         }
+    }
+
+    @Test
+    public void hmc6352() {
+        fuzz(line -> {
+            line.reading = 90.0;
+            return new Hmc6352(9600, line);
+        }, Bytes.ints("41 53 57 43 45 4C 47 67 77 72 8E 2F 74"), null, "41", "03 84");
+    }
+
+    @Test
+    public void razor() {
+        fuzz(line -> {
+            line.reading = new ImuReading(new double[3], new double[3], new double[3], new double[3]);
+            return new Razor(57600, line);
+        }, Bytes.ints("23 6F 73 62 74 72 63 30 31 66 6E 65 78 6F 23"), null, "23 73 41 42", "23 53 59 4E 43 48 41 42 0D 0A");
     }
 }

@@ -44,7 +44,7 @@ public class JythonTest {
         assertEquals(5, read.getWarnings().size());
         SEARrobot robot = read.getRobots().get(0);
         assertEquals(4, robot.getWheels().size());
-        assertEquals(28, robot.getComponents().size());
+        assertEquals(33, robot.getComponents().size());
     }
 
     @Test

@@ -14,6 +14,7 @@ import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Gyroscope;
+import org.SEAR.POJOs.IMU;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.Noise;
@@ -149,7 +150,7 @@ final class RandomProjects {
             case 1:
                 return new Gyroscope(name(), number(0.01, 10000));
             case 2:
-                return new Compass(name(), random.nextBoolean());
+                return random.nextBoolean() ? new IMU(name(), "/dev/i" + counter, "/dev/j" + counter) : new Compass(name(), random.nextBoolean());
             case 3:
                 return new Odometer(name());
             case 4:

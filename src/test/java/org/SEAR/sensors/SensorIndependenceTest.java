@@ -14,6 +14,7 @@ import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Gyroscope;
+import org.SEAR.POJOs.IMU;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.Odometer;
@@ -34,7 +35,7 @@ public class SensorIndependenceTest {
     private static List<SensorObject> objects() {
         List<SensorObject> objects = new ArrayList<>(Arrays.asList(new Distance("ping", "ultrasonic"), new LIDAR("lidar"),
             new GPS("gps", 35, 200, -80), new Compass("compass", true), new Accelerometer("accel", 12), new Gyroscope("gyro", 7),
-            new Odometer("odometer")));
+            new Odometer("odometer"), new IMU("imu")));
         objects.forEach(object -> object.setNoise(new Noise(0.01, 0.02, 0.03, 0.0005, 0.1)));
         return objects;
     }
@@ -87,7 +88,7 @@ public class SensorIndependenceTest {
         Map<String, String> first = run(sensors(objects(), 1), 1);
         assertEquals(first, run(sensors(objects(), 1), 1));
         Map<String, String> other = run(sensors(objects(), 2), 1);
-        assertEquals(7, other.size());
+        assertEquals(8, other.size());
         other.forEach((name, readings) -> assertNotEquals(name, first.get(name), readings));
     }
 

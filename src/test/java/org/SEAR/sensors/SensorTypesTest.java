@@ -38,8 +38,8 @@ public class SensorTypesTest {
     }
 
     @Test
-    public void theSevenSensorsOfSearAreThere() {
-        assertEquals(List.of("Accelerometer", "Compass", "Distance", "GPS", "Gyroscope", "LIDAR", "Odometer"), names());
+    public void theEightSensorsOfSearAreThere() {
+        assertEquals(List.of("Accelerometer", "Compass", "Distance", "GPS", "Gyroscope", "IMU", "LIDAR", "Odometer"), names());
         assertTrue(SensorTypes.load().create(new Compass("north"), 1) instanceof CompassSensor);
         assertTrue(SensorTypes.load().isSensor(new Compass("north")));
     }
@@ -49,7 +49,7 @@ public class SensorTypesTest {
         Box box = new Box("crate", 1, 1, 1, 0);
         assertFalse(SensorTypes.load().isSensor(box));
         IllegalArgumentException e = assertThrows(IllegalArgumentException.class, () -> SensorTypes.load().create(box, 1));
-        assertEquals("Box crate is no sensor; sensors are Accelerometer, Compass, Distance, GPS, Gyroscope, LIDAR, Odometer", e.getMessage());
+        assertEquals("Box crate is no sensor; sensors are Accelerometer, Compass, Distance, GPS, Gyroscope, IMU, LIDAR, Odometer", e.getMessage());
     }
 
     @Test

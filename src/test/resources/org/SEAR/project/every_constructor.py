@@ -1,6 +1,6 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
-from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, LIDAR, Model, Noise, \
-    Odometer, SEARrobot, Sphere, Terrain, Wheel
+from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, Model, \
+    Noise, Odometer, SEARrobot, Sphere, Terrain, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
 TREE = "models/Tree/Tree.mesh.xml"
@@ -147,3 +147,16 @@ SEARrobot("placed").place(36.4861, -84.2301, 90)
 SEARrobot("placedToo").placeAt(4, 5.5, -45)
 add(GPS(name()))
 add(GPS(name(), "/dev/i", "/dev/j"))
+add(GPS(name(), 33.61, 182.5, -80.865)).setModel("NEO-M8N")
+compass = add(Compass(name()))
+compass.setPorts("/dev/k", "/dev/l")
+compass.setBaud(19200)
+compass.setExport("ttyCompass")
+compass.setExport(5010)
+add(IMU(name()))
+add(IMU(name(), *pose))
+imu = add(IMU(name(), "/dev/m", "/dev/n"))
+imu.setPorts("/dev/o", "/dev/p")
+imu.setBaud(115200)
+imu.setExport("ttyIMU")
+imu.setExport(5011)

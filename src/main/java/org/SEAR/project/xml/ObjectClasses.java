@@ -12,6 +12,7 @@ import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Gyroscope;
+import org.SEAR.POJOs.IMU;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.ObjectTypes;
 import org.SEAR.POJOs.Odometer;
@@ -23,7 +24,7 @@ import org.SEAR.POJOs.Shape;
  * lists them, and those that other jars register. Immutable, any thread. */
 public final class ObjectClasses {
     private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Distance.class,
-        LIDAR.class, GPS.class, Compass.class, Accelerometer.class, Gyroscope.class, Odometer.class);
+        LIDAR.class, GPS.class, Compass.class, Accelerometer.class, Gyroscope.class, Odometer.class, IMU.class);
 
     private final Map<String, Class<? extends SearObject>> byElement = new TreeMap<>();
     private final List<Class<? extends SearObject>> inOrder = new ArrayList<>();

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import org.SEAR.sensors.DistanceReading;
 import org.SEAR.sensors.GpsFix;
+import org.SEAR.sensors.ImuReading;
 import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.OdometerReading;
 import org.SEAR.sensors.VectorReading;
@@ -58,6 +59,10 @@ final class ReadingText {
         }
         if (reading instanceof OdometerReading) {
             return format("%.3f m", ((OdometerReading) reading).getMetres());
+        }
+        if (reading instanceof ImuReading) {
+            ImuReading imu = (ImuReading) reading;
+            return format("yaw %.1f, pitch %.1f, roll %.1f deg", imu.getYaw(), imu.getPitch(), imu.getRoll());
         }
         if (reading instanceof VectorReading) {
             VectorReading vector = (VectorReading) reading;

@@ -15,6 +15,7 @@ import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.Robot;
 import org.SEAR.sensors.DistanceReading;
 import org.SEAR.sensors.GpsFix;
+import org.SEAR.sensors.ImuReading;
 import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.OdometerReading;
 import org.SEAR.sensors.OdometerSensor;
@@ -116,7 +117,7 @@ public final class ScriptReadings {
         if (reading instanceof OdometerReading) {
             return ((OdometerReading) reading).getMetres();
         }
-        return reading instanceof VectorReading ? reading.toString() : reading;
+        return reading instanceof VectorReading || reading instanceof ImuReading ? reading.toString() : reading;
     }
 
     private static float[] metres(LidarScan scan, double range) {

@@ -1,0 +1,164 @@
+package org.SEAR.devices.imu;
+
+import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.SerialDevice;
+
+/**
+ * A Honeywell HMC6352 compass behind a serial bridge that hands on the chip's own commands and answers, and answers {@code 8E 2F} as the controller of
+ * the dissertation's Listing 9 does: a heading at once. Headings are 0 to 3599 tenths of a degree in steps of five, the high byte first. Sources: the
+ * data sheet's commands as RobTillaart's library and Linux' driver have them; Listings 9 and 10.
+ */
+public final class Hmc6352 implements SerialDevice {
+    /** From the command to the answer, seconds. */
+    private static final double CONVERSION = 0.006;
+    private static final int SENSOR_REQUEST = 0x8E;
+    private static final int COMPASS = 0x2F;
+    private static final int FIRST_SENSOR = 0x2B;
+    private static final int STEP = 5;
+    private static final int TURN = 3600;
+    private static final double STEPS_PER_DEGREE = 2;
+    private static final int BYTE = 0xFF;
+    private static final int BITS = 8;
+    private static final int MODE_ADDRESS = 0x74;
+    private static final int SAVED_MODE = 8;
+    private static final int[] DELIVERED = {0x42, 0, 0, 0, 0, 1, 4, 6, 0x50};
+
+    private final int baud;
+    private final DeviceContext context;
+    private final int[] permanent = new int[DELIVERED.length];
+    private int mode;
+    private boolean asleep;
+    private boolean calibrating;
+    private int heading;
+    private int command;
+    private int address = -1;
+
+    /** @param baud bits a second of the bridge */
+    public Hmc6352(int baud, DeviceContext context) {
+        this.baud = baud;
+        this.context = context;
+        reset();
+    }
+
+    @Override
+    public void reset() {
+        System.arraycopy(DELIVERED, 0, permanent, 0, DELIVERED.length);
+        powerOn(0);
+    }
+
+    @Override
+    public void powerOff() {
+        command = 0;
+    }
+
+    @Override
+    public void powerOn(double time) {
+        mode = permanent[SAVED_MODE];
+        asleep = false;
+        calibrating = false;
+        heading = 0;
+        command = 0;
+        address = -1;
+    }
+
+    @Override
+    public int getBaud() {
+        return baud;
+    }
+
+    @Override
+    public void receive(int value, double time) {
+        if (command == 0) {
+            begin(value, time);
+        } else if (command == SENSOR_REQUEST) {
+            command = 0;
+            if (value == COMPASS) {
+                answerHeading(time);
+            } else if (value < FIRST_SENSOR) {
+                begin(value, time);
+            }
+        } else if (address < 0) {
+            address = value;
+            readAt(time);
+        } else {
+            write(value);
+            command = 0;
+        }
+    }
+
+    private void begin(int value, double time) {
+        switch (value) {
+            case 'A':
+                if (!asleep && !calibrating) {
+                    answerHeading(time + CONVERSION);
+                }
+                break;
+            case 'S':
+            case 'W':
+                asleep = value == 'S';
+                break;
+            case 'C':
+            case 'E':
+                calibrating = value == 'C';
+                break;
+            case 'L':
+                permanent[SAVED_MODE] = mode;
+                break;
+            case 'G':
+            case 'g':
+            case 'w':
+            case 'r':
+            case SENSOR_REQUEST:
+                command = value;
+                address = -1;
+                break;
+            default:
+                break;
+        }
+    }
+
+    /** A reading that has dropped out is the one before. */
+    private void answerHeading(double time) {
+        Object reading = context.read(context.sensor());
+        if (reading instanceof Double && !((Double) reading).isNaN()) {
+            heading = Math.floorMod(STEP * (int) Math.round((Double) reading * STEPS_PER_DEGREE), TURN);
+        }
+        context.send(new byte[] {(byte) (heading >> BITS), (byte) heading}, time);
+    }
+
+    private void readAt(double time) {
+        if (command == 'g') {
+            answer(address == MODE_ADDRESS ? mode : 0, time);
+        } else if (command == 'r') {
+            answer(address < permanent.length ? permanent[address] : 0, time);
+        }
+    }
+
+    private void answer(int value, double time) {
+        context.send(new byte[] {(byte) value}, time);
+        command = 0;
+    }
+
+    private void write(int value) {
+        if (command == 'G' && address == MODE_ADDRESS) {
+            mode = value & BYTE;
+        } else if (command == 'w' && address < permanent.length) {
+            permanent[address] = value & BYTE;
+        }
+    }
+
+    @Override
+    public void receiveGarbage(double time) {
+        command = 0;
+    }
+
+    @Override
+    public void advance(double time) {
+        // it says nothing unasked
+    }
+
+    @Override
+    public String status() {
+        return "HMC6352: " + (asleep ? "asleep" : calibrating ? "calibrating" : "awake") + ", " + baud + " baud";
+    }
+}

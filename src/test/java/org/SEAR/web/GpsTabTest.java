@@ -92,7 +92,11 @@ public class GpsTabTest {
     @Test
     public void theModelIsThatOfTheReceiver() {
         browser.until("the panel", () -> browser.text(".gps-status").equals("not connected"));
+        browser.choose(".gps-model", "NEO-M8N");
+        browser.until("its speed", () -> browser.number(PANEL, "form.baud") == 9600);
+        assertTrue("its fastest", browser.see(".gps-baud").getText().contains("921600"));
         browser.choose(".gps-model", "FV-M8");
+        browser.until("its speed", () -> browser.number(PANEL, "form.baud") == 38400);
         connect();
         browser.seeText(".gps-firmware", "MTK3301");
         browser.until("the model", () -> "MT3301".equals(browser.scope(PANEL, "form.model")));

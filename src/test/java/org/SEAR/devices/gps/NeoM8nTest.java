@@ -222,6 +222,19 @@ public class NeoM8nTest {
     }
 
     @Test
+    public void theSameCommandsGiveTheSameBytes() {
+        StringBuilder[] runs = {new StringBuilder(), new StringBuilder()};
+        for (StringBuilder run : runs) {
+            power(2);
+            run.append(ask(PVT_ON)).append(ask("B5 62 06 08 06 00 C8 00 01 00 01 00 DE 6A")).append(ask(frame(UbxMessage.CFG_MSG, 1, 0x35, 2)));
+            line.pass(5);
+            run.append(line.takeHex());
+        }
+        assertTrue(runs[0].length() > 5000);
+        assertEquals(runs[0].toString(), runs[1].toString());
+    }
+
+    @Test
     public void whatIsSavedOutlastsThePower() {
         ask("B5 62 06 08 06 00 C8 00 01 00 01 00 DE 6A");
         gps.powerOff();

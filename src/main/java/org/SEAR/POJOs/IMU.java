@@ -65,7 +65,8 @@ public class IMU extends SensorObject implements SerialObject {
     /**
      * Has every start of a simulation export the user's port; the export stays while the simulation is stopped.
      *
-     * @param target the name of a link in the folder SEARports; or {@code tcp:5001} or {@code rfc2217:5001}, a port of this computer; null for nowhere
+     * @param target the name of a link in the folder SEARports; or {@code tcp:5001} or {@code rfc2217:5001}, a port of this computer; null for
+     *     nowhere
      */
     public void setExport(String target) {
         serial.setExport(this, target);

@@ -5,9 +5,9 @@ import java.io.IOException;
 import java.io.InputStream;
 
 /**
- * How high the geoid, about the sea's level, lies above the ellipsoid of WGS84: EGM96 of NGA and NASA (public domain), one value for each whole degree
- * and planes between them. Off by half a metre from the whole model (root mean square), by less than 2 m in 99 of 100 places, by up to 14 m beside
- * deep-sea trenches and in high mountains. Any thread.
+ * How high the geoid, about the sea's level, lies above the ellipsoid of WGS84: EGM96 of NGA and NASA (public domain), one value for each whole
+ * degree, each fourth one of NGA's grid of 15 minutes, and planes between them. Off by half a metre from the whole model (root mean square), by less
+ * than 2 m in 99 of 100 places, by up to 14 m beside deep-sea trenches and in high mountains. Any thread.
  */
 public final class Geoid {
     /** Hundredths of metres, from the north pole down, each row from 0 degrees eastwards. */

@@ -10,10 +10,10 @@ import org.SEAR.geometry.Rotation;
 /**
  * Attitude of the sensor, what accelerates and turns it, and the magnetic field, in axes of its own: +x forward, +y right, +z down.
  *
- * <p>Rotations are in the order yaw, pitch, roll. Yaw counts from magnetic north by the magnetic model of the {@link Earth}; where nobody says where on
- * Earth the world lies, from +x of the world, and the field is level. Accelerations are proper ones; they and the rates of turn are means of 20 ms, as
- * of an {@link AccelerometerSensor} with gravity and a {@link GyroscopeSensor} of 50 Hz, and exact. The object's noise, degrees, is that of the three
- * angles; a reading that drops out is NaN in all.
+ * <p>Rotations are in the order yaw, pitch, roll. Yaw counts from magnetic north by the magnetic model of the {@link Earth}; where nobody says where
+ * on Earth the world lies, from +x of the world, and the field is level. Accelerations are proper ones; they and the rates of turn are means of 20
+ * ms, as of an {@link AccelerometerSensor} with gravity and a {@link GyroscopeSensor} of 50 Hz, and exact. The object's noise, degrees, is that of
+ * the three angles; a reading that drops out is NaN in all.
  */
 public final class ImuSensor extends Sensor<ImuReading> {
     private static final int ANGLES = 3;

@@ -200,7 +200,8 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
      * The receiver's type. While not connected, a configured baud rate that is the present model's as delivered becomes the new one's: 9600 for a
      * NEO-M8N, 38400 for others.
      *
-     * @param model FV-M8 (FV_M8 as well), MT3301, MT3329 (these take PMTK commands), NEO-M8N (u-blox as well; takes UBX) or NMEA (never sent anything)
+     * @param model FV-M8 (FV_M8 as well), MT3301, MT3329 (these take PMTK commands), NEO-M8N (u-blox as well; takes UBX) or NMEA (never sent
+     *     anything)
      * @throws IllegalArgumentException that names those there are
      * @example gps.setModel("FV-M8")
      */
@@ -282,8 +283,8 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     }
 
     /**
-     * The last GGA sentence, or NAV-PVT in its form; None before the first. It has latitude and longitude (decimal degrees, + north and east), altitude (m), quality
-     * (0 = no fix), satellites, utc (hhmmss.sss) and tokens.
+     * The last GGA sentence, or NAV-PVT in its form; None before the first. It has latitude and longitude (decimal degrees, + north and east),
+     * altitude (m), quality (0 = no fix), satellites, utc (hhmmss.sss) and tokens.
      *
      * @example fix = gps.getLastFix()
      */

@@ -4,7 +4,6 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.SEAR.POJOs.Floor;
@@ -53,8 +52,10 @@ public class GpsDriversTest {
     public void gpsdSwitchesToUbxAndGetsAFix() throws Exception {
         String port = sear.exportPort(PORT, drivers.path("ttyGPS"));
         int number = DriverProcesses.freePort();
-        List<String> gpsd = words("gpsd -N -n -s 9600", "/dev/pts/3", "-S " + number + " " + port);
-        Process daemon = drivers.start(new ProcessBuilder(gpsd));
+        List<String> commands = DocBlock.commands("docs/other-programs.md", "gpsd -N -n -s 9600");
+        assertEquals(commands.toString(), 1, commands.size());
+        String gpsd = commands.get(0).replace("/dev/pts/3", "-S " + number + " " + port);
+        Process daemon = drivers.start(new ProcessBuilder(gpsd.split(" ")));
         List<String> output = new ArrayList<>();
         boolean ubx = false;
         String fix = null;
@@ -74,15 +75,9 @@ public class GpsDriversTest {
         assertEquals(altitude + Geoid.separation(LATITUDE, LONGITUDE), number(fix, "altHAE"), 0.1);
     }
 
-    /** In NMEA there is no such speed accuracy. */
+    /** NMEA has nothing from the Earth's centre. */
     private static boolean isUbxFix(String line) {
         return line.matches(".*\"class\":\"TPV\".*\"mode\":3.*\"lat\":.*") && line.contains("\"ecefx\"");
-    }
-
-    private static List<String> words(String start, String word, String here) {
-        List<String> commands = DocBlock.commands("docs/other-programs.md", start);
-        assertEquals(commands.toString(), 1, commands.size());
-        return Arrays.asList(commands.get(0).replace(word, here).split(" "));
     }
 
     private static double number(String json, String field) {

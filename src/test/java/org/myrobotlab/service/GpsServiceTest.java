@@ -18,17 +18,13 @@ import org.SEAR.protocol.nmea.Nmea;
 import org.SEAR.protocol.ubx.NavPvt;
 import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
+import org.SEAR.protocol.ubx.UbxTest;
 
 /** The GPS service with a receiver that says what real ones said. */
 public class GpsServiceTest {
     private static final String PORT = "/dev/test_gps";
     private static final String SOUTH_CAROLINA = Nmea.sentence("GPGGA,120000.000,3336.6000,N,08051.8999,W,1,8,1.0,182.5,M,-33.0,M,,");
     private static final String NO_FIX = "$GPGGA,235946.005,8960.000000,N,00000.000000,E,0,0,,137.000,M,13.000,M,,*49\r\n";
-
-    /** gpsd's log of a NEO-M8N. */
-    private static final String PVT = "B5 62 01 07 5C 00 30 98 58 11 E1 07 07 13 08 32 00 37 03 00 00 00 27 80 AD 2F 03 03 0A 0E AD EB 9D 52 89 BB 31 EB "
-        + "50 63 00 00 DF 70 00 00 6C 04 00 00 42 06 00 00 F6 FF FF FF E4 FF FF FF 26 00 00 00 1E 00 00 00 AA 05 30 00 E5 00 00 00 68 5F 0D 00 91 00 "
-        + "00 E0 AC 4C 22 00 00 E0 00 E0 00 00 00 80 C8 55";
 
     private FarEnd receiver;
     private GPS gps;
@@ -170,7 +166,7 @@ public class GpsServiceTest {
     public void aSolutionOfUbxIsReadAsASentenceIs() throws Exception {
         gps.addListener("publishGGAData", "positions", "onValue");
         gps.connect(PORT);
-        receiver.send(Bytes.bytes("B5 62" + PVT));
+        receiver.send(Bytes.bytes("B5 62" + UbxTest.PVT));
         String[] tokens = (String[]) heard.await(1).get(0);
         assertEquals("$GNGGA", tokens[0]);
         assertEquals("085000.80", tokens[1]);
@@ -190,7 +186,7 @@ public class GpsServiceTest {
     public void aSentenceAndASolutionOfOneMomentAreOnePosition() throws Exception {
         gps.addListener("publishGPS", "positions", "onValue");
         gps.connect(PORT);
-        receiver.send(Bytes.bytes(PVT));
+        receiver.send(Bytes.bytes(UbxTest.PVT));
         say(Nmea.sentence("GNGGA,085000.80,3454.37358,S,13836.48718,E,1,14,1.45,28.9,M,-3.5,M,,"));
         say(Nmea.sentence("GNGGA,085001.80,3454.37358,S,13836.48718,E,1,14,1.45,28.9,M,-3.5,M,,"));
         assertArrayEquals(new double[] {-34.9062263, 138.6081197, 28.895}, (double[]) heard.await(1).get(0), 1e-9);

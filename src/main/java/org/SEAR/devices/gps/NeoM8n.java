@@ -15,7 +15,8 @@ import org.SEAR.sensors.GpsFix;
 
 /**
  * The firmware of a u-blox NEO-M8N (protocol 18): NMEA sentences and UBX messages out with each fix, as its settings say, UBX commands in. NMEA
- * commands are not obeyed. What CFG-CFG has saved it keeps without power. Sources: recordings of NEO-M8N and M8T, the field tables of gpsd and pyubx2.
+ * commands are not obeyed. What CFG-CFG has saved it keeps without power. Sources: recordings of NEO-M8N and M8T, the field tables of gpsd and
+ * pyubx2.
  */
 public final class NeoM8n extends Receiver {
     /** Bits a second of a receiver as delivered. */

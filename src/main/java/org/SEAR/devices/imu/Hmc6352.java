@@ -4,9 +4,9 @@ import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.SerialDevice;
 
 /**
- * A Honeywell HMC6352 compass behind a serial bridge that hands on the chip's own commands and answers, and answers {@code 8E 2F} as the controller of
- * the dissertation's Listing 9 does: a heading at once. Headings are 0 to 3599 tenths of a degree in steps of five, the high byte first. Sources: the
- * data sheet's commands as RobTillaart's library and Linux' driver have them; Listings 9 and 10.
+ * A Honeywell HMC6352 compass behind a serial bridge that hands on the chip's own commands and answers, and answers {@code 8E 2F} as the controller
+ * of the dissertation's Listing 9 does: a heading at once. Headings are 0 to 3599 tenths of a degree in steps of five, the high byte first. Sources:
+ * the data sheet's commands as RobTillaart's library and Linux' driver have them; Listings 9 and 10.
  */
 public final class Hmc6352 implements SerialDevice {
     /** From the command to the answer, seconds. */

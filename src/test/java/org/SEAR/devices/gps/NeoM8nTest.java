@@ -23,8 +23,8 @@ import org.junit.Test;
 /** The receiver's answers, byte for byte, to what gpsd and others send. */
 public class NeoM8nTest {
     private static final String PVT_ON = "B5 62 06 01 03 00 01 07 01 13 51";
-    private static final String SAVE = Bytes.hex(new UbxFrame(UbxMessage.CFG_CFG, UbxFrame.room(12).putInt(0).putInt(0x1F).putInt(0).array()).toBytes());
-    private static final String FORGET = Bytes.hex(new UbxFrame(UbxMessage.CFG_CFG, UbxFrame.room(12).putInt(0x1F).putInt(0).putInt(0x1F).array()).toBytes());
+    private static final String SAVE = masks(0, 0x1F, 0);
+    private static final String FORGET = masks(0x1F, 0, 0x1F);
 
     private FakeContext line;
     private NeoM8n gps;
@@ -40,6 +40,10 @@ public class NeoM8nTest {
         gps = line.attach(new NeoM8n(9600, 1, timeToFix, line));
         line.pass(1.7);
         line.take();
+    }
+
+    private static String masks(int clear, int save, int load) {
+        return Bytes.hex(new UbxFrame(UbxMessage.CFG_CFG, UbxFrame.room(12).putInt(clear).putInt(save).putInt(load).array()).toBytes());
     }
 
     private String ask(String hex) {

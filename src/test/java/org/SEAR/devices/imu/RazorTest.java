@@ -32,8 +32,8 @@ public class RazorTest {
     }
 
     private static ImuReading reading(double yaw, double pitch, double roll) {
-        return new ImuReading(new double[] {yaw, pitch, roll}, new double[] {0.5 * G, 0, -G}, new double[] {0, Math.toRadians(-10), Math.toRadians(90)},
-            new double[] {0.6, 0, 0.8});
+        return new ImuReading(new double[] {yaw, pitch, roll}, new double[] {0.5 * G, 0, -G},
+            new double[] {0, Math.toRadians(-10), Math.toRadians(90)}, new double[] {0.6, 0, 0.8});
     }
 
     /** The numbers of a line of text. */

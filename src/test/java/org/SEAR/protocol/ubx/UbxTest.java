@@ -16,9 +16,9 @@ import org.junit.Test;
 /** Frames and their reader against frames of real receivers and of gpsd. */
 public class UbxTest {
     /** From gpsd's log of a NEO-M8N, 2017-07-19. */
-    private static final String PVT = "B5 62 01 07 5C 00 30 98 58 11 E1 07 07 13 08 32 00 37 03 00 00 00 27 80 AD 2F 03 03 0A 0E AD EB 9D 52 89 BB 31 EB "
-        + "50 63 00 00 DF 70 00 00 6C 04 00 00 42 06 00 00 F6 FF FF FF E4 FF FF FF 26 00 00 00 1E 00 00 00 AA 05 30 00 E5 00 00 00 68 5F 0D 00 91 00 "
-        + "00 E0 AC 4C 22 00 00 E0 00 E0 00 00 00 80 C8 55";
+    public static final String PVT = "B5 62 01 07 5C 00 30 98 58 11 E1 07 07 13 08 32 00 37 03 00 00 00 27 80 AD 2F 03 03 0A 0E AD EB 9D 52 "
+        + "89 BB 31 EB 50 63 00 00 DF 70 00 00 6C 04 00 00 42 06 00 00 F6 FF FF FF E4 FF FF FF 26 00 00 00 1E 00 "
+        + "00 00 AA 05 30 00 E5 00 00 00 68 5F 0D 00 91 00 00 E0 AC 4C 22 00 00 E0 00 E0 00 00 00 80 C8 55";
     private static final String[] FRAMES = {"B5 62 0A 04 00 00 0E 34", "B5 62 06 00 01 00 01 08 22", "B5 62 05 01 02 00 06 01 0F 38",
         "B5 62 05 00 02 00 06 8A 97 BC", "B5 62 06 08 06 00 E8 03 01 00 01 00 01 39", "B5 62 06 01 03 00 F0 01 00 FB 11",
         "B5 62 06 8A 09 00 00 01 00 00 07 00 91 20 01 53 48", "B5 62 01 04 12 00 A0 66 17 19 C5 00 AD 00 5E 00 94 00 5B 00 47 00 38 00 8B 9B",
@@ -68,7 +68,7 @@ public class UbxTest {
         assertEquals(1, found.size());
     }
 
-    /** A frame that noise seems to begin ends in the midst of good ones, or says that it is 60000 bytes long; only the first, that of a lone byte, counts as none. */
+    /** A frame that noise seems to begin ends in the midst of good ones, or says that it is 60000 bytes long; a lone byte is none. */
     @Test
     public void aDamagedFrameCostsNoGoodOne() {
         String wrongSum = FRAMES[2].substring(0, FRAMES[2].length() - 2) + "39";

@@ -23,8 +23,8 @@ import org.SEAR.web.PanelsPageTest;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
-import org.myrobotlab.service.GpsDriversTest;
 import org.myrobotlab.service.ThirdPartyDriversTest;
+import org.myrobotlab.service.ThirdPartyGpsTest;
 
 /**
  * Every block of README, CONTRIBUTING and docs is run: Python that needs nothing but a floor here, everything else by a class of its own, in the
@@ -51,7 +51,7 @@ public class CodeOfTheDocsTest {
         entry("docs/other-programs.md python", ReadmeTest.class),
         entry("docs/other-programs.md python3", ThirdPartyDriversTest.class),
         entry("docs/other-programs.md sh gpsd -N -n -b", ThirdPartyDriversTest.class),
-        entry("docs/other-programs.md sh gpsd -N -n -s", GpsDriversTest.class),
+        entry("docs/other-programs.md sh gpsd -N -n -s", ThirdPartyGpsTest.class),
         entry("docs/other-programs.md sh gpspipe ", ThirdPartyDriversTest.class),
         entry("docs/panels.md html", PanelsPageTest.class),
         entry("docs/panels.md js", PanelsPageTest.class),

@@ -112,7 +112,7 @@ public class Compass extends SensorObject implements SerialObject {
         serial.setExport(this, "tcp:" + port);
     }
 
-    /** @param newBaud speed of the bridge, 300 to 1000000 */
+    /** @param newBaud speed of the bridge, 300 to 100000000 */
     public void setBaud(int newBaud) {
         serial.setBaud(this, newBaud);
     }

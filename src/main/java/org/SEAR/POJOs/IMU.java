@@ -77,7 +77,7 @@ public class IMU extends SensorObject implements SerialObject {
         serial.setExport(this, "tcp:" + port);
     }
 
-    /** @param newBaud speed of its line, 300 to 1000000 */
+    /** @param newBaud speed of its line, 300 to 100000000 */
     public void setBaud(int newBaud) {
         serial.setBaud(this, newBaud);
     }

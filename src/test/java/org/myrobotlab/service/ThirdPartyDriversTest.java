@@ -195,7 +195,8 @@ public class ThirdPartyDriversTest {
         String port = sear.exportPort("/dev/SEAR_GPS_01", link.toString());
         assertEquals(link.toString(), port);
         int number = freePort();
-        programs.start(new ProcessBuilder(words(DocBlock.commands("docs/other-programs.md", "gpsd -N -n -b"), "/dev/pts/3", "-S " + number + " " + port)));
+        programs.start(new ProcessBuilder(words(DocBlock.commands("docs/other-programs.md", "gpsd -N -n -b"), "/dev/pts/3",
+            "-S " + number + " " + port)));
         String fix = null;
         long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(SECONDS + 40);
         while (fix == null && System.nanoTime() < deadline) {

@@ -37,13 +37,14 @@ public class RoomsTest {
         "org.SEAR.view", "org.SEAR.view.hud", "org.SEAR.view.input", "org.SEAR.view.scene", "org.SEAR.view.terrain", "org.SEAR.view.process",
         "org.SEAR.view.link", "org.SEAR.view.platform",
         "org.SEAR.simulator", "org.SEAR.robot", "org.SEAR.physics", "org.SEAR.physics.solid",
-        "org.SEAR.devices.oi", "org.SEAR.devices.lms", "org.SEAR.devices.cola", "org.SEAR.devices.gps", "org.SEAR.devices.imu",
-        "org.SEAR.devices",
+        "org.SEAR.devices.oi", "org.SEAR.devices.lms", "org.SEAR.devices.cola", "org.SEAR.devices.scip", "org.SEAR.devices.rplidar",
+        "org.SEAR.devices.gps", "org.SEAR.devices.imu", "org.SEAR.devices",
         "org.SEAR.sensors", "org.SEAR.raycast", "org.SEAR.raycast.solid", "org.SEAR.collision",
         "org.SEAR.project.bundle", "org.SEAR.project", "org.SEAR.project.xml", "org.SEAR.terrain", "org.SEAR.terrain.format", "org.SEAR.terrain.tiff",
         "org.SEAR.project.models", "org.SEAR.project.problems",
-        "org.SEAR.terrain.relief", "org.SEAR.geometry", "org.SEAR.POJOs", "org.SEAR.protocol.lidar", "org.SEAR.protocol.lms",
-        "org.SEAR.protocol.cola", "org.SEAR.protocol.nmea", "org.SEAR.protocol.ubx", "org.SEAR.protocol");
+        "org.SEAR.terrain.relief", "org.SEAR.geometry", "org.SEAR.POJOs", "org.SEAR.protocol.scip", "org.SEAR.protocol.rplidar",
+        "org.SEAR.protocol.lidar", "org.SEAR.protocol.lms", "org.SEAR.protocol.cola", "org.SEAR.protocol.nmea", "org.SEAR.protocol.ubx",
+        "org.SEAR.protocol");
     private static final List<String> CORE = ROOMS.subList(ROOMS.indexOf("org.SEAR.simulator"), ROOMS.size());
     /** The one that makes a thread, for a model's loading only, and waits for it: see there. */
     private static final String LOADER = "EngineThread.java";

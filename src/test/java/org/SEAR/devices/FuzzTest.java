@@ -15,7 +15,9 @@ import org.SEAR.devices.imu.Razor;
 import org.SEAR.devices.lms.Devices;
 import org.SEAR.devices.oi.OiModel;
 import org.SEAR.devices.oi.Roomba;
+import org.SEAR.devices.scip.Hokuyo;
 import org.SEAR.protocol.lidar.LidarModel;
+import org.SEAR.protocol.scip.HokuyoModel;
 import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
 import org.SEAR.sensors.GpsFix;
@@ -111,6 +113,21 @@ public class FuzzTest {
             line.pass(0.002);
             assertTrue("seed " + Fuzz.SEED + ", " + text + " at " + device.status(), line.take().length > 0);
         }
+    }
+
+    @Test
+    public void hokuyos() {
+        for (HokuyoModel model : HokuyoModel.values()) {
+            fuzz(line -> hokuyo(model, line), Bytes.ints("0A 0A 4D 44 47 53 30 30 30 34 34 37 32 35 31 42 4D 56 50 49 51 54 52 43 48 0D 3B"), null,
+                Bytes.hex("\nBM\n".getBytes(StandardCharsets.US_ASCII)), "42 4D 0A 30 30 50 0A 0A");
+        }
+    }
+
+    private static SerialDevice hokuyo(HokuyoModel model, FakeContext line) {
+        FakeScanner scanner = new FakeScanner();
+        scanner.world = beam -> 1 + beam / 100.0;
+        line.sensor = scanner;
+        return new Hokuyo(model, 115200, line);
     }
 
     @Test

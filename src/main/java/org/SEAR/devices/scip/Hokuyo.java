@@ -1,0 +1,203 @@
+package org.SEAR.devices.scip;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.EventQueue;
+import org.SEAR.devices.SerialDevice;
+import org.SEAR.protocol.scip.HokuyoModel;
+import org.SEAR.protocol.scip.ReplyWriter;
+import org.SEAR.protocol.scip.ScanCommand;
+import org.SEAR.protocol.scip.Status;
+
+/**
+ * The firmware of a Hokuyo scanner that speaks SCIP 2.0: a line in, its echo and a reply out, one command after the other, and streams of scans
+ * meanwhile. What the commands do stands in {@link Commands}. Source: SCIP 2.0 specification C-42-03320B.
+ */
+public final class Hokuyo implements SerialDevice {
+    /** Commands that wait while another is being answered; more are dropped. */
+    private static final int MAX_WAITING = 16;
+    /** A command has at most 15 characters and a string of 16 after a semicolon. */
+    private static final int LONGEST_LINE = 64;
+    /** From the end of a command to its reply; undocumented, drivers wait 100 ms and more. Seconds. */
+    private static final double ANSWER = 0.001;
+    /** From power-on until the mirror turns and commands are taken; undocumented. Seconds. */
+    private static final double BOOT = 2;
+    /** What USB carries, bits a second; the rate of the host has no meaning there. */
+    private static final int USB = 12_000_000;
+
+    private final HokuyoModel model;
+    private final int powerOnBaud;
+    private final DeviceContext context;
+    private final EventQueue events = new EventQueue();
+    private final Deque<String> waiting = new ArrayDeque<>();
+    private final StringBuilder line = new StringBuilder();
+    private final Scanner scanner;
+    private final Commands commands;
+    private int baud;
+    private boolean busy;
+    private double bootedAt;
+    private int stream;
+    private boolean streaming;
+
+    /**
+     * @param baud at power-on; without meaning for a model at a USB port
+     * @throws IllegalArgumentException unless the context's sensor is a LIDAR and the baud rate one of the model's
+     */
+    public Hokuyo(HokuyoModel model, int baud, DeviceContext context) {
+        if (!model.isUsb() && !HokuyoModel.isBaud(baud)) {
+            throw new IllegalArgumentException(baud + " baud is none of a " + model.getName());
+        }
+        this.model = model;
+        this.powerOnBaud = model.isUsb() ? USB : baud;
+        this.context = context;
+        this.scanner = new Scanner(model, context);
+        this.commands = new Commands(this, model, scanner);
+        reset();
+    }
+
+    @Override
+    public int getBaud() {
+        return baud;
+    }
+
+    @Override
+    public boolean hearsEveryBaud() {
+        return model.isUsb();
+    }
+
+    @Override
+    public void receive(int value, double time) {
+        advance(time);
+        if (time < bootedAt) {
+            return;
+        }
+        if (value != '\n' && value != '\r') {
+            if (line.length() < LONGEST_LINE) {
+                line.append((char) value);
+            }
+        } else if (line.length() > 0) {
+            if (waiting.size() < MAX_WAITING) {
+                waiting.add(line.toString());
+                serve(time);
+            }
+            line.setLength(0);
+        }
+    }
+
+    @Override
+    public void receiveGarbage(double time) {
+        advance(time);
+        line.setLength(0);
+    }
+
+    @Override
+    public void advance(double time) {
+        events.runUntil(time);
+    }
+
+    @Override
+    public void reset() {
+        start(0);
+        bootedAt = 0;
+    }
+
+    @Override
+    public void powerOff() {
+        events.clear();
+    }
+
+    @Override
+    public void powerOn(double time) {
+        start(time);
+        bootedAt = time + BOOT;
+    }
+
+    private void start(double time) {
+        baud = powerOnBaud;
+        events.clear();
+        waiting.clear();
+        line.setLength(0);
+        busy = false;
+        stopStream();
+        commands.toStart(time);
+    }
+
+    @Override
+    public String status() {
+        return model.getName() + ": " + commands.describe() + (model.isUsb() ? ", USB" : ", " + baud + " baud");
+    }
+
+    private void serve(double time) {
+        if (busy || waiting.isEmpty()) {
+            return;
+        }
+        busy = true;
+        String command = waiting.remove();
+        events.at(Math.max(time + ANSWER, context.lineFreeAt()), t -> commands.execute(command, t));
+    }
+
+    /** Sends the reply to the present command and goes on to the next. */
+    void reply(ReplyWriter reply, double time) {
+        context.send(reply.toBytes(), time);
+        busy = false;
+        serve(time);
+    }
+
+    /** Sends the reply at the present speed and goes on at another once it has left. */
+    void replyAndSwitch(ReplyWriter reply, int next, double time) {
+        context.send(reply.toBytes(), time);
+        events.at(Math.max(time, context.lineFreeAt()), t -> {
+            baud = next;
+            line.setLength(0);
+            busy = false;
+            serve(t);
+        });
+    }
+
+    int powerOnBaud() {
+        return powerOnBaud;
+    }
+
+    boolean isStreaming() {
+        return streaming;
+    }
+
+    void stopStream() {
+        stream++;
+        streaming = false;
+    }
+
+    /** Measures one scan and answers the present command with it. */
+    void answerScan(String echo, ScanCommand command, double time) {
+        scanner.measure(command, time, events, (scan, end) -> reply(scan.write(new ReplyWriter(echo, Status.OK)), end));
+    }
+
+    /** Sends scans until there were as many as wanted, or {@link #stopStream}. */
+    void startStream(ScanCommand command, double time) {
+        int session = ++stream;
+        streaming = true;
+        cycle(session, command, command.getCount(), time);
+    }
+
+    /** A scan that ends while the line is still busy is left out. */
+    private void cycle(int session, ScanCommand command, int left, double time) {
+        scanner.measure(command, time, events, (scan, end) -> {
+            if (session != stream) {
+                return;
+            }
+            if (context.lineFreeAt() > end) {
+                cycle(session, command, left, end);
+                return;
+            }
+            int remaining = Math.max(0, left - 1);
+            context.send(scan.write(new ReplyWriter(command.withCount(remaining).toString(), Status.SCAN)).toBytes(), end);
+            if (command.getCount() > 0 && remaining == 0) {
+                stopStream();
+                commands.laserOff();
+            } else {
+                cycle(session, command, remaining, end + command.getInterval() * scanner.scanTime());
+            }
+        });
+    }
+}

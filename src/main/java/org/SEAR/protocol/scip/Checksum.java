@@ -1,0 +1,44 @@
+package org.SEAR.protocol.scip;
+
+/**
+ * The character after the text of a reply's line: the sum of its bytes, of that 6 bits, plus 30h. In lines that tell a property ({@code DMIN:20;4})
+ * the semicolon stands before it and is not counted.
+ */
+public final class Checksum {
+    private static final int MASK = 0x3F;
+    private static final int OFFSET = 0x30;
+    private static final char SEPARATOR = ';';
+
+    private Checksum() {
+    }
+
+    /** The checksum of a text without a separator. */
+    public static char of(CharSequence text) {
+        return of(text, 0, text.length());
+    }
+
+    private static char of(CharSequence text, int from, int to) {
+        int sum = 0;
+        for (int i = from; i < to; i++) {
+            sum += text.charAt(i);
+        }
+        return (char) ((sum & MASK) + OFFSET);
+    }
+
+    /**
+     * The text of a line without its checksum and the separator before it.
+     *
+     * @return null if the checksum is wrong; both with and without the separator in the sum are taken, as drivers do
+     */
+    public static String strip(String line) {
+        int end = line.length() - 1;
+        if (end < 0) {
+            return null;
+        }
+        if (line.charAt(end) == of(line, 0, end)) {
+            return line.substring(0, end);
+        }
+        boolean separated = end > 0 && line.charAt(end - 1) == SEPARATOR && line.charAt(end) == of(line, 0, end - 1);
+        return separated ? line.substring(0, end - 1) : null;
+    }
+}

@@ -1,0 +1,67 @@
+package org.SEAR.protocol.scip;
+
+import java.nio.charset.StandardCharsets;
+
+/** Writes a sensor's reply line by line: echo, status, then text, properties or distances, each line with its checksum, and the empty line. */
+public final class ReplyWriter {
+    private final StringBuilder out = new StringBuilder();
+
+    /**
+     * @param echo the command as it came
+     * @param status two characters, see {@link Status}
+     */
+    public ReplyWriter(String echo, String status) {
+        out.append(echo).append('\n');
+        line(status);
+    }
+
+    /** A line and its checksum. */
+    public ReplyWriter line(CharSequence text) {
+        out.append(text).append(Checksum.of(text)).append('\n');
+        return this;
+    }
+
+    /** A line such as {@code DMIN:20;4}. */
+    public ReplyWriter property(String name, Object value) {
+        String text = name + ":" + value;
+        return counted(text, text);
+    }
+
+    /**
+     * A line of which not all counts.
+     *
+     * @param counted the part of the text that goes into the checksum
+     */
+    public ReplyWriter counted(String text, String counted) {
+        out.append(text).append(';').append(Checksum.of(counted)).append('\n');
+        return this;
+    }
+
+    /** @param milliseconds only 24 bits of it are sent */
+    public ReplyWriter time(long milliseconds) {
+        StringBuilder text = new StringBuilder();
+        Encoding.append(text, (int) Math.floorMod(milliseconds, (long) Encoding.TIME_WRAP), Encoding.TIME);
+        return line(text);
+    }
+
+    /**
+     * Distances or codes, in lines of 64 characters.
+     *
+     * @param characters of each value; larger ones are told as the largest that these can hold
+     */
+    public ReplyWriter values(int[] values, int characters) {
+        StringBuilder text = new StringBuilder(values.length * characters);
+        for (int value : values) {
+            Encoding.append(text, Math.min(value, Encoding.max(characters)), characters);
+        }
+        for (int from = 0; from < text.length(); from += Reply.LINE) {
+            line(text.subSequence(from, Math.min(text.length(), from + Reply.LINE)));
+        }
+        return this;
+    }
+
+    /** The whole reply. */
+    public byte[] toBytes() {
+        return (out + "\n").getBytes(StandardCharsets.ISO_8859_1);
+    }
+}

@@ -1,0 +1,152 @@
+package org.SEAR.protocol.scip;
+
+import java.util.Locale;
+
+/**
+ * A command that asks for distances: MD and MS scan after scan, GD and GS one scan of a laser that is on; MD and GD in three characters a value,
+ * MS and GS in two. {@code MD0044072501000}: steps 44 to 725, one by one, each scan, without end. Immutable.
+ */
+public final class ScanCommand {
+    /** Most scans of one command; 0 is without end. */
+    public static final int MAX_COUNT = 99;
+    /** Most steps that are told as one value. */
+    public static final int MAX_CLUSTER = 99;
+    /** Characters of MD and MS. */
+    public static final int STREAM_LENGTH = 15;
+    /** Characters of GD and GS. */
+    public static final int SINGLE_LENGTH = 12;
+    private static final int START_AT = 2;
+    private static final int END_AT = 6;
+    private static final int CLUSTER_AT = 10;
+    private static final int INTERVAL_AT = 12;
+    private static final int COUNT_AT = 13;
+    private static final int RADIX = 10;
+
+    private final String letters;
+    private final int start;
+    private final int end;
+    private final int cluster;
+    private final int interval;
+    private final int count;
+    private final String string;
+
+    /**
+     * @param letters MD, MS, GD or GS
+     * @param start first step
+     * @param end last step
+     * @param cluster steps that are told as one value, 0 to 99; 0 is 1
+     * @param interval scans left out between two, 0 to 9
+     * @param count scans, 0 to 99; 0 is without end
+     * @param string what the user has added
+     */
+    public ScanCommand(String letters, int start, int end, int cluster, int interval, int count, String string) {
+        this.letters = letters;
+        this.start = start;
+        this.end = end;
+        this.cluster = cluster;
+        this.interval = interval;
+        this.count = count;
+        this.string = string;
+    }
+
+    /** Whether a line asks for scan after scan: it begins with MD or MS. */
+    public static boolean isStream(String line) {
+        return line.startsWith("MD") || line.startsWith("MS");
+    }
+
+    /**
+     * What is wrong with the parameters of a line that is long enough.
+     *
+     * @param lastStep the last one that the sensor takes
+     * @return status; null if nothing is wrong
+     */
+    public static String fault(String line, int lastStep) {
+        if (!isNumber(line, START_AT, END_AT)) {
+            return Status.BAD_START;
+        }
+        if (!isNumber(line, END_AT, CLUSTER_AT)) {
+            return Status.BAD_END;
+        }
+        if (!isNumber(line, CLUSTER_AT, INTERVAL_AT)) {
+            return Status.BAD_CLUSTER;
+        }
+        if (isStream(line) && !isNumber(line, INTERVAL_AT, COUNT_AT)) {
+            return Status.BAD_INTERVAL;
+        }
+        if (isStream(line) && !isNumber(line, COUNT_AT, STREAM_LENGTH)) {
+            return Status.BAD_COUNT;
+        }
+        if (number(line, END_AT, CLUSTER_AT) > lastStep) {
+            return Status.END_BEYOND;
+        }
+        return number(line, END_AT, CLUSTER_AT) < number(line, START_AT, END_AT) ? Status.END_BEFORE_START : null;
+    }
+
+    /** Reads a line without a {@link #fault}. */
+    public static ScanCommand of(String line) {
+        boolean stream = isStream(line);
+        return new ScanCommand(line.substring(0, START_AT), number(line, START_AT, END_AT), number(line, END_AT, CLUSTER_AT),
+            number(line, CLUSTER_AT, INTERVAL_AT), stream ? number(line, INTERVAL_AT, COUNT_AT) : 0,
+            stream ? number(line, COUNT_AT, STREAM_LENGTH) : 1, line.substring(stream ? STREAM_LENGTH : SINGLE_LENGTH));
+    }
+
+    /** Whether the characters of a line from one to before another are digits. */
+    static boolean isNumber(String line, int from, int to) {
+        for (int i = from; i < to; i++) {
+            if (line.charAt(i) < '0' || line.charAt(i) > '9') {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static int number(String line, int from, int to) {
+        int value = 0;
+        for (int i = from; i < to; i++) {
+            value = value * RADIX + line.charAt(i) - '0';
+        }
+        return value;
+    }
+
+    /** The same command with another number of scans. */
+    public ScanCommand withCount(int scans) {
+        return new ScanCommand(letters, start, end, cluster, interval, scans, string);
+    }
+
+    /** First step. */
+    public int getStart() {
+        return start;
+    }
+
+    /** Steps that are told as one value, 1 to 99. */
+    public int getCluster() {
+        return Math.max(1, cluster);
+    }
+
+    /** Scans left out between two. */
+    public int getInterval() {
+        return interval;
+    }
+
+    /** Scans; 0 is without end. */
+    public int getCount() {
+        return count;
+    }
+
+    /** Characters of a value. */
+    public int getCharacters() {
+        return letters.endsWith("S") ? Encoding.SHORT : Encoding.LONG;
+    }
+
+    /** Number of values of a scan: whole clusters, but at least one value. */
+    public int getValues() {
+        return Math.max(1, (end - start + 1) / getCluster());
+    }
+
+    /** As it is sent, without line feed. */
+    @Override
+    public String toString() {
+        String common = String.format(Locale.ROOT, "%s%04d%04d%02d", letters, start, end, cluster);
+        return (isStream(letters) ? common + String.format(Locale.ROOT, "%d%02d", interval, count) : common) + string;
+    }
+}

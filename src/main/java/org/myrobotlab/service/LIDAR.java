@@ -6,17 +6,21 @@ import java.util.List;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.LIDARConfig;
 import org.myrobotlab.service.interfaces.SerialDataListener;
-import org.myrobotlab.service.lidar.LmsScan;
-import org.myrobotlab.service.lidar.LmsDevice;
+import org.myrobotlab.service.lidar.LidarChoice;
+import org.myrobotlab.service.lidar.LidarDevice;
+import org.myrobotlab.service.lidar.LidarModels;
+import org.myrobotlab.service.lidar.RangeScan;
 import org.myrobotlab.service.link.FindsBaudRate;
 import org.myrobotlab.service.link.PanelFiles;
 import org.myrobotlab.service.link.SerialLink;
 
 /**
- * Driver for a SICK LMS200 (and its sisters), real or simulated, on any port of MyRobotLab's Serial service.
+ * Driver for a SICK LMS200 (and its sisters), a Hokuyo URG-04LX or UTM-30LX or a Slamtec RPLIDAR A1, real or simulated, on any port of MyRobotLab's
+ * Serial service.
  *
  * <pre>
  * lidar = Runtime.start("frontLidar", "LIDAR")
+ * lidar.setModel("LMS200")
  * lidar.connect("/dev/SEAR_LIDAR_01")
  * lidar.addListener("publishLidarData", python.getName(), "onFrontLidarData")
  * lidar.setScanMode(100, 1)
@@ -35,7 +39,8 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
     }
 
     private transient SerialLink link;
-    private transient LmsDevice device;
+    private transient volatile LidarDevice device;
+    private transient String driven;
     private boolean connected;
     private boolean streaming;
     private String unit = "mm";
@@ -51,17 +56,28 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
     @Override
     public synchronized void startService() {
         super.startService();
-        if (device == null) {
+        if (link == null) {
             Serial serial = (Serial) startPeer(PEER);
-            device = new LmsDevice(new LidarEvents(this));
-            link = new SerialLink(serial, this, device::tick, this::lost);
+            link = new SerialLink(serial, this, () -> device.tick(), this::lost);
+            takeDriver();
+        }
+    }
+
+    /** Takes the driver of the configured model, unless it has it already. */
+    private void takeDriver() {
+        if (driven == null || !driven.equals(config.model)) {
+            device = LidarModels.driver(config.model, new LidarEvents(this));
             device.attach(link);
+            driven = config.model;
+            spread = 0;
+            resolution = 0;
+            unit = "mm";
         }
     }
 
     /**
-     * Connects to the port the LIDAR is on, at the configured baud rate, 9600 unless set: the device's own after power-on. If it answers at another
-     * rate, the port follows.
+     * Connects to the port the LIDAR is on, at the configured baud rate, that of the model after power-on unless set: 9600 for an LMS200. If it
+     * answers at another rate, the port follows.
      *
      * @param port the port's name, for example {@code "/dev/SEAR_LIDAR_01"} or {@code "COM3"}
      * @throws IOException if there is no such port, or it is in use
@@ -75,7 +91,7 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
      * Connects to the port the LIDAR is on, and asks the device for its unit and its modes. If it answers at another rate, the port follows.
      *
      * @param port the port's name
-     * @param baud 9600, 19200, 38400 or 500000
+     * @param baud one that the model has: an LMS200 9600, 19200, 38400 or 500000
      * @throws IOException if there is no such port, or it is in use
      * @example lidar.connect("/dev/SEAR_LIDAR_01", 38400)
      */
@@ -83,8 +99,9 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
         if (link == null) {
             startService();
         }
-        LmsDevice.checkedBaud(baud);
+        LidarModels.checkedBaud(config.model, baud);
         disconnect();
+        takeDriver();
         link.connect(port, baud);
         config.baud = baud;
         config.port = port;
@@ -138,26 +155,46 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
     }
 
     /**
-     * The device's type.
+     * The device's type, before connecting. With one that talks otherwise the baud rate becomes that which it has at power-on.
      *
-     * @param model LMS200, LMS211, LMS220, LMS221 or LMS291: they talk alike
+     * @param model LMS200, LMS211, LMS220, LMS221 or LMS291, which talk alike, URG-04LX, UTM-30LX or RPLIDAR-A1
      * @throws IllegalArgumentException that names those there are
+     * @throws IllegalStateException if a device that talks otherwise is connected
      * @example lidar.setModel("LMS200")
      */
-    public void setModel(String model) {
-        config.model = LmsDevice.checkedModel(model);
+    public synchronized void setModel(String model) {
+        LidarModels.checked(model);
+        if (isConnected() && !LidarModels.talkAlike(driven, model)) {
+            throw new IllegalStateException(getName() + " is connected to a " + driven + ": disconnect() before setModel(\"" + model + "\")");
+        }
+        if (!LidarModels.talkAlike(config.model, model) || !LidarModels.hasBaud(model, config.baud)) {
+            config.baud = LidarModels.firstBaud(model);
+        }
+        config.model = model;
+        if (link != null && !isConnected()) {
+            takeDriver();
+        }
         broadcastState();
+    }
+
+    /**
+     * The models there are, with the baud rates and common scan modes of each; published to the panel.
+     *
+     * @example print [model.name for model in lidar.getModels()]
+     */
+    public List<LidarChoice> getModels() {
+        return LidarModels.choices();
     }
 
     /**
      * Tells the device to talk at another rate, and follows it there; not connected: the rate of the next {@link #connect}.
      *
-     * @param baud 9600, 19200, 38400 or 500000
+     * @param baud one that the model has: an LMS200 9600, 19200, 38400 or 500000, an URG-04LX 19200 to 750000
      * @throws IllegalArgumentException that names those there are
      * @example lidar.setBaud(38400)
      */
     public void setBaud(int baud) {
-        LmsDevice.checkedBaud(baud);
+        LidarModels.checkedBaud(config.model, baud);
         if (isConnected()) {
             device.setBaud(baud);
         } else {
@@ -166,10 +203,11 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
     }
 
     /**
-     * Sets the width of the fan and the angle between its beams, degrees.
+     * Sets the width of the fan and the angle between its beams, degrees. A device with steps of its own takes the nearest that it has, see
+     * {@link #getSpread} and {@link #getResolution}.
      *
-     * @param spread 100 or 180
-     * @param resolution 1, 0.5 or (with 100) 0.25
+     * @param spread an LMS200 has 100 and 180, an URG-04LX up to 240, an UTM-30LX up to 270, an RPLIDAR-A1 up to 360
+     * @param resolution an LMS200 has 1, 0.5 and (with 100) 0.25
      * @throws IllegalArgumentException for other values
      * @throws IllegalStateException if it is not connected
      * @example lidar.setScanMode(180, 1)
@@ -179,8 +217,9 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
     }
 
     /**
-     * Values in centimetres, up to 81.83 m.
+     * Values in centimetres, up to 81.83 m. Only an LMS can.
      *
+     * @throws IllegalArgumentException if the model can't
      * @throws IllegalStateException if it is not connected
      * @example lidar.setToCM()
      */
@@ -189,7 +228,7 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
     }
 
     /**
-     * Values in millimetres, up to 8.183 m.
+     * Values in millimetres, of an LMS200 up to 8.183 m.
      *
      * @throws IllegalStateException if it is not connected
      * @example lidar.setToMM()
@@ -228,7 +267,7 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
         ready().setStreaming(false);
     }
 
-    private LmsDevice ready() {
+    private LidarDevice ready() {
         if (!isConnected()) {
             lost();
             throw new IllegalStateException(getName() + " is not connected: call connect(port) first");
@@ -256,17 +295,17 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
 
     /**
      * The last scan; None before the first. Its arrays run right to left: raw (in its unit, "mm" or "cm"), metres (None where nothing was hit),
-     * angles (degrees, 0 right, 90 ahead, 180 left).
+     * angles (degrees, 0 right, 90 ahead, 180 left; a whole circle begins behind, at -90).
      *
      * @example scan = lidar.getLastScan()
      */
-    public LmsScan getLastScan() {
+    public RangeScan getLastScan() {
         return device == null ? null : device.getLastScan();
     }
 
     /**
-     * A scan's values, right to left, in the device's unit, without flag bits: up to 8182 a distance, from 8183 a code, 8191 = nothing hit
-     * (measuring modes 0 to 2).
+     * A scan's values, right to left, in the device's unit, without flag bits. Of an LMS200: up to 8182 a distance, from 8183 a code, 8191 = nothing
+     * hit (measuring modes 0 to 2). Of a Hokuyo the smallest values are codes: 0 to 19 of an URG-04LX, 1 to 5 of an UTM-30LX; of an RPLIDAR 0.
      *
      * @example lidar.addListener("publishLidarData", python.getName(), "onGuideScan")
      */
@@ -279,11 +318,11 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
      *
      * @example lidar.addListener("publishScan", python.getName(), "onGuideMetres")
      */
-    public LmsScan publishScan(LmsScan scan) {
+    public RangeScan publishScan(RangeScan scan) {
         return scan;
     }
 
-    void onScan(LmsScan scan) {
+    void onScan(RangeScan scan) {
         scans++;
         onUnit(scan.unit);
         invoke("publishLidarData", (Object) scan.raw);

@@ -1,10 +1,10 @@
 package org.myrobotlab.service;
 
-import org.myrobotlab.service.lidar.LmsScan;
-import org.myrobotlab.service.lidar.LmsDevice;
+import org.myrobotlab.service.lidar.LidarListener;
+import org.myrobotlab.service.lidar.RangeScan;
 
 /** What happens at the device, told to the service and so to MyRobotLab. */
-final class LidarEvents implements LmsDevice.Listener {
+final class LidarEvents implements LidarListener {
     private final LIDAR service;
 
     LidarEvents(LIDAR service) {
@@ -12,7 +12,7 @@ final class LidarEvents implements LmsDevice.Listener {
     }
 
     @Override
-    public void scan(LmsScan scan) {
+    public void scan(RangeScan scan) {
         service.onScan(scan);
     }
 

@@ -127,7 +127,7 @@ public class FuzzTest {
         FakeScanner scanner = new FakeScanner();
         scanner.world = beam -> 1 + beam / 100.0;
         line.sensor = scanner;
-        return new Hokuyo(model, 115200, line);
+        return new Hokuyo(model, model.isUsb() ? 12_000_000 : 115200, line);
     }
 
     @Test

@@ -13,7 +13,7 @@ import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.ServiceConfig;
-import org.myrobotlab.service.lidar.LmsScan;
+import org.myrobotlab.service.lidar.RangeScan;
 
 /** In lock-step, simSleep returns when all callbacks have run, whatever their threads are called and however many services they go through. */
 public class FenceTest {
@@ -38,7 +38,7 @@ public class FenceTest {
             super(name, id);
         }
 
-        public void onScan(LmsScan scan) {
+        public void onScan(RangeScan scan) {
             Thread.yield();
             invoke("publishLength", scan.raw.length);
         }

@@ -12,7 +12,7 @@ import java.util.Map;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
-import org.myrobotlab.service.lidar.LmsScan;
+import org.myrobotlab.service.lidar.RangeScan;
 
 /** The LIDAR service with a device that answers as the telegram listing says. */
 public class LidarServiceTest {
@@ -70,7 +70,7 @@ public class LidarServiceTest {
         lidar.removeListener("publishLidarData", "rawScans", "onValue");
         lidar.connect(PORT);
         lidar.singleScan();
-        LmsScan scan = (LmsScan) raw.await(1).get(0);
+        RangeScan scan = (RangeScan) raw.await(1).get(0);
         assertEquals(5, scan.angles.length);
         assertEquals(90, scan.angles[2], 1e-9);
     }

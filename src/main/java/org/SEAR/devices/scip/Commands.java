@@ -211,7 +211,7 @@ final class Commands {
             answer(line, Status.BAD_PARAMETER, time);
         } else if (model.isUsb()) {
             answer(line, Status.NOT_HERE, time);
-        } else if (!HokuyoModel.isBaud(wanted)) {
+        } else if (!model.getLidar().hasBaud(wanted)) {
             answer(line, Status.BAD_RATE, time);
         } else if (wanted == device.getBaud()) {
             answer(line, Status.UNCHANGED, time);

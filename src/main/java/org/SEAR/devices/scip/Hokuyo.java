@@ -23,8 +23,6 @@ public final class Hokuyo implements SerialDevice {
     private static final double ANSWER = 0.001;
     /** From power-on until the mirror turns and commands are taken; undocumented. Seconds. */
     private static final double BOOT = 2;
-    /** What USB carries, bits a second; the rate of the host has no meaning there. */
-    private static final int USB = 12_000_000;
 
     private final HokuyoModel model;
     private final int powerOnBaud;
@@ -41,15 +39,15 @@ public final class Hokuyo implements SerialDevice {
     private boolean streaming;
 
     /**
-     * @param baud at power-on; without meaning for a model at a USB port
+     * @param baud at power-on
      * @throws IllegalArgumentException unless the context's sensor is a LIDAR and the baud rate one of the model's
      */
     public Hokuyo(HokuyoModel model, int baud, DeviceContext context) {
-        if (!model.isUsb() && !HokuyoModel.isBaud(baud)) {
+        if (!model.getLidar().hasBaud(baud)) {
             throw new IllegalArgumentException(baud + " baud is none of a " + model.getName());
         }
         this.model = model;
-        this.powerOnBaud = model.isUsb() ? USB : baud;
+        this.powerOnBaud = baud;
         this.context = context;
         this.scanner = new Scanner(model, context);
         this.commands = new Commands(this, model, scanner);

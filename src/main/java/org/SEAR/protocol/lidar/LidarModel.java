@@ -160,6 +160,11 @@ public enum LidarModel {
         return rates[0];
     }
 
+    /** The speeds of its line, bits a second, that at power-on first. */
+    public int[] rates() {
+        return rates.clone();
+    }
+
     /** Whether its line can have that speed, bits a second. */
     public boolean hasBaud(int baud) {
         return Arrays.stream(rates).anyMatch(rate -> rate == baud);

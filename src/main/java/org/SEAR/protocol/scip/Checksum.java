@@ -8,6 +8,7 @@ public final class Checksum {
     private static final int MASK = 0x3F;
     private static final int OFFSET = 0x30;
     private static final char SEPARATOR = ';';
+    private static final String REMARK = "<-";
 
     private Checksum() {
     }
@@ -28,17 +29,22 @@ public final class Checksum {
     /**
      * The text of a line without its checksum and the separator before it.
      *
-     * @return null if the checksum is wrong; both with and without the separator in the sum are taken, as drivers do
+     * @return null if the checksum is wrong; the separator, and the remark from {@code <-} on that a UTM-30LX leaves out, may be counted or not
      */
     public static String strip(String line) {
         int end = line.length() - 1;
         if (end < 0) {
             return null;
         }
-        if (line.charAt(end) == of(line, 0, end)) {
+        char sum = line.charAt(end);
+        if (sum == of(line, 0, end)) {
             return line.substring(0, end);
         }
-        boolean separated = end > 0 && line.charAt(end - 1) == SEPARATOR && line.charAt(end) == of(line, 0, end - 1);
-        return separated ? line.substring(0, end - 1) : null;
+        if (end == 0 || line.charAt(end - 1) != SEPARATOR) {
+            return null;
+        }
+        int remark = line.indexOf(REMARK);
+        boolean right = sum == of(line, 0, end - 1) || remark >= 0 && sum == of(line, 0, remark);
+        return right ? line.substring(0, end - 1) : null;
     }
 }

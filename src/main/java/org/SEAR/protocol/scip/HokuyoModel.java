@@ -1,6 +1,7 @@
 package org.SEAR.protocol.scip;
 
 import java.util.Locale;
+import org.SEAR.protocol.lidar.LidarModel;
 
 /**
  * The scanners: what they answer to PP and VV, and the codes that they send in place of distances. Angle of a step: (step - front) * 360 degrees /
@@ -8,69 +9,50 @@ import java.util.Locale;
  */
 public enum HokuyoModel {
     /** 5.6 m, 240 degrees, 10 scans a second, RS-232 at 19200 baud. */
-    URG_04LX("URG-04LX", "URG-04LX(Hokuyo Automatic Co.,Ltd.)", "SOKUIKI Sensor URG-04LX", "3.1.00(18/Jan./2007)", new int[] {20, 5600},
-        new int[] {1024, 44, 725, 384, 768}, 600, 19200, new int[] {0, 6, 19}),
+    URG_04LX(LidarModel.URG_04LX, "URG-04LX(Hokuyo Automatic Co.,Ltd.)", "SOKUIKI Sensor URG-04LX", "3.1.00(18/Jan./2007)", new int[] {20, 5600},
+        new int[] {1024, 44, 725, 384, 768}, 600, new int[] {0, 6, 19}),
     /** 60 m (30 m promised), 270 degrees, 40 scans a second, USB. */
-    UTM_30LX("UTM-30LX", "UTM-30LX(Hokuyo Automatic Co.,Ltd.)", "SOKUIKI Sensor TOP-URG UTM-30LX", "1.20.02(16/Jul./2013)", new int[] {23, 60000},
-        new int[] {1440, 0, 1080, 540, 1080}, 2400, 0, new int[] {1, 2, 3});
+    UTM_30LX(LidarModel.UTM_30LX, "UTM-30LX(Hokuyo Automatic Co.,Ltd.)", "SOKUIKI Sensor TOP-URG UTM-30LX", "1.20.02(16/Jul./2013)", new int[] {23, 60000},
+        new int[] {1440, 0, 1080, 540, 1080}, 2400, new int[] {1, 2, 3});
 
-    private static final int[] BAUDS = {19200, 38400, 57600, 115200, 250000, 500000, 750000};
     private static final double CIRCLE = 360;
     private static final double SECONDS_A_MINUTE = 60;
     private static final int DIGITS = 6;
 
-    private final String name;
+    private final LidarModel lidar;
     private final String modelText;
     private final String product;
     private final String firmware;
     private final int[] distances;
     private final int[] steps;
     private final int turns;
-    private final int baud;
     private final int[] codes;
 
     /**
      * @param distances least and greatest, millimetres
      * @param steps of a turn, first and last that are measured, the front one, last one that can be asked for
      * @param turns a minute
-     * @param baud at power-on; 0 for USB
      * @param codes in place of a distance: nothing hit, too near, not measured
      */
-    HokuyoModel(String name, String modelText, String product, String firmware, int[] distances, int[] steps, int turns, int baud, int[] codes) {
-        this.name = name;
+    HokuyoModel(LidarModel lidar, String modelText, String product, String firmware, int[] distances, int[] steps, int turns, int[] codes) {
+        this.lidar = lidar;
         this.modelText = modelText;
         this.product = product;
         this.firmware = firmware;
         this.distances = distances;
         this.steps = steps;
         this.turns = turns;
-        this.baud = baud;
         this.codes = codes;
     }
 
-    /** The model of that name, for example {@code URG-04LX}; null if there is none. */
-    public static HokuyoModel of(String name) {
+    /** The one of that row in the table of LIDARs; null if that is no Hokuyo. */
+    public static HokuyoModel of(LidarModel lidar) {
         for (HokuyoModel model : values()) {
-            if (model.name.equals(name)) {
+            if (model.lidar == lidar) {
                 return model;
             }
         }
         return null;
-    }
-
-    /** The rates that RS-232 may have, bits a second. */
-    public static int[] bauds() {
-        return BAUDS.clone();
-    }
-
-    /** Whether RS-232 may have a rate. */
-    public static boolean isBaud(int rate) {
-        for (int known : BAUDS) {
-            if (known == rate) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /** The command that sets a rate: {@code SS019200}. */
@@ -80,7 +62,12 @@ public enum HokuyoModel {
 
     /** Name in catalogues, for example {@code URG-04LX}. */
     public String getName() {
-        return name;
+        return lidar.getName();
+    }
+
+    /** Its row in the table of LIDARs. */
+    public LidarModel getLidar() {
+        return lidar;
     }
 
     /** Of PP's line MODL. */
@@ -148,14 +135,9 @@ public enum HokuyoModel {
         return CIRCLE / getSteps();
     }
 
-    /** Bits a second at power-on; 0 for USB, which has none. */
-    public int getBaud() {
-        return baud;
-    }
-
     /** Whether it is at a USB port, where the rate of the host has no meaning. */
     public boolean isUsb() {
-        return baud == 0;
+        return this == UTM_30LX;
     }
 
     /** What it sends where nothing is within its range. */

@@ -6,9 +6,9 @@ import org.myrobotlab.framework.Plan;
 public class LIDARConfig extends ServiceConfig {
     /** The port last connected to; null before the first time. */
     public String port;
-    /** Bits a second: 9600 (default), 19200, 38400 or 500000. */
+    /** Bits a second, one that the model has: of an LMS200 9600 (default), 19200, 38400 or 500000. */
     public int baud = 9600;
-    /** LMS200 (default), LMS211, LMS220, LMS221 or LMS291. */
+    /** LMS200 (default), LMS211, LMS220, LMS221, LMS291, URG-04LX, UTM-30LX or RPLIDAR-A1. */
     public String model = "LMS200";
 
     @Override

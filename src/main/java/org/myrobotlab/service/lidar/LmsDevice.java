@@ -1,10 +1,6 @@
 package org.myrobotlab.service.lidar;
 
-import java.util.Arrays;
-import java.util.List;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.SEAR.protocol.lms.Baud;
 import org.SEAR.protocol.lms.Command;
 import org.SEAR.protocol.lms.Configuration;
@@ -17,8 +13,7 @@ import org.SEAR.protocol.lms.Variant;
 import org.myrobotlab.service.link.SerialLink;
 
 /** An LMS2xx as its user sees it: scan modes, units, scans. Any thread; never blocks. */
-public final class LmsDevice {
-    private static final List<String> MODELS = Arrays.asList("LMS200", "LMS211", "LMS220", "LMS221", "LMS291");
+public final class LmsDevice implements LidarDevice {
     private static final double HUNDREDTHS = 100;
     private static final int OVERHEAD = 10;
     private static final int LONGEST_SCAN = 813;
@@ -32,81 +27,49 @@ public final class LmsDevice {
     private static final double WRITE_PATIENCE = 15;
     private static final double SHORT_PATIENCE = 1;
 
-    /** Takes what happens at the device; called on the port's reader thread. */
-    public interface Listener extends DriverEvents {
-        void scan(LmsScan scan);
-
-        void streaming(boolean on);
-
-        /**
-         * @param spread degrees from first to last beam
-         * @param resolution degrees between beams
-         */
-        void scanMode(double spread, double resolution);
-
-        void unit(boolean millimetres);
-    }
-
-    private final Listener listener;
+    private final LidarListener listener;
     private SerialLink link;
     private LmsDriver driver;
     private volatile MeasuringMode measuringMode = MeasuringMode.FIELDS_A_B_DAZZLE;
     private volatile double resolution = 1;
     private volatile boolean streaming;
     private volatile Configuration configuration;
-    private volatile LmsScan lastScan;
+    private volatile RangeScan lastScan;
     private String lastComplaint = "";
 
-    public LmsDevice(Listener listener) {
+    public LmsDevice(LidarListener listener) {
         this.listener = listener;
     }
 
-    /** Gives the device its port. Before anything else. */
+    @Override
     public void attach(SerialLink newLink) {
         link = newLink;
-        driver = new LmsDriver(new Wire(), listener, this::scanned);
+        driver = new LmsDriver(DeviceLine.of(newLink), listener, this::scanned);
     }
 
-    /** @throws IllegalArgumentException that names the legal rates */
-    public static int checkedBaud(int baud) {
-        if (Baud.ofRate(baud) == null) {
-            throw new IllegalArgumentException("LIDAR baud rate is " + baud + ", legal: "
-                + Stream.of(Baud.values()).map(known -> String.valueOf(known.getRate())).collect(Collectors.joining(", ")));
-        }
-        return baud;
-    }
-
-    /** @throws IllegalArgumentException that names the legal models */
-    public static String checkedModel(String model) {
-        if (!MODELS.contains(model)) {
-            throw new IllegalArgumentException("LIDAR model is \"" + model + "\", legal: " + MODELS);
-        }
-        return model;
-    }
-
-    /** Bytes from the port. */
+    @Override
     public void receive(byte[] bytes) {
         driver.receive(bytes);
     }
 
-    /** Lets time-outs pass. */
+    @Override
     public void tick() {
         driver.tick();
     }
 
-    /** The port was closed. */
+    @Override
     public void clear() {
         driver.clear();
         streaming = false;
         configuration = null;
     }
 
-    /** The last scan; null before the first. */
-    public LmsScan getLastScan() {
+    @Override
+    public RangeScan getLastScan() {
         return lastScan;
     }
 
-    /** Asks the device for its configuration and its status: unit, measuring mode, fan, and whether it streams already. */
+    @Override
     public void learn() {
         learnConfiguration();
         ask("the request for the status", Command.STATUS, Command.STATUS.request(), Status.SIZE + OVERHEAD, SHORT_PATIENCE,
@@ -138,7 +101,7 @@ public final class LmsDevice {
         listener.unit(told.isMillimetres());
     }
 
-    /** Tells the device to talk at another rate and follows it. */
+    @Override
     public void setBaud(int baud) {
         Payload request = Command.MODE.request().add(Baud.ofRate(baud).getMode());
         ask("the change to " + baud + " baud", Command.MODE, request, OVERHEAD, MODE_PATIENCE, reply -> {
@@ -149,11 +112,7 @@ public final class LmsDevice {
         });
     }
 
-    /**
-     * Sets the fan.
-     *
-     * @throws IllegalArgumentException that names the legal pairs
-     */
+    @Override
     public void setVariant(int spread, double newResolution) {
         Variant variant = Variant.ofDegrees(spread, newResolution);
         if (variant == null) {
@@ -174,6 +133,7 @@ public final class LmsDevice {
     }
 
     /** Sets the unit: installation mode, read the configuration, write it with the unit changed, back to measuring. */
+    @Override
     public void setUnit(boolean millimetres) {
         pauseStreaming(() -> {
             mode("installation mode", Command.MODE.request().add(OperatingMode.INSTALLATION).text(OperatingMode.PASSWORD));
@@ -197,7 +157,7 @@ public final class LmsDevice {
         return Command.SET_CONFIGURATION.request().bytes(configuration.withMillimetres(millimetres).toBytes());
     }
 
-    /** Asks for one scan. While streaming the next one comes anyway. */
+    @Override
     public void singleScan() {
         if (!streaming) {
             ask("a single scan", Command.SCAN, Command.SCAN.request().add(ALL_VALUES), LONGEST_SCAN, SHORT_PATIENCE, this::scanned);
@@ -205,7 +165,7 @@ public final class LmsDevice {
     }
 
     private void scanned(Telegram telegram) {
-        LmsScan scan = LmsReplies.scan(telegram, measuringMode, resolution, link.now());
+        RangeScan scan = LmsReplies.scan(telegram, measuringMode, resolution, link.now());
         lastScan = scan;
         listener.scan(scan);
         String complaint = LmsReplies.complaint(telegram);
@@ -215,7 +175,7 @@ public final class LmsDevice {
         }
     }
 
-    /** Starts or stops scan after scan. */
+    @Override
     public void setStreaming(boolean on) {
         String name = on ? "streaming" : "the end of streaming";
         Payload request = Command.MODE.request().add(on ? OperatingMode.STREAM_ALL : OperatingMode.ON_REQUEST);
@@ -251,27 +211,5 @@ public final class LmsDevice {
             listener.error("the LIDAR did not take " + what + " (result " + reply.at(1) + ")");
         }
         return reply.at(1) == 0;
-    }
-
-    private final class Wire implements LmsDriver.Line {
-        @Override
-        public void write(byte[] bytes) {
-            link.write(bytes);
-        }
-
-        @Override
-        public void setBaud(int baud) {
-            link.setBaud(baud);
-        }
-
-        @Override
-        public int getBaud() {
-            return link.getBaud();
-        }
-
-        @Override
-        public double now() {
-            return link.timeOutNow();
-        }
     }
 }

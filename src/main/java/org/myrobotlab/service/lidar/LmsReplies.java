@@ -23,18 +23,18 @@ final class LmsReplies {
      *
      * @param resolution degrees between values, used where the number of values doesn't tell
      */
-    static LmsScan scan(Telegram telegram, MeasuringMode measuringMode, double resolution, double time) {
+    static RangeScan scan(Telegram telegram, MeasuringMode measuringMode, double resolution, double time) {
         CountWord count = CountWord.of(telegram.wordAt(1));
         int[] values = new int[count.getCount()];
         for (int i = 0; i < values.length; i++) {
-            values[i] = telegram.wordAt(FIRST_VALUE + 2 * i);
+            values[i] = measuringMode.getDistance(telegram.wordAt(FIRST_VALUE + 2 * i));
         }
-        boolean millimetres = count.getUnit() == MILLIMETRES;
         double offset = count.getQuarter() * QUARTER;
         double spread = spreadOf(values.length);
         double degrees = spread > 0 ? spread / (values.length - 1) : resolution;
         double first = spread > 0 ? STRAIGHT_AHEAD - spread / 2 : STRAIGHT_AHEAD - degrees * (values.length - 1) / 2;
-        return new LmsScan(values, millimetres, measuringMode, first + offset, degrees, time);
+        double[] angles = RangeScan.angles(values.length, first + offset, degrees);
+        return new RangeScan(values, count.getUnit() == MILLIMETRES ? "mm" : "cm", 0, measuringMode.getBeyondRange(), angles, degrees, time);
     }
 
     private static double spreadOf(int values) {

@@ -7,26 +7,20 @@ import org.SEAR.protocol.lms.Payload;
 import org.SEAR.protocol.lms.Telegram;
 
 /** One thing asked of an LMS2xx: what is sent, what answers it, how long that may take, and what then happens. */
-final class LmsRequest {
-    /** In words, for messages. */
-    final String name;
+final class LmsRequest extends Request {
     /** What is asked; its reply byte begins the answer. */
     final Command command;
-    /** Command and data, made when it is sent: later requests of a series depend on earlier answers. */
-    final Supplier<Payload> payload;
-    /** Bytes of the whole answer, for the time it takes on the line. */
-    final int replyLength;
-    /** Seconds that the device may think before it answers. */
-    final double patience;
     /** Takes the answer. */
     final Consumer<Telegram> then;
 
+    /**
+     * @param payload command and data
+     * @param replyLength bytes
+     * @param patience seconds
+     */
     LmsRequest(String name, Command command, Supplier<Payload> payload, int replyLength, double patience, Consumer<Telegram> then) {
-        this.name = name;
+        super(name, () -> Telegram.request(payload.get()).toBytes(), replyLength, patience);
         this.command = command;
-        this.payload = payload;
-        this.replyLength = replyLength;
-        this.patience = patience;
         this.then = then;
     }
 }

@@ -1,5 +1,6 @@
 /**
- * The driver of a SICK LMS2xx, real or simulated. May use {@link org.myrobotlab.service.link} and {@link org.SEAR.protocol.lms}. The port's thread
- * brings bytes, a timer its time-outs; a lock of the driver's orders both and the callers.
+ * The drivers of the scanners, real or simulated, one a protocol behind {@link org.myrobotlab.service.lidar.LidarDevice}. May use
+ * {@link org.myrobotlab.service.link} and {@link org.SEAR.protocol}. The port's thread brings bytes,
+ * a timer its time-outs; a lock of the driver's orders both and the callers.
  */
 package org.myrobotlab.service.lidar;

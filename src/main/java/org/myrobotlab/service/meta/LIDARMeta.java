@@ -8,7 +8,7 @@ public class LIDARMeta extends MetaData {
 
     /** As MyRobotLab makes it. */
     public LIDARMeta() {
-        addDescription("drives a SICK LMS200 laser scanner, real or simulated");
+        addDescription("drives a laser scanner, real or simulated: SICK LMS200, Hokuyo URG-04LX and UTM-30LX, Slamtec RPLIDAR A1");
         addCategory("sensors");
         setLicenseApache();
     }

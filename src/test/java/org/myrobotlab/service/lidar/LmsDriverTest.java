@@ -29,7 +29,7 @@ public class LmsDriverTest {
 
     @Before
     public void makeDriver() {
-        driver = new LmsDriver(new LmsDriver.Line() {
+        driver = new LmsDriver(new DeviceLine() {
             @Override
             public void write(byte[] bytes) {
                 sent.add(Bytes.hex(bytes));

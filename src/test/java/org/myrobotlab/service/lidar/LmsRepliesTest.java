@@ -26,13 +26,13 @@ public class LmsRepliesTest {
         return found.get(0);
     }
 
-    private static LmsScan scan(String hex) {
+    private static RangeScan scan(String hex) {
         return LmsReplies.scan(telegram(hex), MeasuringMode.FIELDS_A_B_DAZZLE, 1, 0);
     }
 
     @Test
     public void flagBitsAreNoDistanceAndOverflowsAreNoReturn() {
-        LmsScan scan = scan("02 80 0E 00 B0 05 40 00 00 01 00 E8 83 F7 1F FF 1F 10 D4 58");
+        RangeScan scan = scan("02 80 0E 00 B0 05 40 00 00 01 00 E8 83 F7 1F FF 1F 10 D4 58");
         assertArrayEquals(new int[] {0, 1, 1000, 8183, 8191}, scan.raw);
         assertEquals("mm", scan.unit);
         assertEquals(1.0, scan.metres[2], 0);
@@ -42,7 +42,7 @@ public class LmsRepliesTest {
 
     @Test
     public void centimetresAreHundredthsOfMetres() {
-        LmsScan scan = scan("02 80 0A 00 B0 03 00 64 00 C8 00 2C 01 10 BE 64");
+        RangeScan scan = scan("02 80 0A 00 B0 03 00 64 00 C8 00 2C 01 10 BE 64");
         assertArrayEquals(new int[] {100, 200, 300}, scan.raw);
         assertEquals("cm", scan.unit);
         assertEquals(3.0, scan.metres[2], 1e-12);
@@ -59,7 +59,7 @@ public class LmsRepliesTest {
         for (int i = 0; i <= 180; i++) {
             hex.append(String.format(" %02X 00", i));
         }
-        LmsScan wide = scan(hex + " 10 D5 D8");
+        RangeScan wide = scan(hex + " 10 D5 D8");
         assertEquals(0, wide.angles[0], 0);
         assertEquals(180, wide.angles[180], 0);
         assertEquals(180, wide.raw[180]);
@@ -76,7 +76,7 @@ public class LmsRepliesTest {
             int nothing = mode.getNothingHit();
             Telegram telegram = new Telegram(Telegram.FROM_DEVICE, Command.SCAN.reply().word(CountWord.whole(2, 1).toWord()).word(nothing).word(1234)
                 .add(StatusByte.OK).toBytes());
-            LmsScan scan = LmsReplies.scan(telegram, mode, 1, 0);
+            RangeScan scan = LmsReplies.scan(telegram, mode, 1, 0);
             assertNull(mode.name(), scan.metres[0]);
             assertEquals(1.234, scan.metres[1], 1e-12);
         }
@@ -86,7 +86,7 @@ public class LmsRepliesTest {
     public void aScanOfARealDeviceIsInMetres() throws IOException {
         List<Telegram> scans = RealFrames.telegrams(Command.SCAN.getReply());
         assertTrue(scans.size() >= 2);
-        LmsScan scan = LmsReplies.scan(scans.get(0), MeasuringMode.FIELDS_16_A_B, 0.5, 0);
+        RangeScan scan = LmsReplies.scan(scans.get(0), MeasuringMode.FIELDS_16_A_B, 0.5, 0);
         assertEquals(361, scan.raw.length);
         assertEquals(0.205, scan.metres[0], 1e-12);
         assertEquals(0.208, scan.metres[1], 1e-12);

@@ -1,0 +1,40 @@
+package org.myrobotlab.service.lidar;
+
+import org.myrobotlab.service.link.SerialLink;
+
+/** The serial port as a driver sees it. */
+interface DeviceLine {
+    void write(byte[] bytes);
+
+    void setBaud(int baud);
+
+    int getBaud();
+
+    /** Seconds for time-outs. */
+    double now();
+
+    /** That of a connection. */
+    static DeviceLine of(SerialLink link) {
+        return new DeviceLine() {
+            @Override
+            public void write(byte[] bytes) {
+                link.write(bytes);
+            }
+
+            @Override
+            public void setBaud(int baud) {
+                link.setBaud(baud);
+            }
+
+            @Override
+            public int getBaud() {
+                return link.getBaud();
+            }
+
+            @Override
+            public double now() {
+                return link.timeOutNow();
+            }
+        };
+    }
+}

@@ -1,0 +1,197 @@
+package org.myrobotlab.service.lidar;
+
+import java.util.function.Consumer;
+import org.SEAR.protocol.lidar.LidarModel;
+import org.SEAR.protocol.scip.HokuyoModel;
+import org.SEAR.protocol.scip.Reply;
+import org.SEAR.protocol.scip.ScanCommand;
+import org.SEAR.protocol.scip.Status;
+import org.myrobotlab.service.link.SerialLink;
+
+/** A Hokuyo scanner that speaks SCIP 2.0, as its user sees it. Its fan it tells itself. Any thread; never blocks. */
+final class HokuyoDevice implements LidarDevice {
+    /** Leaves SCIP 1.1, in which older scanners wake up, and the adjustment of the clock. */
+    private static final String TO_NORMAL = "SCIP2.0\nTM2\n";
+    private static final int SHORT_REPLY = 32;
+    private static final int LONG_REPLY = 400;
+    private static final int LONGEST_SCAN = 3400;
+    /** Drivers wait a second. */
+    private static final double PATIENCE = 1;
+
+    private final LidarModel model;
+    private final LidarListener listener;
+    private SerialLink link;
+    private ScipDriver driver;
+    private volatile HokuyoFan fan;
+    /** What is asked for. */
+    private volatile ScanCommand wanted;
+    /** The spread that was set; 0 for the whole fan. */
+    private int spread;
+    private double resolution;
+    private double toldSpread;
+    private double toldResolution;
+    private volatile boolean streaming;
+    private volatile RangeScan lastScan;
+
+    HokuyoDevice(LidarModel model, LidarListener listener) {
+        this.model = model;
+        this.listener = listener;
+        wholeFan();
+    }
+
+    @Override
+    public void attach(SerialLink newLink) {
+        link = newLink;
+        driver = new ScipDriver(DeviceLine.of(newLink), listener, LidarModels.bauds(model), this::scanned);
+    }
+
+    @Override
+    public void receive(byte[] bytes) {
+        driver.receive(bytes);
+    }
+
+    @Override
+    public void tick() {
+        driver.tick();
+    }
+
+    @Override
+    public void clear() {
+        driver.clear();
+        streaming = false;
+        wholeFan();
+    }
+
+    private synchronized void wholeFan() {
+        fan = HokuyoFan.of(HokuyoModel.of(model));
+        wanted = fan.whole();
+        spread = 0;
+        toldSpread = 0;
+    }
+
+    @Override
+    public RangeScan getLastScan() {
+        return lastScan;
+    }
+
+    @Override
+    public void learn() {
+        driver.ask(new ScipRequest("the request for the parameters", TO_NORMAL, "PP", LONG_REPLY, PATIENCE, reply -> {
+            if (succeeded(reply, "the request for the parameters")) {
+                listener.unit(true);
+                learnt(HokuyoFan.of(reply));
+            }
+        }));
+        ask("the request for the state", "II", LONG_REPLY, this::onState);
+    }
+
+    private void onState(Reply reply) {
+        String mode = reply.property("MESM");
+        boolean streams = mode != null && mode.startsWith("Measuring");
+        if (streams != streaming) {
+            streaming = streams;
+            listener.streaming(streams);
+        }
+    }
+
+    private synchronized void learnt(HokuyoFan told) {
+        fan = told;
+        wanted = spread == 0 ? told.whole() : told.part(spread, resolution);
+        if (!streaming) {
+            tell(told.spread(wanted), told.resolution(wanted));
+        }
+    }
+
+    private synchronized void tell(double newSpread, double newResolution) {
+        if (newSpread != toldSpread || newResolution != toldResolution) {
+            toldSpread = newSpread;
+            toldResolution = newResolution;
+            listener.scanMode(newSpread, newResolution);
+        }
+    }
+
+    @Override
+    public void setBaud(int baud) {
+        if (HokuyoModel.of(model).isUsb()) {
+            throw new IllegalArgumentException("a " + model.getName() + " is at USB, which has no baud rate");
+        }
+        String name = "the change to " + baud + " baud";
+        ask(name, HokuyoModel.baudCommand(baud), SHORT_REPLY, reply -> {
+            if (Status.UNCHANGED.equals(reply.getStatus()) || succeeded(reply, name)) {
+                driver.changeBaud(baud);
+                listener.baud(baud);
+            }
+        });
+    }
+
+    @Override
+    public void setVariant(int newSpread, double newResolution) {
+        synchronized (this) {
+            wanted = fan.part(newSpread, newResolution);
+            spread = newSpread;
+            resolution = newResolution;
+        }
+        boolean wasStreaming = streaming;
+        if (wasStreaming) {
+            setStreaming(false);
+        }
+        tell(fan.spread(wanted), fan.resolution(wanted));
+        if (wasStreaming) {
+            setStreaming(true);
+        }
+    }
+
+    @Override
+    public void setUnit(boolean millimetres) {
+        if (!millimetres) {
+            throw new IllegalArgumentException("a " + model.getName() + " measures in millimetres, legal: setToMM()");
+        }
+        listener.unit(true);
+    }
+
+    @Override
+    public void singleScan() {
+        if (!streaming) {
+            measure("a single scan", 1, reply -> succeeded(reply, "a single scan"));
+        }
+    }
+
+    @Override
+    public void setStreaming(boolean on) {
+        if (on) {
+            measure("streaming", 0, reply -> streams(reply, true, "streaming"));
+        } else {
+            ask("the end of streaming", "QT", LONGEST_SCAN, reply -> streams(reply, false, "the end of streaming"));
+        }
+    }
+
+    private void streams(Reply reply, boolean on, String name) {
+        if (succeeded(reply, name)) {
+            streaming = on;
+            listener.streaming(on);
+        }
+    }
+
+    private void measure(String name, int count, Consumer<Reply> then) {
+        ask(name, wanted.withCount(count).toString(), LONGEST_SCAN, then);
+    }
+
+    private void ask(String name, String command, int replyLength, Consumer<Reply> then) {
+        driver.ask(new ScipRequest(name, "", command, replyLength, PATIENCE, then));
+    }
+
+    private void scanned(Reply reply) {
+        RangeScan scan = fan.scan(reply, link.now());
+        lastScan = scan;
+        tell(scan.spread, scan.resolution);
+        listener.scan(scan);
+    }
+
+    private boolean succeeded(Reply reply, String what) {
+        boolean done = Status.OK.equals(reply.getStatus());
+        if (!done) {
+            listener.error("the LIDAR did not take " + what + " (status " + reply.getStatus() + ")");
+        }
+        return done;
+    }
+}

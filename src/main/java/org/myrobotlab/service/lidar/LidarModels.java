@@ -1,0 +1,98 @@
+package org.myrobotlab.service.lidar;
+
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.SEAR.protocol.lidar.LidarModel;
+import org.SEAR.protocol.lidar.LidarProtocol;
+
+/** The scanners that the LIDAR service drives: what is legal for each, and which driver it has. Any thread. */
+public final class LidarModels {
+    /** Indoor and outdoor sisters that talk as those of the table do. */
+    private static final Map<String, LidarModel> SISTERS = Map.of("LMS211", LidarModel.LMS221, "LMS220", LidarModel.LMS221);
+    private static final Map<String, LidarModel> MODELS = models();
+    /** What a port at USB is opened with where the rate has no meaning. */
+    private static final int ANY_BAUD = 115200;
+    private static final double[][] LMS_MODES = {{180, 1}, {180, 0.5}, {100, 1}, {100, 0.5}, {100, 0.25}};
+    private static final double[][] URG_MODES = {{240, 0.35}, {240, 0.7}, {240, 1.05}, {180, 0.35}, {180, 1.05}};
+    private static final double[][] UTM_MODES = {{270, 0.25}, {270, 0.5}, {270, 1}, {180, 0.25}, {180, 1}};
+
+    private LidarModels() {
+    }
+
+    private static Map<String, LidarModel> models() {
+        Map<String, LidarModel> models = new LinkedHashMap<>();
+        for (String name : Arrays.asList("LMS200", "LMS211", "LMS220", "LMS221", "LMS291", "URG-04LX", "UTM-30LX")) {
+            models.put(name, SISTERS.containsKey(name) ? SISTERS.get(name) : LidarModel.of(name));
+        }
+        return models;
+    }
+
+    /** @throws IllegalArgumentException that names the legal models */
+    public static String checked(String model) {
+        find(model);
+        return model;
+    }
+
+    private static LidarModel find(String model) {
+        LidarModel found = MODELS.get(model);
+        if (found == null) {
+            throw new IllegalArgumentException("LIDAR model is \"" + model + "\", legal: " + MODELS.keySet());
+        }
+        return found;
+    }
+
+    /** Whether the driver of one is that of the other, too. */
+    public static boolean talkAlike(String model, String other) {
+        return model.equals(other) || find(model).getProtocol() == LidarProtocol.LMS && find(other).getProtocol() == LidarProtocol.LMS;
+    }
+
+    /** Whether a port to the model may have a rate. */
+    public static boolean hasBaud(String model, int baud) {
+        return Arrays.stream(bauds(find(model))).anyMatch(known -> known == baud);
+    }
+
+    /** Bits a second of the model at power-on. */
+    public static int firstBaud(String model) {
+        return bauds(find(model))[0];
+    }
+
+    /** @throws IllegalArgumentException that names the legal rates */
+    public static int checkedBaud(String model, int baud) {
+        if (!hasBaud(model, baud)) {
+            throw new IllegalArgumentException("LIDAR baud rate is " + baud + ", legal: "
+                + Arrays.stream(bauds(find(model))).mapToObj(String::valueOf).collect(Collectors.joining(", ")));
+        }
+        return baud;
+    }
+
+    /** The rates of a model's line; of one at USB, which has none, that with which its port is opened. */
+    static int[] bauds(LidarModel model) {
+        return model == LidarModel.UTM_30LX ? new int[] {ANY_BAUD} : model.rates();
+    }
+
+    /** A driver for a model. */
+    public static LidarDevice driver(String model, LidarListener listener) {
+        LidarModel found = find(model);
+        return found.getProtocol() == LidarProtocol.SCIP ? new HokuyoDevice(found, listener) : new LmsDevice(listener);
+    }
+
+    /** All models, for people to choose from. */
+    public static List<LidarChoice> choices() {
+        return MODELS.entrySet().stream().map(each -> new LidarChoice(each.getKey(), bauds(each.getValue()), modes(each.getValue()),
+            each.getValue().getProtocol() == LidarProtocol.LMS)).collect(Collectors.toList());
+    }
+
+    private static double[][] modes(LidarModel model) {
+        switch (model) {
+            case URG_04LX:
+                return URG_MODES;
+            case UTM_30LX:
+                return UTM_MODES;
+            default:
+                return LMS_MODES;
+        }
+    }
+}

@@ -1,0 +1,24 @@
+package org.myrobotlab.service.lidar;
+
+import java.nio.charset.StandardCharsets;
+import java.util.function.Consumer;
+import org.SEAR.protocol.scip.Reply;
+
+/** A command to a Hokuyo scanner, and what then happens. */
+final class ScipRequest extends Request {
+    /** The echo of the answer. */
+    final String command;
+    /** Takes the answer. */
+    final Consumer<Reply> then;
+
+    /**
+     * @param before commands whose answers don't matter, each with its line feed
+     * @param replyLength bytes
+     * @param patience seconds
+     */
+    ScipRequest(String name, String before, String command, int replyLength, double patience, Consumer<Reply> then) {
+        super(name, () -> (before + command + "\n").getBytes(StandardCharsets.US_ASCII), replyLength, patience);
+        this.command = command;
+        this.then = then;
+    }
+}

@@ -15,6 +15,7 @@ import org.SEAR.devices.imu.Razor;
 import org.SEAR.devices.lms.Devices;
 import org.SEAR.devices.oi.OiModel;
 import org.SEAR.devices.oi.Roomba;
+import org.SEAR.devices.rplidar.RplidarA1;
 import org.SEAR.devices.scip.Hokuyo;
 import org.SEAR.protocol.lidar.LidarModel;
 import org.SEAR.protocol.scip.HokuyoModel;
@@ -123,10 +124,22 @@ public class FuzzTest {
         }
     }
 
-    private static SerialDevice hokuyo(HokuyoModel model, FakeContext line) {
+    @Test
+    public void rplidar() {
+        fuzz(line -> {
+            scanner(line);
+            return new RplidarA1(1, 0.15, line);
+        }, Bytes.ints("A5 A5 A5 20 21 25 40 50 52 59 82 05 00 22 F0 02"), null, "A5 52", "A5 5A 03 00 00 00 06 00 00 00");
+    }
+
+    private static void scanner(FakeContext line) {
         FakeScanner scanner = new FakeScanner();
         scanner.world = beam -> 1 + beam / 100.0;
         line.sensor = scanner;
+    }
+
+    private static SerialDevice hokuyo(HokuyoModel model, FakeContext line) {
+        scanner(line);
         return new Hokuyo(model, model.isUsb() ? 12_000_000 : 115200, line);
     }
 

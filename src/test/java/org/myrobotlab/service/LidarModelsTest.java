@@ -62,11 +62,13 @@ public class LidarModelsTest {
         assertNull("nothing to the right", scan.metres[0]);
         lidar.startStreaming();
         heard.await(4);
-        assertTrue(lidar.isStreaming());
+        assertTrue(heard.await(0).size() + " scans, " + heard.getStatuses(), lidar.isStreaming());
         assertEquals(ScannedRoom.WALL, ahead(lidar.getLastScan()), 0.02);
         lidar.stopStreaming();
-        sear.simSleep(1.5);
-        assertFalse(lidar.isStreaming());
+        for (int i = 0; i < 100 && lidar.isStreaming(); i++) {
+            sear.simSleep(0.1);
+        }
+        assertFalse(heard.getStatuses().toString(), lidar.isStreaming());
         long count = lidar.getScanCount();
         sear.simSleep(1);
         assertEquals(count, lidar.getScanCount());

@@ -1,0 +1,87 @@
+package org.SEAR.devices.rplidar;
+
+import org.SEAR.devices.DeviceContext;
+import org.SEAR.protocol.rplidar.Capsule;
+import org.SEAR.protocol.rplidar.Node;
+import org.SEAR.sensors.LidarScan;
+import org.SEAR.sensors.LidarSource;
+
+/**
+ * The turning head: it samples 2000 times a second, in express scans 4000 times, clockwise from straight ahead, as many samples a turn as the motor's
+ * speed makes it. All distances of a turn are of the instant at which it begins.
+ */
+final class Head {
+    /** Seconds of so many samples as are sent at once: 16 nodes, or the 32 samples of a capsule. */
+    static final double BLOCK_SECONDS = 0.008;
+    private static final int NODES = 16;
+    /** What the device tells of a sample with distance; 15 is usual. */
+    private static final int QUALITY = 15;
+    private static final double CIRCLE = 360;
+    private static final double MILLIMETRES = 1000;
+
+    private final DeviceContext context;
+    private final LidarSource source;
+    private final int samplesPerTurn;
+    private final double nearest;
+    private LidarScan turn;
+    private int perTurn;
+    private int sample;
+
+    /**
+     * @param resolution degrees between two samples of a standard scan: the faster the motor, the more
+     * @param nearest metres from where on it measures
+     * @throws IllegalArgumentException unless the context's sensor is a {@link LidarSource}
+     */
+    Head(double resolution, double nearest, DeviceContext context) {
+        if (!(context.sensor() instanceof LidarSource)) {
+            throw new IllegalArgumentException("an RPLIDAR needs a LIDAR to scan with, not " + context.sensor());
+        }
+        this.context = context;
+        this.source = (LidarSource) context.sensor();
+        this.samplesPerTurn = 2 * (int) Math.round(CIRCLE / 2 / resolution);
+        this.nearest = nearest;
+    }
+
+    /** Turns a second. */
+    double turnsPerSecond() {
+        return NODES / BLOCK_SECONDS / samplesPerTurn;
+    }
+
+    /** The next block is the first of a new scan. */
+    void start(boolean express) {
+        perTurn = express ? 2 * samplesPerTurn : samplesPerTurn;
+        sample = 0;
+    }
+
+    /** The next nodes. */
+    byte[] nodes() {
+        byte[] bytes = new byte[NODES * Node.SIZE];
+        for (int i = 0; i < NODES; i++) {
+            boolean first = sample == 0;
+            double angle = sample * CIRCLE / perTurn;
+            double distance = next();
+            System.arraycopy(Node.of(first, distance > 0 ? QUALITY : 0, angle, distance).toBytes(), 0, bytes, i * Node.SIZE, Node.SIZE);
+        }
+        return bytes;
+    }
+
+    /** @param first whether it is the first one after the request */
+    byte[] capsule(boolean first) {
+        double start = sample * CIRCLE / perTurn;
+        int[] distances = new int[Capsule.SAMPLES];
+        for (int i = 0; i < distances.length; i++) {
+            distances[i] = (int) Math.round(next());
+        }
+        return Capsule.of(first, start, distances).toBytes();
+    }
+
+    /** Millimetres of the next sample; 0 for none. */
+    private double next() {
+        if (sample == 0) {
+            turn = source.scan(context.truth(), CIRCLE, CIRCLE / perTurn);
+        }
+        double range = turn.range(Math.floorMod(perTurn / 2 - sample, perTurn));
+        sample = (sample + 1) % perTurn;
+        return range < nearest || Double.isInfinite(range) || Double.isNaN(range) ? 0 : range * MILLIMETRES;
+    }
+}

@@ -1,0 +1,188 @@
+package org.SEAR.devices.rplidar;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.EventQueue;
+import org.SEAR.devices.SerialDevice;
+import org.SEAR.protocol.rplidar.Command;
+import org.SEAR.protocol.rplidar.Health;
+import org.SEAR.protocol.rplidar.Info;
+import org.SEAR.protocol.rplidar.Request;
+import org.SEAR.protocol.rplidar.RequestReader;
+
+/**
+ * The firmware 1.20 of an RPLIDAR A1M8. Its motor turns as long as there is power: on the real one the line DTR of the USB adapter switches it, which a
+ * simulated port doesn't have; requests for a motor's speed are of other models and are left unanswered, as requests that it doesn't know are. Source:
+ * Slamtec, interface protocol and application notes.
+ */
+public final class RplidarA1 implements SerialDevice {
+    /** The only speed of its line, bits a second. */
+    public static final int BAUD = 115200;
+    /** Requests that wait while another is being answered; more are dropped. */
+    private static final int MAX_WAITING = 16;
+    /** From a request to its answer; undocumented. Seconds. */
+    private static final double ANSWER = 0.001;
+    /** RESET to the next request that is heard. Seconds. */
+    private static final double RESTART = 0.002;
+    /** From power-on until the motor turns and requests are heard; undocumented. Seconds. */
+    private static final double BOOT = 1;
+    private static final int EXPRESS_PAYLOAD = 5;
+    private static final byte[] SERIAL = {(byte) 0xEB, (byte) 0xB3, (byte) 0x99, (byte) 0xF6, (byte) 0xC9, (byte) 0xE5, (byte) 0x9A, (byte) 0xD2,
+        (byte) 0xC5, (byte) 0xE5, (byte) 0x9C, (byte) 0xF7, 0x17, 0x61, 0x34, 0x12};
+    private static final Info INFO = new Info(Info.A1M8, 1, 20, 0, SERIAL);
+    /** Microseconds of a sample: 500 in standard scans, 250 in express scans. */
+    private static final byte[] SAMPLE_RATE = {(byte) 0xF4, 0x01, (byte) 0xFA, 0x00};
+
+    private final DeviceContext context;
+    private final Head head;
+    private final EventQueue events = new EventQueue();
+    private final Deque<Request> waiting = new ArrayDeque<>();
+    private final RequestReader reader = new RequestReader(this::onRequest);
+    private Command scan;
+    private int session;
+    private boolean busy;
+    private double heardAt;
+    private double deafUntil;
+
+    /**
+     * @param resolution degrees between two samples of a standard scan
+     * @param nearest metres from where on it measures
+     * @throws IllegalArgumentException unless the context's sensor is a LIDAR
+     */
+    public RplidarA1(double resolution, double nearest, DeviceContext context) {
+        this.context = context;
+        this.head = new Head(resolution, nearest, context);
+    }
+
+    @Override
+    public int getBaud() {
+        return BAUD;
+    }
+
+    @Override
+    public void receive(int value, double time) {
+        advance(time);
+        if (time >= deafUntil) {
+            heardAt = time;
+            reader.accept(value);
+        }
+    }
+
+    @Override
+    public void receiveGarbage(double time) {
+        advance(time);
+        reader.clear();
+    }
+
+    @Override
+    public void advance(double time) {
+        events.runUntil(time);
+    }
+
+    @Override
+    public void reset() {
+        idle();
+        deafUntil = 0;
+    }
+
+    @Override
+    public void powerOff() {
+        events.clear();
+    }
+
+    @Override
+    public void powerOn(double time) {
+        idle();
+        deafUntil = time + BOOT;
+    }
+
+    private void idle() {
+        events.clear();
+        waiting.clear();
+        reader.clear();
+        busy = false;
+        stop();
+    }
+
+    private void stop() {
+        session++;
+        scan = null;
+    }
+
+    @Override
+    public String status() {
+        String doing = scan == null ? "idle" : scan == Command.EXPRESS_SCAN ? "express scan" : "scan";
+        return "RPLIDAR-A1: " + doing + ", " + Math.round(head.turnsPerSecond() * 10) / 10.0 + " turns/s, " + BAUD + " baud";
+    }
+
+    private void onRequest(Request request) {
+        if (waiting.size() < MAX_WAITING) {
+            waiting.add(request);
+            serve(heardAt);
+        }
+    }
+
+    private void serve(double time) {
+        if (busy || waiting.isEmpty()) {
+            return;
+        }
+        busy = true;
+        Request request = waiting.remove();
+        events.at(Math.max(time + ANSWER, context.lineFreeAt()), t -> {
+            execute(request, t);
+            busy = false;
+            serve(t);
+        });
+    }
+
+    private void execute(Request request, double time) {
+        Command command = Command.of(request.getCode());
+        if (command == null || command == Command.EXPRESS_SCAN && (request.size() != EXPRESS_PAYLOAD || request.at(0) != 0)) {
+            return;
+        }
+        stop();
+        if (command.getDescriptor() != null) {
+            context.send(command.getDescriptor().toBytes(), time);
+        }
+        switch (command) {
+            case RESET:
+                reader.clear();
+                waiting.clear();
+                deafUntil = time + RESTART;
+                break;
+            case GET_INFO:
+                context.send(INFO.toBytes(), time);
+                break;
+            case GET_HEALTH:
+                context.send(new Health(Health.GOOD, 0).toBytes(), time);
+                break;
+            case GET_SAMPLE_RATE:
+                context.send(SAMPLE_RATE, time);
+                break;
+            case SCAN:
+            case FORCE_SCAN:
+            case EXPRESS_SCAN:
+                startScan(command, time);
+                break;
+            default:
+                break;
+        }
+    }
+
+    private void startScan(Command command, double time) {
+        scan = command;
+        head.start(command == Command.EXPRESS_SCAN);
+        send(command, session, true, time + Head.BLOCK_SECONDS);
+    }
+
+    /** A block is measured by {@code time}. */
+    private void send(Command command, int wanted, boolean first, double time) {
+        events.at(time, t -> {
+            if (wanted == session) {
+                context.send(command == Command.EXPRESS_SCAN ? head.capsule(first) : head.nodes(), t);
+                send(command, wanted, false, time + Head.BLOCK_SECONDS);
+            }
+        });
+    }
+}

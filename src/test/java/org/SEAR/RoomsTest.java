@@ -29,7 +29,8 @@ import org.junit.Test;
 public class RoomsTest {
     /** Every package, top to bottom. */
     private static final List<String> ROOMS = Arrays.asList(
-        "org.myrobotlab.service", "org.myrobotlab.service.lidar", "org.myrobotlab.service.gps", "org.myrobotlab.service.meta",
+        "org.myrobotlab.service", "org.myrobotlab.service.lidar", "org.myrobotlab.service.lidar.requests", "org.myrobotlab.service.gps",
+        "org.myrobotlab.service.meta",
         "org.myrobotlab.service.config",
         "org.myrobotlab.service.sear.panel", "org.myrobotlab.service.sear.readings", "org.myrobotlab.service.sear.files",
         "org.myrobotlab.service.sear.export", "org.myrobotlab.service.sear.run", "org.myrobotlab.service.sear.lockstep",

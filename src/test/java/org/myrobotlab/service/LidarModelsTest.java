@@ -153,6 +153,32 @@ public class LidarModelsTest {
     }
 
     @Test
+    public void rplidarA1() throws Exception {
+        start("RPLIDAR-A1");
+        scanAndStream();
+        lidar.setScanMode(360, 1);
+        int before = heard.await(1).size();
+        lidar.singleScan();
+        RangeScan scan = (RangeScan) heard.await(before + 1).get(before);
+        assertEquals(360, scan.raw.length);
+        assertEquals(-90, scan.angles[0], 1e-9);
+        compare(scan, 0.15, 0.00064);
+        lidar.setScanMode(360, 0.5);
+        lidar.singleScan();
+        scan = (RangeScan) heard.await(before + 2).get(before + 1);
+        assertEquals(720, scan.raw.length);
+        assertEquals(0.5, lidar.getResolution(), 0);
+        assertEquals(ScannedRoom.WALL, ahead(scan), 0.001);
+        assertTrue(heard.awaitStatus("the LIDAR is an RPLIDAR of model 24, firmware 1.20, hardware 0"));
+        try {
+            lidar.setScanMode(361, 1);
+            fail("more than a circle");
+        } catch (IllegalArgumentException e) {
+            assertEquals("scan mode is spread 361, resolution 1.0, legal: spread 1 to 360, resolution 1 (standard) or 0.5 (express)", e.getMessage());
+        }
+    }
+
+    @Test
     public void theModelIsChosenBeforeConnecting() throws Exception {
         start("URG-04LX");
         assertEquals("that of power-on", 19200, lidar.getConfig().baud);

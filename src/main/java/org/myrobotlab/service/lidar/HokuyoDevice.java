@@ -6,6 +6,7 @@ import org.SEAR.protocol.scip.HokuyoModel;
 import org.SEAR.protocol.scip.Reply;
 import org.SEAR.protocol.scip.ScanCommand;
 import org.SEAR.protocol.scip.Status;
+import org.myrobotlab.service.lidar.requests.DeviceLine;
 import org.myrobotlab.service.link.SerialLink;
 
 /** A Hokuyo scanner that speaks SCIP 2.0, as its user sees it. Its fan it tells itself. Any thread; never blocks. */
@@ -31,6 +32,8 @@ final class HokuyoDevice implements LidarDevice {
     private double toldSpread;
     private double toldResolution;
     private volatile boolean streaming;
+    /** What was asked for last, while the answer may not be there yet. */
+    private volatile boolean toStream;
     private volatile RangeScan lastScan;
 
     HokuyoDevice(LidarModel model, LidarListener listener) {
@@ -59,6 +62,7 @@ final class HokuyoDevice implements LidarDevice {
     public void clear() {
         driver.clear();
         streaming = false;
+        toStream = false;
         wholeFan();
     }
 
@@ -90,6 +94,7 @@ final class HokuyoDevice implements LidarDevice {
         boolean streams = mode != null && mode.startsWith("Measuring");
         if (streams != streaming) {
             streaming = streams;
+            toStream |= streams;
             listener.streaming(streams);
         }
     }
@@ -131,7 +136,7 @@ final class HokuyoDevice implements LidarDevice {
             spread = newSpread;
             resolution = newResolution;
         }
-        boolean wasStreaming = streaming;
+        boolean wasStreaming = toStream;
         if (wasStreaming) {
             setStreaming(false);
         }
@@ -151,13 +156,14 @@ final class HokuyoDevice implements LidarDevice {
 
     @Override
     public void singleScan() {
-        if (!streaming) {
+        if (!toStream) {
             measure("a single scan", 1, reply -> succeeded(reply, "a single scan"));
         }
     }
 
     @Override
     public void setStreaming(boolean on) {
+        toStream = on;
         if (on) {
             measure("streaming", 0, reply -> streams(reply, true, "streaming"));
         } else {

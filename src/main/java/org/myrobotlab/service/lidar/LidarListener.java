@@ -1,5 +1,7 @@
 package org.myrobotlab.service.lidar;
 
+import org.myrobotlab.service.lidar.requests.DriverEvents;
+
 /** Takes what happens at a LIDAR; called on the port's reader thread. */
 public interface LidarListener extends DriverEvents {
     void scan(RangeScan scan);

@@ -18,13 +18,14 @@ public final class LidarModels {
     private static final double[][] LMS_MODES = {{180, 1}, {180, 0.5}, {100, 1}, {100, 0.5}, {100, 0.25}};
     private static final double[][] URG_MODES = {{240, 0.35}, {240, 0.7}, {240, 1.05}, {180, 0.35}, {180, 1.05}};
     private static final double[][] UTM_MODES = {{270, 0.25}, {270, 0.5}, {270, 1}, {180, 0.25}, {180, 1}};
+    private static final double[][] RPLIDAR_MODES = {{360, 1}, {360, 0.5}, {180, 1}, {180, 0.5}};
 
     private LidarModels() {
     }
 
     private static Map<String, LidarModel> models() {
         Map<String, LidarModel> models = new LinkedHashMap<>();
-        for (String name : Arrays.asList("LMS200", "LMS211", "LMS220", "LMS221", "LMS291", "URG-04LX", "UTM-30LX")) {
+        for (String name : Arrays.asList("LMS200", "LMS211", "LMS220", "LMS221", "LMS291", "URG-04LX", "UTM-30LX", "RPLIDAR-A1")) {
             models.put(name, SISTERS.containsKey(name) ? SISTERS.get(name) : LidarModel.of(name));
         }
         return models;
@@ -76,7 +77,14 @@ public final class LidarModels {
     /** A driver for a model. */
     public static LidarDevice driver(String model, LidarListener listener) {
         LidarModel found = find(model);
-        return found.getProtocol() == LidarProtocol.SCIP ? new HokuyoDevice(found, listener) : new LmsDevice(listener);
+        switch (found.getProtocol()) {
+            case SCIP:
+                return new HokuyoDevice(found, listener);
+            case RPLIDAR:
+                return new RplidarDevice(found, listener);
+            default:
+                return new LmsDevice(listener);
+        }
     }
 
     /** All models, for people to choose from. */
@@ -91,6 +99,8 @@ public final class LidarModels {
                 return URG_MODES;
             case UTM_30LX:
                 return UTM_MODES;
+            case RPLIDAR_A1:
+                return RPLIDAR_MODES;
             default:
                 return LMS_MODES;
         }

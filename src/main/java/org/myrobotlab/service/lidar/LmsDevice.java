@@ -10,6 +10,7 @@ import org.SEAR.protocol.lms.Payload;
 import org.SEAR.protocol.lms.Status;
 import org.SEAR.protocol.lms.Telegram;
 import org.SEAR.protocol.lms.Variant;
+import org.myrobotlab.service.lidar.requests.DeviceLine;
 import org.myrobotlab.service.link.SerialLink;
 
 /** An LMS2xx as its user sees it: scan modes, units, scans. Any thread; never blocks. */

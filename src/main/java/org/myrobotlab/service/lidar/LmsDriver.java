@@ -6,6 +6,9 @@ import org.SEAR.protocol.lms.Baud;
 import org.SEAR.protocol.lms.Command;
 import org.SEAR.protocol.lms.Telegram;
 import org.SEAR.protocol.lms.TelegramReader;
+import org.myrobotlab.service.lidar.requests.DeviceLine;
+import org.myrobotlab.service.lidar.requests.DriverEvents;
+import org.myrobotlab.service.lidar.requests.Requests;
 
 /** Talks to a SICK LMS2xx: requests that are acknowledged and answered, see {@link Requests}, and scans that come by themselves. Any thread. */
 final class LmsDriver implements TelegramReader.Listener {
@@ -18,7 +21,7 @@ final class LmsDriver implements TelegramReader.Listener {
     LmsDriver(DeviceLine line, DriverEvents events, Consumer<Telegram> scans) {
         this.events = events;
         this.scans = scans;
-        this.requests = new Requests<>(line, events, Arrays.stream(Baud.values()).mapToInt(Baud::getRate).toArray(), reader::clear);
+        this.requests = new Requests<>(line, events, Arrays.stream(Baud.values()).mapToInt(Baud::getRate).toArray(), reader::clear, request -> { });
     }
 
     /**

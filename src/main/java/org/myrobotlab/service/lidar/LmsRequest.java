@@ -5,6 +5,7 @@ import java.util.function.Supplier;
 import org.SEAR.protocol.lms.Command;
 import org.SEAR.protocol.lms.Payload;
 import org.SEAR.protocol.lms.Telegram;
+import org.myrobotlab.service.lidar.requests.Request;
 
 /** One thing asked of an LMS2xx: what is sent, what answers it, how long that may take, and what then happens. */
 final class LmsRequest extends Request {

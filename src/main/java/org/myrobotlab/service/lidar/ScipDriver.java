@@ -3,6 +3,9 @@ package org.myrobotlab.service.lidar;
 import java.util.function.Consumer;
 import org.SEAR.protocol.scip.Reply;
 import org.SEAR.protocol.scip.ReplyReader;
+import org.myrobotlab.service.lidar.requests.DeviceLine;
+import org.myrobotlab.service.lidar.requests.DriverEvents;
+import org.myrobotlab.service.lidar.requests.Requests;
 
 /** Talks to a Hokuyo scanner: commands that are echoed and answered, see {@link Requests}, and scans that come by themselves. Any thread. */
 final class ScipDriver {
@@ -18,7 +21,7 @@ final class ScipDriver {
     ScipDriver(DeviceLine line, DriverEvents events, int[] bauds, Consumer<Reply> scans) {
         this.events = events;
         this.scans = scans;
-        this.requests = new Requests<>(line, events, bauds, reader::clear);
+        this.requests = new Requests<>(line, events, bauds, reader::clear, request -> { });
     }
 
     /**

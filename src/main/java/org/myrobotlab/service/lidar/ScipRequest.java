@@ -3,6 +3,7 @@ package org.myrobotlab.service.lidar;
 import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
 import org.SEAR.protocol.scip.Reply;
+import org.myrobotlab.service.lidar.requests.Request;
 
 /** A command to a Hokuyo scanner, and what then happens. */
 final class ScipRequest extends Request {

@@ -154,6 +154,11 @@ public final class SerialLink {
         }
     }
 
+    /** Sets the line DTR of the open port, if it has one. */
+    public void setDtr(boolean on) {
+        serial.setDTR(on);
+    }
+
     /** Seconds, by the clock of the simulation behind the port or by the computer's. */
     public double now() {
         return clock().now();

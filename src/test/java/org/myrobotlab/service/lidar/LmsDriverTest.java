@@ -12,6 +12,8 @@ import org.SEAR.protocol.lms.Command;
 import org.SEAR.protocol.lms.OperatingMode;
 import org.junit.Before;
 import org.junit.Test;
+import org.myrobotlab.service.lidar.requests.DeviceLine;
+import org.myrobotlab.service.lidar.requests.DriverEvents;
 
 /** The driver asks one thing at a time, repeats, gives up, and looks for the device at other rates. */
 public class LmsDriverTest {

@@ -1,9 +1,9 @@
-package org.myrobotlab.service.lidar;
+package org.myrobotlab.service.lidar.requests;
 
 import org.myrobotlab.service.link.SerialLink;
 
 /** The serial port as a driver sees it. */
-interface DeviceLine {
+public interface DeviceLine {
     void write(byte[] bytes);
 
     void setBaud(int baud);

@@ -1,4 +1,4 @@
-package org.myrobotlab.service.lidar;
+package org.myrobotlab.service.lidar.requests;
 
 /** What happens on the line to a device. Called on the port's reader thread. */
 public interface DriverEvents {

@@ -1,7 +1,8 @@
-package org.myrobotlab.service.lidar;
+package org.myrobotlab.service.lidar.requests;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.function.Consumer;
 import org.SEAR.protocol.Uart;
 
 /**
@@ -10,7 +11,7 @@ import org.SEAR.protocol.Uart;
  *
  * @param <R> what is asked
  */
-final class Requests<R extends Request> {
+public final class Requests<R extends Request> {
     private static final int TRIES = 3;
     private static final int MOST_WAITING = 100;
     /** Computers and converters take this long beside the device's own time. Seconds. */
@@ -24,6 +25,7 @@ final class Requests<R extends Request> {
     private final DriverEvents events;
     private final int[] bauds;
     private final Runnable forget;
+    private final Consumer<R> sending;
     private final Deque<R> waiting = new ArrayDeque<>();
     private R current;
     private int tries;
@@ -36,12 +38,14 @@ final class Requests<R extends Request> {
     /**
      * @param bauds that the device may be left at
      * @param forget has the reader forget what is unfinished
+     * @param sending is told of each request before it is sent
      */
-    Requests(DeviceLine line, DriverEvents events, int[] bauds, Runnable forget) {
+    public Requests(DeviceLine line, DriverEvents events, int[] bauds, Runnable forget, Consumer<R> sending) {
         this.line = line;
         this.events = events;
         this.bauds = bauds.clone();
         this.forget = forget;
+        this.sending = sending;
     }
 
     /**
@@ -49,7 +53,7 @@ final class Requests<R extends Request> {
      *
      * @throws IllegalStateException if the device is far behind
      */
-    void add(R request) {
+    public void add(R request) {
         if (waiting.size() >= MOST_WAITING) {
             throw new IllegalStateException(MOST_WAITING + " requests wait for the LIDAR's answer already, " + request.name
                 + " was not sent: wait for scans before asking for more");
@@ -59,19 +63,19 @@ final class Requests<R extends Request> {
     }
 
     /** The request whose answer is awaited; null if there is none. */
-    R current() {
+    public R current() {
         return current;
     }
 
     /** The present request is answered; {@link #next} goes on. */
-    R answered() {
+    public R answered() {
         R answered = current;
         current = null;
         return answered;
     }
 
     /** Lets time-outs pass. */
-    void tick() {
+    public void tick() {
         if (current == null) {
             next();
         } else if (line.now() >= deadline) {
@@ -84,7 +88,7 @@ final class Requests<R extends Request> {
     }
 
     /** Forgets all: the port was closed. */
-    void clear() {
+    public void clear() {
         waiting.clear();
         current = null;
         heard = false;
@@ -93,19 +97,19 @@ final class Requests<R extends Request> {
     }
 
     /** Whether nothing is asked or waits. */
-    boolean isIdle() {
+    public boolean isIdle() {
         return current == null && waiting.isEmpty();
     }
 
     /** Follows the device to another rate; it needs a moment before it listens there. */
-    void changeBaud(int baud) {
+    public void changeBaud(int baud) {
         line.setBaud(baud);
         forget.run();
         notBefore = line.now() + AFTER_BAUD_CHANGE;
     }
 
     /** Sends the next request if none is under way. */
-    void next() {
+    public void next() {
         if (current == null && !waiting.isEmpty() && line.now() >= notBefore) {
             current = waiting.remove();
             tries = 0;
@@ -120,7 +124,12 @@ final class Requests<R extends Request> {
         try {
             byte[] bytes = current.bytes.get();
             deadline = line.now() + ON_THE_WAY + current.patience + Uart.seconds(bytes.length + current.replyLength, line.getBaud());
+            sending.accept(current);
             line.write(bytes);
+            if (current.replyLength == 0) {
+                notBefore = line.now() + current.patience;
+                current = null;
+            }
         } catch (RuntimeException e) {
             giveUp(current.name + " could not be sent: " + e.getMessage());
         }
@@ -161,7 +170,7 @@ final class Requests<R extends Request> {
     }
 
     /** The device did not understand the present request: it is repeated, and given up after some tries. */
-    void refused(String why) {
+    public void refused(String why) {
         if (tries < TRIES) {
             resend = true;
             deadline = line.now() + AFTER_REFUSAL;
@@ -171,7 +180,7 @@ final class Requests<R extends Request> {
     }
 
     /** Something came that makes sense: the device is there, at this rate. */
-    void hear() {
+    public void hear() {
         if (!heard && baudsTried > 0) {
             events.info("the LIDAR answers at " + line.getBaud() + " baud");
             events.baud(line.getBaud());

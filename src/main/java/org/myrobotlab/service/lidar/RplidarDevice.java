@@ -1,0 +1,159 @@
+package org.myrobotlab.service.lidar;
+
+import java.util.List;
+import java.util.function.Consumer;
+import org.SEAR.protocol.lidar.LidarModel;
+import org.SEAR.protocol.rplidar.Command;
+import org.SEAR.protocol.rplidar.Health;
+import org.SEAR.protocol.rplidar.Info;
+import org.myrobotlab.service.lidar.requests.DeviceLine;
+import org.myrobotlab.service.link.SerialLink;
+
+/**
+ * An RPLIDAR A1 as its user sees it: it turns all the time (its USB adapter does that while DTR is off) and sends whole turns, standard or express
+ * ones; of them the wanted spread is told. Any thread; never blocks.
+ */
+final class RplidarDevice implements LidarDevice {
+    private static final int CIRCLE = 360;
+    private static final double STANDARD = 1;
+    private static final double EXPRESS = 0.5;
+    /** A finer resolution needs express scans, which have about twice as many values. */
+    private static final double FINEST_STANDARD = 0.75;
+    private static final double COARSEST = 2;
+    private static final double PATIENCE = 1;
+    /** The motor may turn as slowly as once a second, and the turn under way is left out. */
+    private static final double TURN_PATIENCE = 4;
+    /** After STOP; drivers wait 1 to 100 ms. */
+    private static final double AFTER_STOP = 0.02;
+
+    private final LidarModel model;
+    private final LidarListener listener;
+    private SerialLink link;
+    private RplidarDriver driver;
+    private volatile int spread = CIRCLE;
+    private volatile double resolution = STANDARD;
+    private volatile boolean streaming;
+    /** What was asked for last, while the answer may not be there yet. */
+    private volatile boolean toStream;
+    private volatile RangeScan lastScan;
+
+    RplidarDevice(LidarModel model, LidarListener listener) {
+        this.model = model;
+        this.listener = listener;
+    }
+
+    @Override
+    public void attach(SerialLink newLink) {
+        link = newLink;
+        driver = new RplidarDriver(DeviceLine.of(newLink), listener, LidarModels.bauds(model), this::turned);
+    }
+
+    @Override
+    public void receive(byte[] bytes) {
+        driver.receive(bytes);
+    }
+
+    @Override
+    public void tick() {
+        driver.tick();
+    }
+
+    @Override
+    public void clear() {
+        driver.clear();
+        streaming = false;
+        toStream = false;
+        spread = CIRCLE;
+        resolution = STANDARD;
+    }
+
+    @Override
+    public RangeScan getLastScan() {
+        return lastScan;
+    }
+
+    @Override
+    public void learn() {
+        link.setDtr(false);
+        stop();
+        ask("the request for its type", Command.GET_INFO, bytes -> listener.info("the LIDAR is an RPLIDAR of " + new Info(bytes)));
+        ask("the request for its health", Command.GET_HEALTH, bytes -> onHealth(new Health(bytes)));
+        listener.unit(true);
+        listener.scanMode(spread, resolution);
+    }
+
+    private void onHealth(Health health) {
+        if (health.getState() != Health.GOOD) {
+            listener.error("the LIDAR reports " + (health.getState() == Health.ERROR ? "an error" : "a warning") + ", code " + health.getCode());
+        }
+    }
+
+    @Override
+    public void setBaud(int baud) {
+        listener.baud(baud);
+    }
+
+    @Override
+    public void setVariant(int newSpread, double newResolution) {
+        if (newSpread < 1 || newSpread > CIRCLE || !(newResolution > 0 && newResolution <= COARSEST)) {
+            throw new IllegalArgumentException("scan mode is spread " + newSpread + ", resolution " + newResolution
+                + ", legal: spread 1 to 360, resolution 1 (standard) or 0.5 (express)");
+        }
+        spread = newSpread;
+        resolution = newResolution < FINEST_STANDARD ? EXPRESS : STANDARD;
+        listener.scanMode(spread, resolution);
+        if (toStream) {
+            setStreaming(true);
+        }
+    }
+
+    @Override
+    public void setUnit(boolean millimetres) {
+        if (!millimetres) {
+            throw new IllegalArgumentException("an " + model.getName() + " measures in millimetres, legal: setToMM()");
+        }
+        listener.unit(true);
+    }
+
+    @Override
+    public void singleScan() {
+        if (!toStream) {
+            driver.ask(new RplidarRequest("a single scan", scanCommand(), true, TURN_PATIENCE, bytes -> { }));
+            stop();
+        }
+    }
+
+    @Override
+    public void setStreaming(boolean on) {
+        toStream = on;
+        if (on) {
+            driver.ask(new RplidarRequest("streaming", scanCommand(), false, PATIENCE, bytes -> streams(true)));
+        } else {
+            stop();
+            ask("the end of streaming", Command.GET_HEALTH, bytes -> streams(false));
+        }
+    }
+
+    private void streams(boolean on) {
+        streaming = on;
+        listener.streaming(on);
+    }
+
+    private Command scanCommand() {
+        return resolution < FINEST_STANDARD ? Command.EXPRESS_SCAN : Command.SCAN;
+    }
+
+    private void stop() {
+        driver.ask(new RplidarRequest("the end of a scan", Command.STOP, false, AFTER_STOP, bytes -> { }));
+    }
+
+    private void ask(String name, Command command, Consumer<byte[]> then) {
+        driver.ask(new RplidarRequest(name, command, false, PATIENCE, then));
+    }
+
+    private void turned(List<RplidarTurn.Sample> turn) {
+        RangeScan scan = RplidarTurn.scan(turn, spread, link.now());
+        lastScan = scan;
+        listener.scan(scan);
+    }
+}

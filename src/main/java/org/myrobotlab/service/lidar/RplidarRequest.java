@@ -1,0 +1,31 @@
+package org.myrobotlab.service.lidar;
+
+import java.util.function.Consumer;
+import org.SEAR.protocol.rplidar.Command;
+import org.myrobotlab.service.lidar.requests.Request;
+
+/** A request to an RPLIDAR, and what then happens. */
+final class RplidarRequest extends Request {
+    /** STOP has no answer; after it the device needs a moment. */
+    private static final int NO_REPLY = 0;
+    private static final int EXPRESS_PAYLOAD = 5;
+
+    /** What is asked. */
+    final Command command;
+    /** Whether the answer is a whole turn, not just the descriptor of a scan. */
+    final boolean wholeTurn;
+    /** Takes the packet of the answer; of a scan null. */
+    final Consumer<byte[]> then;
+
+    /** @param patience seconds until the answer, or, after what has none, until the next request */
+    RplidarRequest(String name, Command command, boolean wholeTurn, double patience, Consumer<byte[]> then) {
+        super(name, () -> bytes(command), command.getDescriptor() == null ? NO_REPLY : command.getDescriptor().getLength(), patience);
+        this.command = command;
+        this.wholeTurn = wholeTurn;
+        this.then = then;
+    }
+
+    private static byte[] bytes(Command command) {
+        return new org.SEAR.protocol.rplidar.Request(command.getCode(), new byte[command.hasPayload() ? EXPRESS_PAYLOAD : 0]).toBytes();
+    }
+}

@@ -1,0 +1,114 @@
+package org.myrobotlab.service.lidar;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import org.SEAR.protocol.rplidar.Capsule;
+import org.SEAR.protocol.rplidar.Node;
+
+/** Puts an RPLIDAR's samples together to turns, and turns to scans, right to left. One thread at a time. */
+final class RplidarTurn {
+    /** Four times what the fastest mode of any RPLIDAR sends in its slowest turn: more is no turn. */
+    private static final int MOST_SAMPLES = 32768;
+    private static final double CIRCLE = 360;
+    private static final double STRAIGHT_AHEAD = 90;
+    private static final double BEHIND = -90;
+    /** Beyond what 16 bits of quarters of a millimetre hold. */
+    private static final int NO_RETURN = 16384;
+    private static final double ROUNDING = 1e-6;
+
+    private final List<Sample> samples = new ArrayList<>();
+    private boolean begun;
+    private Capsule last;
+    private double lastAngle;
+
+    /** Begins anew. */
+    void clear() {
+        samples.clear();
+        begun = false;
+        last = null;
+        lastAngle = 0;
+    }
+
+    /**
+     * Takes a node.
+     *
+     * @return the turn that ended before it; null if none did
+     */
+    List<Sample> add(Node node) {
+        List<Sample> turn = node.isFirst() ? next() : null;
+        add(node.getAngle(), node.getDistance());
+        return turn;
+    }
+
+    /**
+     * Takes a capsule; where its samples lie is known with the next one.
+     *
+     * @return the turn that ended; null if none did
+     */
+    List<Sample> add(Capsule capsule) {
+        List<Sample> turn = null;
+        if (last != null && !capsule.isFirst()) {
+            double step = ((capsule.getStart() - last.getStart() + CIRCLE) % CIRCLE) / Capsule.SAMPLES;
+            for (int i = 0; i < Capsule.SAMPLES; i++) {
+                double angle = (last.getStart() + i * step - last.getShift(i) + CIRCLE) % CIRCLE;
+                if (angle < lastAngle - CIRCLE / 2) {
+                    turn = next();
+                }
+                lastAngle = angle;
+                add(angle, last.getDistance(i));
+            }
+        }
+        last = capsule;
+        return turn;
+    }
+
+    private List<Sample> next() {
+        List<Sample> turn = begun ? new ArrayList<>(samples) : null;
+        samples.clear();
+        begun = true;
+        return turn;
+    }
+
+    private void add(double angle, double distance) {
+        if (begun && samples.size() < MOST_SAMPLES) {
+            samples.add(new Sample(angle, distance));
+        }
+    }
+
+    /**
+     * The scan of a turn.
+     *
+     * @param spread degrees about straight ahead that are wanted of it
+     */
+    static RangeScan scan(List<Sample> turn, double spread, double time) {
+        double resolution = CIRCLE / turn.size();
+        List<Sample> wanted = new ArrayList<>();
+        for (Sample sample : turn) {
+            if (Math.abs(sample.angle - STRAIGHT_AHEAD) <= spread / 2 + ROUNDING) {
+                wanted.add(sample);
+            }
+        }
+        wanted.sort(Comparator.comparingDouble(sample -> sample.angle));
+        int[] raw = new int[wanted.size()];
+        double[] angles = new double[raw.length];
+        for (int i = 0; i < raw.length; i++) {
+            raw[i] = wanted.get(i).millimetres;
+            angles[i] = wanted.get(i).angle;
+        }
+        return new RangeScan(raw, "mm", 1, NO_RETURN, angles, resolution, time);
+    }
+
+    /** One direction. */
+    static final class Sample {
+        private final double angle;
+        private final int millimetres;
+
+        /** @param clockwise degrees from straight ahead */
+        private Sample(double clockwise, double millimetres) {
+            double counterClockwise = STRAIGHT_AHEAD - clockwise;
+            this.angle = counterClockwise < BEHIND ? counterClockwise + CIRCLE : counterClockwise;
+            this.millimetres = (int) Math.round(millimetres);
+        }
+    }
+}

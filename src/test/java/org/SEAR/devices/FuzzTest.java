@@ -140,7 +140,7 @@ public class FuzzTest {
 
     private static SerialDevice hokuyo(HokuyoModel model, FakeContext line) {
         scanner(line);
-        return new Hokuyo(model, model.isUsb() ? 12_000_000 : 115200, line);
+        return new Hokuyo(model, model.isUsbOnly() ? HokuyoModel.USB : 115200, line);
     }
 
     @Test

@@ -152,7 +152,7 @@ final class Commands {
         ReplyWriter reply = new ReplyWriter(line, Status.OK).property("MODL", model.getModelText()).property("LASR", laser ? "ON" : "OFF");
         setting(reply, String.format(Locale.ROOT, "SCSP:Initial(%d[rpm])", scanner.getTurns()));
         reply.property("MESM", device.isStreaming() ? "Measuring by " + (sensitive ? "Sensitive" : "Normal") + " Mode" : "IDLE");
-        if (model.isUsb()) {
+        if (device.isUsb()) {
             reply.property("SBPS", "USB only");
         } else {
             setting(reply, "SBPS:" + device.getBaud() + "[bps]");
@@ -209,7 +209,7 @@ final class Commands {
         int wanted = digits.chars().allMatch(each -> each >= '0' && each <= '9') ? Integer.parseInt(digits) : -1;
         if (wanted < 0) {
             answer(line, Status.BAD_PARAMETER, time);
-        } else if (model.isUsb()) {
+        } else if (device.isUsb()) {
             answer(line, Status.NOT_HERE, time);
         } else if (!model.getLidar().hasBaud(wanted)) {
             answer(line, Status.BAD_RATE, time);

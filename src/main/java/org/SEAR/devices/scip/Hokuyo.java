@@ -39,7 +39,7 @@ public final class Hokuyo implements SerialDevice {
     private boolean streaming;
 
     /**
-     * @param baud at power-on
+     * @param baud at power-on; {@link HokuyoModel#USB} at a USB port
      * @throws IllegalArgumentException unless the context's sensor is a LIDAR and the baud rate one of the model's
      */
     public Hokuyo(HokuyoModel model, int baud, DeviceContext context) {
@@ -61,7 +61,7 @@ public final class Hokuyo implements SerialDevice {
 
     @Override
     public boolean hearsEveryBaud() {
-        return model.isUsb();
+        return isUsb();
     }
 
     @Override
@@ -123,7 +123,7 @@ public final class Hokuyo implements SerialDevice {
 
     @Override
     public String status() {
-        return model.getName() + ": " + commands.describe() + (model.isUsb() ? ", USB" : ", " + baud + " baud");
+        return model.getName() + ": " + commands.describe() + (isUsb() ? ", USB" : ", " + baud + " baud");
     }
 
     private void serve(double time) {
@@ -155,6 +155,10 @@ public final class Hokuyo implements SerialDevice {
 
     int powerOnBaud() {
         return powerOnBaud;
+    }
+
+    boolean isUsb() {
+        return powerOnBaud == HokuyoModel.USB;
     }
 
     boolean isStreaming() {

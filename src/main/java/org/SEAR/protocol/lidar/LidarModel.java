@@ -31,7 +31,8 @@ public enum LidarModel {
     /** Speeds of lines, bits a second, the first that at power-on. */
     private static final class Rates {
         static final int[] RS422 = {9600, 19200, 38400, 500000};
-        static final int[] URG = {19200, 38400, 57600, 115200, 250000, 500000, 750000};
+        /** RS-232 or USB. */
+        static final int[] URG = {19200, 38400, 57600, 115200, 250000, 500000, 750000, 12000000};
         static final int[] RPLIDAR = {115200};
         /** USB of full speed, which knows no other. */
         static final int[] USB = {12000000};

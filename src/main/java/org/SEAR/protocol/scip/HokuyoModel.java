@@ -15,6 +15,8 @@ public enum HokuyoModel {
     UTM_30LX(LidarModel.UTM_30LX, "UTM-30LX(Hokuyo Automatic Co.,Ltd.)", "SOKUIKI Sensor TOP-URG UTM-30LX", "1.20.02(16/Jul./2013)", new int[] {23, 60000},
         new int[] {1440, 0, 1080, 540, 1080}, 2400, new int[] {1, 2, 3});
 
+    /** The rate that stands for USB, bits a second: there the rate of the host has no meaning. */
+    public static final int USB = 12_000_000;
     private static final double CIRCLE = 360;
     private static final double SECONDS_A_MINUTE = 60;
     private static final int DIGITS = 6;
@@ -135,8 +137,8 @@ public enum HokuyoModel {
         return CIRCLE / getSteps();
     }
 
-    /** Whether it is at a USB port, where the rate of the host has no meaning. */
-    public boolean isUsb() {
+    /** Whether it has no RS-232. */
+    public boolean isUsbOnly() {
         return this == UTM_30LX;
     }
 

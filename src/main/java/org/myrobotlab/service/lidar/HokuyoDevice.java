@@ -117,7 +117,7 @@ final class HokuyoDevice implements LidarDevice {
 
     @Override
     public void setBaud(int baud) {
-        if (HokuyoModel.of(model).isUsb()) {
+        if (HokuyoModel.of(model).isUsbOnly()) {
             throw new IllegalArgumentException("a " + model.getName() + " is at USB, which has no baud rate");
         }
         String name = "the change to " + baud + " baud";

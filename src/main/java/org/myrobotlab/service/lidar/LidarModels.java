@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.SEAR.protocol.lidar.LidarModel;
 import org.SEAR.protocol.lidar.LidarProtocol;
+import org.SEAR.protocol.scip.HokuyoModel;
 
 /** The scanners that the LIDAR service drives: what is legal for each, and which driver it has. Any thread. */
 public final class LidarModels {
@@ -71,7 +72,8 @@ public final class LidarModels {
 
     /** The rates of a model's line; of one at USB, which has none, that with which its port is opened. */
     static int[] bauds(LidarModel model) {
-        return model == LidarModel.UTM_30LX ? new int[] {ANY_BAUD} : model.rates();
+        int[] rates = Arrays.stream(model.rates()).filter(rate -> rate != HokuyoModel.USB).toArray();
+        return rates.length > 0 ? rates : new int[] {ANY_BAUD};
     }
 
     /** A driver for a model. */

@@ -32,7 +32,7 @@ public class HokuyoTest {
         line = new FakeContext();
         scanner = new FakeScanner();
         line.sensor = scanner;
-        hokuyo = line.attach(new Hokuyo(model, model.isUsb() ? 12_000_000 : 115200, line));
+        hokuyo = line.attach(new Hokuyo(model, model.isUsbOnly() ? HokuyoModel.USB : 115200, line));
     }
 
     private String ask(String command) {

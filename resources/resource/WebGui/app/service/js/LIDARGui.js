@@ -18,12 +18,13 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
     var REPEATED = 'could not invoke '      // so MyRobotLab begins to say once more that a call has failed
     var KEY_STEPS = {ArrowLeft: 1, ArrowRight: -1, ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10, Home: -Infinity, End: Infinity}
 
-    $scope.bauds = [9600, 19200, 38400, 500000]
-    $scope.modes = [
-        {label: '180° / 1°', spread: 180, resolution: 1}, {label: '180° / 0.5°', spread: 180, resolution: 0.5},
-        {label: '100° / 1°', spread: 100, resolution: 1}, {label: '100° / 0.5°', spread: 100, resolution: 0.5},
-        {label: '100° / 0.25°', spread: 100, resolution: 0.25}]
-    $scope.form = {port: '', baud: 9600, mode: null, table: false, rings: 'auto'}
+    var SAME_RESOLUTION = 0.1   // a device with steps of its own tells a resolution this near, as a share, to the one that was chosen
+
+    $scope.models = []          // of the service: name, bauds, modes (spread and resolution), centimetres
+    $scope.bauds = []
+    $scope.modes = []
+    $scope.centimetres = true
+    $scope.form = {port: '', model: 'LMS200', baud: 9600, mode: null, table: false, rings: 'auto'}
     $scope.ports = []
     $scope.scan = null
     $scope.rate = 0
@@ -45,6 +46,9 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
     // The fields show what the device is set to; until the user connects, what the user has typed.
     function follow() {
         var service = $scope.service
+        wanted.model = service.config && wanted.model === service.config.model ? null : wanted.model
+        $scope.form.model = wanted.model || (service.config && service.config.model) || $scope.form.model
+        takeModel()
         var mode = modeOf(service)
         wanted.mode = wanted.mode === mode ? null : wanted.mode
         $scope.form.mode = wanted.mode || mode
@@ -56,9 +60,24 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
         }
     }
 
+    function takeModel() {
+        var model = $scope.models.filter(function(each) {
+            return each.name === $scope.form.model
+        })[0]
+        if (model && model !== $scope.known) {
+            $scope.known = model
+            $scope.bauds = model.bauds
+            $scope.centimetres = model.centimetres
+            $scope.modes = model.modes.map(function(mode) {
+                return {label: mode[0] + '° / ' + mode[1] + '°', spread: mode[0], resolution: mode[1]}
+            })
+        }
+    }
+
     function modeOf(service) {
         return $scope.modes.filter(function(mode) {
-            return mode.spread === service.spread && mode.resolution === service.resolution
+            return Math.abs(mode.spread - service.spread) <= 2 * mode.resolution
+                && Math.abs(mode.resolution - service.resolution) <= SAME_RESOLUTION * mode.resolution
         })[0] || null
     }
 
@@ -79,6 +98,13 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
             break
         case 'onPortNames':
             $scope.ports = data
+            $scope.$apply()
+            break
+        case 'onModels':
+            $scope.models = data
+            if ($scope.service) {
+                follow()
+            }
             $scope.$apply()
             break
         case 'onStatus':
@@ -163,6 +189,12 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
     }
     $scope.refreshPorts = function() {
         msg.send('getPortNames')
+    }
+    $scope.setModel = function() {
+        wanted.model = $scope.form.model
+        takeModel()
+        $scope.form.baud = $scope.bauds[0]
+        msg.send('setModel', wanted.model)
     }
     $scope.setBaud = function() {
         if ($scope.service.connected) {
@@ -277,7 +309,7 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
         }
         for (degrees = 0; degrees <= last; degrees += ANGLE_STEP) {
             end = $scope.point(geometry, geometry.reach * (1 + 14 / geometry.radius), degrees)
-            pen.textAlign = degrees < 80 ? 'left' : degrees > 100 && degrees < 260 ? 'right' : 'center'
+            pen.textAlign = degrees < 80 || degrees > 280 ? 'left' : degrees > 100 && degrees < 260 ? 'right' : 'center'
             pen.fillText(degrees + '°', end.x, end.y + (degrees > 0 && degrees < 180 ? 0 : -3))
         }
         pen.globalAlpha = 1
@@ -421,8 +453,10 @@ angular.module('mrlapp.service.LIDARGui', []).controller('LIDARGuiCtrl', ['$scop
     msg.subscribe('publishScan')
     msg.subscribe('publishStatus')
     msg.subscribe('getPortNames')
+    msg.subscribe('getModels')
     msg.subscribe('getLastScan')
     msg.subscribe(this)
     msg.send('getPortNames')
+    msg.send('getModels')
     msg.send('getLastScan')
 }])

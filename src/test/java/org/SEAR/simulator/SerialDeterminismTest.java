@@ -33,10 +33,18 @@ public class SerialDeterminismTest {
         hexOf("sRN STlms"), hexOf("sRN LMDscandata"), hexOf("sEN LMDscandata 1")};
     /** Roomba: start and full mode; drive at 200 mm/s straight; sensor groups; stream of bumps, distance and angle; stop. */
     private static final String[] ROOMBA = {"80 84", "89 00 C8 80 00", "8E 00", "94 03 07 13 14", "89 01 2C 01 F4", "8E 06"};
-    private static final Map<String, String[]> SCRIPTS = Map.of("lidar", LMS, "network", COLA);
+    /** URG-04LX, of SCIP 2.0: parameters; laser on; one scan; a stream; state. */
+    private static final String[] SCIP = {textOf("PP"), textOf("BM"), textOf("GD0044072501"), textOf("MS0044072502000"), textOf("II")};
+    /** RPLIDAR A1: type; health; standard scans; express scans. */
+    private static final String[] RPLIDAR = {"A5 50", "A5 52", "A5 20", "A5 82 05 00 00 00 00 00 22"};
+    private static final Map<String, String[]> SCRIPTS = Map.of("lidar", LMS, "network", COLA, "hokuyo", SCIP, "rplidar", RPLIDAR);
 
     @Rule
     public final ProjectRule project = new ProjectRule();
+
+    private static String textOf(String line) {
+        return Bytes.hex((line + "\n").getBytes(StandardCharsets.US_ASCII));
+    }
 
     private static String hexOf(String telegram) {
         return "02 " + Bytes.hex(telegram.getBytes(StandardCharsets.US_ASCII)) + " 03";
@@ -63,12 +71,23 @@ public class SerialDeterminismTest {
         lidar.setNoise(new Noise().setWhite(0.01));
         lidar.setPorts("lidarUart", "lidarUser");
         robot.addComponent(lidar);
+        addScanner(robot, "hokuyo", "URG-04LX");
+        addScanner(robot, "rplidar", "RPLIDAR-A1");
         LIDAR network = new LIDAR("network");
         network.setModel("LMS111");
         network.move(0, 0.2, 0.1);
         network.setNoise(new Noise().setWhite(0.01));
         network.setPorts("networkUart", "networkUser");
         robot.addComponent(network);
+    }
+
+    private static void addScanner(SEARrobot robot, String name, String model) {
+        LIDAR scanner = new LIDAR(name);
+        scanner.setModel(model);
+        scanner.move(0, 0.25, 0.1);
+        scanner.setNoise(new Noise().setWhite(0.01));
+        scanner.setPorts(name + "Uart", name + "User");
+        robot.addComponent(scanner);
     }
 
     private static List<ByteArrayOutputStream> listen(Simulation simulation) {
@@ -111,7 +130,7 @@ public class SerialDeterminismTest {
         world();
         Simulation simulation = Worlds.start(project);
         int[] first = run(simulation);
-        assertEquals(3, first.length);
+        assertEquals(5, first.length);
         simulation.reset();
         assertEquals("after reset", Arrays.toString(first), Arrays.toString(run(simulation)));
         assertEquals("fresh start", Arrays.toString(first), Arrays.toString(run(Worlds.start(project))));

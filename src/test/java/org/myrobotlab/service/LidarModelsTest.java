@@ -65,7 +65,7 @@ public class LidarModelsTest {
         assertTrue(heard.await(0).size() + " scans, " + heard.getStatuses(), lidar.isStreaming());
         assertEquals(ScannedRoom.WALL, ahead(lidar.getLastScan()), 0.02);
         lidar.stopStreaming();
-        for (int i = 0; i < 100 && lidar.isStreaming(); i++) {
+        for (int i = 0; i < 20 && lidar.isStreaming(); i++) {
             sear.simSleep(0.1);
         }
         assertFalse(heard.getStatuses().toString(), lidar.isStreaming());

@@ -12,13 +12,19 @@ import org.myrobotlab.service.lidar.requests.Requests;
 
 /** Talks to a SICK LMS2xx: requests that are acknowledged and answered, see {@link Requests}, and scans that come by themselves. Any thread. */
 final class LmsDriver implements TelegramReader.Listener {
+    /** A pause within a telegram, seconds, after which its rest will not come: the device breaks a scan off to answer. */
+    private static final double BROKEN_OFF = 0.3;
+
+    private final DeviceLine line;
     private final DriverEvents events;
     private final Consumer<Telegram> scans;
     private final TelegramReader reader = new TelegramReader(address -> (address & Telegram.FROM_DEVICE) != 0, this);
     private final Requests<LmsRequest> requests;
+    private double heardAt;
 
     /** @param scans takes the B0h telegrams that the device sends by itself */
     LmsDriver(DeviceLine line, DriverEvents events, Consumer<Telegram> scans) {
+        this.line = line;
         this.events = events;
         this.scans = scans;
         this.requests = new Requests<>(line, events, Arrays.stream(Baud.values()).mapToInt(Baud::getRate).toArray(), reader::clear, request -> { });
@@ -35,11 +41,15 @@ final class LmsDriver implements TelegramReader.Listener {
 
     /** Bytes from the device. */
     synchronized void receive(byte[] bytes) {
+        heardAt = line.now();
         reader.accept(bytes);
     }
 
     /** Lets time-outs pass. */
     synchronized void tick() {
+        if (reader.isPending() && line.now() > heardAt + BROKEN_OFF) {
+            reader.interrupt();
+        }
         requests.tick();
     }
 

@@ -123,6 +123,17 @@ public class LmsDriverTest {
     }
 
     @Test
+    public void anAnswerThatBreaksAScanOffIsFoundAfterAPause() {
+        askMode();
+        driver.receive(Bytes.bytes("02 80 D6 02 B0 69 41 15 15 15 15 06 15 15"));
+        driver.receive(MODE_REPLY);
+        pass(0.5);
+        assertEquals("[mode]", answers.toString());
+        assertEquals(1, sent.size());
+        assertTrue(errors.isEmpty());
+    }
+
+    @Test
     public void timeThatStandsStillIsNoTimeOut() {
         askScan();
         for (int i = 0; i < 100_000; i++) {

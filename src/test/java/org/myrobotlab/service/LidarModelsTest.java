@@ -132,7 +132,8 @@ public class LidarModelsTest {
             lidar.setScanMode(270, 0.25);
             fail("too wide");
         } catch (IllegalArgumentException e) {
-            assertTrue(e.getMessage(), e.getMessage().startsWith("scan mode is spread 270, resolution 0.25, legal: spread 1 to 240, resolution 0.35"));
+            assertTrue(e.getMessage(),
+                e.getMessage().startsWith("scan mode is spread 270, resolution 0.25, legal: spread 1 to 240, resolution 0.35"));
         }
     }
 

@@ -9,7 +9,7 @@ import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
 
-/** A robot that stands among things with a LIDAR of some model: a wall 2.9 m ahead, a crate to the left, one behind, a pillar, nothing to the right. */
+/** A robot with a LIDAR of some model among things: a wall 2.9 m ahead, a crate to the left, one behind, a pillar, nothing to the right. */
 final class ScannedRoom {
     /** Metres straight ahead. */
     static final double WALL = 2.9;

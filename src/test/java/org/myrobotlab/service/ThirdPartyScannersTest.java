@@ -91,8 +91,8 @@ public class ThirdPartyScannersTest {
     }
 
     /**
-     * Version 2.5.8 takes the angles of its SDK, 65536 a turn, for such of two 64ths of a degree: what is at an angle clockwise from ahead it tells at
-     * 64/45 of it, and leaves out what is beyond a turn then. The ranges are right.
+     * Version 2.5.8 takes the angles of its SDK, 65536 a turn, for such of two 64ths of a degree: what is at an angle clockwise from ahead it tells
+     * at 64/45 of it, and leaves out what is beyond a turn then. The ranges are right.
      */
     @Test
     public void mrptReadsAnRplidar() throws Exception {
@@ -108,7 +108,8 @@ public class ThirdPartyScannersTest {
                 Arrays.sort(around);
                 if (line[1 + 360 + i].equals("1") && around[2] < range) {
                     double metres = Double.parseDouble(line[1 + i]);
-                    assertTrue(i + ": " + metres + " of " + Arrays.toString(around), metres > around[0] - 0.002 && metres < around[2] + 0.002);
+                    boolean near = metres > around[0] - 0.002 && metres < around[2] + 0.002;
+                    assertTrue(i + ": " + metres + " of " + Arrays.toString(around), near);
                     seen++;
                 }
             }

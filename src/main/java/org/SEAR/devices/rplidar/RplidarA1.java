@@ -12,9 +12,9 @@ import org.SEAR.protocol.rplidar.Request;
 import org.SEAR.protocol.rplidar.RequestReader;
 
 /**
- * The firmware 1.20 of an RPLIDAR A1M8. Its motor turns as long as there is power: on the real one the line DTR of the USB adapter switches it, which a
- * simulated port doesn't have; requests for a motor's speed are of other models and are left unanswered, as requests that it doesn't know are. Source:
- * Slamtec, interface protocol and application notes.
+ * The firmware 1.20 of an RPLIDAR A1M8. Its motor turns as long as there is power: on the real one the line DTR of the USB adapter switches it,
+ * which a simulated port doesn't have; requests for a motor's speed are of other models and are left unanswered, as requests that it doesn't know
+ * are. Source: Slamtec, interface protocol and application notes.
  */
 public final class RplidarA1 implements SerialDevice {
     /** The only speed of its line, bits a second. */

@@ -9,7 +9,7 @@ import org.SEAR.devices.SerialDevice;
 import org.SEAR.protocol.lidar.LidarProtocol;
 import org.SEAR.protocol.scip.HokuyoModel;
 
-/** Puts a Hokuyo scanner behind the ports of a LIDAR whose model speaks SCIP 2.0. It always has the model's whole fan; commands ask for a part of it. */
+/** Puts a Hokuyo behind the ports of a LIDAR whose model speaks SCIP 2.0. It has the model's whole fan; commands ask for a part of it. */
 public final class HokuyoType implements DeviceType {
     @Override
     public Class<? extends SearObject> parameterType() {

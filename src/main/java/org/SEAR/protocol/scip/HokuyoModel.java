@@ -12,8 +12,8 @@ public enum HokuyoModel {
     URG_04LX(LidarModel.URG_04LX, "URG-04LX(Hokuyo Automatic Co.,Ltd.)", "SOKUIKI Sensor URG-04LX", "3.1.00(18/Jan./2007)", new int[] {20, 5600},
         new int[] {1024, 44, 725, 384, 768}, 600, new int[] {0, 6, 19}),
     /** 60 m (30 m promised), 270 degrees, 40 scans a second, USB. */
-    UTM_30LX(LidarModel.UTM_30LX, "UTM-30LX(Hokuyo Automatic Co.,Ltd.)", "SOKUIKI Sensor TOP-URG UTM-30LX", "1.20.02(16/Jul./2013)", new int[] {23, 60000},
-        new int[] {1440, 0, 1080, 540, 1080}, 2400, new int[] {1, 2, 3});
+    UTM_30LX(LidarModel.UTM_30LX, "UTM-30LX(Hokuyo Automatic Co.,Ltd.)", "SOKUIKI Sensor TOP-URG UTM-30LX", "1.20.02(16/Jul./2013)",
+        new int[] {23, 60000}, new int[] {1440, 0, 1080, 540, 1080}, 2400, new int[] {1, 2, 3});
 
     /** The rate that stands for USB, bits a second: there the rate of the host has no meaning. */
     public static final int USB = 12_000_000;

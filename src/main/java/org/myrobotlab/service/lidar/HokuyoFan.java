@@ -61,8 +61,8 @@ final class HokuyoFan {
         double widest = Math.ceil((last - first) * stepAngle);
         double coarsest = ScanCommand.MAX_CLUSTER * stepAngle;
         if (!(spread > 0 && spread <= widest && resolution > 0 && resolution <= Math.min(spread, coarsest))) {
-            throw new IllegalArgumentException(String.format(Locale.ROOT, "scan mode is spread %d, resolution %s, legal: spread 1 to %.0f, resolution %s to "
-                + "%.2f, at most the spread", spread, resolution, widest, stepAngle, coarsest));
+            throw new IllegalArgumentException(String.format(Locale.ROOT, "scan mode is spread %d, resolution %s, legal: spread 1 to %.0f, "
+                + "resolution %s to %.2f, at most the spread", spread, resolution, widest, stepAngle, coarsest));
         }
         int cluster = (int) Math.max(1, Math.round(resolution / stepAngle));
         if (spread == widest && cluster == 1) {

@@ -57,9 +57,11 @@ public class HokuyoTest {
 
     @Test
     public void itTellsWhatItIs() {
-        assertEquals("PP|00P|MODL:URG-04LX(Hokuyo Automatic Co.,Ltd.);N|DMIN:20;4|DMAX:5600;_|ARES:1024;\\|AMIN:44;7|AMAX:725;o|AFRT:384;6|SCAN:600;e||",
+        assertEquals("PP|00P|MODL:URG-04LX(Hokuyo Automatic Co.,Ltd.);N|DMIN:20;4|DMAX:5600;_|ARES:1024;\\|"
+            + "AMIN:44;7|AMAX:725;o|AFRT:384;6|SCAN:600;e||",
             ask("PP"));
-        assertEquals("VV|00P|VEND:Hokuyo Automatic Co.,Ltd.;[|PROD:SOKUIKI Sensor URG-04LX;[|FIRM:3.1.00(18/Jan./2007);`|PROT:SCIP 2.0;N|SERI:H0000001;",
+        assertEquals("VV|00P|VEND:Hokuyo Automatic Co.,Ltd.;[|PROD:SOKUIKI Sensor URG-04LX;[|FIRM:3.1.00(18/Jan./2007);`|"
+            + "PROT:SCIP 2.0;N|SERI:H0000001;",
             ask("VV").replaceAll(";.\\|\\|$", ";"));
         String state = ask("II");
         assertTrue(state, state.contains("|LASR:OFF;7|SCSP:Initial(600[rpm])<-Default setting by user;A|MESM:IDLE;:|"));

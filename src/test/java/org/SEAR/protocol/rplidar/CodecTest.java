@@ -27,7 +27,8 @@ public class CodecTest {
     public void requestsAreFoundInNoise() {
         List<String> found = new ArrayList<>();
         RequestReader reader = new RequestReader(request -> found.add(Bytes.hex(request.toBytes())));
-        for (int value : Bytes.ints("00 25 A5 50 A5 82 05 00 00 00 00 00 22 A5 82 05 00 00 00 00 00 23 A5 A5 20 A5 F0 02 94 02 C1 A5 84 00 21 A5 52")) {
+        for (int value : Bytes.ints("00 25 A5 50 A5 82 05 00 00 00 00 00 22 A5 82 05 00 00 00 00 00 23 A5 A5 20 "
+            + "A5 F0 02 94 02 C1 A5 84 00 21 A5 52")) {
             reader.accept(value);
         }
         assertEquals("[A5 50, A5 82 05 00 00 00 00 00 22, A5 20, A5 F0 02 94 02 C1, A5 84 00 21, A5 52]", found.toString());

@@ -1,7 +1,8 @@
 // Panel of the SEAR service. MyRobotLab loads this file for the first tab of such a service; it loads the others, each with one purpose.
 (function() {
     // In this order: each uses some of those before it.
-    var FILES = ['SEARTerrain', 'SEARGeometry', 'SEARWords', 'SEARMap', 'SEARLooks', 'SEARScene', 'SEARWorld', 'SEARProjects', 'SEARViews', 'SEARPanel']
+    var FILES = ['SEARTerrain', 'SEARGeometry', 'SEARWords', 'SEARMap', 'SEARLooks', 'SEARItem', 'SEARBeams', 'SEARGround', 'SEARScene', 'SEARWorld',
+        'SEARProjects', 'SEARViews', 'SEARPanel']
     var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'getProblems', 'getExamples',
         'getExampleScripts', 'getBundle', 'getTerrain', 'getLooks', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate',
         'startSimulation', 'stopSimulation']

@@ -1,21 +1,18 @@
 // The view in space of the SEAR panel, with three.js as MyRobotLab has it (release 73; it works with 71, too). World frame: x north, y up, z east.
 (function() {
     var geometry = window.SEARPanel.geometry
+    var shapes = window.SEARPanel.shapes
+    var Item = window.SEARPanel.Item
     var FIELD_OF_VIEW = 50      // degrees, of the camera
     var EYE_FIELD = 75          // looking through a sensor
     var NEAREST = 0.05          // metres between camera and what it turns around
     var FARTHEST = 20000
     var STEEPEST = 1.55         // radians: straight down is the map's
-    var JUMP = 1                // metres: what moves more at once was put there
     var SLOWEST_MILLIS = 250    // between two states; longer is no movement to be smoothed
-    var MOST_POSTS = 255        // of the terrain on a side: corners are counted with 16 bits
     var SUN = [-0.35, 1, -0.25]
     var SHADOW_PIXELS = 2048
     var SKY = {light: ['#7fb2e5', '#e8f1fa', '#cfd3c8', '#b9bdb0'], dark: ['#0d1b2f', '#33475f', '#2c2f2b', '#20231f']}
     var BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i
-    var HIT = '#d9534f'
-    var BEAM = '#f0ad4e'
-    var CONE = '#d9534f'
     var PATH = '#337ab7'
 
     /** Whether the browser draws in space; with a graphics card and not by the processor, if that is asked for. */
@@ -28,21 +25,6 @@
         } catch (e) {
             return false
         }
-    }
-
-    /** The box around an object, for one whose look is not told. */
-    function boxAround(corners) {
-        var low = [Infinity, Infinity, Infinity]
-        var high = [-Infinity, -Infinity, -Infinity]
-        corners.forEach(function(point) {
-            for (var i = 0; i < 3; i++) {
-                low[i] = Math.min(low[i], point[i])
-                high[i] = Math.max(high[i], point[i])
-            }
-        })
-        var box = new window.THREE.BoxGeometry(high[0] - low[0], high[1] - low[1], high[2] - low[2])
-        box.applyMatrix(new window.THREE.Matrix4().makeTranslation((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2))
-        return box
     }
 
     /**
@@ -97,56 +79,6 @@
         this.sun = sun
     }
 
-    /** What stands somewhere: a holder in the scene that is moved, with what is seen in it. */
-    function Item(parent, source) {
-        this.source = source
-        this.parent = parent
-        this.holder = new window.THREE.Object3D()
-        this.holder.visible = false
-        parent.add(this.holder)
-        this.extra = null           // what stands beside it in the scene and goes with it
-        this.pose = null
-        this.from = null
-        this.to = null
-        this.dressed = false
-    }
-    Item.prototype.goTo = function(pose, now) {
-        if (pose === this.pose) {
-            return
-        }
-        var to = geometry.frame(pose)
-        var far = !this.to || Math.abs(to[0] - this.to[0]) + Math.abs(to[1] - this.to[1]) + Math.abs(to[2] - this.to[2]) > JUMP
-        this.from = far ? to : this.shown || this.to
-        this.to = to
-        this.pose = pose
-        this.since = now
-        this.holder.visible = true
-    }
-    /** @return whether it is still on its way */
-    Item.prototype.move = function(now, period) {
-        if (!this.to) {
-            return false
-        }
-        var share = this.from === this.to ? 1 : Math.min(1, (now - this.since) / period)
-        if (share === 1 && this.shown === this.to) {
-            return false
-        }
-        var pose = share === 1 ? this.to : between(this.from, this.to, share)
-        this.shown = pose
-        this.holder.position.set(pose[0], pose[1], pose[2])
-        this.holder.quaternion.set(pose[3], pose[4], pose[5], pose[6])
-        return share < 1
-    }
-    function between(a, b, share) {
-        var dot = a[3] * b[3] + a[4] * b[4] + a[5] * b[5] + a[6] * b[6]
-        var pose = a.map(function(value, i) {
-            return value * (1 - share) + (i > 2 && dot < 0 ? -b[i] : b[i]) * share
-        })
-        var length = Math.sqrt(pose[3] * pose[3] + pose[4] * pose[4] + pose[5] * pose[5] + pose[6] * pose[6])
-        return pose.map(function(value, i) {
-            return i > 2 ? value / length : value
-        })
-    }
 
     /** Brings the scene to a world as the service tells it. @param terrain null without one @param beams whether to show what sensors see */
     Scene.prototype.show = function(world, terrain, beams) {
@@ -169,7 +101,7 @@
         }, this)
         world.sensors.forEach(function(sensor, i) {
             this.sensors[i].goTo(sensor.pose, now)
-            this.showSensor(this.sensors[i], sensor, beams)
+            window.SEARPanel.beams.show(this, this.sensors[i], sensor, beams)
         }, this)
         this.showGround(terrain)
         this.looks.want()
@@ -202,7 +134,7 @@
             item.dressed = true
             return
         }
-        var parts = object.look ? this.looks.look(object.look) : object.corners.length ? [boxAround(object.corners)] : []
+        var parts = object.look ? this.looks.look(object.look) : object.corners.length ? [shapes.boxAround(object.corners)] : []
         var texture = object.picture ? this.looks.texture(object.picture) : null
         if (!parts || texture === undefined) {
             return
@@ -251,83 +183,6 @@
         this.scene.add(item.extra)
     }
 
-    // ---- beams ---------------------------------------------------------------------------------------------------------------------------------
-    function seeThrough(color, opacity) {
-        return new window.THREE.MeshBasicMaterial({color: color, transparent: true, opacity: opacity, side: window.THREE.DoubleSide, depthWrite: false})
-    }
-
-    Scene.prototype.showSensor = function(item, sensor, beams) {
-        var THREE = window.THREE
-        if (!item.dressed) {
-            item.dressed = true
-            angular.forEach(sensor.cones, function(cone) {
-                item.holder.add(coneOf(cone))
-            })
-            if (sensor.ranges) {
-                item.fan = new THREE.Mesh(new THREE.BufferGeometry(), seeThrough(BEAM, 0.22))
-                item.fan.frustumCulled = false
-                item.holder.add(item.fan)
-            }
-            if (sensor.hit !== undefined) {
-                item.hit = new THREE.Mesh(new THREE.SphereGeometry(1, 8, 6), new THREE.MeshBasicMaterial({color: HIT}))
-                this.scene.add(item.hit)
-                item.extra = item.hit
-            }
-        }
-        item.holder.visible = beams
-        if (item.hit) {
-            item.hit.visible = Boolean(beams && sensor.hit)
-            if (sensor.hit) {
-                item.hit.position.set(sensor.hit[0], sensor.hit[1], sensor.hit[2])
-                var size = 0.006 * Math.max(0.5, this.orbit.distance)
-                item.hit.scale.set(size, size, size)
-            }
-        }
-        if (item.fan && item.ranges !== sensor.ranges) {
-            item.ranges = sensor.ranges
-            spreadFan(item.fan, sensor)
-        }
-    }
-
-    /** Around the forward axis, +z, turned by its yaw to the left. */
-    function coneOf(cone) {
-        var THREE = window.THREE
-        var radius = Math.max(0.003, Math.tan(cone.halfAngle * Math.PI / 180) * cone.range)
-        var shape = new THREE.CylinderGeometry(0, radius, cone.range, 24, 1, true)
-        shape.applyMatrix(new THREE.Matrix4().makeTranslation(0, -cone.range / 2, 0))
-        shape.applyMatrix(new THREE.Matrix4().makeRotationX(-Math.PI / 2))
-        var mesh = new THREE.Mesh(shape, seeThrough(CONE, 0.13))
-        mesh.rotation.y = (cone.yaw || 0) * Math.PI / 180
-        return mesh
-    }
-
-    /** A triangle for each two beams that met something; where nothing was met there is a gap. */
-    function spreadFan(fan, sensor) {
-        var THREE = window.THREE
-        var count = Math.max(0, sensor.ranges.length - 1)
-        var held = fan.geometry.attributes.position
-        var points = held && held.array.length === 9 * count ? held.array : new window.Float32Array(9 * count)
-        for (var i = 0; i < count; i++) {
-            var a = sensor.ranges[i]
-            var b = sensor.ranges[i + 1]
-            var shown = a !== null && b !== null
-            corner(points, 9 * i + 3, sensor, i, shown ? a : 0)
-            corner(points, 9 * i + 6, sensor, i + 1, shown ? b : 0)
-        }
-        if (held && held.array === points) {
-            held.needsUpdate = true
-        } else {
-            fan.geometry.dispose()
-            fan.geometry = new THREE.BufferGeometry()
-            fan.geometry.addAttribute('position', new THREE.BufferAttribute(points, 3))
-        }
-    }
-    function corner(points, at, sensor, beam, metres) {
-        var angle = (beam * sensor.resolution - sensor.spread / 2) * Math.PI / 180
-        points[at] = Math.sin(angle) * metres
-        points[at + 2] = Math.cos(angle) * metres
-    }
-
     // ---- the ground ----------------------------------------------------------------------------------------------------------------------------
     Scene.prototype.showGround = function(terrain) {
         var stamp = terrain ? terrain.sent.stamp : null
@@ -343,45 +198,9 @@
         var texture = new THREE.Texture(terrain.picture)
         texture.minFilter = THREE.LinearFilter
         texture.needsUpdate = true
-        this.ground = new THREE.Mesh(groundOf(terrain), new THREE.MeshBasicMaterial({map: texture, side: THREE.DoubleSide}))
+        this.ground = new THREE.Mesh(shapes.ground(terrain), new THREE.MeshBasicMaterial({map: texture, side: THREE.DoubleSide}))
         this.ground.stamp = stamp
         this.scene.add(this.ground)
-    }
-
-    function groundOf(terrain) {
-        var THREE = window.THREE
-        var sent = terrain.sent
-        var rows = Math.min(MOST_POSTS, sent.rows)
-        var columns = Math.min(MOST_POSTS, sent.columns)
-        var positions = new window.Float32Array(3 * rows * columns)
-        var places = new window.Float32Array(2 * rows * columns)
-        for (var i = 0; i < rows * columns; i++) {
-            var north = Math.floor(i / columns) / (rows - 1)
-            var east = i % columns / (columns - 1)
-            var x = sent.south + (sent.north - sent.south) * north
-            var z = sent.west + (sent.east - sent.west) * east
-            positions.set([x, terrain.height(x, z) || 0, z], 3 * i)
-            places.set([east, north], 2 * i)
-        }
-        var corners = new window.Uint16Array(6 * (rows - 1) * (columns - 1))
-        var at = 0
-        for (var row = 0; row < rows - 1; row++) {
-            for (var column = 0; column < columns - 1; column++) {
-                var a = row * columns + column
-                corners.set([a, a + 1, a + columns, a + 1, a + columns + 1, a + columns], at)
-                at += 6
-            }
-        }
-        var made = new THREE.BufferGeometry()
-        var index = new THREE.BufferAttribute(corners, 1)
-        if (made.setIndex) {
-            made.setIndex(index)
-        } else {
-            made.addAttribute('index', index)
-        }
-        made.addAttribute('position', new THREE.BufferAttribute(positions, 3))
-        made.addAttribute('uv', new THREE.BufferAttribute(places, 2))
-        return made
     }
 
     // ---- the camera ----------------------------------------------------------------------------------------------------------------------------

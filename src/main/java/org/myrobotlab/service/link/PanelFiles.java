@@ -24,8 +24,8 @@ public final class PanelFiles {
     private static final Logger log = LoggerFactory.getLogger(PanelFiles.class);
     private static final List<String> FILES = Arrays.asList("%s.png", "%s/%s.py",
         "%s/maze.sear", "%s/mountain.sear", "%s/office.sear", "%s/ramps.sear", "%s/sensors.sear", "WebGui/app/service/views/%sGui.html",
-        script("Gui"), script("Geometry"), script("Looks"), script("Map"), script("Panel"), script("Projects"), script("Scene"), script("Terrain"),
-        script("Views"), script("Words"), script("World"));
+        script("Gui"), script("Beams"), script("Geometry"), script("Ground"), script("Item"), script("Looks"), script("Map"), script("Panel"),
+        script("Projects"), script("Scene"), script("Terrain"), script("Views"), script("Words"), script("World"));
     /** Where the jar has them. */
     private static final String IN_JAR = "/resource/";
     /** Below the resource root: what was written, by file name, as SHA-256. */

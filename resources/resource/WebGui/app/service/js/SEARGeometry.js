@@ -123,7 +123,6 @@
             view.z = all.z
             view.scale = 0.92 * Math.min(element.clientHeight / all.north, element.clientWidth / all.east)
         }
-        view.fitted = true
     }
     function isNoRobot(shape) {
         return !shape.robot

@@ -14,6 +14,7 @@
         var $scope = panel.scope
         var msg = panel.msg
         var scene = null            // made when it is first seen
+        var fitted = {}             // by mode: whether that view shows everything, or what the user wants
         $scope.view = {x: 0, z: 0, scale: 60, fitted: false}
         $scope.listed = MOST_LISTED
         $scope.mode = firstMode()   // 'space' or 'map'
@@ -76,7 +77,7 @@
             panel.repaint()
         }
         $scope.fit = function() {
-            $scope.view.fitted = false
+            refit()
             $scope.view.chosen = false
             $scope.form.eye = ''
             panel.repaint()
@@ -96,8 +97,15 @@
             }
             $scope.listed = MOST_LISTED
             view.chosen = Boolean(view.chosen && view.robots === robots)
-            view.fitted = view.chosen
+            if (!view.chosen) {
+                refit()
+            }
             view.robots = robots
+        }
+        /** Each view shows everything when it is drawn next. */
+        function refit() {
+            $scope.view.fitted = false      // the one that is shown
+            fitted = {}
         }
 
         function isChosen(robot) {
@@ -129,15 +137,16 @@
             var world = $scope.world()
             var view = $scope.view
             var size = shown.clientWidth + ' ' + shown.clientHeight
-            if (view.size !== size) {
-                view.size = size
-                view.fitted = Boolean(view.fitted && view.chosen)
+            if (view.size !== size && !view.chosen) {
+                refit()
             }
+            view.size = size
             if ($scope.mode === 'space') {
                 drawScene(shown, world)
             } else {
                 drawMap(shown, world)
             }
+            view.fitted = Boolean(fitted[$scope.mode])
         }
 
         function followed(world) {
@@ -147,8 +156,9 @@
         function drawMap(shown, world) {
             var view = $scope.view
             var shapes = world ? geometry.shapesOf(world) : []
-            if (world && !view.fitted) {
+            if (world && !fitted.map) {
                 geometry.fit(view, shapes, shown)
+                fitted.map = true
             }
             if (world && followed(world) >= 0) {
                 var robot = world.robots[followed(world)]
@@ -167,12 +177,12 @@
             world = world || {objects: [], robots: [], sensors: []}
             var terrain = terrainOf(world)
             scene.show(world, terrain, $scope.form.beams)
-            if (!$scope.view.fitted && (world.objects.length || world.robots.length)) {
+            if (!fitted.space && (world.objects.length || world.robots.length)) {
                 var area = geometry.area(geometry.shapesOf(world))
                 if (area) {
                     scene.fit({x: area.x, y: heightOf(world, terrain, area), z: area.z, size: area.size})
                 }
-                $scope.view.fitted = true
+                fitted.space = true
             }
             scene.draw(eyes(world).indexOf($scope.form.eye), followed(world), geometry.isLight(window.getComputedStyle(shown).color))
         }

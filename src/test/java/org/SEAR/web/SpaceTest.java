@@ -157,9 +157,12 @@ public class SpaceTest {
 
     @Test
     public void theMapIsThereAsBeforeAndThePageRemembersWhatWasChosen() {
+        browser.until("a view of everything", () -> number("scene.orbit.distance") > 5.5);
         browser.click(".sear-map");
         browser.see(".sear-view");
         browser.until("the map", () -> browser.all(".sear-scene").stream().noneMatch(WebElement::isDisplayed));
+        browser.until("all of it on the map", () -> tab.toScreen(1.5, 0)[1] > 0
+            && tab.toScreen(0, 2.5)[0] > browser.see(".sear-view").getSize().width / 2.0);
         TABS.open("sear");
         browser.see(".sear-view");
         browser.click(".sear-space");

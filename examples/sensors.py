@@ -1,5 +1,5 @@
 # A yard with obstacles of every kind, twenty boxes among them, and a Roomba with every sensor.
-from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Compass, Cone, Cylinder, Distance, Floor, GPS, Gyroscope, LIDAR, Model, Noise, \
+from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Compass, Cone, Cylinder, Distance, Floor, GPS, Gyroscope, IMU, LIDAR, Model, Noise, \
     Odometer, Robots
 
 sear = Runtime.start("sear", "SEAR")
@@ -60,6 +60,7 @@ robot.addComponent(Compass("compass", True))
 robot.addComponent(Accelerometer("accel", 30))
 robot.addComponent(Gyroscope("gyro", 30))
 robot.addComponent(Odometer("odometer"))
+robot.addComponent(IMU("imu"))
 
 robot.addComponent(Distance("frontPing", "PING)))", 0, 0.06, 0.16, 0, 0, 0))
 robot.addComponent(Distance("leftEZ1", "LV-EZ1", 0.12, 0.06, 0.1, 0, 60, 0))

@@ -115,7 +115,7 @@ public class LIDAR extends SensorObject implements SerialObject {
     /**
      * Chooses the device, and gives range, spread, resolution and baud the values that it is delivered with.
      *
-     * @param name LMS200, LMS221, LMS291, LMS111, TiM561, URG-04LX, UTM-30LX or RPLIDAR-A1, in whatever spelling
+     * @param name LMS200, LMS221, LMS291, LMS111, TiM561, URG-04LX, UTM-30LX, RPLIDAR-A1 or CoLa (any fan), in whatever spelling
      * @throws IllegalArgumentException that names the models there are
      */
     public void setModel(String name) {

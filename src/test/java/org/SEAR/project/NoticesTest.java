@@ -88,8 +88,8 @@ public class NoticesTest {
         said.clear();
         lidar.setResolution(0.25);
         assertEquals("[LIDAR \"scanner\": at a port there is a TiM561, and none has spread 180 with resolution 0.25 deg, legal: up to 270 with"
-            + " 0.3333333; without setPorts every fan, read by sear.getLidarResult(\"scanner\"); setModel has it with LMS111, UTM-30LX, RPLIDAR-A1;"
-            + " until that is changed its device starts with 270 and 0.3333333]", said.toString());
+            + " 0.3333333; without setPorts every fan, read by sear.getLidarResult(\"scanner\"); setModel has it with LMS111, UTM-30LX, RPLIDAR-A1,"
+            + " CoLa; until that is changed its device starts with 270 and 0.3333333]", said.toString());
         said.clear();
         lidar.setModel("LMS111");
         assertEquals("[]", said.toString());

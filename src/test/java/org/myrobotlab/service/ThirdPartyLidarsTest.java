@@ -111,6 +111,14 @@ public class ThirdPartyLidarsTest {
         compare(inTime(programs.grabScans(config, 25)), sear.getLidarResult("scanner"), 10, 0.00101);
     }
 
+    /** Its driver logs as many ranges as a scan has, of whatever fan. */
+    @Test
+    public void mrptReadsAFanThatNoScannerOnSaleHas() throws Exception {
+        start("CoLa", 231, 5.5);
+        Path config = grabber("sick-lms1xx-mrpt.ini", "@PORT@", Integer.toString(sear.exportTcp(PORT, 0)));
+        compare(inTime(programs.grabScans(config, 20)), sear.getLidarResult("scanner"), 30, 0.00101);
+    }
+
     /** Where an answer takes more than 40 ms, as on a busy computer, this driver logs a scan without values. */
     private static List<String[]> inTime(List<String[]> lines) {
         List<String[]> full = lines.stream().filter(line -> line.length > 1).collect(Collectors.toList());

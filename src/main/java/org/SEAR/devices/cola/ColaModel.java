@@ -10,7 +10,9 @@ import org.SEAR.protocol.lidar.LidarModel;
 enum ColaModel {
     LMS111(LidarModel.LMS111, "LMS10x_FieldEval", "V1.36-21.10.2010", 7, 15, true, new ScanRate(5000, 5000, 360), new ScanRate(2500, 2500, 360),
         new ScanRate(2500, 5000, 360)),
-    TIM561(LidarModel.TIM561, "TiM561", "V2.60-20.02.15", 1, 8, false, new ScanRate(1500, 3333, 162));
+    TIM561(LidarModel.TIM561, "TiM561", "V2.60-20.02.15", 1, 8, false, new ScanRate(1500, 3333, 162)),
+    /** It has the rate that its object asks for, and no other. */
+    COLA(LidarModel.COLA, "SEAR", "V1.00-22.11.2026", 0, 1, false);
 
     /** Scans a second, the angle between beams, and beams a second, which belong together. Immutable. */
     static final class ScanRate {
@@ -40,10 +42,13 @@ enum ColaModel {
 
     /** Of a degree: angles are counted in them. */
     static final double TEN_THOUSANDTHS = 10000;
-    /** Where the widest fan begins and ends, 1/10000 degree; 90 degrees is straight ahead. */
-    static final int FIRST_ANGLE = -450000;
-    static final int LAST_ANGLE = 2250000;
+    /** Straight ahead, 1/10000 degree. */
+    static final int FORWARD = 900000;
     private static final int THIRD = 3333;
+    /** Scans a second of a model without rates of its own. */
+    private static final int HERTZ = 10;
+    private static final int CENTI = 100;
+    private static final double CIRCLE = 360;
 
     final LidarModel lidar;
     final String type;
@@ -54,6 +59,9 @@ enum ColaModel {
     final double boot;
     /** Whether frequency and resolution can be set by mLMPsetscancfg. */
     final boolean scanConfigurable;
+    /** Where the widest fan begins and ends, 1/10000 degree. */
+    final int firstAngle;
+    final int lastAngle;
     final List<ScanRate> rates;
 
     ColaModel(LidarModel lidar, String type, String version, int outputs, double boot, boolean scanConfigurable, ScanRate... rates) {
@@ -63,6 +71,9 @@ enum ColaModel {
         this.outputs = outputs;
         this.boot = boot;
         this.scanConfigurable = scanConfigurable;
+        int half = (int) Math.round(lidar.getWidestSpread() / 2 * TEN_THOUSANDTHS);
+        this.firstAngle = FORWARD - half;
+        this.lastAngle = FORWARD + half;
         this.rates = List.of(rates);
     }
 
@@ -82,6 +93,10 @@ enum ColaModel {
 
     /** The fastest rate with beams so many degrees apart. */
     ScanRate rateWith(double degrees) {
+        if (rates.isEmpty()) {
+            return new ScanRate(HERTZ * CENTI, (int) Math.round(degrees * TEN_THOUSANDTHS),
+                (int) Math.round(CIRCLE / degrees * HERTZ / CENTI));
+        }
         ScanRate nearest = rates.get(0);
         for (ScanRate rate : rates) {
             if (Math.abs(rate.degrees() - degrees) < Math.abs(nearest.degrees() - degrees)) {

@@ -174,10 +174,10 @@ final class Commands {
         row("sWN LMPoutputRange", CLIENT, (in, out) -> {
             boolean one = in.u2() == 1;
             int resolution = in.i4();
-            if (!one || model.rates.stream().noneMatch(rate -> rate.resolution == resolution)) {
+            if (!one || resolution != settings().rate.resolution && model.rates.stream().noneMatch(rate -> rate.resolution == resolution)) {
                 throw new ColaException(ColaError.INVALID_DATA);
             }
-            device.set(settings().withAngles(in.i4(), in.i4()));
+            device.set(settings().withAngles(model, in.i4(), in.i4()));
         });
         row("sRN LMDscandatacfg", NOBODY, (in, out) -> settings().writeContent(out));
         row("sWN LMDscandatacfg", CLIENT, (in, out) -> device.set(settings().withContent(in)));
@@ -188,7 +188,7 @@ final class Commands {
     }
 
     private void writeScanConfiguration(ColaPayload out) {
-        out.i4(settings().rate.frequency).u2(1).i4(settings().rate.resolution).i4(ColaModel.FIRST_ANGLE).i4(ColaModel.LAST_ANGLE);
+        out.i4(settings().rate.frequency).u2(1).i4(settings().rate.resolution).i4(model.firstAngle).i4(model.lastAngle);
     }
 
     /** The angles are those of the widest fan, always: what is sent of it, LMPoutputRange says. */
@@ -196,7 +196,7 @@ final class Commands {
         if (sectors != 1) {
             return WRONG_OTHER;
         }
-        if (start < ColaModel.FIRST_ANGLE || stop > ColaModel.LAST_ANGLE || start >= stop) {
+        if (start < model.firstAngle || stop > model.lastAngle || start >= stop) {
             return WRONG_AREA;
         }
         boolean known = false;

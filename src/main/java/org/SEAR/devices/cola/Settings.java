@@ -9,7 +9,6 @@ import org.SEAR.protocol.cola.ColaTelegram;
  * What a scanner can be told and keeps by mEEwriteall: rate, angles, name, and what a scan telegram carries. Immutable.
  */
 final class Settings {
-    private static final int FORWARD = 900000;
     private static final double SLACK = 1e-6;
     private static final int BOTH_ECHOES = 3;
     private static final int CHANNELS = 0;
@@ -45,7 +44,7 @@ final class Settings {
      */
     static Settings of(ColaModel.ScanRate rate, double spread) {
         int half = (int) Math.round(spread / 2 * ColaModel.TEN_THOUSANDTHS);
-        return new Settings(rate, FORWARD - half, FORWARD + half, "not defined", AS_DELIVERED);
+        return new Settings(rate, ColaModel.FORWARD - half, ColaModel.FORWARD + half, "not defined", AS_DELIVERED);
     }
 
     Settings withRate(ColaModel.ScanRate newRate) {
@@ -59,10 +58,10 @@ final class Settings {
     /**
      * With other angles, 1/10000 degree.
      *
-     * @throws ColaException if they are not within those of the widest fan
+     * @throws ColaException if they are not within those of the model's widest fan
      */
-    Settings withAngles(int first, int last) throws ColaException {
-        if (first < ColaModel.FIRST_ANGLE || last > ColaModel.LAST_ANGLE || first > last) {
+    Settings withAngles(ColaModel model, int first, int last) throws ColaException {
+        if (first < model.firstAngle || last > model.lastAngle || first > last) {
             throw new ColaException(ColaError.INVALID_DATA);
         }
         return new Settings(rate, first, last, name, content);
@@ -98,7 +97,7 @@ final class Settings {
 
     /** Degrees from the forward axis to the first beam, + to the left. */
     double firstAngle() {
-        return (start - FORWARD) / ColaModel.TEN_THOUSANDTHS;
+        return (start - ColaModel.FORWARD) / ColaModel.TEN_THOUSANDTHS;
     }
 
     /** Number of beams. */

@@ -26,7 +26,9 @@ public enum LidarModel {
     /** Hokuyo, outdoor; steps of 1/1440 turn. */
     UTM_30LX("UTM-30LX", "Hokuyo", LidarProtocol.SCIP, 30, 60, 0.023, 270, 0.25, 40, Rates.USB, Fans.ofSteps(270, 0.25, 99)),
     /** Slamtec, indoor; its beams are as far apart as motor and sample rate make it. */
-    RPLIDAR_A1("RPLIDAR-A1", "Slamtec", LidarProtocol.RPLIDAR, 12, 12, 0.15, 360, 1, 5.5, Rates.RPLIDAR, Fans.between(360, 0.18, 1.8));
+    RPLIDAR_A1("RPLIDAR-A1", "Slamtec", LidarProtocol.RPLIDAR, 12, 12, 0.15, 360, 1, 5.5, Rates.RPLIDAR, Fans.between(360, 0.18, 1.8)),
+    /** Nobody's: a scanner with whatever fan, as drivers for CoLa take it. A step of 1/10000 degree and a distance in millimetres are a word each. */
+    COLA("CoLa", "any", LidarProtocol.COLA, 30, 65.535, 0, 270, 0.25, 10, Rates.ETHERNET, Fans.between(360, 0.01, 6.5535));
 
     /** Speeds of lines, bits a second, the first that at power-on. */
     private static final class Rates {
@@ -113,7 +115,7 @@ public enum LidarModel {
 
     /** Its name as it is spoken in a sentence: {@code an LMS200}. */
     public String withArticle() {
-        return (name.startsWith("T") || name.startsWith("U") ? "a " : "an ") + name;
+        return ("CTU".indexOf(name.charAt(0)) >= 0 ? "a " : "an ") + name;
     }
 
     /** Who makes it. */

@@ -238,6 +238,25 @@ public class ColaScannerTest {
         }
     }
 
+    /** Spread and resolution that no scanner on sale has, and the first beams, the last, their number and the distance of the last one. */
+    @Test
+    public void anyFanIsSent() {
+        double[][] fans = {{360, 0.01}, {360, 6.5535}, {45, 5}, {7.25, 0.7}, {120, 1 / 3.0}, {359.9, 0.1234}};
+        for (double[] fan : fans) {
+            line = new FakeContext();
+            line.sensor = new AngleScanner();
+            device = line.attach(new ColaScanner(ColaModel.COLA, fan[0], fan[1], LidarModel.COLA.getBaud(), line));
+            String[] scan = ask("sRN LMDscandata").split(" ");
+            int count = (int) Math.floor(fan[0] / fan[1] + 1e-6) + 1;
+            String start = hex(900000 - (int) Math.round(fan[0] * 5000));
+            head(scan, "3E8", hex((int) Math.round(36 / fan[1])), start, hex((int) Math.round(fan[1] * 10000)), hex(count));
+            for (int i = 0; i < count; i += Math.max(1, count / 50)) {
+                assertEquals(10000 + (-fan[0] / 2 + i * fan[1]) * 10, Integer.parseInt(scan[FIRST_VALUE + i], 16), 0.51);
+            }
+        }
+        assertEquals("sFA 2", ask("sMN mLMPsetscancfg +2500 +1 +2500 -450000 +2250000"));
+    }
+
     private static String hex(int value) {
         return Integer.toHexString(value).toUpperCase();
     }

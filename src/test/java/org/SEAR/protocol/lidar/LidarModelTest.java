@@ -40,7 +40,9 @@ public class LidarModelTest {
         assertEquals("100 with 1, 0.5 or 0.25; 180 with 1 or 0.5", LidarModel.LMS200.fans());
         assertEquals("up to 239.765625 with 1 to 99 times 0.3515625", LidarModel.URG_04LX.fans());
         assertEquals("up to 360 with 0.18 to 1.8", LidarModel.RPLIDAR_A1.fans());
-        assertEquals("LMS200, LMS221, LMS291, UTM-30LX, RPLIDAR-A1", LidarModel.namesWith(180, 1));
+        assertEquals("LMS200, LMS221, LMS291, UTM-30LX, RPLIDAR-A1, CoLa", LidarModel.namesWith(180, 1));
+        assertEquals("CoLa", LidarModel.namesWith(359, 0.1));
+        assertEquals("CoLa", LidarModel.namesWith(45, 6.1));
     }
 
     @Test

@@ -8,6 +8,13 @@ public interface RobotHardware {
     /** Stops the driven wheels as fast as they may without tipping the robot over: no ramp as for {@link #setWheelSpeeds}. */
     void brake();
 
+    /**
+     * A motor by the name of its object; the same for ever.
+     *
+     * @return null if the robot has none of that name
+     */
+    MotorHardware getMotor(String name);
+
     /** Distance between left and right driven wheels, metres. */
     double getWheelBase();
 

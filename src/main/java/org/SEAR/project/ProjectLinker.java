@@ -51,6 +51,7 @@ final class ProjectLinker {
             }
         }
         new NameCheck(environment, parts, owners, problems).check();
+        new VehicleCheck(owners, problems).check();
         checkPorts();
         checkTerrain();
         checkPlaced();

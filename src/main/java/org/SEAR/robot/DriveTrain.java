@@ -37,6 +37,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
 
     private final Body body;
     private final List<RaycastWheel> wheels = new ArrayList<>();
+    private final List<MotorDrive> motors;
     private final int owner;
     private final double[] mounts;
     private final double track;
@@ -56,12 +57,15 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     private final double[] impulse = new double[3];
     private final double[] point = new double[3];
 
-    DriveTrain(Body body, List<Wheel> objects, Dynamics dynamics, int owner) {
+    /** @param motors of the robot, which get their wheels here */
+    DriveTrain(Body body, List<Wheel> objects, List<MotorDrive> motors, Dynamics dynamics, int owner) {
         this.body = body;
+        this.motors = motors;
         this.owner = owner;
         for (Wheel wheel : objects) {
             wheels.add(new RaycastWheel(wheel, dynamics, body.mass));
         }
+        motors.forEach(motor -> motor.restart(wheels));
         mounts = WheelPoses.mounts(wheels);
         track = equip();
         frontAxle = wheels.stream().mapToDouble(wheel -> wheel.z).max().orElse(0);
@@ -129,6 +133,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     void setSpeeds(double newLeft, double newRight) {
         commandedLeft = newLeft;
         commandedRight = newRight;
+        motors.forEach(MotorDrive::follow);
         braking &= newLeft == 0 && newRight == 0;
     }
 
@@ -140,7 +145,28 @@ public final class DriveTrain implements PhysicsWorld.Drive {
 
     /** Whether the motors are to turn. */
     boolean isCommanded() {
-        return left != 0 || right != 0 || commandedLeft != 0 || commandedRight != 0;
+        return left != 0 || right != 0 || commandedLeft != 0 || commandedRight != 0 || isMotorCommanded();
+    }
+
+    private boolean isMotorCommanded() {
+        for (int i = 0; i < motors.size(); i++) {
+            if (motors.get(i).isCommanded()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether the motors have orders of their own that turn the robot. */
+    private boolean isTurnedByMotors() {
+        double first = motors.isEmpty() ? Double.NaN : motors.get(0).getWanted();
+        for (int i = 1; i < motors.size(); i++) {
+            double other = motors.get(i).getWanted();
+            if (!Double.isNaN(other) && other != first) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Brings both speeds nearer to what is commanded, in proportion, so that an arc stays the same arc. */
@@ -151,10 +177,11 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         left = share == 1 ? commandedLeft : left + share * (commandedLeft - left);
         right = share == 1 ? commandedRight : right + share * (commandedRight - right);
         double turn = track > NO_TRACK ? (right - left) / track : 0;
+        boolean scrubs = turn != 0 || isTurnedByMotors();
         for (int i = 0; i < wheels.size(); i++) {
             RaycastWheel wheel = wheels.get(i);
             wheel.setTarget((left + right) / 2 - turn * wheel.x);
-            wheel.setScrub(turn == 0 ? 0 : scrub);
+            wheel.setScrub(scrubs ? scrub : 0);
         }
     }
 

@@ -76,6 +76,8 @@ public final class RaycastWheel {
     private double groundSide;
     private double groundUp;
     private double motorImpulse;
+    private MotorDrive motor;
+    private double spin;
     private double target;
     private boolean geared;
     private boolean grounded;
@@ -114,6 +116,11 @@ public final class RaycastWheel {
     void equip(double force, double sideways) {
         motorImpulse = force * TimeStep.SECONDS;
         sideGrip = sideways;
+    }
+
+    /** Has a motor turn it instead of a servo. */
+    void setMotor(MotorDrive newMotor) {
+        motor = newMotor;
     }
 
     /** The speed over ground that the servo is to reach, m/s. */
@@ -290,17 +297,21 @@ public final class RaycastWheel {
         stop.add(v, -(stop.speed(v) - groundUp - allowed) / stop.mobility, 0, Double.POSITIVE_INFINITY);
         if (isDriven()) {
             double grip = GRIP * (spring.impulse + stop.impulse);
-            solveMotor(v, grip);
+            if (motor == null) {
+                solveServo(v, grip);
+            } else {
+                motor.solve(forward, v, forward.speed(v) - groundForward, target, radius, grip);
+            }
             double mostSide = sideGrip * (spring.impulse + stop.impulse);
             side.add(v, -(side.speed(v) - groundSide + scrub * side.impulse) / (side.mobility + scrub), -mostSide, mostSide);
         }
     }
 
     /**
-     * The motor drives the wheel towards its target with the force that it has; the gears hold it with all that the tyre can: it neither rolls back
+     * The servo drives the wheel towards its target with the force that it has; the gears hold it with all that the tyre can: it neither rolls back
      * nor coasts on.
      */
-    private void solveMotor(double[] v, double grip) {
+    private void solveServo(double[] v, double grip) {
         double rolling = forward.speed(v) - groundForward;
         double motor = Math.min(grip, motorImpulse * strength());
         double least = -motor;
@@ -319,6 +330,19 @@ public final class RaycastWheel {
      * @param v velocities of the centre of mass after it
      */
     void roll(double[] v) {
+        double speed = motor == null ? rollByServo(v) : rollByMotor(v);
+        spin = speed / radius;
+        angle += speed * TimeStep.SECONDS / radius;
+    }
+
+    private double rollByMotor(double[] v) {
+        double force = grounded ? forward.impulse / TimeStep.SECONDS : 0;
+        boolean slips = !grounded || Math.abs(forward.impulse) >= GRIP * (spring.impulse + stop.impulse);
+        load = Math.max(-1, Math.min(1, force / motor.stall(radius)));
+        return slips ? motor.slipping(force, target, radius) : forward.speed(v) - groundForward;
+    }
+
+    private double rollByServo(double[] v) {
         double speed = target;
         load = 0;
         if (grounded) {
@@ -334,7 +358,7 @@ public final class RaycastWheel {
         } else if (!isDriven()) {
             speed = 0;
         }
-        angle += speed * TimeStep.SECONDS / radius;
+        return speed;
     }
 
     /** Share of the motor's force that its controller allows now. */
@@ -414,7 +438,12 @@ public final class RaycastWheel {
         return angle;
     }
 
-    /** Share of the greatest motor force, 0 to 1. */
+    /** How fast it turns, rad/s, + forward. */
+    double getSpin() {
+        return spin;
+    }
+
+    /** Share of the greatest motor force: 0 to 1 of a servo, -1 to 1 of a motor. */
     double getLoad() {
         return load;
     }

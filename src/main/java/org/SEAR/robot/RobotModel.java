@@ -4,7 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.vecmath.Vector3f;
 import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.devices.MotorHardware;
 import org.SEAR.devices.RobotHardware;
 import org.SEAR.geometry.Frame;
 import org.SEAR.geometry.Pose;
@@ -36,6 +39,7 @@ public final class RobotModel implements Robot, RobotHardware {
     private final List<Solid> wheelSolids;
     private final int[] wheelShapes;
     private final double bodyRadius;
+    private final List<MotorDrive> motors = new ArrayList<>();
     private DriveTrain train;
     private final Frame frame = new Frame();
     private boolean bumpedLeft;
@@ -52,6 +56,11 @@ public final class RobotModel implements Robot, RobotHardware {
         this.scenes = scenes;
         this.truth = truth;
         this.virtualWalls = virtualWalls;
+        for (SearObject part : object.getComponents()) {
+            if (part instanceof Motor) {
+                motors.add(new MotorDrive((Motor) part, object.getName()));
+            }
+        }
         this.wheelShapes = new int[wheelSolids.size()];
         for (int i = 0; i < wheelShapes.length; i++) {
             wheelShapes[i] = scenes.add(body, wheelSolids.get(i), object.getWheels().get(i).isVisibleToSensors(), number);
@@ -64,7 +73,7 @@ public final class RobotModel implements Robot, RobotHardware {
 
     /** Back to the start, in a new physics world. */
     public void restart(PhysicsWorld physics) {
-        train = new DriveTrain(body, object.getWheels(), dynamics, number);
+        train = new DriveTrain(body, object.getWheels(), motors, dynamics, number);
         if (!train.getWheels().isEmpty()) {
             physics.add(body, train);
         }
@@ -209,6 +218,11 @@ public final class RobotModel implements Robot, RobotHardware {
     }
 
     @Override
+    public MotorHardware getMotor(String name) {
+        return motors.stream().filter(motor -> motor.getName().equals(name)).findFirst().orElse(null);
+    }
+
+    @Override
     public double getWheelBase() {
         return train.getTrack();
     }
@@ -240,7 +254,7 @@ public final class RobotModel implements Robot, RobotHardware {
         for (int i = 0; i < train.getWheels().size(); i++) {
             RaycastWheel wheel = train.getWheels().get(i);
             if (wheel.isDriven() && wheel.x * side >= 0) {
-                sum += angle ? wheel.getAngle() : wheel.getLoad();
+                sum += angle ? wheel.getAngle() : Math.abs(wheel.getLoad());
                 count++;
             }
         }

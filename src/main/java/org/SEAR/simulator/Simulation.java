@@ -12,6 +12,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
+import org.SEAR.devices.MotorHardware;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
@@ -37,6 +38,7 @@ public final class Simulation implements AutoCloseable {
     private final World world;
     private final Instruments instruments;
     private final Places places;
+    private final Actuators actuators;
     private final SnapshotRecorder observer;
     private final Warnings warnings = new Warnings();
     private final List<String> deviceWarnings;
@@ -54,6 +56,7 @@ public final class Simulation implements AutoCloseable {
         world = new World(project, epochMillis, groundVisible, warnings::add);
         instruments = new Instruments(world.getRobots(), seed, warnings::count);
         places = new Places(project, world);
+        actuators = new Actuators(world.getRobots());
         deviceWarnings = warnings.list();
         observer = new SnapshotRecorder(world, instruments, warnings);
         robots = Collections.unmodifiableList(new ArrayList<Robot>(world.getRobots()));
@@ -299,6 +302,16 @@ public final class Simulation implements AutoCloseable {
      */
     public Pose getPose(String name) {
         return places.find(name);
+    }
+
+    /**
+     * A motor by name; any thread, what it does is up to the simulation thread.
+     *
+     * @param name as {@code rover/left}, or without the robot where only one has a motor of that name
+     * @throws IllegalArgumentException that names the motors there are, or the robots that have one of that name
+     */
+    public MotorHardware getMotor(String name) {
+        return actuators.motor(name);
     }
 
     /** Whether snapshots carry the sensor's reading from now on; never changes any reading. Any thread, through {@link #post}. */

@@ -329,6 +329,54 @@ public class SEAR extends Service<SEARConfig> {
         calls.act(() -> parts.driving().circle(robot, speed, radius));
     }
 
+    // ---- motors (a simulation must run; the examples are of the car of vehicles.md) --------------------------------
+
+    /**
+     * Gives a motor power, until the next order for it or for its robot. Its torque is stallTorque (power - speed / noLoadSpeed).
+     *
+     * @param name of the motor; {@code "robot/motor"} where several robots have one of that name
+     * @param power share of the full voltage, + forward, -1 to 1; 0 brakes, as a motor does whose wires are joined
+     * @throws IllegalArgumentException that names the motors there are, or the legal range
+     * @example sear.setMotorPower("engine", 0.5)
+     */
+    public void setMotorPower(String name, double power) {
+        calls.act(() -> parts.actuators().power(name, power));
+    }
+
+    /**
+     * Has a motor's controller hold a speed, as far as its torque goes, until the next order for it or for its robot.
+     *
+     * @param name of the motor; {@code "robot/motor"} where several robots have one of that name
+     * @param speed of its wheels, rad/s, + forward; at most what they reach without load
+     * @throws IllegalArgumentException that names the motors there are, or the legal range
+     * @example sear.setMotorSpeed("engine", 6.5)
+     */
+    public void setMotorSpeed(String name, double speed) {
+        calls.act(() -> parts.actuators().speed(name, speed));
+    }
+
+    /**
+     * How fast a motor's wheels turn now, rad/s, + forward; the mean of several.
+     *
+     * @param name of the motor
+     * @throws IllegalArgumentException that names the motors there are
+     * @example print "%.2f rad/s" % sear.getMotorSpeed("engine")
+     */
+    public double getMotorSpeed(String name) {
+        return calls.attempt(() -> parts.actuators().speed(name));
+    }
+
+    /**
+     * What a motor's encoder has counted since start or reset, + forward; 0 for a motor without one.
+     *
+     * @param name of the motor
+     * @throws IllegalArgumentException that names the motors there are
+     * @example print sear.getEncoder("engine"), "counts"
+     */
+    public long getEncoder(String name) {
+        return calls.attempt(() -> parts.actuators().counts(name));
+    }
+
     // ---- reading (a simulation must run) ---------------------------------------------------------------------------
 
     /**

@@ -21,6 +21,7 @@ import org.myrobotlab.service.sear.panel.Preview;
 import org.myrobotlab.service.sear.panel.TerrainMap;
 import org.myrobotlab.service.sear.panel.WorldFeed;
 import org.myrobotlab.service.sear.readings.Publisher;
+import org.myrobotlab.service.sear.readings.ScriptActuators;
 import org.myrobotlab.service.sear.readings.ScriptDriving;
 import org.myrobotlab.service.sear.readings.ScriptReadings;
 import org.myrobotlab.service.sear.run.SimulationControl;
@@ -36,6 +37,7 @@ final class SearParts {
     private final SimulationControl control;
     private final ScriptReadings readings;
     private final ScriptDriving driving;
+    private final ScriptActuators actuators;
     private final Projects projects;
     private final Publisher publisher;
     private final Exports exports;
@@ -49,6 +51,7 @@ final class SearParts {
         control = new SimulationControl(host, Projects::folder);
         readings = new ScriptReadings(control);
         driving = new ScriptDriving(control);
+        actuators = new ScriptActuators(control);
         projects = new Projects(control, host);
         publisher = new Publisher(host, control, readings);
         exports = new Exports(host, control);
@@ -81,6 +84,10 @@ final class SearParts {
 
     public ScriptDriving driving() {
         return driving;
+    }
+
+    public ScriptActuators actuators() {
+        return actuators;
     }
 
     public Projects projects() {

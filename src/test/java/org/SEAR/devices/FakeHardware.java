@@ -29,6 +29,11 @@ public final class FakeHardware implements RobotHardware {
     }
 
     @Override
+    public MotorHardware getMotor(String name) {
+        return null;
+    }
+
+    @Override
     public double getWheelBase() {
         return base;
     }

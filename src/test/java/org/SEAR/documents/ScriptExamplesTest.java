@@ -22,16 +22,24 @@ public class ScriptExamplesTest {
     private static final List<String> WHILE_STOPPED = Arrays.asList("startSimulation", "setGroundVisible", "newProject", "loadProject",
         "importRobot", "importEnvironment", "copyTemplate");
 
+    /** Calls that have a vehicle: their examples run with the first block of its page. */
+    private static final List<String> VEHICLES = Arrays.asList("setMotorPower", "setMotorSpeed", "getMotorSpeed", "getEncoder");
+
     /** Brings about what the page takes as there before each example. */
     private static final String READY = String.join("\n",
         "import os",
         "def ready(running):",
-        "    if sear.isSimulating() and not running: sear.stopSimulation()",
+        "    if sear.isSimulating() and (not running or os.path.exists('SEARproject/robot/car.xml')): sear.stopSimulation()",
         "    if running and not sear.isSimulating():",
         "        if 'gpsUnit1.xml' not in ''.join(os.listdir('SEARproject/robot') if os.path.exists('SEARproject/robot') else []):",
         "            sear.loadProject('examples/sensors.sear')",
         "        sear.startSimulation()",
         "    if not running and not os.path.exists('SEARproject'): sear.loadProject('examples/sensors.sear')",
+        "def vehicle():",
+        "    if os.path.exists('SEARproject/robot/car.xml'): return",
+        "    if sear.isSimulating(): sear.stopSimulation()",
+        "    sear.newProject()",
+        "    exec VEHICLE in globals()",
         "def connected(service, port, baud):",
         "    if sear.isPaused(): sear.resume()",
         "    if not service.isConnected(): service.connect(port, baud)",
@@ -43,7 +51,8 @@ public class ScriptExamplesTest {
     @Test
     public void everyExampleRuns() throws Exception {
         List<String> blocks = DocBlock.of("docs/scripting.md", "python");
-        StringBuilder script = new StringBuilder(String.join("\n", blocks.subList(0, LONG_BLOCKS))).append('\n').append(READY);
+        StringBuilder script = new StringBuilder(String.join("\n", blocks.subList(0, LONG_BLOCKS))).append('\n')
+            .append("VEHICLE = '''").append(DocBlock.of("docs/vehicles.md", "python").get(0)).append("'''\n").append(READY);
         int count = 0;
         ScriptDocs docs = new ScriptDocs(ROOT);
         for (String service : ScriptDocs.SERVICES) {
@@ -51,7 +60,8 @@ public class ScriptExamplesTest {
                 script.append("ready(False)\nfor port in sear.getExports(): sear.endExport(port)\n");
             }
             for (ScriptCall call : docs.calls(service)) {
-                script.append("ready(").append(WHILE_STOPPED.contains(call.name) ? "False" : "True").append(")\n");
+                script.append(VEHICLES.contains(call.name) ? "vehicle()\n"
+                    : "ready(" + (WHILE_STOPPED.contains(call.name) ? "False" : "True") + ")\n");
                 if (service.equals("LIDAR") && !call.name.equals("connect")) {
                     script.append("connected(lidar, '/dev/SEAR_LIDAR_01', 38400)\n");
                 } else if (service.equals("GPS") && !call.name.equals("connect")) {

@@ -43,8 +43,8 @@ public class JythonTest {
         assertEquals(39, read.getEnvironment().size());
         assertEquals(5, read.getWarnings().size());
         SEARrobot robot = read.getRobots().get(0);
-        assertEquals(4, robot.getWheels().size());
-        assertEquals(33, robot.getComponents().size());
+        assertEquals(9, robot.getWheels().size());
+        assertEquals(36, robot.getComponents().size());
     }
 
     @Test

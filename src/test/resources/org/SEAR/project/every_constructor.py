@@ -1,6 +1,6 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
 from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, Model, \
-    Noise, Odometer, SEARrobot, Sphere, Terrain, Wheel
+    Motor, Noise, Odometer, SEARrobot, Sphere, Terrain, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
 TREE = "models/Tree/Tree.mesh.xml"
@@ -160,3 +160,15 @@ imu.setPorts("/dev/o", "/dev/p")
 imu.setBaud(115200)
 imu.setExport("ttyIMU")
 imu.setExport(5011)
+
+driven = [Wheel("driven%d" % number, 0.1, 0.05) for number in range(5)]
+for wheel in driven:
+    robot.addWheel(wheel)
+add(Motor(name(), driven[0]))
+add(Motor(name(), driven[1], 0.6, 20))
+motor = add(Motor(name(), driven[2], 0.02, 500, 25, 12))
+motor.addWheel(driven[3])
+motor.setStallTorque(0.03)
+motor.setNoLoadSpeed(600)
+motor.setGearRatio(20.4)
+motor.setEncoderCounts(48)

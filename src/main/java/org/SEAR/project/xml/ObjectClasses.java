@@ -14,6 +14,7 @@ import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Gyroscope;
 import org.SEAR.POJOs.IMU;
 import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.ObjectTypes;
 import org.SEAR.POJOs.Odometer;
 import org.SEAR.POJOs.SEARrobot;
@@ -23,8 +24,8 @@ import org.SEAR.POJOs.Shape;
 /** All classes that may stand as root element in an object's file: the grammar's own, shapes as {@code physics.solid.Solids}
  * lists them, and those that other jars register. Immutable, any thread. */
 public final class ObjectClasses {
-    private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Distance.class,
-        LIDAR.class, GPS.class, Compass.class, Accelerometer.class, Gyroscope.class, Odometer.class, IMU.class);
+    private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Motor.class,
+        Distance.class, LIDAR.class, GPS.class, Compass.class, Accelerometer.class, Gyroscope.class, Odometer.class, IMU.class);
 
     private final Map<String, Class<? extends SearObject>> byElement = new TreeMap<>();
     private final List<Class<? extends SearObject>> inOrder = new ArrayList<>();

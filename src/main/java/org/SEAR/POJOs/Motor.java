@@ -1,0 +1,171 @@
+package org.SEAR.POJOs;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+
+/**
+ * An electric motor with its gear, which turns one or more wheels of the robot it belongs to. Its torque falls in a straight line with its speed:
+ * torque = stallTorque (power - speed / noLoadSpeed). Its wheels share the torque, each at its own speed. A simulation's SEAR service commands it.
+ */
+@Described("an electric motor with its gear, which turns wheels of its robot: torque = stallTorque (power - speed / noLoadSpeed); its wheels share"
+    + " the torque, each at its own speed")
+public class Motor extends SearObject {
+    /** Most wheels of a motor. */
+    private static final int MAX_WHEELS = 100;
+    private static final double STALL_TORQUE = 0.5;
+    private static final double NO_LOAD_SPEED = 20;
+    private static final int COUNTS = 360;
+
+    @Param(doc = "name of a driven wheel of the same robot, which it turns", element = "wheel", text = TextRule.NAME, maxEntries = MAX_WHEELS)
+    private List<String> wheelNames = new ArrayList<>();
+    @Param(doc = "torque of the motor's shaft when it stands still with full power", unit = "N m", min = 1e-6, max = 1e6)
+    private double stallTorque = STALL_TORQUE;
+    @Param(doc = "speed of the motor's shaft with full power and no load", unit = "rad/s", min = 0.001, max = 1e5)
+    private double noLoadSpeed = NO_LOAD_SPEED;
+    @Param(doc = "turns of the motor's shaft for one turn of its wheels", min = 0.001, max = 1e5)
+    private double gearRatio = 1;
+    @Param(doc = "counts of the encoder on the motor's shaft for one turn of that; 0 for a motor without one", max = 1e6)
+    private int encoderCounts = COUNTS;
+
+    /** For reading from a file. */
+    protected Motor() {
+    }
+
+    /**
+     * A small gear motor: 0.5 N m when it stalls, 20 rad/s without load, an encoder of 360 counts a turn.
+     *
+     * @param wheel a driven one, which no other motor turns
+     */
+    public Motor(String name, Wheel wheel) {
+        this(name, wheel, STALL_TORQUE, NO_LOAD_SPEED);
+    }
+
+    /**
+     * Without a gear beyond what is in the numbers.
+     *
+     * @param stallTorque N m
+     * @param noLoadSpeed rad/s
+     */
+    public Motor(String name, Wheel wheel, double stallTorque, double noLoadSpeed) {
+        this(name, wheel, stallTorque, noLoadSpeed, 1, COUNTS);
+    }
+
+    /**
+     * With everything.
+     *
+     * @param stallTorque of the motor's shaft, N m
+     * @param noLoadSpeed of the motor's shaft, rad/s
+     * @param gearRatio turns of the motor's shaft for one of the wheel
+     * @param encoderCounts for one turn of the motor's shaft, 0 for no encoder
+     */
+    public Motor(String name, Wheel wheel, double stallTorque, double noLoadSpeed, double gearRatio, int encoderCounts) {
+        super(name);
+        this.stallTorque = stallTorque;
+        this.noLoadSpeed = noLoadSpeed;
+        this.gearRatio = gearRatio;
+        this.encoderCounts = encoderCounts;
+        checkWheel(wheel);
+        wheelNames.add(wheel.getName());
+        created(Motor.class);
+        wheel.setMotor(this);
+    }
+
+    @Override
+    boolean isRobotPart() {
+        return true;
+    }
+
+    @Override
+    protected void crossCheck(Faults faults) {
+        if (wheelNames.isEmpty()) {
+            faults.add("wheel", "", "the name of a driven wheel of the same robot");
+        }
+    }
+
+    private void checkWheel(Wheel wheel) {
+        if (wheel == null) {
+            throw new IllegalArgumentException(label() + ": wheel is missing (None), legal: a driven wheel (type 1)");
+        }
+        if (!wheel.isDriven()) {
+            throw new IllegalArgumentException(label() + ": " + wheel.label() + " has type " + wheel.getType() + ", legal: a driven wheel (type 1)");
+        }
+        Motor other = wheel.getMotor();
+        if (other != null && !other.getName().equals(getName())) {
+            throw new IllegalArgumentException(label() + ": " + wheel.label() + " is turned by " + other.label() + ", legal: one motor a wheel;"
+                + " motor.addWheel(wheel) gives a motor several wheels");
+        }
+        if (robot() != null && wheel.robot() != null && robot() != wheel.robot()) {
+            throw new IllegalArgumentException(label() + ": " + wheel.label() + " is a wheel of " + wheel.robot().label() + ", legal: a wheel of "
+                + robot().label());
+        }
+    }
+
+    /**
+     * Has it turn another wheel, too, with a share of the torque.
+     *
+     * @throws IllegalArgumentException if it isn't driven, or another motor turns it, or it is on another robot
+     */
+    public void addWheel(Wheel wheel) {
+        checkChangeable();
+        checkWheel(wheel);
+        if (wheelNames.contains(wheel.getName())) {
+            throw new IllegalArgumentException(label() + ": " + wheel.label() + " is its wheel already, legal: another wheel");
+        }
+        if (wheelNames.size() >= MAX_WHEELS) {
+            throw new IllegalArgumentException(label() + ": wheel is " + wheel.label() + ", legal: at most " + MAX_WHEELS + " wheels");
+        }
+        wheelNames.add(wheel.getName());
+        wheel.setMotor(this);
+        changed();
+    }
+
+    /** Names of the wheels that it turns, a view. */
+    public List<String> getWheelNames() {
+        return Collections.unmodifiableList(wheelNames);
+    }
+
+    /** N m, of the motor's shaft. */
+    public double getStallTorque() {
+        return stallTorque;
+    }
+
+    /** rad/s, of the motor's shaft. */
+    public double getNoLoadSpeed() {
+        return noLoadSpeed;
+    }
+
+    /** Turns of the motor's shaft for one of its wheels. */
+    public double getGearRatio() {
+        return gearRatio;
+    }
+
+    /** Counts for one turn of the motor's shaft; 0 for no encoder. */
+    public int getEncoderCounts() {
+        return encoderCounts;
+    }
+
+    /** @param newTorque of the motor's shaft, N m */
+    public void setStallTorque(double newTorque) {
+        stallTorque = checked("stallTorque", newTorque);
+        changed();
+    }
+
+    /** @param newSpeed of the motor's shaft, rad/s */
+    public void setNoLoadSpeed(double newSpeed) {
+        noLoadSpeed = checked("noLoadSpeed", newSpeed);
+        changed();
+    }
+
+    /** @param newRatio turns of the motor's shaft for one of its wheels */
+    public void setGearRatio(double newRatio) {
+        gearRatio = checked("gearRatio", newRatio);
+        changed();
+    }
+
+    /** @param newCounts for one turn of the motor's shaft; 0 for no encoder */
+    public void setEncoderCounts(int newCounts) {
+        encoderCounts = checked("encoderCounts", newCounts);
+        changed();
+    }
+}

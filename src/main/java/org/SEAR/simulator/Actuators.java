@@ -1,0 +1,42 @@
+package org.SEAR.simulator;
+
+import java.util.List;
+import java.util.TreeMap;
+import org.SEAR.POJOs.Motor;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.devices.MotorHardware;
+import org.SEAR.project.PartNames;
+import org.SEAR.robot.RobotModel;
+
+/** Finds what moves on robots by its names. What it finds belongs to the simulation thread. */
+final class Actuators {
+    private final PartNames<MotorHardware> motors = new PartNames<>();
+    /** Full names, ordered, with their kinds. */
+    private final TreeMap<String, String> names = new TreeMap<>();
+
+    Actuators(List<RobotModel> robots) {
+        for (RobotModel robot : robots) {
+            String name = robot.getObject().getName();
+            for (SearObject part : robot.getObject().getComponents()) {
+                if (part instanceof Motor) {
+                    motors.add(name, part.getName(), robot.getMotor(part.getName()));
+                    names.put(part.getFullName(), "motor");
+                }
+            }
+        }
+    }
+
+    MotorHardware motor(String name) {
+        return found(motors.find(name), "motor", name);
+    }
+
+    private <T> T found(T thing, String kind, String name) {
+        if (thing == null) {
+            StringBuilder there = new StringBuilder();
+            names.forEach((one, of) -> there.append(of.equals(kind) ? " " + one : ""));
+            throw new IllegalArgumentException("no " + kind + " is called \"" + name + "\", legal:"
+                + (there.length() == 0 ? " none, no robot of the project has one" : there));
+        }
+        return thing;
+    }
+}

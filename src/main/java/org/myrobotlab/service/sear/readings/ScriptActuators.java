@@ -1,0 +1,52 @@
+package org.myrobotlab.service.sear.readings;
+
+import java.util.function.Consumer;
+import org.SEAR.POJOs.ScriptText;
+import org.SEAR.devices.MotorHardware;
+import org.SEAR.simulator.Simulation;
+import org.myrobotlab.service.sear.run.SimulationControl;
+
+/** Motors by call. An order holds from the start of the next step until the next order. Any thread. */
+public final class ScriptActuators {
+    private final SimulationControl control;
+
+    public ScriptActuators(SimulationControl control) {
+        this.control = control;
+    }
+
+    /** @param power share of the full voltage, -1 to 1 */
+    public void power(String name, double power) throws InterruptedException {
+        control.session().scriptDrives();
+        ask(name, motor -> motor.setPower(power));
+    }
+
+    /** @param speed of the wheels, rad/s */
+    public void speed(String name, double speed) throws InterruptedException {
+        control.session().scriptDrives();
+        ask(name, motor -> motor.setSpeed(speed));
+    }
+
+    /** Mean speed of its wheels, rad/s. */
+    public double speed(String name) throws InterruptedException {
+        return control.session().ask(world -> motor(world, name).getSpeed());
+    }
+
+    /** What its encoder has counted. */
+    public long counts(String name) throws InterruptedException {
+        return control.session().ask(world -> motor(world, name).getCounts());
+    }
+
+    private void ask(String name, Consumer<MotorHardware> order) throws InterruptedException {
+        control.session().ask(world -> {
+            order.accept(motor(world, name));
+            return true;
+        });
+    }
+
+    private static MotorHardware motor(Simulation world, String name) {
+        if (name == null) {
+            throw new IllegalArgumentException("the name is missing (None), legal: the name of a motor");
+        }
+        return world.getMotor(ScriptText.of(name));
+    }
+}

@@ -45,6 +45,7 @@ public class RoomsTest {
         "org.SEAR.project.models", "org.SEAR.project.problems",
         "org.SEAR.terrain.relief", "org.SEAR.geometry", "org.SEAR.POJOs", "org.SEAR.protocol.scip", "org.SEAR.protocol.rplidar",
         "org.SEAR.protocol.lidar", "org.SEAR.protocol.lms", "org.SEAR.protocol.cola", "org.SEAR.protocol.nmea", "org.SEAR.protocol.ubx",
+        "org.SEAR.protocol.firmata", "org.SEAR.protocol.mrlcomm", "org.SEAR.protocol.arduino",
         "org.SEAR.protocol");
     private static final List<String> CORE = ROOMS.subList(ROOMS.indexOf("org.SEAR.simulator"), ROOMS.size());
     /** The one that makes a thread, for a model's loading only, and waits for it: see there. */

@@ -1,0 +1,43 @@
+package org.SEAR.protocol.firmata;
+
+/** The messages of the encoder feature; up to {@link #ENCODERS} encoders, positions of 28 bits and a sign. */
+public final class EncoderMessage {
+    /** Most encoders. */
+    public static final int ENCODERS = 5;
+    /** First byte of data of a request: an encoder's pins follow. */
+    public static final int ATTACH = 0;
+    /** Report one encoder. */
+    public static final int REPORT = 1;
+    /** Report all encoders. */
+    public static final int REPORT_ALL = 2;
+    /** The position of an encoder is 0 now. */
+    public static final int RESET = 3;
+    /** Report all of them at each sample, or no more. */
+    public static final int AUTOMATIC = 4;
+    /** An encoder is given up. */
+    public static final int DETACH = 5;
+    private static final int SIZE = 5;
+    private static final int NEGATIVE = 0x40;
+    private static final int BITS = 7;
+
+    private EncoderMessage() {
+    }
+
+    /**
+     * Positions, {@code F0 61 (number, position)... F7}.
+     *
+     * @param numbers of the encoders
+     * @param positions of these, in their order
+     */
+    public static FirmataMessage positions(int[] numbers, long[] positions) {
+        int[] data = new int[SIZE * numbers.length];
+        for (int i = 0; i < numbers.length; i++) {
+            long size = Math.abs(positions[i]);
+            data[SIZE * i] = numbers[i] | (positions[i] < 0 ? NEGATIVE : 0);
+            for (int k = 0; k < SIZE - 1; k++) {
+                data[SIZE * i + 1 + k] = (int) (size >> BITS * k);
+            }
+        }
+        return FirmataMessage.sysex(Feature.ENCODER, data);
+    }
+}

@@ -1,0 +1,47 @@
+package org.SEAR.protocol.firmata;
+
+/** Modes of a pin, with their code and, in the answer to a capability query, their resolution in bits. */
+public enum PinMode {
+    /** Digital input. */
+    INPUT(0x00, 1),
+    /** Digital input with its pull-up resistor. */
+    PULLUP(0x0B, 1),
+    /** Digital output. */
+    OUTPUT(0x01, 1),
+    /** Analog input. */
+    ANALOG(0x02, 10),
+    /** Pulse width modulation. */
+    PWM(0x03, 8),
+    /** Servo pulses. */
+    SERVO(0x04, 14),
+    /** Two-wire bus. */
+    I2C(0x06, 1);
+
+    private final int code;
+    private final int resolution;
+
+    PinMode(int code, int resolution) {
+        this.code = code;
+        this.resolution = resolution;
+    }
+
+    /** The mode of a code; null if there is none that is known here. */
+    public static PinMode of(int code) {
+        for (PinMode mode : values()) {
+            if (mode.code == code) {
+                return mode;
+            }
+        }
+        return null;
+    }
+
+    /** Its byte. */
+    public int getCode() {
+        return code;
+    }
+
+    /** Bits. */
+    public int getResolution() {
+        return resolution;
+    }
+}

@@ -12,9 +12,9 @@ public class BeamCone {
     public static final int MAX_LINES = 360;
     private static final String DEFAULT_COLOR = "#ffa500";
 
-    @Param(doc = "angle between axis and rim; 0 is a single line", unit = "deg", max = 90, required = true)
+    @Param(doc = "angle between axis and rim; 0 is a single line", unit = "deg", max = 90, required = true, initial = "15")
     private double halfAngle;
-    @Param(doc = "length of each line", unit = "m", min = 0.001, max = 10000, required = true)
+    @Param(doc = "length of each line", unit = "m", min = 0.001, max = 10000, required = true, initial = "3")
     private double range;
     @Param(doc = "colour of the lines", text = TextRule.COLOR)
     private String color = DEFAULT_COLOR;

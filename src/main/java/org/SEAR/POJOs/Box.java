@@ -3,11 +3,11 @@ package org.SEAR.POJOs;
 /** A box: length along x, height along y, width along z, centred on its origin. Its default picture is a cardboard box. */
 @Described("a box: length along x, height along y, width along z")
 public class Box extends Shape {
-    @Param(doc = "size along x", unit = "m", min = SMALL, max = LARGE, required = true)
+    @Param(doc = "size along x", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.5")
     private double length;
-    @Param(doc = "size along z", unit = "m", min = SMALL, max = LARGE, required = true)
+    @Param(doc = "size along z", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.5")
     private double width;
-    @Param(doc = "size along y", unit = "m", min = SMALL, max = LARGE, required = true)
+    @Param(doc = "size along y", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.5")
     private double height;
 
     /** For reading from a file. */

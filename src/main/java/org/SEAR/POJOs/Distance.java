@@ -12,7 +12,7 @@ public class Distance extends SensorObject {
     private static final int MAX_CONES = 100;
 
     @Param(doc = "name of a beam that comes with SEAR or lies in the project's beams folder; not together with cones of its own",
-        text = TextRule.NAME)
+        text = TextRule.NAME, initial = DEFAULT_BEAM)
     private String beam;
     @Param(doc = "a cone of its own", element = "cone", maxEntries = MAX_CONES)
     private List<BeamCone> cones = new ArrayList<>();

@@ -10,7 +10,7 @@ public class Dynamics extends SearObject implements SerialObject {
     private static final double MAX_FORCE = 10000;
     private static final double REST_LENGTH = 0.1;
 
-    @Param(doc = "mass of the whole robot", unit = "kg", min = 0.001, max = Shape.HEAVY, required = true)
+    @Param(doc = "mass of the whole robot", unit = "kg", min = 0.001, max = Shape.HEAVY, required = true, initial = "3")
     private double mass;
     @Param(doc = "stiffness of the suspension, in Bullet's measure", unit = "1/s^2", max = 1e6)
     private double stiffness = STIFFNESS;

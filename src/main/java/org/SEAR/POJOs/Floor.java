@@ -6,9 +6,9 @@ public class Floor extends Shape {
     /** How far a floor reaches down below its top, metres. */
     public static final double THICKNESS = 0.1;
 
-    @Param(doc = "size along x", unit = "m", min = SMALL, max = LARGE, required = true)
+    @Param(doc = "size along x", unit = "m", min = SMALL, max = LARGE, required = true, initial = "10")
     private double length;
-    @Param(doc = "size along z", unit = "m", min = SMALL, max = LARGE, required = true)
+    @Param(doc = "size along z", unit = "m", min = SMALL, max = LARGE, required = true, initial = "10")
     private double width;
     @Param(doc = "metres that the picture is wide and high, after which it is repeated; without it a picture of its own covers the floor once",
         unit = "m", min = 0.01, max = LARGE)

@@ -10,11 +10,11 @@ public class GPS extends SensorObject implements SerialObject {
     private static final int UBLOX_BAUD = 9600;
 
     @Param(doc = "latitude of the world's centre, north positive; without it, altitude and longitude the terrain says where it is", unit = "deg",
-        min = -90, max = 90)
+        min = -90, max = 90, initial = "0")
     private Double latitude;
-    @Param(doc = "altitude of the world's centre", unit = "m", min = -12000, max = 100000)
+    @Param(doc = "altitude of the world's centre", unit = "m", min = -12000, max = 100000, initial = "0")
     private Double altitude;
-    @Param(doc = "longitude of the world's centre, east positive", unit = "deg", min = -180, max = 180)
+    @Param(doc = "longitude of the world's centre, east positive", unit = "deg", min = -180, max = 180, initial = "0")
     private Double longitude;
     @Included
     private final SerialParameters serial = new SerialParameters(MEDIATEK_BAUD);

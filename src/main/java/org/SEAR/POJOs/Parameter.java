@@ -109,6 +109,27 @@ public final class Parameter {
         return param.required();
     }
 
+    /** The only legal texts or whole numbers; empty if any that fits the rest is. */
+    public List<String> getValues() {
+        return List.of(param.values());
+    }
+
+    /** Whether 0 is legal, too, where the smallest number is above it. */
+    public boolean isOrZero() {
+        return param.orZero();
+    }
+
+    /**
+     * The text of the value with which an object begins that is made with nothing but its name, where that is not the default: of a required
+     * number that says none, the one nearest to 1 that is legal.
+     *
+     * @return empty if it begins with the default, or somebody has to say it
+     */
+    public String getInitial() {
+        boolean number = kind == Kind.NUMBER || kind == Kind.WHOLE;
+        return param.initial().isEmpty() && param.required() && number ? format(Math.max(param.min(), Math.min(param.max(), 1))) : param.initial();
+    }
+
     /** The class of a group's parameters; for others the value's own type. */
     public Class<?> getType() {
         return type;

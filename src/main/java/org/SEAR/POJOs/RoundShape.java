@@ -2,9 +2,9 @@ package org.SEAR.POJOs;
 
 /** A shape that is round about its y axis, centred on its origin. */
 public abstract class RoundShape extends Shape {
-    @Param(doc = "radius; of a cone, that of its base", unit = "m", min = SMALL, max = LARGE, required = true)
+    @Param(doc = "radius; of a cone, that of its base", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.2")
     private double radius;
-    @Param(doc = "size along y", unit = "m", min = SMALL, max = LARGE, required = true)
+    @Param(doc = "size along y", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.5")
     private double height;
 
     /** For reading from a file. */

@@ -69,7 +69,9 @@ public abstract class SearObject {
         boolean taken = isTaken();
         life = Life.LIVE;
         changed();
-        Notices.made(label(), name, taken);
+        if (!Stores.isRedirected()) {
+            Notices.made(label(), name, taken);
+        }
     }
 
     private boolean isTaken() {

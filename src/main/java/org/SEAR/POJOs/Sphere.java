@@ -3,7 +3,7 @@ package org.SEAR.POJOs;
 /** A sphere, centred on its origin; scaled, an ellipsoid. Without a picture it is plain. */
 @Described("a sphere; scaled differently along its axes, an ellipsoid")
 public class Sphere extends Shape {
-    @Param(doc = "radius", unit = "m", min = SMALL, max = LARGE, required = true)
+    @Param(doc = "radius", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.2")
     private double radius;
 
     /** For reading from a file. */

@@ -1,16 +1,41 @@
 package org.SEAR.POJOs;
 
 import java.util.ServiceLoader;
+import java.util.function.Supplier;
 
 /** The one store of this program. */
 final class Stores {
     private static final ObjectStore STORE = ServiceLoader.load(ObjectStore.class, ObjectStore.class.getClassLoader()).findFirst()
         .orElseThrow(() -> new IllegalStateException("no org.SEAR.POJOs.ObjectStore on the class path: sear.jar is incomplete"));
 
+    /** What keeps the objects that a thread makes just now, in the place of the one store. */
+    private static final ThreadLocal<ObjectStore> INSTEAD = new ThreadLocal<>();
+
     private Stores() {
     }
 
     static ObjectStore get() {
-        return STORE;
+        ObjectStore instead = INSTEAD.get();
+        return instead == null ? STORE : instead;
+    }
+
+    /** Whether another store keeps what this thread makes. */
+    static boolean isRedirected() {
+        return INSTEAD.get() != null;
+    }
+
+    /** Has another store keep what this thread makes meanwhile. */
+    static <T> T with(ObjectStore store, Supplier<T> maker) {
+        ObjectStore before = INSTEAD.get();
+        INSTEAD.set(store);
+        try {
+            return maker.get();
+        } finally {
+            if (before == null) {
+                INSTEAD.remove();
+            } else {
+                INSTEAD.set(before);
+            }
+        }
     }
 }

@@ -13,9 +13,9 @@ public class Wheel extends Shape {
     /** Type of a wheel with a motor. */
     public static final int DRIVEN = 1;
 
-    @Param(doc = "radius", unit = "m", min = SMALL, max = 100, required = true)
+    @Param(doc = "radius", unit = "m", min = SMALL, max = 100, required = true, initial = "0.05")
     private double radius;
-    @Param(doc = "size along its axle", unit = "m", min = SMALL, max = 100, required = true)
+    @Param(doc = "size along its axle", unit = "m", min = SMALL, max = 100, required = true, initial = "0.03")
     private double width;
     @Param(doc = "1 for a driven wheel, 0 for an idler, which rolls freely", values = {"0", "1"}, max = 1)
     private int type = DRIVEN;

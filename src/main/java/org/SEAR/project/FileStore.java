@@ -52,6 +52,22 @@ public final class FileStore implements ObjectStore {
         }
     }
 
+    /**
+     * Writes a file beside its place and moves it there: whole or not at all.
+     *
+     * @throws IOException if it can't be written; the old one is whole then
+     */
+    public static void writeAtomically(Path file, byte[] bytes) throws IOException {
+        Path temporary = file.resolveSibling("." + file.getFileName() + "." + PROCESS + ProjectFolder.TEMPORARY);
+        try {
+            Files.write(temporary, bytes);
+            Files.move(temporary, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        } catch (IOException e) {
+            Files.deleteIfExists(temporary);
+            throw e;
+        }
+    }
+
     private static void refuseOtherCapitals(Path file, String name) throws IOException {
         String wanted = file.getFileName().toString();
         if (Files.exists(file)) {
@@ -64,17 +80,6 @@ public final class FileStore implements ObjectStore {
                         + " by more than capitals, since some systems take both for the same file");
                 }
             }
-        }
-    }
-
-    static void writeAtomically(Path file, byte[] bytes) throws IOException {
-        Path temporary = file.resolveSibling("." + file.getFileName() + "." + PROCESS + ProjectFolder.TEMPORARY);
-        try {
-            Files.write(temporary, bytes);
-            Files.move(temporary, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-        } catch (IOException e) {
-            Files.deleteIfExists(temporary);
-            throw e;
         }
     }
 

@@ -2,6 +2,7 @@ package org.SEAR.project;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.geometry.GeoOrigin;
@@ -37,6 +38,16 @@ public final class Project {
      */
     public static Project read(Path folder) throws ProjectException {
         return new ProjectReader(folder).read();
+    }
+
+    /**
+     * Reads and validates a folder as it would be with some of its files changed.
+     *
+     * @param changes bytes by absolute path; null for a file that is to be deleted
+     * @throws ProjectException with every problem found
+     */
+    public static Project read(Path folder, Map<Path, byte[]> changes) throws ProjectException {
+        return new ProjectReader(folder, changes).read();
     }
 
     /** The folder of this program: {@code SEARproject} in the working folder, or what the system property {@code sear.project} says. */

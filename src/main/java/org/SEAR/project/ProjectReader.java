@@ -11,6 +11,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.SEAR.POJOs.Assembly;
@@ -37,12 +38,20 @@ final class ProjectReader {
     private static final int BATCH = 256;
 
     private final Path folder;
+    /** What is read in the place of the files on the disk: their bytes, null for a file that counts as missing. */
+    private final Map<Path, byte[]> changes;
     private final ProblemList problems = new ProblemList();
     private final List<String> warnings = new ArrayList<>();
     private final ObjectClasses classes = ObjectClasses.find();
 
     ProjectReader(Path folder) {
+        this(folder, Map.of());
+    }
+
+    /** @param changes bytes by absolute path of files that are read in the place of those on the disk; null for one that counts as missing */
+    ProjectReader(Path folder, Map<Path, byte[]> changes) {
         this.folder = folder.toAbsolutePath().normalize();
+        this.changes = changes;
     }
 
     Project read() throws ProjectException {
@@ -51,7 +60,7 @@ final class ProjectReader {
         } catch (IOException e) {
             problems.add(folder.toString(), 0, "", "it can't be opened (" + e.getMessage() + ")", "a SEARproject folder");
         }
-        if (!Files.isDirectory(folder)) {
+        if (!Files.isDirectory(folder) && changes.isEmpty()) {
             problems.add(folder.toString(), 0, "", "there is no such folder", "a SEARproject folder; creating an object makes one");
             problems.throwIfAny();
         }
@@ -106,7 +115,7 @@ final class ProjectReader {
         List<ReadFile> all = new ArrayList<>();
         for (int from = 0; from < files.size() && !problems.isFull(); from += BATCH) {
             List<Path> batch = files.subList(from, Math.min(files.size(), from + BATCH));
-            batch.parallelStream().map(file -> new ReadFile(file, name, roots)).collect(Collectors.toList()).forEach(read -> {
+            batch.parallelStream().map(file -> new ReadFile(file, changes.get(file), name, roots)).collect(Collectors.toList()).forEach(read -> {
                 problems.addAll(read.problems);
                 all.add(read);
                 if (!read.parsed.isBroken()) {
@@ -129,10 +138,11 @@ final class ProjectReader {
         final ProblemList problems = new ProblemList();
         final ParsedObject parsed;
 
-        ReadFile(Path file, String folder, Map<String, Class<? extends SearObject>> roots) {
+        /** @param bytes what counts in the place of the file; null for the file itself */
+        ReadFile(Path file, byte[] bytes, String folder, Map<String, Class<? extends SearObject>> roots) {
             name = folder + "/" + file.getFileName();
             stem = stem(file);
-            ParsedObject read = Xml.read(file, name, roots, problems);
+            ParsedObject read = bytes == null ? Xml.read(file, name, roots, problems) : Xml.parse(bytes, name, roots, problems);
             parsed = read == null ? ParsedObject.broken(name, 0) : read;
         }
     }
@@ -159,16 +169,31 @@ final class ProjectReader {
     }
 
     private List<Path> list(Path directory, String name) {
+        List<Path> files = onDisk(directory, name);
+        if (!changes.isEmpty()) {
+            TreeSet<Path> changed = new TreeSet<>(files);
+            changes.forEach((file, bytes) -> {
+                if (bytes == null) {
+                    changed.remove(file);
+                } else if (directory.equals(file.getParent()) && isObjectFile(file, name)) {
+                    changed.add(file);
+                }
+            });
+            files = List.copyOf(changed);
+        }
+        if (files.size() > MAX_FILES) {
+            problems.add(name, 0, "", "it has more than " + MAX_FILES + " files", "at most " + MAX_FILES + " objects");
+            return List.of();
+        }
+        return files;
+    }
+
+    private List<Path> onDisk(Path directory, String name) {
         if (!Files.isDirectory(directory)) {
             return List.of();
         }
         try (Stream<Path> all = Files.list(directory)) {
-            List<Path> files = all.filter(file -> isObjectFile(file, name)).sorted().limit(MAX_FILES + 1L).collect(Collectors.toList());
-            if (files.size() > MAX_FILES) {
-                problems.add(name, 0, "", "it has more than " + MAX_FILES + " files", "at most " + MAX_FILES + " objects");
-                return List.of();
-            }
-            return files;
+            return all.filter(file -> isObjectFile(file, name)).sorted().limit(MAX_FILES + 1L).collect(Collectors.toList());
         } catch (IOException e) {
             problems.add(name, 0, "", "it can't be read (" + e + ")", "a readable folder");
             return List.of();

@@ -53,7 +53,7 @@ public final class ProjectSwap implements AutoCloseable {
     }
 
     /** Changes files of a project: waits while this program replaces it, and finishes what a crash left halfway. */
-    static void change(Path folder, Change change) throws IOException {
+    public static void change(Path folder, Change change) throws IOException {
         CHANGING.lock();
         try {
             recover(folder);

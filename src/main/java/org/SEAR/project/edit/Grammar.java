@@ -1,0 +1,95 @@
+package org.SEAR.project.edit;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Parameter;
+import org.SEAR.POJOs.ParameterTable;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.SensorObject;
+import org.SEAR.POJOs.Shape;
+import org.SEAR.POJOs.Terrain;
+import org.SEAR.POJOs.Wheel;
+import org.SEAR.project.ObjectDocs;
+import org.SEAR.project.xml.ObjectClasses;
+
+/**
+ * The object grammar as maps, lists, texts and numbers for JSON, made from the very classes that read and check the files. Any thread.
+ *
+ * <pre>
+ * [{"type": "Box", "doc": "a box: ..", "kind": "shape" ("sensor", "robot" or "part"), "environment": true, "robot": true (where it may stand),
+ *   "parameters": [{"name": "length", "doc": "size along x", "unit": "m", "kind": "number" ("whole", "switch", "text", "group"),
+ *                   "legal": "a number from ..", "min": 0.0001, "max": 100000, "orZero": false, "values": [], "required": true,
+ *                   "list": false, "most": 1, "default": "", "initial": "0.5" (with which one begins that is made by mouse),
+ *                   "parameters": [..] (of a group)}, ..]}, ..]
+ * </pre>
+ */
+public final class Grammar {
+    private Grammar() {
+    }
+
+    /** All classes of which objects may be made, shapes first. */
+    public static List<Map<String, Object>> types() {
+        List<Map<String, Object>> types = new ArrayList<>();
+        for (Class<? extends SearObject> type : ObjectClasses.find().all()) {
+            Map<String, Object> map = new LinkedHashMap<>();
+            map.put("type", type.getSimpleName());
+            map.put("doc", ObjectDocs.description(type));
+            map.put("kind", kind(type));
+            map.put("environment", standsInEnvironment(type));
+            map.put("robot", standsOnRobot(type));
+            map.put("parameters", parameters(type));
+            types.add(map);
+        }
+        return types;
+    }
+
+    private static String kind(Class<? extends SearObject> type) {
+        if (type == SEARrobot.class) {
+            return "robot";
+        }
+        return SensorObject.class.isAssignableFrom(type) ? "sensor" : Shape.class.isAssignableFrom(type) && type != Wheel.class ? "shape" : "part";
+    }
+
+    /** Whether an object of a class may stand in the world by itself. */
+    static boolean standsInEnvironment(Class<? extends SearObject> type) {
+        return Shape.class.isAssignableFrom(type) && type != Wheel.class;
+    }
+
+    /** Whether an object of a class may be a part of a robot. */
+    static boolean standsOnRobot(Class<? extends SearObject> type) {
+        return type != Floor.class && type != Terrain.class && type != SEARrobot.class;
+    }
+
+    private static List<Map<String, Object>> parameters(Class<?> type) {
+        ParameterTable table = ParameterTable.of(type);
+        List<Map<String, Object>> all = new ArrayList<>();
+        for (Parameter parameter : table.getParameters()) {
+            Map<String, Object> map = new LinkedHashMap<>();
+            map.put("name", parameter.getName());
+            map.put("doc", parameter.getDoc());
+            map.put("unit", parameter.getUnit());
+            map.put("kind", parameter.getKind().name().toLowerCase(Locale.ROOT));
+            map.put("legal", parameter.legal());
+            map.put("min", parameter.getMin());
+            map.put("max", parameter.getMax());
+            map.put("orZero", parameter.isOrZero());
+            map.put("values", parameter.getValues());
+            map.put("required", parameter.isRequired());
+            map.put("list", parameter.isList());
+            map.put("most", parameter.getMaxEntries());
+            boolean group = parameter.getKind() == Parameter.Kind.GROUP;
+            map.put("default", group ? "" : table.defaultOf(parameter));
+            map.put("initial", parameter.getInitial());
+            if (group && parameter.getType() != Wheel.class) {
+                map.put("parameters", parameters(parameter.getType()));
+            }
+            all.add(map);
+        }
+        return all;
+    }
+}

@@ -1,0 +1,354 @@
+package org.SEAR.project.edit;
+
+import java.io.IOException;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.SEAR.POJOs.Parameter;
+import org.SEAR.POJOs.ParameterTable;
+import org.SEAR.POJOs.PlacedObject;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.TextRule;
+import org.SEAR.POJOs.Wheel;
+import org.SEAR.project.ProjectFolder;
+import org.SEAR.project.problems.ProblemList;
+import org.SEAR.project.problems.ProjectException;
+
+/** What edits do to a draft. One use, whoever holds the project's lock. */
+final class Operations {
+    /** Links to other files: other edits than {@code set} see to them. */
+    private static final List<String> LINKS = List.of("name", "component", "wheel");
+    private static final List<String> PORTS = List.of("uartPort", "userPort", "export");
+
+    private final Draft draft;
+    private final Finder finder;
+
+    Operations(Draft draft) {
+        this.draft = draft;
+        this.finder = new Finder(draft);
+    }
+
+    // ---- add, set ------------------------------------------------------------------------------------------------------
+
+    /** {@code type}, {@code name} (or a free one), {@code to} a robot, {@code set} parameters. */
+    Done add(Request edit) throws IOException, ProjectException {
+        String type = edit.text("type");
+        Class<? extends SearObject> found = draft.classes().get(type);
+        if (found == null) {
+            throw Request.refused("type", type, String.join(", ", draft.classes().keySet()));
+        }
+        String to = edit.textOrNull("to");
+        if (to == null && !Grammar.standsInEnvironment(found) && found != SEARrobot.class) {
+            throw Request.refused("to", "", "the name of a robot: a " + type + " is a part of one");
+        }
+        if (to != null && !Grammar.standsOnRobot(found)) {
+            throw Request.refused("to", to, "nothing: a " + type + " can't be a part of a robot");
+        }
+        SEARrobot robot = to == null ? null : finder.robot(to);
+        String name = newName(edit, defaultName(type), robot);
+        SearObject object = (SearObject) ParameterTable.of(found).newInstance();
+        Map<Object, Object> values = new HashMap<>();
+        for (Parameter parameter : ParameterTable.of(found).getParameters()) {
+            if (!parameter.getInitial().isEmpty()) {
+                values.put(parameter.getName(), parameter.getInitial());
+            }
+        }
+        values.putAll(edit.values("set"));
+        assign(object, "name", name);
+        if (object instanceof SEARrobot) {
+            assign(object, "order", order());
+        }
+        Place place = put(object, robot, name);
+        set(place.path, object, values, Map.of());
+        write(place);
+        return new Done("add " + name, place.address());
+    }
+
+    /** Sensible from the class: box1, lidar1, robot1. */
+    private static String defaultName(String type) {
+        String plain = type.startsWith("SEAR") ? type.substring(4) : type;
+        boolean capitals = plain.equals(plain.toUpperCase(Locale.ROOT));
+        return capitals ? plain.toLowerCase(Locale.ROOT) : Character.toLowerCase(plain.charAt(0)) + plain.substring(1);
+    }
+
+    /** @param robot whose part is to have the name; null for a thing of the environment and a robot */
+    private String newName(Request edit, String proposed, SEARrobot robot) throws IOException, ProjectException {
+        String name = edit.textOrNull("name");
+        if (name == null || name.isEmpty()) {
+            return finder.free(proposed);
+        }
+        checkName(name, robot);
+        return name;
+    }
+
+    private void checkName(String name, SEARrobot robot) throws IOException, ProjectException {
+        if (!TextRule.NAME.isLegal(name)) {
+            throw Request.refused("name", name, TextRule.NAME.legal());
+        }
+        if (finder.isTaken(name, robot)) {
+            throw Request.refused("name", name, "a name that no other object has, not even with other capitals, such as " + finder.free(name));
+        }
+    }
+
+    /** The place of a robot that is made now in the order of the project's robots; null for the first. */
+    private Integer order() throws IOException, ProjectException {
+        int last = 0;
+        for (String robot : finder.robots()) {
+            Integer order = finder.robot(robot).getOrder();
+            last = Math.max(last, order == null ? 1 : order);
+        }
+        return last == 0 ? null : Integer.valueOf(last + 1);
+    }
+
+    /** Joins an object to the environment, or to a robot, without writing it. */
+    @SuppressWarnings("unchecked")
+    private Place put(SearObject object, SEARrobot robot, String name) throws IOException {
+        if (robot == null) {
+            return new Place(object, ObjectFiles.path(object instanceof SEARrobot, name), null);
+        }
+        if (object instanceof Wheel) {
+            ((List<Object>) parameter(robot, "wheel").get(robot)).add(object);
+            return new Place(object, ObjectFiles.path(true, robot.getName()), robot);
+        }
+        String file = finder.partFile(robot.getName(), name);
+        components(robot).add(file);
+        draft.write(ObjectFiles.path(true, robot.getName()), robot);
+        return new Place(object, ObjectFiles.path(true, file), robot);
+    }
+
+    private void write(Place place) {
+        draft.write(place.path, place.root());
+    }
+
+    /** {@code object}, {@code set} parameters, {@code was} what the asker has seen of them. */
+    Done set(Request edit) throws IOException, ProjectException {
+        Place place = finder.find(edit.text("object"));
+        Map<?, ?> values = edit.values("set");
+        set(place.path, place.object, values, edit.values("was"));
+        write(place);
+        boolean moves = values.keySet().stream().allMatch(name -> String.valueOf(name).matches("r?[xyz]"));
+        return new Done((moves ? "move " : "change " + String.join(", ", words(values)) + " of ") + place.object.getName(), place.address());
+    }
+
+    private static String[] words(Map<?, ?> values) {
+        return values.keySet().stream().map(String::valueOf).sorted().toArray(String[]::new);
+    }
+
+    private void set(String file, SearObject object, Map<?, ?> values, Map<?, ?> was) throws ProjectException {
+        ProblemList problems = new ProblemList();
+        for (String link : LINKS) {
+            if (values.containsKey(link)) {
+                problems.add(file, 0, link, String.valueOf(values.get(link)), "nothing here: rename, add, mount and unmount are edits of their own");
+            }
+        }
+        Values setting = new Values(file, problems);
+        setting.refuseStale(object, values, was);
+        setting.set(object, values, "");
+        problems.throwIfAny();
+        if (object instanceof PlacedObject) {
+            standWherePut(object, values);
+        }
+    }
+
+    /** As the calls move and rotate of scripts do it: what is put to a height no longer stands on the ground. */
+    private static void standWherePut(SearObject object, Map<?, ?> values) {
+        if (values.containsKey("y") && !values.containsKey("onGround")) {
+            assign(object, "onGround", null);
+        }
+        if ((values.containsKey("x") || values.containsKey("y") || values.containsKey("z")) && !values.containsKey("placeLatitude")) {
+            assign(object, "placeLatitude", null);
+            assign(object, "placeLongitude", null);
+        }
+        boolean turned = values.containsKey("rx") || values.containsKey("ry") || values.containsKey("rz") || values.containsKey("y");
+        if (object instanceof SEARrobot && turned && !values.containsKey("placeHeading")) {
+            assign(object, "placeHeading", null);
+        }
+    }
+
+    private static Parameter parameter(Object object, String name) {
+        return ParameterTable.of(object.getClass()).find(name);
+    }
+
+    private static void assign(Object object, String name, Object value) {
+        parameter(object, name).set(object, value);
+    }
+
+    @SuppressWarnings("unchecked")
+    private static List<Object> components(SEARrobot robot) {
+        return (List<Object>) parameter(robot, "component").get(robot);
+    }
+
+    /** {@code template}, {@code name} (or a free one), {@code set} parameters of the robot. */
+    Done robot(Request edit) throws IOException, ProjectException {
+        String template = edit.text("template");
+        String name = newName(edit, template, null);
+        Integer order = order();
+        SEARrobot robot = RobotTemplates.make(template, name);
+        assign(robot, "order", order);
+        for (SearObject part : robot.getComponents()) {
+            String file = finder.partFile(name, part.getName());
+            components(robot).set(robot.getComponentNames().indexOf(part.getName()), file);
+            draft.write(ObjectFiles.path(true, file), part);
+        }
+        Place place = new Place(robot, ObjectFiles.path(true, name), null);
+        set(place.path, robot, edit.values("set"), Map.of());
+        write(place);
+        return new Done("add " + name, name);
+    }
+
+    // ---- rename, delete, duplicate -----------------------------------------------------------------------------------------
+
+    /** {@code object}, {@code name}. */
+    Done rename(Request edit) throws IOException, ProjectException {
+        Place place = finder.find(edit.text("object"));
+        String old = place.object.getName();
+        String name = edit.text("name");
+        if (!name.equalsIgnoreCase(old)) {
+            checkName(name, place.robot);
+        }
+        assign(place.object, "name", name);
+        if (place.isWheel()) {
+            write(place);
+        } else if (place.robot != null) {
+            String stem = ObjectFiles.stem(place.path);
+            draft.delete(place.path);
+            String file = stem.contains("/") ? place.robot.getName() + "/" + name : finder.partFile(place.robot.getName(), name);
+            components(place.robot).set(place.robot.getComponentNames().indexOf(stem), file);
+            draft.write(ObjectFiles.path(true, file), place.object);
+            draft.write(place.robotPath(), place.robot);
+        } else {
+            draft.delete(place.path);
+            if (place.object instanceof SEARrobot) {
+                moveOwnFolder((SEARrobot) place.object, old);
+            }
+            draft.write(ObjectFiles.path(place.path.startsWith(ProjectFolder.ROBOT + "/"), name), place.object);
+        }
+        return new Done("rename " + old + " to " + name, place.address());
+    }
+
+    /** The parts in a robot's own folder go with its new name. */
+    private void moveOwnFolder(SEARrobot robot, String old) throws IOException, ProjectException {
+        for (String file : List.copyOf(robot.getComponentNames())) {
+            if (file.startsWith(old + "/")) {
+                String moved = robot.getName() + file.substring(old.length());
+                SearObject part = draft.read(ObjectFiles.path(true, file));
+                if (part != null) {
+                    draft.write(ObjectFiles.path(true, moved), part);
+                    draft.delete(ObjectFiles.path(true, file));
+                }
+                components(robot).set(robot.getComponentNames().indexOf(file), moved);
+            }
+        }
+    }
+
+    /** {@code object}; a robot goes with all of its parts. */
+    Done delete(Request edit) throws IOException, ProjectException {
+        Place place = finder.find(edit.text("object"));
+        leave(place);
+        if (place.object instanceof SEARrobot) {
+            ((SEARrobot) place.object).getComponentNames().forEach(file -> draft.delete(ObjectFiles.path(true, file)));
+        }
+        return new Done("delete " + place.object.getName(), null);
+    }
+
+    /** Takes an object away from where it is. */
+    @SuppressWarnings("unchecked")
+    private void leave(Place place) {
+        if (place.isWheel()) {
+            ((List<Object>) parameter(place.robot, "wheel").get(place.robot)).remove(place.object);
+        } else {
+            draft.delete(place.path);
+            if (place.robot != null) {
+                components(place.robot).remove(ObjectFiles.stem(place.path));
+            }
+        }
+        if (place.robot != null) {
+            draft.write(place.robotPath(), place.robot);
+        }
+    }
+
+    /** {@code object}, {@code name} (or a free one), {@code set} parameters of the copy; without ports, which belong to one device only. */
+    Done duplicate(Request edit) throws IOException, ProjectException {
+        Place place = finder.find(edit.text("object"));
+        String old = place.object.getName();
+        String name = newName(edit, old, place.robot);
+        SearObject copy = copy(place);
+        assign(copy, "name", name);
+        clearPorts(copy);
+        if (copy instanceof SEARrobot) {
+            assign(copy, "order", order());
+            copyParts((SEARrobot) copy, name);
+        }
+        Place to = put(copy, place.robot, name);
+        set(to.path, copy, edit.values("set"), Map.of());
+        write(to);
+        return new Done("duplicate " + old, to.address());
+    }
+
+    /** Another object of the same values. */
+    private SearObject copy(Place place) throws IOException, ProjectException {
+        if (place.isWheel()) {
+            SEARrobot again = (SEARrobot) draft.read(place.path);
+            return again.getWheels().get(place.robot.getWheels().indexOf(place.object));
+        }
+        return draft.read(place.path);
+    }
+
+    private void copyParts(SEARrobot robot, String name) throws IOException, ProjectException {
+        for (String file : List.copyOf(robot.getComponentNames())) {
+            SearObject part = draft.read(ObjectFiles.path(true, file));
+            if (part != null) {
+                clearPorts(part);
+                String own = name + "/" + part.getName();
+                draft.write(ObjectFiles.path(true, own), part);
+                components(robot).set(robot.getComponentNames().indexOf(file), own);
+            }
+        }
+    }
+
+    private static void clearPorts(SearObject object) {
+        for (String port : PORTS) {
+            if (parameter(object, port) != null) {
+                assign(object, port, null);
+            }
+        }
+    }
+
+    // ---- mount, unmount ------------------------------------------------------------------------------------------------
+
+    /** {@code object}, {@code to} a robot, {@code set} parameters, which count in the robot's frame then. */
+    Done mount(Request edit) throws IOException, ProjectException {
+        Place place = finder.find(edit.text("object"));
+        String to = edit.text("to");
+        if (!Grammar.standsOnRobot(place.object.getClass())) {
+            throw Request.refused("to", to, "nothing: a " + place.object.getClass().getSimpleName() + " can't be a part of a robot");
+        }
+        leave(place);
+        Place there = put(place.object, finder.robot(to), place.object.getName());
+        if (place.object instanceof PlacedObject) {
+            standWherePut(place.object, Map.of("y", ""));
+        }
+        set(there.path, place.object, edit.values("set"), Map.of());
+        write(there);
+        return new Done("mount " + place.object.getName() + " on " + to, there.address());
+    }
+
+    /** {@code object}, {@code set} parameters, which count in the world then; only what may stand there by itself. */
+    Done unmount(Request edit) throws IOException, ProjectException {
+        Place place = finder.find(edit.text("object"));
+        if (place.robot == null) {
+            throw Request.refused("object", place.address(), "a part of a robot");
+        }
+        if (!Grammar.standsInEnvironment(place.object.getClass())) {
+            throw Request.refused("object", place.address(), "a shape: a " + place.object.getClass().getSimpleName()
+                + " can't stand in the world without a robot; mount it on another one, or delete it");
+        }
+        leave(place);
+        Place there = put(place.object, null, place.object.getName());
+        set(there.path, place.object, edit.values("set"), Map.of());
+        write(there);
+        return new Done("take " + place.object.getName() + " off " + place.robot.getName(), there.address());
+    }
+}

@@ -1,0 +1,227 @@
+package org.SEAR.project.edit;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectSwap;
+import org.SEAR.project.problems.Problem;
+import org.SEAR.project.problems.ProjectException;
+
+/**
+ * Edits one project, for pages and scripts. An edit is a map: {@code do} says what, the rest stands at {@link Operations}. It is checked as the files
+ * that it makes would be, all of its files are written or none, and it becomes a step that {@link #undo} takes back. What a script, an editor or a
+ * hand changes in the same files becomes a step of its own, so nothing of it is lost.
+ *
+ * <pre>
+ * {"do": "add", "type": "Box", "set": {"x": 1, "mass": 2}}     {"do": "robot", "template": "create2"}
+ * {"do": "set", "object": "box1", "set": {"x": 2}, "was": {"x": "1"}}
+ * {"do": "rename", "object": "box1", "name": "crate"}          {"do": "duplicate", "object": "crate", "set": {"z": 1}}
+ * {"do": "mount", "object": "crate", "to": "rover"}            {"do": "unmount", "object": "rover/crate"}
+ * {"do": "delete", "object": "rover/ping"}                     {"do": "all", "edits": [..]} several as one step
+ * </pre>
+ *
+ * <p>Any thread; edits of one project wait for each other, and for scripts that write objects.
+ */
+public final class ProjectEditor {
+    private static final int MOST_EDITS = 1000;
+
+    private final Path folder;
+
+    /** @param folder the SEARproject folder; the first edit makes it */
+    public ProjectEditor(Path folder) {
+        this.folder = folder.toAbsolutePath().normalize();
+    }
+
+    private interface Work<T> {
+        T run(ObjectFiles files) throws IOException, ProjectException;
+    }
+
+    /** Does something while nobody else changes the project. */
+    private <T> T locked(Work<T> work) throws IOException, ProjectException {
+        List<T> result = new ArrayList<>();
+        List<ProjectException> refused = new ArrayList<>();
+        ProjectSwap.change(folder, () -> {
+            try {
+                result.add(work.run(new ObjectFiles(folder)));
+            } catch (ProjectException e) {
+                refused.add(e);
+            }
+        });
+        if (!refused.isEmpty()) {
+            throw refused.get(0);
+        }
+        return result.get(0);
+    }
+
+    /**
+     * Does an edit.
+     *
+     * @throws ProjectException with everything that is wrong with it; nothing has changed then
+     * @throws IOException if a file can't be read or written; nothing has changed then
+     */
+    public Outcome apply(Map<?, ?> edit) throws IOException, ProjectException {
+        return locked(files -> {
+            Journal journal = Journal.open(files);
+            Draft draft = new Draft(files);
+            Done done = perform(draft, new Request(edit), 0);
+            List<FileChange> changes = draft.changes();
+            if (changes.isEmpty()) {
+                return new Outcome("", done.object, null, changes, journal);
+            }
+            check(draft);
+            noteOutside(journal);
+            journal.add(new Step(done.words, changes));
+            return new Outcome(done.words, done.object, null, changes, journal);
+        });
+    }
+
+    private Done perform(Draft draft, Request edit, int depth) throws IOException, ProjectException {
+        String kind = edit.text("do");
+        Operations operations = new Operations(draft);
+        switch (kind) {
+            case "add":
+                return operations.add(edit);
+            case "robot":
+                return operations.robot(edit);
+            case "set":
+                return operations.set(edit);
+            case "rename":
+                return operations.rename(edit);
+            case "delete":
+                return operations.delete(edit);
+            case "duplicate":
+                return operations.duplicate(edit);
+            case "mount":
+                return operations.mount(edit);
+            case "unmount":
+                return operations.unmount(edit);
+            case "all":
+                return performAll(draft, edit, depth);
+            default:
+                throw Request.refused("do", kind, "add, robot, set, rename, delete, duplicate, mount, unmount, all");
+        }
+    }
+
+    private Done performAll(Draft draft, Request edit, int depth) throws IOException, ProjectException {
+        List<Map<?, ?>> edits = edit.list("edits");
+        if (depth > 0 || edits.isEmpty() || edits.size() > MOST_EDITS) {
+            throw Request.refused("edits", edits.size() + " edits", "1 to " + MOST_EDITS + " edits, none of them of this kind");
+        }
+        Done last = null;
+        for (Map<?, ?> one : edits) {
+            last = perform(draft, new Request(one), depth + 1);
+        }
+        String words = edit.textOrNull("words");
+        return new Done(words == null ? last.words + (edits.size() > 1 ? " and " + (edits.size() - 1) + " more" : "") : words, last.object);
+    }
+
+    /** Refuses what makes problems that the project has not had before. */
+    private void check(Draft draft) throws ProjectException {
+        List<Problem> after = problems(draft.overlay());
+        if (!after.isEmpty()) {
+            List<String> known = problems(Map.of()).stream().map(ProjectEditor::withoutLine).collect(Collectors.toList());
+            List<Problem> fresh = after.stream().filter(problem -> !known.contains(withoutLine(problem))).collect(Collectors.toList());
+            if (!fresh.isEmpty()) {
+                throw new ProjectException(fresh);
+            }
+        }
+    }
+
+    private List<Problem> problems(Map<Path, byte[]> overlay) {
+        try {
+            Project.read(folder, overlay);
+            return List.of();
+        } catch (ProjectException e) {
+            return e.getProblems();
+        }
+    }
+
+    private static String withoutLine(Problem problem) {
+        return String.join("\n", problem.file, problem.field, problem.value, problem.legal);
+    }
+
+    /** What others have changed becomes a step; null if nothing. */
+    private static Step noteOutside(Journal journal) throws IOException {
+        List<FileChange> outside = journal.changedOutside();
+        if (outside.isEmpty()) {
+            return null;
+        }
+        String names = outside.stream().limit(3).map(change -> change.path).collect(Collectors.joining(", "));
+        Step step = new Step("what a script or a hand has changed in " + names + (outside.size() > 3 ? " ..." : ""), outside);
+        journal.note(step);
+        return step;
+    }
+
+    /**
+     * Takes back the last step. What a script or a hand has changed since in files of the steps is a step of its own, the last one.
+     *
+     * @throws IllegalStateException if there is none
+     */
+    public Outcome undo() throws IOException, ProjectException {
+        return locked(files -> {
+            Journal journal = Journal.open(files);
+            Step outside = noteOutside(journal);
+            Step step = journal.undoable();
+            if (step == null) {
+                throw new IllegalStateException("there is nothing to undo: no edit of this project is known (the last " + Journal.MOST_STEPS
+                    + " are kept; opening another project, or a new one, begins anew)");
+            }
+            journal.undo();
+            return new Outcome(step.words, null, outside == null ? null : "only " + outside.words
+                + " was taken back, since it came last; undo once more takes back what was edited before, redo brings it back", step.changes, journal);
+        });
+    }
+
+    /**
+     * Does again what undo has taken back last.
+     *
+     * @throws IllegalStateException if there is none
+     */
+    public Outcome redo() throws IOException, ProjectException {
+        return locked(files -> {
+            Journal journal = Journal.open(files);
+            Step outside = noteOutside(journal);
+            Step step = journal.redoable();
+            if (step == null) {
+                throw new IllegalStateException(outside == null ? "there is nothing to redo" : "there is nothing to redo any more: " + outside.words
+                    + " came after what was undone");
+            }
+            journal.redo();
+            return new Outcome(step.words, null, null, step.changes, journal);
+        });
+    }
+
+    /** What undo and redo would do now; nothing changes. */
+    public Outcome state() throws IOException, ProjectException {
+        return locked(files -> new Outcome("", null, null, List.of(), Journal.open(files)));
+    }
+
+    /**
+     * An object as pages show it.
+     *
+     * <pre>
+     * {"object": "rover/ping" (what edits call it), "name": "ping", "type": "Distance", "robot": "rover" or null, "file": "robot/ping.xml",
+     *  "values": {"name": "ping", "x": "0.1", .., "cone": [{"halfAngle": "15", ..}]}} texts as they stand in the file
+     * </pre>
+     *
+     * @throws ProjectException if there is none of that name, or its file can't be read
+     */
+    public Map<String, Object> object(String name) throws IOException, ProjectException {
+        return locked(files -> {
+            Place place = new Finder(new Draft(files)).find(name);
+            Map<String, Object> map = new LinkedHashMap<>();
+            map.put("object", place.address());
+            map.put("name", place.object.getName());
+            map.put("type", place.object.getClass().getSimpleName());
+            map.put("robot", place.robot == null ? null : place.robot.getName());
+            map.put("file", place.path);
+            map.put("values", Values.of(place.object));
+            return map;
+        });
+    }
+}

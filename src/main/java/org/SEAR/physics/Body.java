@@ -172,6 +172,25 @@ public final class Body {
         rigid.setActivationState(mass > 0 ? CollisionObject.ACTIVE_TAG : CollisionObject.ISLAND_SLEEPING);
     }
 
+    /** Puts it elsewhere at once, at rest; the next start of the world is there, too. */
+    void moveTo(Pose to) {
+        setStart(to);
+        anchor = to;
+        still = 0;
+        toTransform(centred(to), home);
+        rigid.setCenterOfMassTransform(home);
+        rigid.setInterpolationWorldTransform(home);
+        low.set(0, 0, 0);
+        rigid.setLinearVelocity(low);
+        rigid.setAngularVelocity(low);
+        rigid.clearForces();
+        if (mass > 0) {
+            rigid.setSleepingThresholds(0, 0);
+            rigid.setDeactivationTime(0);
+            rigid.forceActivationState(CollisionObject.ACTIVE_TAG);
+        }
+    }
+
     /** Distance of its farthest point from its centre of mass, metres, or more. */
     private double reach() {
         double farthest = 0;

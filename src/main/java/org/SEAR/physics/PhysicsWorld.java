@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.vecmath.Vector3f;
 import org.SEAR.collision.ManifoldClipper;
+import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 
 /**
@@ -68,6 +69,7 @@ public final class PhysicsWorld {
     private int[] queue;
     private boolean redraw;
     private final Vector3f velocity = new Vector3f();
+    private final double[] beside = new double[6];
 
     /** Adds a body; then {@link #restart}. */
     public void add(Body body) {
@@ -111,6 +113,39 @@ public final class PhysicsWorld {
     /** Joins the drive of a robot's body to the new world. */
     public void add(Body body, Drive drive) {
         world.addConstraint(new DriveConstraint(body, drive));
+    }
+
+    /** Puts a body elsewhere at once, at rest, where the next start finds it, too; what slept beside it or sleeps where it comes wakes. */
+    public void move(Body body, Pose to) {
+        wakeBeside(body);
+        if (inside[body.number]) {
+            leave(body);
+        }
+        body.moveTo(to);
+        body.bounds(bounds[body.number]);
+        wakeBeside(body);
+        redraw = true;
+    }
+
+    private void wakeBeside(Body moved) {
+        System.arraycopy(bounds[moved.number], 0, beside, 0, beside.length);
+        for (int i = 0; i < 3; i++) {
+            beside[i] -= NEIGHBOUR;
+            beside[i + 3] += NEIGHBOUR;
+        }
+        for (Body body : movable) {
+            if (overlap(beside, bounds[body.number])) {
+                body.wake();
+            }
+        }
+    }
+
+    private void leave(Body body) {
+        RigidBody rigid = body.getRigid();
+        inside[body.number] = false;
+        world.removeRigidBody(rigid);
+        rigid.setIslandTag(NO_ISLAND);
+        rigid.setCompanionId(NO_ISLAND);
     }
 
     /** One step of the world; costs nothing while everything sleeps. */
@@ -195,14 +230,11 @@ public final class PhysicsWorld {
         }
         for (int i = 0; i < wanted.length; i++) {
             if (wanted[i] != inside[i]) {
-                inside[i] = wanted[i];
                 if (wanted[i]) {
+                    inside[i] = true;
                     world.addRigidBody(bodies.get(i).getRigid());
                 } else {
-                    RigidBody rigid = bodies.get(i).getRigid();
-                    world.removeRigidBody(rigid);
-                    rigid.setIslandTag(NO_ISLAND);
-                    rigid.setCompanionId(NO_ISLAND);
+                    leave(bodies.get(i));
                 }
             }
         }

@@ -83,6 +83,14 @@ public final class RobotModel implements Robot, RobotHardware {
         truth.restart();
     }
 
+    /** Puts it elsewhere at once, at rest; its motors go on. */
+    public void move(PhysicsWorld physics, Pose to) {
+        physics.move(body, to);
+        truth.moved();
+        unsettled = SETTLING;
+        mirror();
+    }
+
     /** Looks for ground, and wakes the body when its motors turn or its ground moves. Before the physics step. */
     public void prepare() {
         boolean busy = train.isCommanded() || groundMoves();

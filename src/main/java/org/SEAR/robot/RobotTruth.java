@@ -48,6 +48,12 @@ public final class RobotTruth implements Truth {
         Arrays.fill(angular, 0);
     }
 
+    /** It was put elsewhere: that is no way that it went. */
+    void moved() {
+        anchor = body.getPose();
+        heading = heading(anchor);
+    }
+
     /**
      * Takes over the state after a step.
      *

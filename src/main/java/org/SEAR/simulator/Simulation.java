@@ -351,6 +351,23 @@ public final class Simulation implements AutoCloseable {
         return instruments.getLines();
     }
 
+    /**
+     * Puts a thing of the environment or a robot, at rest, to where it starts in a newer state of the project; a reset finds it there, too. All else
+     * stays as it was at the start. Simulation thread.
+     *
+     * @return whether this world has it
+     * @throws IllegalArgumentException if it has no place there
+     */
+    public boolean place(String name, Project now) {
+        try {
+            boolean found = world.place(name, now);
+            snapshot = observer.lookClosely(step);
+            return found;
+        } catch (ProjectException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
+    }
+
     World getWorld() {
         return world;
     }

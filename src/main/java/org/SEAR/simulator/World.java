@@ -179,6 +179,46 @@ final class World implements PhysicsWorld.Touches {
         poses = poses();
     }
 
+    /**
+     * Puts a thing of the environment or a robot to where it starts in a newer state of the project.
+     *
+     * @return whether this world has it
+     * @throws ProjectException if it has no place there
+     */
+    boolean place(String name, Project now) throws ProjectException {
+        GroundPlaces places = new GroundPlaces(now.getOrigin(), scenes);
+        boolean found = false;
+        for (Body body : environment) {
+            SearObject object = body != null && body.name.equals(name) ? named(now.getEnvironment(), name) : null;
+            if (object != null) {
+                Body fresh = body(object, now);
+                places.setDown((PlacedObject) object, fresh);
+                places.end();
+                physics.move(body, fresh.getPose());
+                body.mirror(scenes);
+                found = true;
+            }
+        }
+        for (RobotModel robot : robots) {
+            SearObject object = robot.getObject().getName().equals(name) ? named(now.getRobots(), name) : null;
+            if (object != null) {
+                RobotBuilder fresh = RobotBuilder.of((SEARrobot) object, now, new ArrayList<>());
+                places.setDownRobot((SEARrobot) object, fresh.body, fresh.feet());
+                places.end();
+                robot.move(physics, fresh.body.getPose());
+                found = true;
+            }
+        }
+        fallen.restart();
+        scenes.commit();
+        poses = poses();
+        return found;
+    }
+
+    private static SearObject named(List<? extends SearObject> objects, String name) {
+        return objects.stream().filter(object -> object.getName().equals(name)).findFirst().orElse(null);
+    }
+
     /** The physics of a step: wheels find their ground, jbullet moves the bodies, wheels turn, beams' geometry follows. */
     void step() {
         for (int i = 0; i < robots.size(); i++) {

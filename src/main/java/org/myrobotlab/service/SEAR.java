@@ -12,6 +12,7 @@ import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.SEARConfig;
 import org.myrobotlab.service.link.PanelFiles;
 import org.myrobotlab.service.sear.SensorReading;
+import org.myrobotlab.service.sear.files.Edits;
 import org.myrobotlab.service.sear.files.ExampleScripts;
 import org.myrobotlab.service.sear.panel.Preview;
 import org.myrobotlab.service.sear.run.SimulationSession;
@@ -754,6 +755,58 @@ public class SEAR extends Service<SEARConfig> {
         calls.act(() -> parts.exports().end(ScriptText.of(userPort)));
     }
 
+    // ---- editing the project ---------------------------------------------------------------------------------------
+
+    /**
+     * Changes the project as the tab does: an object is added, set, renamed, duplicated, deleted, mounted on a robot or taken off. It is checked as
+     * its file would be, written at once, and can be undone. While a simulation runs, what gets another place moves; all else takes effect at the
+     * next start. docs/building.md lists the edits.
+     *
+     * @param edit what to do, and with what
+     * @return what was done, {@code object}: what edits call the object, {@code undo} and {@code redo}: what these would do now
+     * @throws IllegalStateException with everything that is wrong, and what is legal; nothing has changed then
+     * @example print sear.edit({"do": "add", "type": "Box", "name": "crate", "set": {"x": 1, "mass": 2}})["object"]
+     */
+    public Map<String, Object> edit(Map<String, Object> edit) {
+        return edited(calls.attempt(() -> parts.edits().apply(edit)));
+    }
+
+    /**
+     * Takes back the last edit of the project, by whomever; the last 500 can be taken back, also after a crash.
+     *
+     * @return as {@link #edit}
+     * @throws IllegalStateException if there is none
+     * @example sear.edit({"do": "add", "type": "Box"}); sear.undo()
+     */
+    public Map<String, Object> undo() {
+        return edited(calls.attempt(() -> parts.edits().apply(Collections.singletonMap("do", "undo"))));
+    }
+
+    /**
+     * Does again what {@link #undo} took back last.
+     *
+     * @return as {@link #edit}
+     * @throws IllegalStateException if there is nothing, or something else was edited since
+     * @example sear.edit({"do": "add", "type": "Box"}); sear.undo(); sear.redo()
+     */
+    public Map<String, Object> redo() {
+        return edited(calls.attempt(() -> parts.edits().apply(Collections.singletonMap("do", "redo"))));
+    }
+
+    /**
+     * What edits can make: {@code types} with their parameters, units, legal ranges and documentation, and {@code templates} of robots.
+     *
+     * @example print ", ".join([one["type"] for one in sear.getGrammar()["types"]])
+     */
+    public Map<String, Object> getGrammar() {
+        return calls.attempt(Edits::grammar);
+    }
+
+    private Map<String, Object> edited(Map<String, Object> answer) {
+        invoke("publishEdit", answer);
+        return answer;
+    }
+
     // ---- for panels ------------------------------------------------------------------------------------------------
 
     /**
@@ -794,6 +847,26 @@ public class SEAR extends Service<SEARConfig> {
      */
     public List<Map<String, Object>> getLooks(List<String> wanted) {
         return calls.attempt(() -> parts.looks(wanted));
+    }
+
+    /** An edit by a panel; its answer, also what is wrong with it, goes to all panels by {@link #publishEdit}. */
+    public void tryEdit(Map<String, Object> edit) {
+        edited(calls.attempt(() -> parts.edits().attempt(edit)));
+    }
+
+    /** Tells panels what an edit has come to; the form stands at {@code Edits}. */
+    public Map<String, Object> publishEdit(Map<String, Object> answer) {
+        return answer;
+    }
+
+    /** What undo and redo would do now, for panels. */
+    public Map<String, Object> getEdits() {
+        return calls.attempt(Edits::state);
+    }
+
+    /** An object of the project as its file has it, for panels; the form stands at {@code ProjectEditor}. */
+    public Map<String, Object> getProjectObject(String name) {
+        return calls.attempt(() -> Edits.object(ScriptText.of(name)));
     }
 
     /** Tells panels why a project could not be started or loaded. */

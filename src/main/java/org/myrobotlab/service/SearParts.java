@@ -14,6 +14,7 @@ import org.myrobotlab.framework.Message;
 import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.export.Exports;
 import org.myrobotlab.service.sear.files.BundleTransfers;
+import org.myrobotlab.service.sear.files.Edits;
 import org.myrobotlab.service.sear.files.Projects;
 import org.myrobotlab.service.sear.lockstep.Fence;
 import org.myrobotlab.service.sear.lockstep.FencePass;
@@ -39,6 +40,7 @@ final class SearParts {
     private final ScriptDriving driving;
     private final ScriptActuators actuators;
     private final Projects projects;
+    private final Edits edits;
     private final Publisher publisher;
     private final Exports exports;
     private final BundleTransfers transfers;
@@ -53,6 +55,7 @@ final class SearParts {
         driving = new ScriptDriving(control);
         actuators = new ScriptActuators(control);
         projects = new Projects(control, host);
+        edits = new Edits(control);
         publisher = new Publisher(host, control, readings);
         exports = new Exports(host, control);
         transfers = new BundleTransfers(projects::save, projects::load);
@@ -92,6 +95,10 @@ final class SearParts {
 
     public Projects projects() {
         return projects;
+    }
+
+    public Edits edits() {
+        return edits;
     }
 
     public Publisher publisher() {

@@ -15,6 +15,10 @@ public final class Outcome {
     public final String note;
     /** Paths of the files that changed. */
     public final Set<String> files;
+    /** Names of the things of the environment and robots that stand elsewhere; of robots' Dynamics, the components as robots' files name them. */
+    public final Set<String> moved;
+    /** Whether anything else has changed than where things and robots stand. */
+    public final boolean more;
     /** What undo would take back; null for nothing. */
     public final String undo;
     /** What redo would do again; null for nothing. */
@@ -27,6 +31,9 @@ public final class Outcome {
         TreeSet<String> paths = new TreeSet<>();
         changes.forEach(change -> paths.add(change.path));
         this.files = Collections.unmodifiableSet(paths);
+        PoseChanges poses = PoseChanges.of(changes);
+        this.moved = poses.moved;
+        this.more = poses.more;
         this.undo = journal.undoable() == null ? null : journal.undoable().words;
         this.redo = journal.redoable() == null ? null : journal.redoable().words;
     }

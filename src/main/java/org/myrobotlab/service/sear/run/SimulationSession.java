@@ -16,6 +16,7 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import org.SEAR.devices.SerialLine;
+import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
@@ -453,6 +454,21 @@ public final class SimulationSession {
                 });
             }
         });
+    }
+
+    /**
+     * Puts a thing or a robot to where it starts in a newer state of the project, see {@link Simulation#place}.
+     *
+     * @return whether this world has it
+     */
+    public boolean place(String name, Project now) throws InterruptedException {
+        boolean[] found = new boolean[1];
+        sleepers.whileSleeping(SleepingThreads.NOW, () -> {
+            synchronized (stepping) {
+                found[0] = ask(world -> world.place(name, now));
+            }
+        });
+        return found[0];
     }
 
     /** Everything back to the start. */

@@ -193,6 +193,7 @@ public class VirtualSerialPort extends Port {
             incoming.clear();
             handed = accepted;
             rate = DEFAULT_BAUD;
+            listeners.clear(); // under this lock, else the reader thread would see them half gone
             lock.notifyAll();
         }
         super.close(); // waits for the reader thread, which needs the lock to end

@@ -3,14 +3,19 @@ package org.myrobotlab.serial;
 import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
 import static org.junit.Assert.fail;
 
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
 import org.junit.After;
 import org.junit.Test;
+import org.myrobotlab.service.interfaces.SerialDataListener;
 
 /** A null-modem cable in memory loses nothing, keeps the order, and takes the time that the baud rate says. */
 public class VirtualSerialPortTest {
@@ -92,6 +97,30 @@ public class VirtualSerialPortTest {
         right.close();
         reader.join(PATIENCE);
         assertFalse(reader.isAlive());
+    }
+
+    @Test
+    public void whoAsksWhileItClosesGetsListenersOrNone() throws Exception {
+        AtomicBoolean done = new AtomicBoolean();
+        AtomicReference<Object> wrong = new AtomicReference<>();
+        Thread asking = new Thread(() -> {
+            while (!done.get() && wrong.get() == null) {
+                List<SerialDataListener> listeners = right.getListeners();
+                if (listeners.contains(null)) {
+                    wrong.set(listeners);
+                }
+            }
+        });
+        asking.setUncaughtExceptionHandler((thread, e) -> wrong.set(e));
+        asking.start();
+        for (int i = 0; i < 3000 && wrong.get() == null; i++) {
+            right.open();
+            right.listen(heard);
+            right.close();
+        }
+        done.set(true);
+        asking.join();
+        assertNull(wrong.get());
     }
 
     @Test

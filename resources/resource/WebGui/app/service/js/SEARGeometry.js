@@ -73,8 +73,10 @@
         var all = world.objects.map(shapeOf)
         world.robots.forEach(function(robot) {
             var body = frame(robot.pose)
-            robot.parts.forEach(function(part) {
-                all.push({color: colorOf(part, ROBOT), ground: false, robot: true, outline: outline(part, times(body, frame(part.pose)))})
+            var others = robot.turned ? robot.turned.length : 0
+            robot.parts.forEach(function(part, i) {
+                var pose = i < others ? robot.turned[i] : part.type === 'Wheel' && robot.wheels ? robot.wheels[i - robot.parts.length + robot.wheels.length] : part.pose
+                all.push({color: colorOf(part, ROBOT), ground: false, robot: true, outline: outline(part, times(body, frame(pose)))})
             })
         })
         all = all.filter(function(shape) {

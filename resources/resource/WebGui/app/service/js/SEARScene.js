@@ -158,7 +158,7 @@
         })
         var wheel = 0
         robot.parts.forEach(function(part, i) {
-            item.parts[i].goTo(part.type === 'Wheel' && robot.wheels ? robot.wheels[wheel++] : part.pose, now)
+            item.parts[i].goTo(part.type === 'Wheel' && robot.wheels ? robot.wheels[wheel++] : robot.turned ? robot.turned[i] : part.pose, now)
             this.dress(item.parts[i], part)
         }, this)
         this.showPath(item, robot)

@@ -68,7 +68,7 @@ public class Motor extends SearObject {
         checkWheel(wheel);
         wheelNames.add(wheel.getName());
         created(Motor.class);
-        wheel.setMotor(this);
+        wheel.setMover(this);
     }
 
     @Override
@@ -90,7 +90,7 @@ public class Motor extends SearObject {
         if (!wheel.isDriven()) {
             throw new IllegalArgumentException(label() + ": " + wheel.label() + " has type " + wheel.getType() + ", legal: a driven wheel (type 1)");
         }
-        Motor other = wheel.getMotor();
+        SearObject other = wheel.getMover();
         if (other != null && !other.getName().equals(getName())) {
             throw new IllegalArgumentException(label() + ": " + wheel.label() + " is turned by " + other.label() + ", legal: one motor a wheel;"
                 + " motor.addWheel(wheel) gives a motor several wheels");
@@ -116,7 +116,7 @@ public class Motor extends SearObject {
             throw new IllegalArgumentException(label() + ": wheel is " + wheel.label() + ", legal: at most " + MAX_WHEELS + " wheels");
         }
         wheelNames.add(wheel.getName());
-        wheel.setMotor(this);
+        wheel.setMover(this);
         changed();
     }
 

@@ -36,6 +36,7 @@ public abstract class SearObject {
 
     private Life life;
     private SEARrobot robot;
+    private SearObject mover;
     /** Whether its file lies in a folder of its robot's own, because another robot's part of that name has the plain place. */
     private boolean aside;
     private String fullName;
@@ -191,6 +192,15 @@ public abstract class SearObject {
 
     final void setRobot(SEARrobot newRobot) {
         robot = newRobot;
+    }
+
+    /** The motor or servo that turns it; null if there is none, or it was read from a file. */
+    final SearObject getMover() {
+        return mover;
+    }
+
+    final void setMover(SearObject newMover) {
+        mover = newMover;
     }
 
     final void setAside(boolean newAside) {

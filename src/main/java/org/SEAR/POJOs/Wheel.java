@@ -19,7 +19,6 @@ public class Wheel extends Shape {
     private double width;
     @Param(doc = "1 for a driven wheel, 0 for an idler, which rolls freely", values = {"0", "1"}, max = 1)
     private int type = DRIVEN;
-    private Motor motor;
 
     /** For reading from a file. */
     protected Wheel() {
@@ -97,15 +96,6 @@ public class Wheel extends Shape {
     /** Whether a motor turns it. */
     public boolean isDriven() {
         return type == DRIVEN;
-    }
-
-    /** The motor that a script gave it; null if it has none, or was read from a file. */
-    final Motor getMotor() {
-        return motor;
-    }
-
-    final void setMotor(Motor newMotor) {
-        motor = newMotor;
     }
 
     @Override

@@ -15,6 +15,13 @@ public interface RobotHardware {
      */
     MotorHardware getMotor(String name);
 
+    /**
+     * A servo by the name of its object; the same for ever.
+     *
+     * @return null if the robot has none of that name
+     */
+    ServoHardware getServo(String name);
+
     /** Distance between left and right driven wheels, metres. */
     double getWheelBase();
 

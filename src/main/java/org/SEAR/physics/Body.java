@@ -40,6 +40,7 @@ public final class Body {
     private final double cy;
     private final double cz;
     private final CollisionShape collision;
+    private double leastReach;
     private boolean robot;
     private ApproachConstraints approach;
     private boolean driven;
@@ -84,10 +85,7 @@ public final class Body {
         CompoundShape compound = new CompoundShape();
         for (int i = 0; i < places.length; i++) {
             Transform child = new Transform();
-            toTransform(places[i], child);
-            child.origin.x -= (float) cx;
-            child.origin.y -= (float) cy;
-            child.origin.z -= (float) cz;
+            centred(places[i], child);
             compound.addChildShape(child, solids.get(i).collision(mass > 0));
         }
         return compound;
@@ -191,9 +189,36 @@ public final class Body {
         }
     }
 
+    /** Says how far from its centre of mass solids come that are going to move in it, metres. Before the world starts. */
+    public void setLeastReach(double metres) {
+        leastReach = metres;
+    }
+
+    /**
+     * Moves one of its solids in its own frame. A body of a single solid that stands in its centre of mass goes on to collide as before.
+     *
+     * @param solid its number
+     */
+    public void setPlace(int solid, Pose place) {
+        places[solid] = place;
+        if (isCompound()) {
+            CompoundShape compound = (CompoundShape) collision;
+            centred(place, compound.getChildList().getQuick(solid).transform);
+            compound.recalculateLocalAabb();
+        }
+    }
+
+    /** Where a solid is seen from the centre of mass. */
+    private void centred(Pose place, Transform child) {
+        toTransform(place, child);
+        child.origin.x -= (float) cx;
+        child.origin.y -= (float) cy;
+        child.origin.z -= (float) cz;
+    }
+
     /** Distance of its farthest point from its centre of mass, metres, or more. */
     private double reach() {
-        double farthest = 0;
+        double farthest = leastReach;
         for (int i = 0; i < places.length; i++) {
             double off = Math.sqrt((places[i].x - cx) * (places[i].x - cx) + (places[i].y - cy) * (places[i].y - cy)
                 + (places[i].z - cz) * (places[i].z - cz));

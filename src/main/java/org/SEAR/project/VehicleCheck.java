@@ -6,15 +6,17 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
 
-/** Checks what motors are to the wheels of their robots. One use. */
+/** Checks what motors are to the wheels of their robots, and servos to what is mounted on them. One use. */
 final class VehicleCheck {
     private final Map<ParsedObject, SEARrobot> owners;
     private final ProblemList problems;
-    /** What turns a wheel already, by robot/wheel. */
+    /** What turns a wheel or part already, by robot/part. */
     private final Map<String, String> turned = new HashMap<>();
 
     VehicleCheck(Map<ParsedObject, SEARrobot> owners, ProblemList problems) {
@@ -26,6 +28,8 @@ final class VehicleCheck {
         owners.forEach((parsed, robot) -> {
             if (parsed.object instanceof Motor) {
                 check(parsed, (Motor) parsed.object, robot);
+            } else if (parsed.object instanceof Servo) {
+                check(parsed, (Servo) parsed.object, robot);
             }
         });
     }
@@ -45,6 +49,34 @@ final class VehicleCheck {
                 problems.add(parsed.file, line, "wheel", name, "a wheel that nothing turns yet; " + other + " turns it");
             }
         }
+    }
+
+    private void check(ParsedObject parsed, Servo servo, SEARrobot robot) {
+        int index = 0;
+        for (String name : servo.getPartNames()) {
+            int line = parsed.line("part#" + index++);
+            SearObject part = robot.getComponents().stream().filter(one -> one.getName().equals(name)).findFirst().orElse(null);
+            String other = turned.putIfAbsent(robot.getName() + "/" + name, parsed.file);
+            if (part == null || !Servo.canTurn(part)) {
+                problems.add(parsed.file, line, "part", name, "the name of a component of the servo's robot " + robot.getName() + ": a shape, a"
+                    + " distance sensor, a LIDAR, a compass or another servo");
+            } else if (other != null) {
+                problems.add(parsed.file, line, "part", name, "a part that nothing turns yet; " + other + " turns it");
+            } else if (turnsItself(servo, robot)) {
+                problems.add(parsed.file, line, "part", name, "what does not turn the servo itself");
+            }
+        }
+    }
+
+    /** Whether servos turn each other in a circle. */
+    private static boolean turnsItself(Servo servo, SEARrobot robot) {
+        Servo on = servo;
+        for (int i = 0; i <= robot.getComponents().size() && on != null; i++) {
+            String name = on.getName();
+            on = (Servo) robot.getComponents().stream().filter(one -> one instanceof Servo && ((Servo) one).getPartNames().contains(name))
+                .findFirst().orElse(null);
+        }
+        return on != null;
     }
 
     private static String driven(SEARrobot robot) {

@@ -90,6 +90,11 @@ public final class RobotBuilder {
             + " has no Dynamics", "one Dynamics: robot.addComponent(Dynamics(name, mass)) gives it mass, suspension and start pose")));
     }
 
+    /** The number of a component's solid in the body. */
+    int solidOf(SearObject part) {
+        return solids.indexOf(shapes.get(part));
+    }
+
     private void components(Project project) throws ProjectException {
         for (SearObject part : object.getComponents()) {
             Solid solid = Solids.of(part, project);

@@ -9,6 +9,7 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.devices.MotorHardware;
 import org.SEAR.devices.RobotHardware;
+import org.SEAR.devices.ServoHardware;
 import org.SEAR.geometry.Frame;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
@@ -40,6 +41,7 @@ public final class RobotModel implements Robot, RobotHardware {
     private final int[] wheelShapes;
     private final double bodyRadius;
     private final List<MotorDrive> motors = new ArrayList<>();
+    private final Turrets turrets;
     private DriveTrain train;
     private final Frame frame = new Frame();
     private boolean bumpedLeft;
@@ -56,6 +58,7 @@ public final class RobotModel implements Robot, RobotHardware {
         this.scenes = scenes;
         this.truth = truth;
         this.virtualWalls = virtualWalls;
+        this.turrets = new Turrets(from);
         for (SearObject part : object.getComponents()) {
             if (part instanceof Motor) {
                 motors.add(new MotorDrive((Motor) part, object.getName()));
@@ -69,6 +72,12 @@ public final class RobotModel implements Robot, RobotHardware {
 
     public void add(Sensor<?> sensor) {
         sensors.add(sensor);
+        turrets.add(sensor);
+    }
+
+    /** Servos back to their start, before the physics starts anew. */
+    public void rewind() {
+        turrets.restart();
     }
 
     /** Back to the start, in a new physics world. */
@@ -93,7 +102,8 @@ public final class RobotModel implements Robot, RobotHardware {
 
     /** Looks for ground, and wakes the body when its motors turn or its ground moves. Before the physics step. */
     public void prepare() {
-        boolean busy = train.isCommanded() || groundMoves();
+        boolean busy = train.isCommanded() || groundMoves() || turrets.isMoving();
+        turrets.step();
         body.setDriven(busy);
         if (busy) {
             body.wake();
@@ -228,6 +238,16 @@ public final class RobotModel implements Robot, RobotHardware {
     @Override
     public MotorHardware getMotor(String name) {
         return motors.stream().filter(motor -> motor.getName().equals(name)).findFirst().orElse(null);
+    }
+
+    @Override
+    public ServoHardware getServo(String name) {
+        return turrets.find(name);
+    }
+
+    /** Where each component is now in the body frame; empty if the robot has no servos: they are where their objects are. Immutable. */
+    public List<Pose> getPartPoses() {
+        return turrets.getPoses();
     }
 
     @Override

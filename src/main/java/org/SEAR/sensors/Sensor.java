@@ -18,7 +18,7 @@ public abstract class Sensor<R> {
     /** What this sensor's readings differ from the truth by. */
     protected final ErrorModel errors;
     private final SearObject parameters;
-    private final Pose mount;
+    private Pose mount;
     private R last;
     private long lastStep = -1;
 
@@ -53,6 +53,11 @@ public abstract class Sensor<R> {
     /** Where the sensor sits in the body frame. */
     public final Pose getMount() {
         return mount;
+    }
+
+    /** Puts it elsewhere in the body frame: the servo that it is mounted on has turned. Before the step's readings. */
+    public final void setMount(Pose newMount) {
+        mount = newMount;
     }
 
     /** The reading at the present step; computed once a step, and only when somebody asks. */

@@ -4,13 +4,16 @@ import java.util.List;
 import java.util.TreeMap;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Servo;
 import org.SEAR.devices.MotorHardware;
+import org.SEAR.devices.ServoHardware;
 import org.SEAR.project.PartNames;
 import org.SEAR.robot.RobotModel;
 
 /** Finds what moves on robots by its names. What it finds belongs to the simulation thread. */
 final class Actuators {
     private final PartNames<MotorHardware> motors = new PartNames<>();
+    private final PartNames<ServoHardware> servos = new PartNames<>();
     /** Full names, ordered, with their kinds. */
     private final TreeMap<String, String> names = new TreeMap<>();
 
@@ -21,6 +24,9 @@ final class Actuators {
                 if (part instanceof Motor) {
                     motors.add(name, part.getName(), robot.getMotor(part.getName()));
                     names.put(part.getFullName(), "motor");
+                } else if (part instanceof Servo) {
+                    servos.add(name, part.getName(), robot.getServo(part.getName()));
+                    names.put(part.getFullName(), "servo");
                 }
             }
         }
@@ -28,6 +34,10 @@ final class Actuators {
 
     MotorHardware motor(String name) {
         return found(motors.find(name), "motor", name);
+    }
+
+    ServoHardware servo(String name) {
+        return found(servos.find(name), "servo", name);
     }
 
     private <T> T found(T thing, String kind, String name) {

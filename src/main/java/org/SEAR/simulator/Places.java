@@ -31,9 +31,13 @@ final class Places {
         for (RobotModel robot : world.getRobots()) {
             String name = robot.getObject().getName();
             whole.put(name, robot::getPose);
-            for (SearObject part : robot.getObject().getComponents()) {
-                Pose mount = ObjectPose.of(part);
-                parts.add(name, part.getName(), part instanceof Dynamics ? robot::getPose : () -> robot.getPose().times(mount));
+            List<SearObject> components = robot.getObject().getComponents();
+            for (int i = 0; i < components.size(); i++) {
+                SearObject part = components.get(i);
+                int index = i;
+                Pose home = ObjectPose.of(part);
+                parts.add(name, part.getName(), part instanceof Dynamics ? robot::getPose
+                    : () -> robot.getPose().times(robot.getPartPoses().isEmpty() ? home : robot.getPartPoses().get(index)));
             }
             List<Wheel> wheels = robot.getObject().getWheels();
             for (int i = 0; i < wheels.size(); i++) {

@@ -14,6 +14,7 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.devices.MotorHardware;
 import org.SEAR.devices.SerialLine;
+import org.SEAR.devices.ServoHardware;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.geometry.TimeStep;
@@ -312,6 +313,16 @@ public final class Simulation implements AutoCloseable {
      */
     public MotorHardware getMotor(String name) {
         return actuators.motor(name);
+    }
+
+    /**
+     * A servo by name; any thread, what it does is up to the simulation thread.
+     *
+     * @param name as {@code rover/neck}, or without the robot where only one has a servo of that name
+     * @throws IllegalArgumentException that names the servos there are, or the robots that have one of that name
+     */
+    public ServoHardware getServo(String name) {
+        return actuators.servo(name);
     }
 
     /** Whether snapshots carry the sensor's reading from now on; never changes any reading. Any thread, through {@link #post}. */

@@ -63,17 +63,21 @@ public final class Snapshot {
         public final double turnRate;
         /** Pose of each wheel in the body frame, spin included, in the order of {@code SEARrobot.getWheels()}. */
         public final List<Pose> wheels;
+        /** Pose of each component in the body frame, in the order of {@code SEARrobot.getComponents()}; empty if no servo can turn any. */
+        public final List<Pose> parts;
         /** Its serial devices. */
         public final List<DeviceState> devices;
         /** Whether one of its devices takes drive commands: who sends them drives. */
         public final boolean commanded;
 
-        RobotState(String name, Pose pose, double speed, double turnRate, List<Pose> wheels, List<DeviceState> devices, boolean commanded) {
+        RobotState(String name, Pose pose, double speed, double turnRate, List<Pose> wheels, List<Pose> parts,
+                List<DeviceState> devices, boolean commanded) {
             this.name = name;
             this.pose = pose;
             this.speed = speed;
             this.turnRate = turnRate;
             this.wheels = wheels;
+            this.parts = parts;
             this.devices = devices;
             this.commanded = commanded;
         }

@@ -132,7 +132,8 @@ final class SnapshotRecorder {
         double[] up = pose.rotate(0, 1, 0);
         return new Snapshot.RobotState(robot.getObject().getName(), pose,
             velocity[0] * ahead[0] + velocity[1] * ahead[1] + velocity[2] * ahead[2],
-            angular[0] * up[0] + angular[1] * up[1] + angular[2] * up[2], robot.getTrain().getWheelPoses(), devices, commanded);
+            angular[0] * up[0] + angular[1] * up[1] + angular[2] * up[2], robot.getTrain().getWheelPoses(), robot.getPartPoses(),
+            devices, commanded);
     }
 
     private void check(RobotModel robot) {

@@ -163,6 +163,7 @@ final class World implements PhysicsWorld.Touches {
 
     /** Everything back to its start. */
     void restart() {
+        robots.forEach(RobotModel::rewind);
         physics.restart();
         fallen.restart();
         for (Body body : environment) {

@@ -330,7 +330,7 @@ public class SEAR extends Service<SEARConfig> {
         calls.act(() -> parts.driving().circle(robot, speed, radius));
     }
 
-    // ---- motors (a simulation must run; the examples are of the car of vehicles.md) --------------------------------
+    // ---- motors and servos (a simulation must run; the examples are of the car of vehicles.md) ---------------------
 
     /**
      * Gives a motor power, until the next order for it or for its robot. Its torque is stallTorque (power - speed / noLoadSpeed).
@@ -376,6 +376,29 @@ public class SEAR extends Service<SEARConfig> {
      */
     public long getEncoder(String name) {
         return calls.attempt(() -> parts.actuators().counts(name));
+    }
+
+    /**
+     * Has a servo turn to an angle, as fast as it can, and with it what is mounted on it.
+     *
+     * @param name of the servo; {@code "robot/servo"} where several robots have one of that name
+     * @param degrees within the servo's range, + counter-clockwise seen from above
+     * @throws IllegalArgumentException that names the servos there are, or the legal range
+     * @example sear.setServo("neck", 45)
+     */
+    public void setServo(String name, double degrees) {
+        calls.act(() -> parts.actuators().angle(name, degrees));
+    }
+
+    /**
+     * Where a servo is now, degrees, + counter-clockwise seen from above.
+     *
+     * @param name of the servo
+     * @throws IllegalArgumentException that names the servos there are
+     * @example print "%.1f degrees" % sear.getServo("neck")
+     */
+    public double getServo(String name) {
+        return calls.attempt(() -> parts.actuators().angle(name));
     }
 
     // ---- reading (a simulation must run) ---------------------------------------------------------------------------

@@ -23,7 +23,8 @@ public class ScriptExamplesTest {
         "importRobot", "importEnvironment", "copyTemplate");
 
     /** Calls that have a vehicle: their examples run with the first block of its page. */
-    private static final List<String> VEHICLES = Arrays.asList("setMotorPower", "setMotorSpeed", "getMotorSpeed", "getEncoder");
+    private static final List<String> VEHICLES = Arrays.asList("setMotorPower", "setMotorSpeed", "getMotorSpeed", "getEncoder", "setServo",
+        "getServo");
 
     /** Brings about what the page takes as there before each example. */
     private static final String READY = String.join("\n",

@@ -1,6 +1,6 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
 from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, Model, \
-    Motor, Noise, Odometer, SEARrobot, Sphere, Terrain, Wheel
+    Motor, Noise, Odometer, SEARrobot, Servo, Sphere, Terrain, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
 TREE = "models/Tree/Tree.mesh.xml"
@@ -172,3 +172,11 @@ motor.setStallTorque(0.03)
 motor.setNoLoadSpeed(600)
 motor.setGearRatio(20.4)
 motor.setEncoderCounts(48)
+
+add(Servo(name()))
+add(Servo(name(), *pose[:3]))
+servo = add(Servo(name(), *pose))
+servo.setRange(-45, 120.5)
+servo.setSpeed(300)
+servo.mount(distance)
+servo.mount(lidar)

@@ -19,12 +19,13 @@ import org.SEAR.POJOs.ObjectTypes;
 import org.SEAR.POJOs.Odometer;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Shape;
 
 /** All classes that may stand as root element in an object's file: the grammar's own, shapes as {@code physics.solid.Solids}
  * lists them, and those that other jars register. Immutable, any thread. */
 public final class ObjectClasses {
-    private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Motor.class,
+    private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Motor.class, Servo.class,
         Distance.class, LIDAR.class, GPS.class, Compass.class, Accelerometer.class, Gyroscope.class, Odometer.class, IMU.class);
 
     private final Map<String, Class<? extends SearObject>> byElement = new TreeMap<>();

@@ -8,7 +8,9 @@ public final class BeamFan {
     public final String sensor;
     /** Number of the robot that carries the sensor. */
     public final int robot;
-    /** The sensor in the robot's body frame. */
+    /** Number of the sensor among the robot's components. */
+    public final int part;
+    /** The sensor in the robot's body frame, unless a servo turns it. */
     public final Pose mount;
     /** Unit vectors x, y, z of each beam, sensor frame. */
     public final float[] directions;
@@ -25,10 +27,11 @@ public final class BeamFan {
     /** Whether a beam ends where it hits; else it is drawn in full length and only the sphere shows the hit. */
     public final boolean cut;
 
-    BeamFan(String sensor, int robot, Pose mount, float[] directions, float[] ranges, float[] colors, int[] lines, ColorRGBA hitColor,
-            float hitRadius, boolean cut) {
+    BeamFan(String sensor, int robot, int part, Pose mount, float[] directions, float[] ranges, float[] colors, int[] lines,
+            ColorRGBA hitColor, float hitRadius, boolean cut) {
         this.sensor = sensor;
         this.robot = robot;
+        this.part = part;
         this.mount = mount;
         this.directions = directions;
         this.ranges = ranges;

@@ -34,18 +34,19 @@ public final class BeamFans {
         List<BeamFan> fans = new ArrayList<>();
         List<SEARrobot> robots = project.getRobots();
         for (int robot = 0; robot < robots.size(); robot++) {
-            for (SearObject part : robots.get(robot).getComponents()) {
-                if (part instanceof Distance) {
-                    fans.add(cones((Distance) part, robot));
-                } else if (part instanceof LIDAR) {
-                    fans.add(plane((LIDAR) part, robot));
+            List<SearObject> parts = robots.get(robot).getComponents();
+            for (int i = 0; i < parts.size(); i++) {
+                if (parts.get(i) instanceof Distance) {
+                    fans.add(cones((Distance) parts.get(i), robot, i));
+                } else if (parts.get(i) instanceof LIDAR) {
+                    fans.add(plane((LIDAR) parts.get(i), robot, i));
                 }
             }
         }
         return fans;
     }
 
-    private static BeamFan cones(Distance sensor, int robot) {
+    private static BeamFan cones(Distance sensor, int robot, int part) {
         BeamPattern pattern = BeamPattern.of(sensor.getCones());
         int count = pattern.size();
         float[] directions = new float[3 * count];
@@ -61,11 +62,11 @@ public final class BeamFans {
             colors[3 * i + 1] = (color >> 8 & 0xff) / BYTE;
             colors[3 * i + 2] = (color & 0xff) / BYTE;
         }
-        return new BeamFan(sensor.getFullName(), robot, ObjectPose.of(sensor), directions, ranges, colors, lines(sensor.getCones(), count),
-            DISTANCE_HIT, DISTANCE_RADIUS, false);
+        return new BeamFan(sensor.getFullName(), robot, part, ObjectPose.of(sensor), directions, ranges, colors,
+            lines(sensor.getCones(), count), DISTANCE_HIT, DISTANCE_RADIUS, false);
     }
 
-    private static BeamFan plane(LIDAR lidar, int robot) {
+    private static BeamFan plane(LIDAR lidar, int robot, int part) {
         int count = (int) Math.floor(lidar.getSpread() / lidar.getResolution() + ROUNDING) + 1;
         float[] directions = new float[3 * count];
         float[] ranges = new float[count];
@@ -79,8 +80,8 @@ public final class BeamFans {
             colors[3 * i + 1] = LIDAR_BEAM.g;
             colors[3 * i + 2] = LIDAR_BEAM.b;
         }
-        return new BeamFan(lidar.getFullName(), robot, ObjectPose.of(lidar), directions, ranges, colors, everyNth(count, stride(count)),
-            LIDAR_HIT, LIDAR_RADIUS, true);
+        return new BeamFan(lidar.getFullName(), robot, part, ObjectPose.of(lidar), directions, ranges, colors,
+            everyNth(count, stride(count)), LIDAR_HIT, LIDAR_RADIUS, true);
     }
 
     private static int stride(int count) {

@@ -74,7 +74,7 @@ public final class RunnerLink implements WorldLink {
     private SceneState sceneState(Snapshot snapshot) {
         List<SceneState.RobotState> robots = new ArrayList<>();
         for (Snapshot.RobotState state : snapshot.robots) {
-            robots.add(new SceneState.RobotState(state.name, state.pose, state.speed, state.turnRate, state.wheels,
+            robots.add(new SceneState.RobotState(state.name, state.pose, state.speed, state.turnRate, state.wheels, state.parts,
                 state.devices.stream().map(Snapshot.DeviceState::toString).collect(Collectors.toList())));
         }
         Map<String, double[]> beams = new LinkedHashMap<>();

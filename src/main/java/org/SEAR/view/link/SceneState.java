@@ -46,15 +46,18 @@ public final class SceneState {
         public final double turnRate;
         /** Wheels in the body frame, spin included. */
         public final List<Pose> wheels;
+        /** Components in the body frame; empty if no servo can turn any: they are where their objects are. */
+        public final List<Pose> parts;
         /** Status lines of its devices. */
         public final List<String> status;
 
-        public RobotState(String name, Pose pose, double speed, double turnRate, List<Pose> wheels, List<String> status) {
+        public RobotState(String name, Pose pose, double speed, double turnRate, List<Pose> wheels, List<Pose> parts, List<String> status) {
             this.name = name;
             this.pose = pose;
             this.speed = speed;
             this.turnRate = turnRate;
             this.wheels = wheels;
+            this.parts = parts;
             this.status = status;
         }
 

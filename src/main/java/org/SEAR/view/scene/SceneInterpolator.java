@@ -90,6 +90,15 @@ public final class SceneInterpolator {
         between(before.robots.get(robot).wheels.get(wheel), after.robots.get(robot).wheels.get(wheel), place, turn);
     }
 
+    /** @return whether a servo may turn the component: else it is where its object is */
+    boolean part(int robot, int part, Vector3f place, Quaternion turn) {
+        boolean known = part < before.robots.get(robot).parts.size() && part < after.robots.get(robot).parts.size();
+        if (known) {
+            between(before.robots.get(robot).parts.get(part), after.robots.get(robot).parts.get(part), place, turn);
+        }
+        return known;
+    }
+
     private void between(Pose a, Pose b, Vector3f place, Quaternion turn) {
         place.set(FastMath.interpolateLinear(share, (float) a.x, (float) b.x), FastMath.interpolateLinear(share, (float) a.y, (float) b.y),
             FastMath.interpolateLinear(share, (float) a.z, (float) b.z));

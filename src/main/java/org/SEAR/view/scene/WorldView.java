@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.Project;
 import org.SEAR.view.link.BeamFan;
@@ -21,6 +22,8 @@ public final class WorldView {
     private final List<Node> environment = new ArrayList<>();
     private final List<Node> robots = new ArrayList<>();
     private final List<List<Node>> wheels = new ArrayList<>();
+    /** For each robot with servos the nodes of its components; for others nothing. */
+    private final List<List<Node>> parts = new ArrayList<>();
     private final List<BeamView> beams = new ArrayList<>();
     private final Vector3f place = new Vector3f();
     private final Quaternion turn = new Quaternion();
@@ -34,6 +37,7 @@ public final class WorldView {
         for (SEARrobot robot : project.getRobots()) {
             Node node = attach(root, builder.robot(robot));
             robots.add(node);
+            parts.add(parts(robot, node));
             List<Node> turning = new ArrayList<>();
             for (Wheel wheel : robot.getWheels()) {
                 turning.add(attach(node, builder.object(wheel)));
@@ -50,6 +54,15 @@ public final class WorldView {
     private static Node attach(Node parent, Node child) {
         parent.attachChild(child);
         return child;
+    }
+
+    /** The builder attaches a robot's components in their order. */
+    private static List<Node> parts(SEARrobot robot, Node node) {
+        List<Node> all = new ArrayList<>();
+        if (robot.getComponents().stream().anyMatch(part -> part instanceof Servo)) {
+            node.getChildren().forEach(child -> all.add((Node) child));
+        }
+        return all;
     }
 
     public Node root() {
@@ -90,8 +103,16 @@ public final class WorldView {
                 interpolator.wheel(i, j, place, turn);
                 move(wheels.get(i).get(j));
             }
+            for (int j = 0; j < parts.get(i).size(); j++) {
+                if (interpolator.part(i, j, place, turn)) {
+                    move(parts.get(i).get(j));
+                }
+            }
         }
         for (BeamView beam : beams) {
+            if (interpolator.part(beam.fan().robot, beam.fan().part, place, turn)) {
+                move(beam.node());
+            }
             if (beam.isVisible()) {
                 beam.update(shown.beams.get(beam.fan().sensor));
             }

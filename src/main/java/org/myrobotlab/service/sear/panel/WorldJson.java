@@ -9,6 +9,7 @@ import java.util.Map;
 import org.SEAR.POJOs.BeamCone;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Model;
+import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Terrain;
@@ -39,7 +40,8 @@ import org.myrobotlab.service.sear.readings.ScriptReadings;
  *              {"name": "Land", "type": "Terrain", "ground": "1f-2e" (its stamp: see {@link TerrainMap}), ..}],
  *  "robots": [{"name": "myRoomba", "pose": [..], "speed": 0.2, "turnRate": 0, "radius": 0.17, "path": [[x, z], ..],
  *              "devices": [{"name", "on" (whether it has power), "status" (what it is doing)}],
- *              "parts": [{"name", "type", "corners", "look", "picture", "color", "colored", "pose" (in the body)}], "wheels": [pose, ..]}],
+ *              "parts": [{"name", "type", "corners", "look", "picture", "color", "colored", "pose" (in the body)}], "wheels": [pose, ..],
+ *              "turned": [pose, ..] (of the other parts, if the robot has servos)}],
  *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "hit": [x, y, z] or null,
  *               "cones": [{"halfAngle", "range", "yaw"}]},
  *              {"name": "myLidar", "type": "LIDAR", "pose": [..], "spread": 180, "resolution": 1, "ranges": [.., null, ..]}]}
@@ -99,7 +101,7 @@ public final class WorldJson {
         List<Map<String, Object>> objects = new ArrayList<>();
         snapshot.environment.forEach(pose -> objects.add(posed(pose)));
         state.put("objects", objects);
-        state.put("robots", robots(snapshot));
+        state.put("robots", robots(world, snapshot));
         state.put("sensors", sensors(world));
         return state;
     }
@@ -165,14 +167,17 @@ public final class WorldJson {
         return new double[] {rounded(exact[0], per), rounded(exact[1], per), rounded(exact[2], per)};
     }
 
-    private List<Object> robots(Snapshot snapshot) {
+    private List<Object> robots(Simulation world, Snapshot snapshot) {
         List<Object> list = new ArrayList<>();
         for (Snapshot.RobotState robot : snapshot.robots) {
             Map<String, Object> map = posed(robot.pose);
             map.put("speed", rounded(robot.speed, FINE));
             map.put("turnRate", rounded(robot.turnRate, FINE));
             map.put("devices", devices(robot));
-            map.put("wheels", wheels(robot));
+            map.put("wheels", wheels(robot.wheels));
+            if (!robot.parts.isEmpty()) {
+                map.put("turned", turned(world.getRobots().get(list.size()).getObject(), robot.parts));
+            }
             extendPath(robot);
             list.add(map);
         }
@@ -180,9 +185,20 @@ public final class WorldJson {
     }
 
     /** Their poses in the body, as they have turned, in the order of the wheels among the parts. */
-    private static List<double[]> wheels(Snapshot.RobotState robot) {
+    private static List<double[]> wheels(List<Pose> poses) {
         List<double[]> list = new ArrayList<>();
-        robot.wheels.forEach(pose -> list.add(numbers(pose)));
+        poses.forEach(pose -> list.add(numbers(pose)));
+        return list;
+    }
+
+    /** The poses in the body of the parts that are no wheels, as servos have turned them. */
+    private static List<double[]> turned(SEARrobot robot, List<Pose> poses) {
+        List<double[]> list = new ArrayList<>();
+        for (int i = 0; i < poses.size(); i++) {
+            if (robot.getComponents().get(i) instanceof Shape) {
+                list.add(numbers(poses.get(i)));
+            }
+        }
         return list;
     }
 

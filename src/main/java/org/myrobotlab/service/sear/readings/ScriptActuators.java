@@ -3,10 +3,11 @@ package org.myrobotlab.service.sear.readings;
 import java.util.function.Consumer;
 import org.SEAR.POJOs.ScriptText;
 import org.SEAR.devices.MotorHardware;
+import org.SEAR.devices.ServoHardware;
 import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
-/** Motors by call. An order holds from the start of the next step until the next order. Any thread. */
+/** Motors and servos by call. An order holds from the start of the next step until the next order. Any thread. */
 public final class ScriptActuators {
     private final SimulationControl control;
 
@@ -36,6 +37,30 @@ public final class ScriptActuators {
         return control.session().ask(world -> motor(world, name).getCounts());
     }
 
+    /** @param degrees + counter-clockwise seen from above */
+    public void angle(String name, double degrees) throws InterruptedException {
+        control.session().ask(world -> {
+            servo(world, name).setAngle(degrees);
+            return true;
+        });
+    }
+
+    /** Degrees. */
+    public double angle(String name) throws InterruptedException {
+        return control.session().ask(world -> servo(world, name).getAngle());
+    }
+
+    private static ServoHardware servo(Simulation world, String name) {
+        return world.getServo(given(name, "servo"));
+    }
+
+    private static String given(String name, String kind) {
+        if (name == null) {
+            throw new IllegalArgumentException("the name is missing (None), legal: the name of a " + kind);
+        }
+        return ScriptText.of(name);
+    }
+
     private void ask(String name, Consumer<MotorHardware> order) throws InterruptedException {
         control.session().ask(world -> {
             order.accept(motor(world, name));
@@ -44,9 +69,6 @@ public final class ScriptActuators {
     }
 
     private static MotorHardware motor(Simulation world, String name) {
-        if (name == null) {
-            throw new IllegalArgumentException("the name is missing (None), legal: the name of a motor");
-        }
-        return world.getMotor(ScriptText.of(name));
+        return world.getMotor(given(name, "motor"));
     }
 }

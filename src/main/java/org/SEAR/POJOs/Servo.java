@@ -1,0 +1,145 @@
+package org.SEAR.POJOs;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+
+/**
+ * A servo motor, which turns what is mounted on it about the servo's own y axis: a sensor, a shape, another servo. What is mounted has its place on
+ * the robot, as every component, as it is with the servo at 0 degrees.
+ */
+@Described("a servo motor, which turns what is mounted on it about the servo's own y axis; what is mounted is written where it is with the servo at"
+    + " 0 degrees")
+public class Servo extends SearObject {
+    /** Most parts on a servo. */
+    private static final int MAX_PARTS = 100;
+    private static final double HALF_RANGE = 90;
+    private static final double SPEED = 400;
+
+    @Param(doc = "smallest angle", unit = "deg", min = -360, max = 360)
+    private double minAngle = -HALF_RANGE;
+    @Param(doc = "greatest angle, + counter-clockwise seen from above", unit = "deg", min = -360, max = 360)
+    private double maxAngle = HALF_RANGE;
+    @Param(doc = "how fast it turns", unit = "deg/s", min = 0.1, max = 36000)
+    private double speed = SPEED;
+    @Param(doc = "name of a component of the same robot that it turns: a shape, a distance sensor, a LIDAR, a compass or another servo",
+        element = "part", text = TextRule.NAME, maxEntries = MAX_PARTS)
+    private List<String> partNames = new ArrayList<>();
+
+    /** For reading from a file. */
+    protected Servo() {
+    }
+
+    /** At the origin of the robot, its axis upright: -90 to 90 degrees, 400 degrees a second. */
+    public Servo(String name) {
+        this(name, 0, 0, 0, 0, 0, 0);
+    }
+
+    /** At (x, y, z) of the body frame, metres, its axis upright. */
+    public Servo(String name, double x, double y, double z) {
+        this(name, x, y, z, 0, 0, 0);
+    }
+
+    /** At (x, y, z) of the body frame, metres; (rx, ry, rz), degrees, turn its axis. */
+    public Servo(String name, double x, double y, double z, double rx, double ry, double rz) {
+        super(name);
+        pose(x, y, z, rx, ry, rz);
+        created(Servo.class);
+    }
+
+    @Override
+    boolean isRobotPart() {
+        return true;
+    }
+
+    @Override
+    protected void crossCheck(Faults faults) {
+        if (minAngle >= maxAngle) {
+            faults.add("minAngle", minAngle, "less than maxAngle, which is " + Parameter.format(maxAngle) + " deg");
+        }
+    }
+
+    /**
+     * Has it turn a component of its robot.
+     *
+     * @param part a shape, a distance sensor, a LIDAR, a compass or another servo
+     * @throws IllegalArgumentException if that can't be turned, or another servo turns it, or it is on another robot
+     */
+    public void mount(SearObject part) {
+        checkChangeable();
+        if (part == null || !canTurn(part) || part == this) {
+            throw new IllegalArgumentException(label() + ": " + (part == null ? "part is missing (None)" : part.label() + " can't be mounted")
+                + ", legal: a shape, a distance sensor, a LIDAR, a compass or another servo");
+        }
+        if (part.getMover() != null) {
+            throw new IllegalArgumentException(label() + ": " + part.label() + " is mounted on " + part.getMover().label()
+                + ", legal: what no servo turns yet");
+        }
+        for (SearObject one = this; one != null; one = one.getMover()) {
+            if (one == part) {
+                throw new IllegalArgumentException(label() + ": " + part.label() + " turns it, legal: what does not turn it");
+            }
+        }
+        if (robot() != null && part.robot() != null && robot() != part.robot()) {
+            throw new IllegalArgumentException(label() + ": " + part.label() + " is a part of " + part.robot().label() + ", legal: a part of "
+                + robot().label());
+        }
+        if (partNames.size() >= MAX_PARTS) {
+            throw new IllegalArgumentException(label() + ": part is " + part.label() + ", legal: at most " + MAX_PARTS + " parts");
+        }
+        partNames.add(part.getName());
+        part.setMover(this);
+        changed();
+    }
+
+    /** Whether a servo can turn a kind of component: what measures motion, or is the robot's own, it can't. */
+    public static boolean canTurn(SearObject part) {
+        boolean still = part instanceof Accelerometer || part instanceof Gyroscope || part instanceof IMU || part instanceof GPS
+            || part instanceof Odometer || part instanceof Wheel;
+        return !still && (part instanceof Shape || part instanceof SensorObject || part instanceof Servo);
+    }
+
+    /** Names of the components that it turns, a view. */
+    public List<String> getPartNames() {
+        return Collections.unmodifiableList(partNames);
+    }
+
+    /** Degrees. */
+    public double getMinAngle() {
+        return minAngle;
+    }
+
+    /** Degrees. */
+    public double getMaxAngle() {
+        return maxAngle;
+    }
+
+    /** Degrees a second. */
+    public double getSpeed() {
+        return speed;
+    }
+
+    /**
+     * Sets how far it turns.
+     *
+     * @param smallest angle, degrees
+     * @param greatest angle, degrees, + counter-clockwise seen from above
+     */
+    public void setRange(double smallest, double greatest) {
+        double checkedMin = checked("minAngle", smallest);
+        double checkedMax = checked("maxAngle", greatest);
+        if (checkedMin >= checkedMax) {
+            throw new IllegalArgumentException(label() + ": minAngle is " + Parameter.format(smallest) + ", legal: less than maxAngle, which is "
+                + Parameter.format(greatest) + " deg");
+        }
+        minAngle = checkedMin;
+        maxAngle = checkedMax;
+        changed();
+    }
+
+    /** @param newSpeed degrees a second */
+    public void setSpeed(double newSpeed) {
+        speed = checked("speed", newSpeed);
+        changed();
+    }
+}

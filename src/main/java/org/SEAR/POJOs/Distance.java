@@ -4,12 +4,15 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.SEAR.protocol.arduino.WireRole;
 
 /** Nested cones of beams; the nearest hit of all their lines counts. The cones are a named beam's, or the user's own. */
 @Described("a distance sensor: nested cones of beams, of which the nearest hit counts")
-public class Distance extends SensorObject {
+public class Distance extends SensorObject implements Wirable {
     private static final String DEFAULT_BEAM = "ultrasonic";
     private static final int MAX_CONES = 100;
+    private static final List<WireRole> VOLTS = List.of(WireRole.VOLTS);
+    private static final List<WireRole> ECHO = List.of(WireRole.PING, WireRole.TRIGGER, WireRole.ECHO);
 
     @Param(doc = "name of a beam that comes with SEAR or lies in the project's beams folder; not together with cones of its own",
         text = TextRule.NAME, initial = DEFAULT_BEAM)
@@ -90,6 +93,12 @@ public class Distance extends SensorObject {
     /** Gives a sensor that was read from a file the shape of its named beam. */
     void link(Beam named) {
         shape = named;
+    }
+
+    /** A sensor whose beam has a curve of voltages puts these on a pin; any other one answers with an echo. */
+    @Override
+    public List<WireRole> getWireRoles() {
+        return shape == null || shape.getVoltages().isEmpty() ? ECHO : VOLTS;
     }
 
     @Override

@@ -4,7 +4,7 @@ package org.SEAR.POJOs;
 @FunctionalInterface
 public interface Faults {
     /**
-     * @param element the parameter to change
+     * @param element the parameter to change; {@code wire#2} for an entry of a list, counted from 0
      * @param value what it is
      * @param legal what would be right, in words
      */

@@ -28,6 +28,7 @@ public final class Cable implements SerialLine {
     private int incomingCount;
     private volatile boolean hasIncoming;
     private volatile int hostBaud;
+    private volatile boolean pickedUp;
     private volatile boolean hungUp;
     private volatile int deviceBaud;
     private volatile long written;
@@ -116,6 +117,12 @@ public final class Cable implements SerialLine {
             hungUp = false;
             if (powered) {
                 device.hungUp(time);
+            }
+        }
+        if (pickedUp) {
+            pickedUp = false;
+            if (powered) {
+                device.opened(time);
             }
         }
         if (!hasIncoming) {
@@ -303,6 +310,11 @@ public final class Cable implements SerialLine {
     @Override
     public boolean hearsEveryBaud() {
         return device.hearsEveryBaud();
+    }
+
+    @Override
+    public void pickUp() {
+        pickedUp = true;
     }
 
     @Override

@@ -26,6 +26,14 @@ public interface DeviceContext {
     /** The sensor made from the device's own object (LIDAR, GPS); null for a robot's drive. */
     Sensor<?> sensor();
 
+    /**
+     * The sensor made from another component of the same robot.
+     *
+     * @param part name of the component
+     * @return null if there is none, or it is no sensor
+     */
+    Sensor<?> sensor(String part);
+
     /** The exact state of the robot at the present step, for sensors that are asked for more than their own reading. */
     Truth truth();
 

@@ -32,6 +32,14 @@ public interface SerialDevice {
     default void hungUp(double time) {
     }
 
+    /**
+     * A program has opened the other end of its line, which nobody had open. Who has no DTR line, by which it shows on a real cable, doesn't notice.
+     *
+     * @param time simulated seconds
+     */
+    default void opened(double time) {
+    }
+
     /** Lets the device's own timers run up to a time. */
     void advance(double time);
 

@@ -2,7 +2,7 @@ package org.SEAR.devices;
 
 /**
  * The cable between a device and the user's port. Bytes take 10 bits of simulated time each, in both directions.
- * {@link #write}, {@link #setHostBaud}, {@link #hangUp} and the counters may be called from any thread; the rest is the simulation thread's.
+ * {@link #write}, {@link #setHostBaud}, {@link #pickUp}, {@link #hangUp} and the counters may be called from any thread; the rest is the simulation thread's.
  */
 public interface SerialLine {
     /** Receives the bytes that have left the device. Simulation thread. */
@@ -31,6 +31,9 @@ public interface SerialLine {
 
     /** Whether the device understands the user's end at any speed, see {@link SerialDevice#hearsEveryBaud}. */
     boolean hearsEveryBaud();
+
+    /** A program has opened the user's end; the device notices where a real one does, see {@link SerialDevice#opened}. Any thread. */
+    void pickUp();
 
     /** The last program has left the user's end; the device notices where a real one does, see {@link SerialDevice#hungUp}. Any thread. */
     void hangUp();

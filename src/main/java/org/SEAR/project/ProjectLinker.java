@@ -18,6 +18,7 @@ import org.SEAR.POJOs.SerialObject;
 import org.SEAR.POJOs.Terrain;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.problems.ProblemList;
+import org.SEAR.project.wiring.WiringCheck;
 import org.SEAR.project.xml.ParsedObject;
 
 /** Puts components to their robots and checks what the objects of a project are to each other. One use. */
@@ -52,6 +53,7 @@ final class ProjectLinker {
         }
         new NameCheck(environment, parts, owners, problems).check();
         new VehicleCheck(owners, problems).check();
+        new WiringCheck(owners, problems).check();
         checkPorts();
         checkTerrain();
         checkPlaced();

@@ -152,7 +152,7 @@ final class ProjectReader {
             problems.add(parsed.file, parsed.line("name"), "name", object.getName(), "the name of the file without .xml, \"" + stem + "\"");
         }
         Assembly.crossCheck(object, (element, value, legal) ->
-            problems.add(parsed.file, parsed.line(element), element, Parameter.format(value), legal));
+            problems.add(parsed.file, parsed.line(element), element.replaceAll("#.*", ""), Parameter.format(value), legal));
     }
 
     /** What may stand in a folder: in environment what has a place of its own, in robot all but floors and terrains, in a robot's own no robots. */

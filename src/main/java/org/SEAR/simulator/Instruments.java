@@ -39,25 +39,29 @@ final class Instruments {
         DeviceTypes deviceTypes = DeviceTypes.load();
         for (RobotModel robot : robots) {
             for (SearObject part : robot.getObject().getComponents()) {
-                Sensor<?> sensor = types.isSensor(part) ? types.create(part, seed) : null;
-                if (sensor != null) {
+                if (types.isSensor(part)) {
+                    Sensor<?> sensor = types.create(part, seed);
                     robot.add(sensor);
                     sensors.add(robot.getObject().getName(), part.getName(), sensor);
                     carriers.put(sensor, robot);
                 }
-                connect(part, robot, sensor, seed, deviceTypes);
+            }
+            for (SearObject part : robot.getObject().getComponents()) {
+                connect(part, robot, seed, deviceTypes);
             }
         }
         names = carriers.keySet().stream().map(Sensor::getName).sorted().collect(Collectors.toUnmodifiableList());
     }
 
-    private void connect(SearObject part, RobotModel robot, Sensor<?> sensor, long seed, DeviceTypes types) {
+    /** A device may look at all sensors of its robot. */
+    private void connect(SearObject part, RobotModel robot, long seed, DeviceTypes types) {
         if (!(part instanceof SerialObject) || ((SerialObject) part).getUartPort() == null || ((SerialObject) part).getUserPort() == null) {
             return;
         }
         if (!types.isKnown(part)) {
             return;
         }
+        Sensor<?> sensor = robot.getSensors().stream().filter(each -> each.getParameters() == part).findFirst().orElse(null);
         Port port = new Port(part, robot, sensor, seed, warnings);
         SerialDevice device = types.create(part, port);
         if (device != null) {

@@ -72,6 +72,11 @@ final class Port implements DeviceContext {
     }
 
     @Override
+    public Sensor<?> sensor(String part) {
+        return robot.getSensors().stream().filter(each -> each.getParameters().getName().equals(part)).findFirst().orElse(null);
+    }
+
+    @Override
     public Truth truth() {
         return robot.truth();
     }

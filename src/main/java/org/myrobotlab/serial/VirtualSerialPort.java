@@ -49,6 +49,7 @@ public class VirtualSerialPort extends Port {
     private volatile String owner;
     private volatile String wayOut = WAY_OUT;
     private volatile IntConsumer baudListener = baud -> { };
+    private volatile Runnable openListener = () -> { };
     private volatile LongConsumer handedHook = total -> { };
     private volatile IntSupplier beyond = () -> 0;
     private volatile PortClock clock;
@@ -117,6 +118,11 @@ public class VirtualSerialPort extends Port {
         baudListener = listener;
     }
 
+    /** Told each time the port is opened, as DTR tells on a real one. */
+    public void setOpenListener(Runnable listener) {
+        openListener = listener;
+    }
+
     /** Called by the reader thread after each piece with all bytes ever handed over; the next piece waits for its return. */
     public void setHandedHook(LongConsumer hook) {
         handedHook = hook;
@@ -181,6 +187,7 @@ public class VirtualSerialPort extends Port {
             if (!opened) {
                 super.open();
                 opened = true;
+                openListener.run();
             }
         }
     }

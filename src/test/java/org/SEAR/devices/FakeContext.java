@@ -17,6 +17,8 @@ public final class FakeContext implements DeviceContext {
     public final List<String> warnings = new ArrayList<>();
     private final java.util.Set<String> causes = new java.util.HashSet<>();
     public Sensor<?> sensor;
+    /** Sensors of other components, by name. */
+    public final java.util.Map<String, Sensor<?>> parts = new java.util.HashMap<>();
     public Object reading;
     public double now;
     public long epoch = EPOCH;
@@ -138,6 +140,11 @@ public final class FakeContext implements DeviceContext {
     @Override
     public Sensor<?> sensor() {
         return sensor;
+    }
+
+    @Override
+    public Sensor<?> sensor(String part) {
+        return parts.get(part);
     }
 
     @Override

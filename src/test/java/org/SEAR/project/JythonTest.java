@@ -44,7 +44,7 @@ public class JythonTest {
         assertEquals(5, read.getWarnings().size());
         SEARrobot robot = read.getRobots().get(0);
         assertEquals(9, robot.getWheels().size());
-        assertEquals(39, robot.getComponents().size());
+        assertEquals(44, robot.getComponents().size());
     }
 
     @Test

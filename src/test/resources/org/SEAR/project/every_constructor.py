@@ -1,6 +1,6 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
-from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, Model, \
-    Motor, Noise, Odometer, SEARrobot, Servo, Sphere, Terrain, Wheel
+from org.SEAR.POJOs import Accelerometer, Arduino, BeamCone, Box, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, \
+    Model, Motor, Noise, Odometer, SEARrobot, Servo, Sphere, Terrain, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
 TREE = "models/Tree/Tree.mesh.xml"
@@ -180,3 +180,21 @@ servo.setRange(-45, 120.5)
 servo.setSpeed(300)
 servo.mount(distance)
 servo.mount(lidar)
+
+eye = add(Distance(name(), "GP2Y0A21"))
+ping = add(Distance(name(), "PING)))"))
+sonar = add(Distance(name(), "SONAR"))
+add(Arduino(name())).setExport(5012)
+mega = add(Arduino(name(), "Mega"))
+mega.setPorts("/dev/q", "/dev/r")
+mega.setFirmware("StandardFirmata")
+mega.setBaud(115200)
+mega.setExport("ttyARDUINO")
+mega.wire("A15", eye)
+mega.wire(7, ping)
+mega.wire(22, sonar, "trigger")
+mega.wire("D23", sonar, "echo")
+mega.wire("8", sonar, "ping")
+mega.unwire(8)
+mega.wire(9, sonar, "ping")
+mega.unwire("9")

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.ServiceLoader;
 import java.util.TreeMap;
 import org.SEAR.POJOs.Accelerometer;
+import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Dynamics;
@@ -26,7 +27,8 @@ import org.SEAR.POJOs.Shape;
  * lists them, and those that other jars register. Immutable, any thread. */
 public final class ObjectClasses {
     private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Motor.class, Servo.class,
-        Distance.class, LIDAR.class, GPS.class, Compass.class, Accelerometer.class, Gyroscope.class, Odometer.class, IMU.class);
+        Distance.class, LIDAR.class, GPS.class, Compass.class, Accelerometer.class, Gyroscope.class, Odometer.class, IMU.class,
+        Arduino.class);
 
     private final Map<String, Class<? extends SearObject>> byElement = new TreeMap<>();
     private final List<Class<? extends SearObject>> inOrder = new ArrayList<>();

@@ -125,6 +125,10 @@ final class PortBridge implements SerialDataListener {
 
     /** From now on the rate of this end holds. */
     synchronized void use(LineEnd end) {
+        OutsideLine direct = line;
+        if (inUse.isEmpty() && direct != null) {
+            direct.pickUp();
+        }
         if (inUse.isEmpty() || inUse.get(inUse.size() - 1) != end) {
             inUse.remove(end);
             inUse.add(end);

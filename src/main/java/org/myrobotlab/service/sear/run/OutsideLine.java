@@ -17,6 +17,9 @@ public interface OutsideLine {
      */
     void setReader(SerialLine.Sink reader);
 
+    /** The first program has come. Never waits. */
+    void pickUp();
+
     /** The last program has gone. Never waits. */
     void hangUp();
 

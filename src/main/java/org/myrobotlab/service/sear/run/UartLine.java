@@ -107,6 +107,7 @@ final class UartLine implements OutsideLine {
         uart.setHandedHook(this::awaitDevice);
         user.setBaudListener(this::hostBaud);
         user.setBeyond(line::getWaiting);
+        user.setOpenListener(line::pickUp);
         ServiceInterface started = Runtime.start(serviceName, "Serial");
         if (!(started instanceof Serial)) {
             throw new IOException("a service named " + serviceName + " exists already and is no Serial service: release it first");
@@ -176,6 +177,11 @@ final class UartLine implements OutsideLine {
     @Override
     public void setReader(SerialLine.Sink newReader) {
         reader = newReader;
+    }
+
+    @Override
+    public void pickUp() {
+        line.pickUp();
     }
 
     @Override

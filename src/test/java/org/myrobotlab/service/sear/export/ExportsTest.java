@@ -549,6 +549,11 @@ public class ExportsTest {
             }
 
             @Override
+            public void pickUp() {
+                // Nothing here notices.
+            }
+
+            @Override
             public void hangUp() {
                 hungUp.countDown();
             }

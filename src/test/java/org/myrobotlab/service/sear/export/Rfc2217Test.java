@@ -45,6 +45,11 @@ public class Rfc2217Test {
             }
 
             @Override
+            public void pickUp() {
+                // Nothing here notices.
+            }
+
+            @Override
             public void hangUp() {
                 // The device has a cable.
             }

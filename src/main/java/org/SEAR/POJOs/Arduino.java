@@ -1,0 +1,242 @@
+package org.SEAR.POJOs;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import org.SEAR.protocol.arduino.BoardModel;
+import org.SEAR.protocol.arduino.WireRole;
+
+/** An Arduino on a pair of serial ports, with the robot's sensors and motors wired to its pins. */
+@Described("an Arduino on a pair of serial ports, with the robot's sensors and motors wired to its pins")
+public class Arduino extends SearObject implements SerialObject {
+    private static final String MRL_COMM = "MrlComm";
+    private static final String FIRMATA = "StandardFirmata";
+    private static final int MRL_COMM_BAUD = 115200;
+    private static final int FIRMATA_BAUD = 57600;
+    private static final int MAX_WIRES = 70;
+
+    @Param(doc = "kind of board", values = {"uno", "mega"})
+    private String board = "uno";
+    @Param(doc = "program that runs on it: MyRobotLab's own, or Firmata 2.5 with encoders and echoes", values = {MRL_COMM, FIRMATA})
+    private String firmware = MRL_COMM;
+    @Included
+    private final SerialParameters serial = new SerialParameters(MRL_COMM_BAUD);
+    @Param(doc = "a wire from a pin to a component", element = "wire", maxEntries = MAX_WIRES)
+    private List<BoardWire> wires = new ArrayList<>();
+
+    /** For reading from a file. */
+    protected Arduino() {
+    }
+
+    /** An Uno. */
+    public Arduino(String name) {
+        this(name, "uno");
+    }
+
+    /** @param board uno or mega */
+    public Arduino(String name, String board) {
+        super(name);
+        this.board = lower(board);
+        created(Arduino.class);
+    }
+
+    private static String lower(String text) {
+        return text == null ? null : text.toLowerCase(Locale.ROOT);
+    }
+
+    @Override
+    boolean isRobotPart() {
+        return true;
+    }
+
+    /** One by one in their order, so that of two wires at one pin the second is told of. */
+    @Override
+    protected void crossCheck(Faults faults) {
+        List<BoardWire> good = new ArrayList<>();
+        for (int i = 0; i < wires.size(); i++) {
+            BoardWire wire = wires.get(i);
+            if (wire.getRole() == null || wire.getPart() == null) {
+                continue;
+            }
+            String reason = WireRules.reason(getModel(), good, wire.getPin(), wire.getRole());
+            BoardWire same = WireRules.same(good, wire.getPart(), wire.getRole());
+            if (reason != null) {
+                faults.add("wire#" + i, wire.getPin() + ", " + reason, WireRules.legal(getModel(), good, wire.getRole()));
+            } else if (same != null) {
+                faults.add("wire#" + i, wire.getPin(), "one wire for " + wire.getRole().getWord() + " of " + wire.getPart() + ", which has pin "
+                    + same.getPin());
+            } else {
+                good.add(wire);
+            }
+        }
+    }
+
+    /** What kind of board it is. */
+    public BoardModel getModel() {
+        return BoardModel.of(board);
+    }
+
+    /** uno or mega. */
+    public String getBoard() {
+        return board;
+    }
+
+    /** MrlComm or StandardFirmata. */
+    public String getFirmware() {
+        return firmware;
+    }
+
+    /** Whether it runs StandardFirmata. */
+    public boolean isFirmata() {
+        return FIRMATA.equals(firmware);
+    }
+
+    /** The wires in the order in which they were made; a view. */
+    public List<BoardWire> getWires() {
+        return Collections.unmodifiableList(wires);
+    }
+
+    /**
+     * Wires a component to a pin, for what its kind is for.
+     *
+     * @param pin for example "A0" or "7"
+     */
+    public void wire(String pin, SearObject part) {
+        wire(pin, part, null);
+    }
+
+    /** Wires a component to a digital pin, for what its kind is for. */
+    public void wire(int pin, SearObject part) {
+        wire(Integer.toString(pin), part, null);
+    }
+
+    /** Wires a component to a digital pin. */
+    public void wire(int pin, SearObject part, String role) {
+        wire(Integer.toString(pin), part, role);
+    }
+
+    /**
+     * Wires a component to a pin.
+     *
+     * @param pin for example "A0" or "7"
+     * @param part a component of the same robot
+     * @param role what the wire is for; null for what the component's kind is for
+     * @throws IllegalArgumentException that says what is legal, if the pin can't do that or is taken, or the component has no such wire
+     */
+    public void wire(String pin, SearObject part, String role) {
+        checkChangeable();
+        if (part == null) {
+            throw new IllegalArgumentException(label() + ": what is wired to pin " + pin + " is missing (None), legal: a component of the robot");
+        }
+        WireRole wanted = role == null ? null : WireRole.of(role);
+        String problem = WireRules.problem(part, wanted);
+        if (problem != null) {
+            throw new IllegalArgumentException(label() + ": " + problem);
+        }
+        List<WireRole> roles = ((Wirable) part).getWireRoles();
+        if (role != null && wanted == null) {
+            throw new IllegalArgumentException(label() + ": role is " + ParameterTable.quote(role) + ", legal for " + part + ": "
+                + WireRules.words(roles));
+        }
+        add(pin, part, wanted == null ? roles.get(0) : wanted);
+    }
+
+    private void add(String pin, SearObject part, WireRole role) {
+        String reason = WireRules.reason(getModel(), wires, pin, role);
+        if (reason != null) {
+            throw new IllegalArgumentException(label() + ": pin " + pin + " is " + reason + ", legal: " + WireRules.legal(getModel(), wires, role));
+        }
+        BoardWire same = WireRules.same(wires, part.getName(), role);
+        if (same != null) {
+            throw new IllegalArgumentException(label() + ": " + part + " has its " + role.getWord() + " at pin " + same.getPin()
+                + " already, legal: one pin for it; unwire(\"" + same.getPin() + "\") pulls the wire out");
+        }
+        wires.add(new BoardWire(getModel().nameOf(getModel().pinOf(pin)), part.getName(), role));
+        changed();
+    }
+
+    /**
+     * Pulls out the wire at a pin.
+     *
+     * @throws IllegalArgumentException that names the wired pins, if nothing is wired to it
+     */
+    public void unwire(String pin) {
+        checkChangeable();
+        int number = getModel().pinOf(pin);
+        if (!wires.removeIf(wire -> getModel().pinOf(wire.getPin()) == number)) {
+            List<String> pins = new ArrayList<>();
+            wires.forEach(wire -> pins.add(wire.getPin()));
+            throw new IllegalArgumentException(label() + ": nothing is wired to pin " + pin + ", legal: "
+                + (pins.isEmpty() ? "none, nothing is wired" : String.join(", ", pins)));
+        }
+        changed();
+    }
+
+    /** Pulls out the wire at a digital pin. */
+    public void unwire(int pin) {
+        unwire(Integer.toString(pin));
+    }
+
+    /** @param newFirmware MrlComm (115200 baud at first) or StandardFirmata (57600) */
+    public void setFirmware(String newFirmware) {
+        int old = deliveredBaud();
+        firmware = checked("firmware", newFirmware);
+        if (getBaud() == old && old != deliveredBaud()) {
+            serial.setBaud(this, deliveredBaud());
+        }
+        changed();
+    }
+
+    private int deliveredBaud() {
+        return isFirmata() ? FIRMATA_BAUD : MRL_COMM_BAUD;
+    }
+
+    @Override
+    public String getUartPort() {
+        return serial.getUartPort();
+    }
+
+    @Override
+    public String getUserPort() {
+        return serial.getUserPort();
+    }
+
+    @Override
+    public int getBaud() {
+        return serial.getBaud();
+    }
+
+    @Override
+    public String getExport() {
+        return serial.getExport();
+    }
+
+    /**
+     * @param uart the device's end
+     * @param user the end that the user opens
+     */
+    public void setPorts(String uart, String user) {
+        serial.setPorts(this, uart, user);
+    }
+
+    /**
+     * Has every start of a simulation export the user's port; the export stays while the simulation is stopped.
+     *
+     * @param target the name of a link in the folder SEARports; or {@code tcp:5001} or {@code rfc2217:5001}, a port of this computer; null for
+     *     nowhere
+     */
+    public void setExport(String target) {
+        serial.setExport(this, target);
+    }
+
+    /** @param port raw bytes at this TCP port of this computer, 1024 to 65535 */
+    public void setExport(int port) {
+        serial.setExport(this, "tcp:" + port);
+    }
+
+    /** @param newBaud speed of its line, 300 to 100000000 */
+    public void setBaud(int newBaud) {
+        serial.setBaud(this, newBaud);
+    }
+}

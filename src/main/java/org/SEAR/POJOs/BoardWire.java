@@ -1,0 +1,40 @@
+package org.SEAR.POJOs;
+
+import org.SEAR.protocol.arduino.WireRole;
+
+/** A wire from a pin of an {@link Arduino} to a component of the same robot. Immutable, any thread. */
+@Described("a wire from a pin of an Arduino to a component of the same robot")
+public class BoardWire {
+    @Param(doc = "the pin, 7 or A0", required = true)
+    private String pin;
+    @Param(doc = "name of the component", text = TextRule.NAME, required = true)
+    private String part;
+    @Param(doc = "what the wire is for", values = {"volts", "ping", "trigger", "echo", "pwm", "reverse", "direction", "encoderA", "encoderB", "servo",
+        "contact", "light"}, required = true)
+    private String role;
+
+    /** For reading from a file. */
+    protected BoardWire() {
+    }
+
+    BoardWire(String pin, String part, WireRole role) {
+        this.pin = pin;
+        this.part = part;
+        this.role = role.getWord();
+    }
+
+    /** The pin as people write it, {@code 7} or {@code A0}. */
+    public String getPin() {
+        return pin;
+    }
+
+    /** Name of the component. */
+    public String getPart() {
+        return part;
+    }
+
+    /** What the wire is for; null only in a file whose problems are being told. */
+    public WireRole getRole() {
+        return WireRole.of(role);
+    }
+}

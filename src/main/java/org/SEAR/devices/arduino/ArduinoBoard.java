@@ -1,0 +1,152 @@
+package org.SEAR.devices.arduino;
+
+import java.util.function.Function;
+import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.SerialDevice;
+
+/**
+ * A board with its program. Opening its port resets it, as the DTR line of a real one does: for a second its boot loader has the line, then its program
+ * begins anew. Bytes that come to the boot loader are lost.
+ */
+public final class ArduinoBoard implements SerialDevice, Firmware.Host {
+    /** How long the boot loader waits for a new program, seconds. */
+    static final double BOOT = 1;
+    /** Bytes that wait for a busy program. */
+    static final int BUFFER = 64;
+
+    private final String title;
+    private final int baud;
+    private final Pins pins;
+    private final DeviceContext context;
+    private final Firmware firmware;
+    private final int[] waiting = new int[BUFFER];
+    private int first;
+    private int count;
+    private double startsAt;
+    private double busyUntil;
+
+    /**
+     * A board that has been on since long.
+     *
+     * @param title what kind of board it is and what runs on it
+     * @param maker makes its program
+     */
+    ArduinoBoard(String title, int baud, Pins pins, DeviceContext context, Function<Firmware.Host, Firmware> maker) {
+        this.title = title;
+        this.baud = baud;
+        this.pins = pins;
+        this.context = context;
+        this.firmware = maker.apply(this);
+        reset();
+    }
+
+    @Override
+    public int getBaud() {
+        return baud;
+    }
+
+    @Override
+    public void reset() {
+        halt();
+        startsAt = Double.NaN;
+        firmware.setUp(0, true);
+    }
+
+    private void halt() {
+        pins.release();
+        first = 0;
+        count = 0;
+        busyUntil = 0;
+    }
+
+    @Override
+    public void powerOff() {
+        halt();
+    }
+
+    @Override
+    public void powerOn(double time) {
+        halt();
+        startsAt = time + BOOT;
+    }
+
+    @Override
+    public void opened(double time) {
+        context.clearOutput();
+        powerOn(time);
+    }
+
+    @Override
+    public void receive(int value, double time) {
+        advance(time);
+        if (isStarting()) {
+            return;
+        }
+        if (time >= busyUntil) {
+            firmware.receive(value, time);
+        } else if (count < BUFFER) {
+            waiting[(first + count++) % BUFFER] = value;
+        }
+    }
+
+    private boolean isStarting() {
+        return !Double.isNaN(startsAt);
+    }
+
+    /** A framing error: a byte of nonsense comes instead. */
+    @Override
+    public void receiveGarbage(double time) {
+        receive(0, time);
+    }
+
+    @Override
+    public void advance(double time) {
+        if (isStarting()) {
+            if (time < startsAt) {
+                return;
+            }
+            double start = startsAt;
+            startsAt = Double.NaN;
+            firmware.setUp(start, false);
+        }
+        while (count > 0 && busyUntil <= time) {
+            int value = waiting[first];
+            first = (first + 1) % BUFFER;
+            count--;
+            firmware.receive(value, Math.max(busyUntil, context.time()));
+        }
+        if (busyUntil <= time) {
+            firmware.advance(time);
+        }
+    }
+
+    @Override
+    public String status() {
+        return title + ": " + (isStarting() ? "starting" : firmware.status()) + ", " + baud + " baud";
+    }
+
+    @Override
+    public Pins pins() {
+        return pins;
+    }
+
+    @Override
+    public void send(byte[] bytes, double time) {
+        context.send(bytes, time);
+    }
+
+    @Override
+    public double lineFreeAt() {
+        return context.lineFreeAt();
+    }
+
+    @Override
+    public void busy(double until) {
+        busyUntil = Math.max(busyUntil, until);
+    }
+
+    @Override
+    public void warn(String cause, String message) {
+        context.warn(cause, message);
+    }
+}

@@ -1,0 +1,62 @@
+package org.SEAR.devices.arduino;
+
+import org.SEAR.protocol.mrlcomm.MrlFunction;
+import org.SEAR.protocol.mrlcomm.MrlMessage;
+
+/** An ultrasonic sensor of MrlComm: pings one after another, and tells whole centimetres when they change; 0 for nothing within 500. */
+final class MrlUltrasonic implements MrlDevice {
+    private static final int TYPE = 2;
+    /** Microseconds of echo for a centimetre, as its library reckons. */
+    private static final int MICROS_A_CENTIMETRE = 57;
+    private static final int MOST_CENTIMETRES = 500;
+    private static final double MICROSECOND = 1e-6;
+    private static final double LONGEST = (MOST_CENTIMETRES + 1) * MICROS_A_CENTIMETRE * MICROSECOND;
+
+    private final int id;
+    private final Firmware.Host host;
+    private final int trigger;
+    private final int listened;
+    private boolean ranging;
+    private int last;
+    private double next;
+
+    MrlUltrasonic(int id, Firmware.Host host, int trigger, int listened) {
+        this.id = id;
+        this.host = host;
+        this.trigger = trigger;
+        this.listened = listened;
+        host.pins().setMode(listened, Pins.Mode.INPUT);
+        if (trigger != listened) {
+            host.pins().setMode(trigger, Pins.Mode.OUTPUT);
+        }
+    }
+
+    @Override
+    public int type() {
+        return TYPE;
+    }
+
+    void setRanging(boolean on) {
+        ranging = on;
+    }
+
+    @Override
+    public void detach() {
+        ranging = false;
+    }
+
+    @Override
+    public void loop(double time) {
+        if (!ranging || time < next) {
+            return;
+        }
+        double echo = host.pins().echo(trigger, listened);
+        boolean heard = echo < LONGEST;
+        next = time + (heard ? echo : LONGEST);
+        int centimetres = heard ? (int) ((Math.round(echo / MICROSECOND) + MICROS_A_CENTIMETRE / 2) / MICROS_A_CENTIMETRE) : 0;
+        if (centimetres != last) {
+            last = centimetres;
+            host.send(MrlMessage.of(MrlFunction.PUBLISH_ULTRASONIC).add(id).addShort(centimetres).end().toBytes(), next);
+        }
+    }
+}

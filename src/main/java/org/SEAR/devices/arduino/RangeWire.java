@@ -1,0 +1,48 @@
+package org.SEAR.devices.arduino;
+
+import org.SEAR.devices.DeviceContext;
+import org.SEAR.protocol.arduino.WireRole;
+import org.SEAR.sensors.DistanceReading;
+import org.SEAR.sensors.Sensor;
+
+/** A wire of a distance sensor: its voltage, or the pulse that lasts as long as the sound is on its way. */
+final class RangeWire implements PinWire {
+    /** m/s, of dry air at 20 degrees. */
+    static final double SOUND = 343.2;
+    /** Longest pulses, seconds, which they give when nothing comes back: data sheets of the PING))) and the HC-SR04. */
+    static final double PING_SILENCE = 0.0185;
+    static final double HC_SILENCE = 0.038;
+
+    private final DeviceContext context;
+    private final Sensor<?> sensor;
+    private final WireRole role;
+
+    RangeWire(DeviceContext context, Sensor<?> sensor, WireRole role) {
+        this.context = context;
+        this.sensor = sensor;
+        this.role = role;
+    }
+
+    @Override
+    public double volts() {
+        Object reading = role == WireRole.VOLTS ? context.read(sensor) : null;
+        return reading instanceof DistanceReading ? ((DistanceReading) reading).getVolts() : role == WireRole.ECHO ? 0 : Double.NaN;
+    }
+
+    @Override
+    public double echo(PinWire listened) {
+        boolean starts = role == WireRole.PING && listened == this || role == WireRole.TRIGGER && listened instanceof RangeWire
+            && ((RangeWire) listened).sensor == sensor && ((RangeWire) listened).role == WireRole.ECHO;
+        if (!starts) {
+            return Double.NaN;
+        }
+        double silence = role == WireRole.PING ? PING_SILENCE : HC_SILENCE;
+        Object reading = context.read(sensor);
+        return reading instanceof DistanceReading ? Math.min(silence, 2 * ((DistanceReading) reading).getDistance() / SOUND) : silence;
+    }
+
+    @Override
+    public String describe() {
+        return sensor.getName() + " (" + role.getWord() + ")";
+    }
+}

@@ -1,0 +1,196 @@
+package org.SEAR.devices.arduino;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import org.SEAR.protocol.arduino.BoardModel;
+import org.junit.Test;
+
+/** Exchanges with StandardFirmata 2.5 as protocol.md has them, in the order in which drivers ask. */
+public class FirmataTest {
+    private static final String FIRMWARE = "F0 79 02 05 53 00 74 00 61 00 6E 00 64 00 61 00 72 00 64 00 46 00 69 00 72 00 6D 00 61 00 74 00 61 00 2E 00 69 00 6E"
+        + " 00 6F 00 F7";
+    private static final String DIGITAL = "00 01 0B 01 01 01 04 0E 7F ";
+    private static final String PWM = "00 01 0B 01 01 01 03 08 04 0E 7F ";
+    private static final String ANALOG = "00 01 0B 01 01 01 02 0A 04 0E 7F ";
+    private static final String TWO_WIRE = "00 01 0B 01 01 01 02 0A 04 0E 06 01 7F ";
+
+    private final Boards uno = Boards.firmata(BoardModel.UNO);
+
+    /** A boot loader for a second, blinks for 2.125 s, then version and name. */
+    @Test
+    public void anOpenedPortResetsTheBoard() {
+        uno.line.host("F4 0D 01 F5 0D 01");
+        assertTrue(uno.pins.read(13));
+        uno.board.opened(uno.line.now);
+        assertFalse(uno.pins.mode(13) == Pins.Mode.OUTPUT);
+        uno.line.take();
+        uno.line.host("F9");
+        uno.line.pass(0.99);
+        assertEquals("", uno.line.takeHex());
+        uno.line.pass(0.1);
+        uno.line.host("F9");
+        uno.line.pass(3);
+        assertEquals("what came while it blinked is answered at its end", "F9 02 05 " + FIRMWARE + " F9 02 05", uno.line.takeHex());
+        assertFalse(uno.pins.read(13));
+    }
+
+    /** What firmata.js and johnny-five ask: version, name, capabilities, analog mapping. */
+    @Test
+    public void theHandshakeOfJohnnyFive() {
+        assertEquals("F9 02 05", uno.answer("F9"));
+        assertEquals(FIRMWARE, uno.answer("F0 79 F7"));
+        assertEquals(("F0 6C 7F 7F " + DIGITAL + PWM + DIGITAL + PWM + PWM + DIGITAL + DIGITAL + PWM + PWM + PWM + DIGITAL + DIGITAL + ANALOG + ANALOG
+            + ANALOG + ANALOG + TWO_WIRE + TWO_WIRE + "F7"), uno.answer("F0 6B F7"));
+        assertEquals("F0 6A 7F 7F 7F 7F 7F 7F 7F 7F 7F 7F 7F 7F 7F 7F 00 01 02 03 04 05 F7", uno.answer("F0 69 F7"));
+    }
+
+    @Test
+    public void aMegaHasItsOwnPins() {
+        Boards mega = Boards.firmata(BoardModel.MEGA);
+        String answer = mega.answer("F0 6B F7");
+        assertEquals(70, answer.split("7F", -1).length - 1);
+        assertEquals(16, answer.split("02 0A", -1).length - 1);
+        assertEquals(15, answer.split("03 08", -1).length - 1);
+        assertEquals(48, answer.split("04 0E", -1).length - 1);
+        assertTrue(mega.answer("F0 69 F7").endsWith("7F 00 01 02 03 04 05 06 07 08 09 0A 0B 0C 0D 0E 0F F7"));
+    }
+
+    /** What pyFirmata2 sends for an analog pin and its sampling. */
+    @Test
+    public void voltagesAreToldAtEachSample() {
+        Boards.Probe sharp = uno.probe(14);
+        sharp.volts = 2.5;
+        assertEquals("E0 00 04", uno.answer("C0 01"));
+        uno.line.host("F0 7A 13 00 F7");
+        uno.line.take();
+        uno.line.pass(1);
+        String[] told = uno.line.takeHex().split("(?=E0)");
+        assertEquals(1000 / 19, told.length, 1);
+        assertEquals("E0 00 04", told[10].trim());
+        sharp.volts = 5;
+        uno.line.pass(0.1);
+        assertTrue(uno.line.takeHex().endsWith("E0 7F 07"));
+        uno.line.host("C0 00");
+        uno.line.take();
+        uno.line.pass(1);
+        assertEquals("", uno.line.takeHex());
+    }
+
+    @Test
+    public void levelsAreToldWhenTheyChange() {
+        Boards.Probe contact = uno.probe(4);
+        contact.volts = 5;
+        assertEquals("90 10 00", uno.answer("F4 04 00 D0 01"));
+        uno.line.pass(1);
+        assertEquals("", uno.line.takeHex());
+        contact.volts = 0;
+        uno.line.pass(0.1);
+        assertEquals("90 00 00", uno.line.takeHex());
+    }
+
+    /** An open contact floats; with the pull-up it is high. */
+    @Test
+    public void aPullUpHoldsAnOpenContact() {
+        uno.probe(4);
+        assertEquals("90 10 00", uno.answer("F4 04 0B D0 01"));
+        assertEquals("F0 6E 04 0B 01 F7", uno.answer("F0 6D 04 F7"));
+        uno.line.pass(1);
+        assertEquals("", uno.line.takeHex());
+        uno.line.host("F4 05 00");
+        uno.line.pass(1);
+        assertTrue("pin 5 floats", uno.line.takeHex().split("90", -1).length > 10);
+    }
+
+    @Test
+    public void outputsGetLevelsDutiesAndPulses() {
+        Boards.Probe led = uno.probe(13);
+        Boards.Probe motor = uno.probe(9);
+        Boards.Probe servo = uno.probe(10);
+        uno.line.host("F4 0D 01 91 20 01");
+        assertEquals(1, led.level, 0);
+        uno.line.host("F5 0D 00");
+        assertEquals(0, led.level, 0);
+        uno.line.host("F4 09 03 E9 7F 00");
+        assertEquals(127 / 255.0, motor.level, 1e-9);
+        uno.line.host("F0 6F 09 7F 01 F7");
+        assertEquals(1, motor.level, 0);
+        assertEquals("F0 6E 09 03 7F 01 F7", uno.answer("F0 6D 09 F7"));
+        uno.line.host("F4 0A 04 EA 5A 00");
+        assertEquals(1472, servo.micros);
+        uno.line.host("F0 70 0A 68 07 50 0F F7 EA 34 01");
+        assertEquals("1000 to 2000 us, 180 degrees", 2000, servo.micros);
+        uno.line.host("EA 5C 0B");
+        assertEquals(1500, servo.micros);
+        uno.line.host("F4 0A 01");
+        assertEquals(0, servo.micros);
+        assertEquals("F0 6E 63 F7", uno.answer("F0 6D 63 F7"));
+    }
+
+    /** Reset to defaults: no answer, no reports, outputs low. */
+    @Test
+    public void aResetForgetsEverything() {
+        Boards.Probe motor = uno.probe(9);
+        uno.probe(14).volts = 1;
+        uno.line.host("F4 09 03 E9 7F 00 C0 01 D1 01");
+        assertEquals("", uno.answer("FF"));
+        assertEquals(0, motor.level, 0);
+        uno.line.pass(1);
+        assertEquals("", uno.line.takeHex());
+    }
+
+    /** johnny-five's HC-SR04 at pin 7. */
+    @Test
+    public void echoes() {
+        Boards.Probe ping = uno.probe(7);
+        ping.echo = 0.001;
+        assertTrue(uno.answer("F0 6B F7").contains("00 01 0B 01 01 01 04 0E 75 01 7F"));
+        String request = "F0 75 07 01 00 00 00 00 00 00 05 00 00 00 0F 00 42 00 40 00 F7";
+        assertEquals("F0 75 07 00 00 00 00 00 03 00 68 01 F7", uno.answer(request));
+        ping.echo = Double.POSITIVE_INFINITY;
+        uno.line.pass(0.1);
+        assertEquals("F0 75 07 00 00 00 00 00 00 00 00 00 F7", uno.answer(request));
+        uno.line.host("F9");
+        assertEquals("it waits for an echo that doesn't come", "", uno.line.takeHex());
+        uno.line.pass(1.1);
+        assertEquals("F9 02 05", uno.line.takeHex());
+    }
+
+    @Test
+    public void encoders() {
+        Boards.Probe first = uno.probe(2);
+        first.second = uno.probe(3);
+        first.counts = 1000;
+        assertTrue(uno.answer("F0 6B F7").contains("09 1C"));
+        assertEquals("", uno.answer("F0 61 00 02 02 03 F7"));
+        first.counts = 700;
+        assertEquals("F0 61 42 2C 02 00 00 F7", uno.answer("F0 61 01 02 F7"));
+        assertEquals("F0 61 42 2C 02 00 00 F7", uno.answer("F0 61 02 F7"));
+        uno.line.host("F0 61 03 02 F7 F0 61 04 01 F7");
+        uno.line.pass(0.1);
+        assertTrue(uno.line.takeHex().startsWith("F0 61 02 00 00 00 00 F7 F0 61 02"));
+        uno.line.host("F0 61 05 02 F7");
+        uno.line.take();
+        uno.line.pass(0.1);
+        assertEquals("", uno.line.takeHex());
+    }
+
+    @Test
+    public void theTwoWireBusIsEmpty() {
+        assertTrue(uno.answer("F0 78 00 00 F7 F0 76 1E 08 01 00 F7").startsWith("F0 71 49 00 32 00 43 00"));
+        assertTrue(uno.line.warnings.toString(), uno.line.warnings.get(0).contains("I2C"));
+    }
+
+    /** More than the line can carry is left out, not piled up. */
+    @Test
+    public void samplesThatTheLineCantCarryAreLeftOut() {
+        for (int channel = 0; channel < 6; channel++) {
+            uno.line.host(0xC0 + channel, 1);
+        }
+        uno.line.host("F0 7A 01 00 F7");
+        uno.line.pass(2);
+        assertTrue(uno.line.lineFreeAt() - uno.line.now < 0.1);
+        assertTrue(uno.line.take().length > 10000);
+    }
+}

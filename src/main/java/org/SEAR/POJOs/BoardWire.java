@@ -9,8 +9,8 @@ public class BoardWire {
     private String pin;
     @Param(doc = "name of the component", text = TextRule.NAME, required = true)
     private String part;
-    @Param(doc = "what the wire is for", values = {"volts", "ping", "trigger", "echo", "pwm", "reverse", "direction", "encoderA", "encoderB", "servo",
-        "contact", "light"}, required = true)
+    @Param(doc = "what the wire is for", values = {"volts", "ping", "trigger", "echo", "pwm", "reverse", "direction", "encoderA", "encoderB",
+        "servo"}, required = true)
     private String role;
 
     /** For reading from a file. */

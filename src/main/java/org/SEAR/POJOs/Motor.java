@@ -3,6 +3,7 @@ package org.SEAR.POJOs;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.SEAR.protocol.arduino.WireRole;
 
 /**
  * An electric motor with its gear, which turns one or more wheels of the robot it belongs to. Its torque falls in a straight line with its speed:
@@ -10,7 +11,7 @@ import java.util.List;
  */
 @Described("an electric motor with its gear, which turns wheels of its robot: torque = stallTorque (power - speed / noLoadSpeed); its wheels share"
     + " the torque, each at its own speed")
-public class Motor extends SearObject {
+public class Motor extends SearObject implements Wirable {
     /** Most wheels of a motor. */
     private static final int MAX_WHEELS = 100;
     private static final double STALL_TORQUE = 0.5;
@@ -74,6 +75,13 @@ public class Motor extends SearObject {
     @Override
     boolean isRobotPart() {
         return true;
+    }
+
+    /** Power and direction; its encoder, if it has one. */
+    @Override
+    public List<WireRole> getWireRoles() {
+        return encoderCounts > 0 ? List.of(WireRole.PWM, WireRole.REVERSE, WireRole.DIRECTION, WireRole.ENCODER_A, WireRole.ENCODER_B)
+            : List.of(WireRole.PWM, WireRole.REVERSE, WireRole.DIRECTION);
     }
 
     @Override

@@ -3,6 +3,7 @@ package org.SEAR.POJOs;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.SEAR.protocol.arduino.WireRole;
 
 /**
  * A servo motor, which turns what is mounted on it about the servo's own y axis: a sensor, a shape, another servo. What is mounted has its place on
@@ -10,7 +11,7 @@ import java.util.List;
  */
 @Described("a servo motor, which turns what is mounted on it about the servo's own y axis; what is mounted is written where it is with the servo at"
     + " 0 degrees")
-public class Servo extends SearObject {
+public class Servo extends SearObject implements Wirable {
     /** Most parts on a servo. */
     private static final int MAX_PARTS = 100;
     private static final double HALF_RANGE = 90;
@@ -50,6 +51,11 @@ public class Servo extends SearObject {
     @Override
     boolean isRobotPart() {
         return true;
+    }
+
+    @Override
+    public List<WireRole> getWireRoles() {
+        return List.of(WireRole.SERVO);
     }
 
     @Override

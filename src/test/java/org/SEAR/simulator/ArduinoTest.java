@@ -13,7 +13,10 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
+import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.Servo;
+import org.SEAR.POJOs.Wheel;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.protocol.firmata.EchoMessage;
@@ -131,6 +134,74 @@ public class ArduinoTest {
         assertTrue(told, told.contains("AA 04 32 01 00 " + Bytes.hex(new byte[] {(byte) centimetres})));
     }
 
+    /** A robot whose wheels have motors, as MyRobotLab's Motor service drives them: direction and pulses. */
+    private void motors() {
+        robot.getWheels().stream().filter(Wheel::isDriven).forEach(wheel -> {
+            Motor motor = new Motor(wheel.getName() + "Motor", wheel, 50, 20);
+            robot.addComponent(motor);
+            uno.wire(wheel.getName().endsWith("Left") ? 9 : 10, motor);
+            uno.wire(wheel.getName().endsWith("Left") ? 7 : 8, motor, "direction");
+            if (wheel.getName().endsWith("Left")) {
+                uno.wire(2, motor, "encoderA");
+                uno.wire(4, motor, "encoderB");
+            }
+        });
+    }
+
+    @Test
+    public void motorsDriveForwardAndBackByPwmAndDirection() throws Exception {
+        motors();
+        start();
+        say("AA 03 1E 07 01 AA 03 1E 08 01 AA 03 1B 07 01 AA 03 1B 08 01 AA 03 1A 09 80 AA 03 1A 0A 80");
+        Worlds.run(simulation, 2);
+        double forward = simulation.getPose("rover").z;
+        assertTrue("drove to " + forward, forward > 0.2);
+        say("AA 03 1B 07 00 AA 03 1B 08 00");
+        Worlds.run(simulation, 4);
+        assertTrue("and back", simulation.getPose("rover").z < forward - 0.1);
+        line.pickUp();
+        Worlds.run(simulation, 1.5);
+        double stopped = simulation.getPose("rover").z;
+        Worlds.run(simulation, 1);
+        assertEquals("a board that resets lets go of its motors", stopped, simulation.getPose("rover").z, 0.01);
+    }
+
+    @Test
+    public void anEncoderCountsWithTheMotor() throws Exception {
+        uno.setFirmware("StandardFirmata");
+        motors();
+        start();
+        say("F0 61 00 00 02 04 F7 F4 07 01 F4 08 01 F4 09 03 F4 0A 03 90 00 01 91 01 00 E9 7F 00 EA 7F 00");
+        Worlds.run(simulation, 2);
+        say("F0 61 01 00 F7");
+        Worlds.run(simulation, 0.2);
+        FirmataMessage told = messages(FirmataMessage.START_SYSEX).get(0);
+        long counts = told.getNumber(1) | (long) told.getNumber(3) << 14;
+        double turns = simulation.getPose("rover").z / (2 * Math.PI * 0.0381);
+        assertEquals(0, told.get(0));
+        assertEquals("counts of a wheel of 360 lines", turns * 360, counts, turns * 36 + 20);
+    }
+
+    /** johnny-five turns a servo to 45 degrees: a quarter turn less than the middle, clockwise. */
+    @Test
+    public void aServoTurnsByItsPulses() throws Exception {
+        uno.setFirmware("StandardFirmata");
+        Servo neck = new Servo("neck", 0, 0.2, 0);
+        robot.addComponent(neck);
+        Distance eye = new Distance("eye", "laser", 0, 0.2, 0.05, 0, 0, 0);
+        robot.addComponent(eye);
+        neck.mount(eye);
+        uno.wire(10, neck);
+        start();
+        double before = simulation.getPose("eye").x;
+        say("F0 70 0A 20 04 60 12 F7 EA 2D 00");
+        Worlds.run(simulation, 1);
+        assertEquals(before - 0.05 * Math.sin(Math.toRadians(45)), simulation.getPose("eye").x, 0.002);
+        say("EA 7F 12");
+        Worlds.run(simulation, 1);
+        assertEquals("beyond its range it stays at its end", before + 0.05, simulation.getPose("eye").x, 0.002);
+    }
+
     @Test
     public void openingThePortResetsTheBoard() throws Exception {
         start();
@@ -180,6 +251,10 @@ public class ArduinoTest {
             () -> uno.wire("D7", new Distance("other")));
         refused("Arduino \"uno\": role is \"volts\", legal for Distance \"ping\": ping, trigger, echo", () -> uno.wire("A0", ping, "volts"));
         refused("Arduino \"uno\": role is \"power\", legal for Distance \"ping\": ping, trigger, echo", () -> uno.wire("A0", ping, "power"));
+        Motor motor = new Motor("left", new Wheel("wheel", 0.1, 0.05));
+        refused("Arduino \"uno\": pin A0 is not a PWM pin of an Uno, legal: 3, 5, 6, 9 to 11 for pwm", () -> uno.wire("A0", motor));
+        refused("Arduino \"uno\": pin 4 is not a pin with an interrupt of an Uno, legal: 2, 3 for encoderA",
+            () -> uno.wire(4, motor, "encoderA"));
         refused("Arduino \"uno\": nothing is wired to pin 9, legal: 7", () -> uno.unwire(9));
         GPS gps = new GPS("gps");
         try {

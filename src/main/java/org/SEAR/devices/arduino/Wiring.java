@@ -1,13 +1,18 @@
 package org.SEAR.devices.arduino;
 
+import java.util.HashMap;
+import java.util.Map;
 import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.BoardWire;
 import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.MotorHardware;
+import org.SEAR.devices.ServoHardware;
 import org.SEAR.sensors.Sensor;
 
 /** Hangs the components that an {@link Arduino} names on its pins. */
 final class Wiring {
     private final DeviceContext context;
+    private final Map<String, MotorWires> motors = new HashMap<>();
 
     Wiring(DeviceContext context) {
         this.context = context;
@@ -32,8 +37,12 @@ final class Wiring {
             case ECHO:
                 Sensor<?> sensor = context.sensor(wire.getPart());
                 return sensor == null ? null : new RangeWire(context, sensor, wire.getRole());
+            case SERVO:
+                ServoHardware servo = context.robot().getServo(wire.getPart());
+                return servo == null ? null : new ServoWire(servo);
             default:
-                return null;
+                MotorHardware motor = context.robot().getMotor(wire.getPart());
+                return motor == null ? null : motors.computeIfAbsent(wire.getPart(), name -> new MotorWires(motor)).wire(wire.getRole());
         }
     }
 }

@@ -21,11 +21,7 @@ public enum WireRole {
     /** Second track of a motor's encoder, a quarter of a line behind the first when it turns forward. */
     ENCODER_B("encoderB", PinUse.DIGITAL),
     /** Pulses for a servo. */
-    SERVO("servo", PinUse.SERVO),
-    /** A contact that closes to ground. */
-    CONTACT("contact", PinUse.DIGITAL),
-    /** Power of a light. */
-    LIGHT("light", PinUse.DIGITAL);
+    SERVO("servo", PinUse.SERVO);
 
     private final String word;
     private final PinUse use;

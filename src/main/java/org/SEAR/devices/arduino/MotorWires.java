@@ -1,0 +1,98 @@
+package org.SEAR.devices.arduino;
+
+import org.SEAR.devices.MotorHardware;
+import org.SEAR.protocol.arduino.BoardModel;
+import org.SEAR.protocol.arduino.WireRole;
+
+/**
+ * A motor behind its driver, an H bridge: power by pulses and direction by a level, or pulses for either direction. Its encoder has two tracks, the
+ * second of which follows the first by a quarter of a line when it turns forward: four counts a line.
+ */
+final class MotorWires {
+    private static final int PHASES = 4;
+
+    private final MotorHardware motor;
+    private double forward;
+    private double reverse;
+    private boolean backwards;
+    private double power;
+
+    MotorWires(MotorHardware motor) {
+        this.motor = motor;
+    }
+
+    /** The wire for one purpose. */
+    PinWire wire(WireRole role) {
+        return role == WireRole.ENCODER_A || role == WireRole.ENCODER_B ? new Track(role) : new Power(role);
+    }
+
+    private void drive(WireRole role, double level) {
+        double share = Double.isNaN(level) ? 0 : level;
+        if (role == WireRole.PWM) {
+            forward = share;
+        } else if (role == WireRole.REVERSE) {
+            reverse = share;
+        } else {
+            backwards = share < 1;
+        }
+        double now = backwards ? -forward : forward - reverse;
+        if (now != power) {
+            power = now;
+            motor.setPower(now);
+        }
+    }
+
+    private String describe(WireRole role) {
+        return motor.getName() + " (" + role.getWord() + ")";
+    }
+
+    private final class Power implements PinWire {
+        private final WireRole role;
+
+        Power(WireRole role) {
+            this.role = role;
+        }
+
+        @Override
+        public void drive(double level) {
+            MotorWires.this.drive(role, level);
+        }
+
+        @Override
+        public String describe() {
+            return MotorWires.this.describe(role);
+        }
+    }
+
+    private final class Track implements PinWire {
+        private final WireRole role;
+
+        Track(WireRole role) {
+            this.role = role;
+        }
+
+        private MotorWires owner() {
+            return MotorWires.this;
+        }
+
+        @Override
+        public double volts() {
+            long phase = Math.floorMod(motor.getCounts(), (long) PHASES);
+            boolean high = role == WireRole.ENCODER_A ? phase == 1 || phase == 2 : phase >= 2;
+            return high ? BoardModel.VOLTS : 0;
+        }
+
+        @Override
+        public Encoder encoder(PinWire other) {
+            if (!(other instanceof Track) || other == this || ((Track) other).owner() != owner()) {
+                return null;
+            }
+            return role == WireRole.ENCODER_A ? motor::getCounts : () -> -motor.getCounts();
+        }
+
+        @Override
+        public String describe() {
+            return MotorWires.this.describe(role);
+        }
+    }
+}

@@ -1,0 +1,30 @@
+package org.SEAR.devices.arduino;
+
+import org.SEAR.devices.ServoHardware;
+
+/**
+ * The wire of a servo. A pulse of 1472 us, an Arduino's 90 degrees, is the servo's 0 degrees; a longer one turns it counter-clockwise, by a degree for
+ * 10.31 us as in the Servo library. Beyond its range it stays at its end, and without pulses where it is told to be last.
+ */
+final class ServoWire implements PinWire {
+    private static final double MIDDLE = (FirmataPins.SHORTEST + FirmataPins.LONGEST) / 2.0;
+    private static final double MICROS_A_DEGREE = (FirmataPins.LONGEST - FirmataPins.SHORTEST) / 180.0;
+
+    private final ServoHardware servo;
+
+    ServoWire(ServoHardware servo) {
+        this.servo = servo;
+    }
+
+    @Override
+    public void pulse(int micros) {
+        if (micros > 0) {
+            servo.setAngle(Math.max(servo.getMinAngle(), Math.min(servo.getMaxAngle(), (micros - MIDDLE) / MICROS_A_DEGREE)));
+        }
+    }
+
+    @Override
+    public String describe() {
+        return servo.getName() + " (servo)";
+    }
+}

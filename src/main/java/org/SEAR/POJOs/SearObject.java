@@ -175,6 +175,11 @@ public abstract class SearObject {
         return null;
     }
 
+    /** Whether it can steer a wheel. */
+    boolean isServo() {
+        return false;
+    }
+
     final void checkChangeable() {
         if (life == Life.READ) {
             throw new IllegalStateException(label() + " was read from a project and can't be changed; create objects with their constructors");

@@ -49,6 +49,11 @@ public class Servo extends SearObject implements Wirable {
     }
 
     @Override
+    boolean isServo() {
+        return true;
+    }
+
+    @Override
     boolean isRobotPart() {
         return true;
     }

@@ -52,7 +52,7 @@ final class ProjectLinker {
             }
         }
         new NameCheck(environment, parts, owners, problems).check();
-        new VehicleCheck(owners, problems).check();
+        new VehicleCheck(parts, owners, problems).check();
         new WiringCheck(owners, problems).check();
         checkPorts();
         checkTerrain();

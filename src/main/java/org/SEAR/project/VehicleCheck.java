@@ -4,7 +4,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.Motor;
+import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Servo;
@@ -14,17 +16,24 @@ import org.SEAR.project.xml.ParsedObject;
 
 /** Checks what motors are to the wheels of their robots, and servos to what is mounted on them. One use. */
 final class VehicleCheck {
+    private final Map<String, ParsedObject> parts;
     private final Map<ParsedObject, SEARrobot> owners;
     private final ProblemList problems;
     /** What turns a wheel or part already, by robot/part. */
     private final Map<String, String> turned = new HashMap<>();
 
-    VehicleCheck(Map<ParsedObject, SEARrobot> owners, ProblemList problems) {
+    VehicleCheck(Map<String, ParsedObject> parts, Map<ParsedObject, SEARrobot> owners, ProblemList problems) {
+        this.parts = parts;
         this.owners = owners;
         this.problems = problems;
     }
 
     void check() {
+        for (ParsedObject parsed : parts.values()) {
+            if (parsed.object instanceof SEARrobot) {
+                checkWheels(parsed, (SEARrobot) parsed.object);
+            }
+        }
         owners.forEach((parsed, robot) -> {
             if (parsed.object instanceof Motor) {
                 check(parsed, (Motor) parsed.object, robot);
@@ -32,6 +41,35 @@ final class VehicleCheck {
                 check(parsed, (Servo) parsed.object, robot);
             }
         });
+    }
+
+    private void checkWheels(ParsedObject parsed, SEARrobot robot) {
+        List<Wheel> wheels = robot.getWheels();
+        String servo = null;
+        for (int i = 0; i < wheels.size(); i++) {
+            Wheel wheel = wheels.get(i);
+            int line = parsed.line("wheel#" + i);
+            Assembly.crossCheck(wheel, (element, value, legal) ->
+                problems.add(parsed.file, line, wheel.getName() + "." + element, Parameter.format(value), legal));
+            if (wheel.isSteered() && wheel.getType() != Wheel.IDLER && Wheel.steeringLength(wheels) == 0) {
+                problems.add(parsed.file, line, wheel.getName() + ".steering", steeredBy(wheel), "a steered wheel before or behind the axle of"
+                    + " those that aren't steered");
+                return;
+            }
+            if (wheel.isSteered() && servo != null && !servo.equals(steeredBy(wheel))) {
+                problems.add(parsed.file, line, wheel.getName() + ".steering", steeredBy(wheel), "the same as the robot's other steered wheels: "
+                    + servo);
+            }
+            servo = wheel.isSteered() && servo == null ? steeredBy(wheel) : servo;
+            String name = wheel.getSteeringServo();
+            if (name != null && robot.getComponents().stream().noneMatch(part -> part instanceof Servo && part.getName().equals(name))) {
+                problems.add(parsed.file, line, wheel.getName() + ".steeringServo", name, "the name of a servo of robot " + robot.getName());
+            }
+        }
+    }
+
+    private static String steeredBy(Wheel wheel) {
+        return wheel.getSteeringServo() == null ? Parameter.format(wheel.getSteering()) : wheel.getSteeringServo();
     }
 
     private void check(ParsedObject parsed, Motor motor, SEARrobot robot) {

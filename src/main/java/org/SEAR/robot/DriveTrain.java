@@ -38,6 +38,11 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     private final Body body;
     private final List<RaycastWheel> wheels = new ArrayList<>();
     private final List<MotorDrive> motors;
+    /** Null if no wheel is steered. */
+    private final Steering steering;
+    private final boolean swivels;
+    /** The z of the line on which it turns, in the body frame, metres. */
+    private final double centre;
     private final int owner;
     private final double[] mounts;
     private final double track;
@@ -53,12 +58,13 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     private final double[] v = new double[6];
     private final double[] ahead = new double[3];
     private final double[] up = new double[3];
+    private final double[] sideways = new double[3];
     private final double[] groundSpeed = new double[3];
     private final double[] impulse = new double[3];
     private final double[] point = new double[3];
 
     /** @param motors of the robot, which get their wheels here */
-    DriveTrain(Body body, List<Wheel> objects, List<MotorDrive> motors, Dynamics dynamics, int owner) {
+    DriveTrain(Body body, List<Wheel> objects, List<MotorDrive> motors, Turrets servos, Dynamics dynamics, int owner) {
         this.body = body;
         this.motors = motors;
         this.owner = owner;
@@ -67,6 +73,10 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         }
         motors.forEach(motor -> motor.restart(wheels));
         mounts = WheelPoses.mounts(wheels);
+        steering = Steering.of(wheels, servos, body.name);
+        swivels = wheels.stream().anyMatch(wheel -> wheel.getSwivel() != null);
+        centre = steering != null ? steering.getCentre() : wheels.stream().filter(RaycastWheel::isDriven).mapToDouble(wheel -> wheel.z).average()
+            .orElse(0);
         track = equip();
         frontAxle = wheels.stream().mapToDouble(wheel -> wheel.z).max().orElse(0);
         double safe = safeRamp(objects, dynamics);
@@ -105,8 +115,10 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         for (RaycastWheel wheel : wheels) {
             if (wheel.isDriven()) {
                 driven++;
-                front = Math.max(front, wheel.z);
-                back = Math.min(back, wheel.z);
+                if (wheel.getSwivel() == null) {
+                    front = Math.max(front, wheel.z);
+                    back = Math.min(back, wheel.z);
+                }
                 widest = Math.max(widest, wheel.radius);
                 if (wheel.x > 0) {
                     leftSum += wheel.x;
@@ -145,7 +157,8 @@ public final class DriveTrain implements PhysicsWorld.Drive {
 
     /** Whether the motors are to turn. */
     boolean isCommanded() {
-        return left != 0 || right != 0 || commandedLeft != 0 || commandedRight != 0 || isMotorCommanded();
+        return left != 0 || right != 0 || commandedLeft != 0 || commandedRight != 0 || isMotorCommanded()
+            || steering != null && steering.isMoving();
     }
 
     private boolean isMotorCommanded() {
@@ -177,10 +190,15 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         left = share == 1 ? commandedLeft : left + share * (commandedLeft - left);
         right = share == 1 ? commandedRight : right + share * (commandedRight - right);
         double turn = track > NO_TRACK ? (right - left) / track : 0;
+        if (steering != null) {
+            steering.step();
+            turn += (left + right) / 2 * steering.curvature();
+        }
         boolean scrubs = turn != 0 || isTurnedByMotors();
         for (int i = 0; i < wheels.size(); i++) {
             RaycastWheel wheel = wheels.get(i);
-            wheel.setTarget((left + right) / 2 - turn * wheel.x);
+            Swivel swivel = wheel.getSwivel();
+            wheel.setTarget(swivel == null ? (left + right) / 2 - turn * wheel.x : swivel.along((left + right) / 2, turn, centre));
             wheel.setScrub(scrubs ? scrub : 0);
         }
     }
@@ -191,6 +209,9 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         Pose pose = body.getPose();
         axis(pose, up, 0, 1, 0);
         axis(pose, ahead, 0, 0, 1);
+        if (swivels) {
+            aim();
+        }
         body.velocities(v);
         double speed = v[0] * ahead[0] + v[1] * ahead[1] + v[2] * ahead[2];
         boolean carried = false;
@@ -209,6 +230,18 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         }
         body.setCarried(carried);
         body.forgetObstacles();
+    }
+
+    /** Finds out where wheels point that do not just point ahead. */
+    private void aim() {
+        sideways[0] = up[1] * ahead[2] - up[2] * ahead[1];
+        sideways[1] = up[2] * ahead[0] - up[0] * ahead[2];
+        sideways[2] = up[0] * ahead[1] - up[1] * ahead[0];
+        for (int i = 0; i < wheels.size(); i++) {
+            if (wheels.get(i).getSwivel() != null) {
+                wheels.get(i).getSwivel().aim(ahead, sideways);
+            }
+        }
     }
 
     private static void axis(Pose pose, double[] into, double x, double y, double z) {
@@ -239,6 +272,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         for (int i = 0; i < wheels.size(); i++) {
             RaycastWheel wheel = wheels.get(i);
             wheel.roll(v);
+            wheel.trail(body, groundSpeed);
             if (wheel.reaction(impulse, point)) {
                 wheel.getGround().push(impulse, point);
             }
@@ -247,6 +281,19 @@ public final class DriveTrain implements PhysicsWorld.Drive {
                 wheel.getObstacle().push(impulse, point);
             }
         }
+    }
+
+    /** See {@link Robot#steer}. */
+    void steer(double degrees) {
+        if (steering == null) {
+            throw new IllegalArgumentException("robot " + body.name + " has no steered wheels: wheel.setSteering(30) makes one");
+        }
+        steering.steer(degrees);
+    }
+
+    /** Degrees, + to the left; 0 without steered wheels. */
+    double getSteering() {
+        return steering == null ? 0 : steering.getDegrees();
     }
 
     public List<RaycastWheel> getWheels() {
@@ -265,6 +312,6 @@ public final class DriveTrain implements PhysicsWorld.Drive {
 
     /** Where the wheels are now in the body frame, spin included; immutable, of no use to the running world. */
     public List<Pose> getWheelPoses() {
-        return WheelPoses.of(wheels, mounts);
+        return WheelPoses.of(wheels, mounts, swivels);
     }
 }

@@ -50,6 +50,9 @@ public final class RaycastWheel {
     private final double releasing;
     private final double mostForce;
     private final double rest;
+    private final Swivel swivel;
+    /** Metres that it goes along its driving direction for each radian. */
+    private final double reach;
     private final ConstraintRow spring = new ConstraintRow();
     private final ConstraintRow stop = new ConstraintRow();
     private final ConstraintRow forward = new ConstraintRow();
@@ -96,6 +99,8 @@ public final class RaycastWheel {
         x = wheel.getX();
         y = wheel.getY();
         z = wheel.getZ();
+        swivel = Swivel.of(wheel);
+        reach = swivel == null ? radius : radius * swivel.share();
         stiffness = dynamics.getStiffness() * mass;
         double critical = 2 * Math.sqrt(dynamics.getStiffness()) * mass;
         compressing = dynamics.getCompression() * critical;
@@ -116,6 +121,11 @@ public final class RaycastWheel {
     void equip(double force, double sideways) {
         motorImpulse = force * TimeStep.SECONDS;
         sideGrip = sideways;
+    }
+
+    /** Where it points; null if that is always ahead. */
+    Swivel getSwivel() {
+        return swivel;
     }
 
     /** Has a motor turn it instead of a servo. */
@@ -151,10 +161,11 @@ public final class RaycastWheel {
         if (sign == 0) {
             return;
         }
-        double[] from = body.transform(x, y - length, z);
-        double dx = sign * along[0];
-        double dy = sign * along[1];
-        double dz = sign * along[2];
+        double[] from = body.transform(centreX(), y - length, centreZ());
+        double[] way = swivel == null ? along : swivel.rolling();
+        double dx = sign * way[0];
+        double dy = sign * way[1];
+        double dz = sign * way[2];
         double distance = scenes.ground.cast(from[0], from[1], from[2], dx, dy, dz, 2 * radius, owner, ahead);
         if (distance >= 2 * radius) {
             return;
@@ -178,9 +189,9 @@ public final class RaycastWheel {
      * @param owner whose parts are not ground
      */
     void look(Scenes scenes, Pose body, int owner, double[] up) {
-        double sx = x;
+        double sx = centreX();
         double sy = y + radius;
-        double sz = z;
+        double sz = centreZ();
         double[] from = body.transform(sx, sy, sz);
         double range = 2 * radius + rest;
         BeamScene scene = scenes.ground;
@@ -213,10 +224,10 @@ public final class RaycastWheel {
      * wheels hold against each other would never fade.
      *
      * @param body takes what the springs give
-     * @param ahead the body's forward axis in the world
+     * @param forwards the body's forward axis in the world
      * @param groundSpeed room for three numbers
      */
-    void prepare(SolverBody body, double[] ahead, double[] groundSpeed) {
+    void prepare(SolverBody body, double[] forwards, double[] groundSpeed) {
         if (obstacle != null) {
             prepareObstacle(body);
         }
@@ -226,10 +237,11 @@ public final class RaycastWheel {
         speedOfGround(groundSpeed);
         spring.set(hit.nx, hit.ny, hit.nz, px, py, pz, body);
         stop.set(hit.nx, hit.ny, hit.nz, px, py, pz, body);
-        double along = ahead[0] * hit.nx + ahead[1] * hit.ny + ahead[2] * hit.nz;
-        double fx = ahead[0] - along * hit.nx;
-        double fy = ahead[1] - along * hit.ny;
-        double fz = ahead[2] - along * hit.nz;
+        double[] way = swivel == null ? forwards : swivel.driving();
+        double along = way[0] * hit.nx + way[1] * hit.ny + way[2] * hit.nz;
+        double fx = way[0] - along * hit.nx;
+        double fy = way[1] - along * hit.ny;
+        double fz = way[2] - along * hit.nz;
         double scale = 1 / Math.sqrt(fx * fx + fy * fy + fz * fz);
         fx *= scale;
         fy *= scale;
@@ -300,8 +312,10 @@ public final class RaycastWheel {
             if (motor == null) {
                 solveServo(v, grip);
             } else {
-                motor.solve(forward, v, forward.speed(v) - groundForward, target, radius, grip);
+                motor.solve(forward, v, forward.speed(v) - groundForward, target, reach, grip);
             }
+        }
+        if (object.getType() != Wheel.IDLER && !slides()) {
             double mostSide = sideGrip * (spring.impulse + stop.impulse);
             side.add(v, -(side.speed(v) - groundSide + scrub * side.impulse) / (side.mobility + scrub), -mostSide, mostSide);
         }
@@ -331,15 +345,15 @@ public final class RaycastWheel {
      */
     void roll(double[] v) {
         double speed = motor == null ? rollByServo(v) : rollByMotor(v);
-        spin = speed / radius;
-        angle += speed * TimeStep.SECONDS / radius;
+        spin = speed / reach;
+        angle += speed * TimeStep.SECONDS / reach;
     }
 
     private double rollByMotor(double[] v) {
         double force = grounded ? forward.impulse / TimeStep.SECONDS : 0;
         boolean slips = !grounded || Math.abs(forward.impulse) >= GRIP * (spring.impulse + stop.impulse);
-        load = Math.max(-1, Math.min(1, force / motor.stall(radius)));
-        return slips ? motor.slipping(force, target, radius) : forward.speed(v) - groundForward;
+        load = Math.max(-1, Math.min(1, force / motor.stall(reach)));
+        return slips ? motor.slipping(force, target, reach) : forward.speed(v) - groundForward;
     }
 
     private double rollByServo(double[] v) {
@@ -450,7 +464,27 @@ public final class RaycastWheel {
 
     /** Where the wheel is in the body frame, spin included. */
     public Pose place() {
-        return place(x, y, z, length, angle);
+        return swivel == null ? place(x, y, z, length, angle) : place(swivel.x(), y, swivel.z(), length, angle, swivel.heading());
+    }
+
+    private boolean slides() {
+        return swivel != null && swivel.isSliding();
+    }
+
+    private double centreX() {
+        return swivel == null ? x : swivel.x();
+    }
+
+    private double centreZ() {
+        return swivel == null ? z : swivel.z();
+    }
+
+    /** The same for a wheel that points to the left of ahead by a heading, radians. Any thread. */
+    static Pose place(double x, double y, double z, double hanging, double turned, double heading) {
+        double half = Math.IEEEremainder(turned, 2 * HALF_TURN) / 2;
+        double sin = Math.sin(heading / 2);
+        double cos = Math.cos(heading / 2);
+        return new Pose(x, y - hanging, z, cos * Math.sin(half), sin * Math.cos(half), -sin * Math.sin(half), cos * Math.cos(half));
     }
 
     /** Where a wheel that is fastened at (x, y, z) is when it hangs this far, metres, and has turned this much, radians. Any thread. */
@@ -459,8 +493,30 @@ public final class RaycastWheel {
         return new Pose(x, y - hanging, z, Math.sin(half), 0, 0, Math.cos(half));
     }
 
+    /**
+     * A castor follows the way of its axis.
+     *
+     * @param body the robot's, after a step
+     * @param speed room for three numbers
+     */
+    void trail(Body body, double[] speed) {
+        if (swivel == null || !grounded || object.getTrail() == 0) {
+            return;
+        }
+        Pose pose = body.getPose();
+        double[] axis = pose.transform(x, y, z);
+        body.velocityAt(axis[0], axis[1], axis[2], speed);
+        double[] inBody = pose.rotateBack(speed[0], speed[1], speed[2]);
+        body.angularVelocity(speed);
+        swivel.trail(inBody[0], inBody[2], pose.rotateBack(speed[0], speed[1], speed[2])[1]);
+    }
+
     /** Turns the body's frame into the wheel's, spin included. */
     void place(Frame frame) {
+        if (swivel != null) {
+            frame.times(place());
+            return;
+        }
         double half = Math.IEEEremainder(angle, 2 * HALF_TURN) / 2;
         frame.times(x, y - length, z, Math.sin(half), 0, 0, Math.cos(half));
     }

@@ -30,4 +30,15 @@ public interface Robot {
      * @param radius metres, positive to the left, infinite = straight, 0 = in place to the left
      */
     void drive(double speed, double radius);
+
+    /**
+     * Steers by its steered wheels.
+     *
+     * @param degrees of a wheel in the middle between left and right, + to the left
+     * @throws IllegalArgumentException if it has none, or a servo steers them, or that is out of their range
+     */
+    void steer(double degrees);
+
+    /** Where it steers now, degrees, + to the left; 0 without steered wheels. */
+    double getSteering();
 }

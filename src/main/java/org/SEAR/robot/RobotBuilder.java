@@ -60,7 +60,7 @@ public final class RobotBuilder {
             Solid solid = Solids.of(wheel, project);
             wheelSolids.add(solid);
             shapes.put(wheel, solid);
-            Pose at = new Pose(wheel.getX(), wheel.getY(), wheel.getZ(), 0, 0, 0, 1);
+            Pose at = Pose.ofDegrees(wheel.getX(), wheel.getY(), wheel.getZ(), 0, wheel.getRy(), 0);
             add(RoundSolid.wheel(solid.halfX * GUARD, solid.halfY), at, false, 0);
         }
         Pose[] all = new Pose[solids.size()];

@@ -82,7 +82,7 @@ public final class RobotModel implements Robot, RobotHardware {
 
     /** Back to the start, in a new physics world. */
     public void restart(PhysicsWorld physics) {
-        train = new DriveTrain(body, object.getWheels(), motors, dynamics, number);
+        train = new DriveTrain(body, object.getWheels(), motors, turrets, dynamics, number);
         if (!train.getWheels().isEmpty()) {
             physics.add(body, train);
         }
@@ -219,6 +219,16 @@ public final class RobotModel implements Robot, RobotHardware {
         } else {
             setWheelSpeeds(speed * (1 - half / radius), speed * (1 + half / radius));
         }
+    }
+
+    @Override
+    public void steer(double degrees) {
+        train.steer(degrees);
+    }
+
+    @Override
+    public double getSteering() {
+        return train.getSteering();
     }
 
     @Override

@@ -14,24 +14,39 @@ final class WheelPoses extends AbstractList<Pose> implements RandomAccess {
     private final double[] mounts;
     /** How far each wheel hangs, metres, and its angle, radians. */
     private final double[] state;
+    /** Where the centre of each wheel is that swivels, x and z in the body frame, metres, and its heading, radians; null if none does. */
+    private final double[] swivels;
 
-    private WheelPoses(double[] mounts, double[] state) {
+    private WheelPoses(double[] mounts, double[] state, double[] swivels) {
         this.mounts = mounts;
         this.state = state;
+        this.swivels = swivels;
     }
 
     /**
      * Where the wheels are now.
      *
      * @param mounts as {@link #mounts} made them
+     * @param swivels whether any wheel does not just point ahead
      */
-    static WheelPoses of(List<RaycastWheel> wheels, double[] mounts) {
+    static WheelPoses of(List<RaycastWheel> wheels, double[] mounts, boolean swivels) {
         double[] state = new double[2 * wheels.size()];
         for (int i = 0; i < wheels.size(); i++) {
             state[2 * i] = wheels.get(i).getLength();
             state[2 * i + 1] = wheels.get(i).getAngle();
         }
-        return new WheelPoses(mounts, state);
+        return new WheelPoses(mounts, state, swivels ? swivels(wheels) : null);
+    }
+
+    private static double[] swivels(List<RaycastWheel> wheels) {
+        double[] swivels = new double[3 * wheels.size()];
+        for (int i = 0; i < wheels.size(); i++) {
+            Swivel swivel = wheels.get(i).getSwivel();
+            swivels[3 * i] = swivel == null ? wheels.get(i).x : swivel.x();
+            swivels[3 * i + 1] = swivel == null ? wheels.get(i).z : swivel.z();
+            swivels[3 * i + 2] = swivel == null ? 0 : swivel.heading();
+        }
+        return swivels;
     }
 
     /** Where the wheels are fastened, once for all steps. */
@@ -47,6 +62,10 @@ final class WheelPoses extends AbstractList<Pose> implements RandomAccess {
 
     @Override
     public Pose get(int index) {
+        if (swivels != null) {
+            return RaycastWheel.place(swivels[3 * index], mounts[3 * index + 1], swivels[3 * index + 1], state[2 * index], state[2 * index + 1],
+                swivels[3 * index + 2]);
+        }
         return RaycastWheel.place(mounts[3 * index], mounts[3 * index + 1], mounts[3 * index + 2], state[2 * index], state[2 * index + 1]);
     }
 

@@ -330,6 +330,28 @@ public class SEAR extends Service<SEARConfig> {
         calls.act(() -> parts.driving().circle(robot, speed, radius));
     }
 
+    /**
+     * Steers the first robot by its steered wheels, until the next order.
+     *
+     * @param degrees of a wheel in the middle between left and right, + to the left; the inner wheel turns farther, the outer one less
+     * @example sear.setSteering(-10)
+     */
+    public void setSteering(double degrees) {
+        setSteering(null, degrees);
+    }
+
+    /**
+     * Steers a robot by its steered wheels, until the next order.
+     *
+     * @param robot its name
+     * @param degrees of a wheel in the middle between left and right, + to the left; the inner wheel turns farther, the outer one less
+     * @throws IllegalArgumentException that names the robots there are, or the legal range, or says that it has no steered wheels
+     * @example sear.setSteering("car", 20)
+     */
+    public void setSteering(String robot, double degrees) {
+        calls.act(() -> parts.driving().steer(robot, degrees));
+    }
+
     // ---- motors and servos (a simulation must run; the examples are of the car of vehicles.md) ---------------------
 
     /**

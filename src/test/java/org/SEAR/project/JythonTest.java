@@ -43,7 +43,7 @@ public class JythonTest {
         assertEquals(39, read.getEnvironment().size());
         assertEquals(5, read.getWarnings().size());
         SEARrobot robot = read.getRobots().get(0);
-        assertEquals(9, robot.getWheels().size());
+        assertEquals(11, robot.getWheels().size());
         assertEquals(44, robot.getComponents().size());
     }
 

@@ -53,6 +53,15 @@ public final class ScriptDriving {
         give(robot, false, driven -> driven.drive(speed, radius));
     }
 
+    /** @param degrees of a wheel in the middle, + to the left */
+    public void steer(String robot, double degrees) throws InterruptedException {
+        control.session().scriptDrives();
+        control.session().ask(world -> {
+            ScriptReadings.robot(world, robot).steer(degrees);
+            return true;
+        });
+    }
+
     private static void check(String what, double value, double most, String unit) {
         if (!(Math.abs(value) <= most)) {
             throw new IllegalArgumentException(what + " is " + value + ", legal: " + -most + " to " + most + " " + unit);

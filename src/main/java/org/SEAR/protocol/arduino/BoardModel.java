@@ -9,9 +9,9 @@ import java.util.stream.IntStream;
 /** An Arduino board: how many pins it has, and what each can do. Immutable. */
 public enum BoardModel {
     /** ATmega328P. */
-    UNO("Uno", 2, 14, 6, new int[] {3, 5, 6, 9, 10, 11}, new int[] {2, 3}, new int[] {18, 19}, 20, 12),
+    UNO("Uno", 2, 14, 6, new int[] {3, 5, 6, 9, 10, 11}, new int[] {2, 3}, new int[] {18, 19}, 20),
     /** ATmega2560. */
-    MEGA("Mega", 1, 54, 16, new int[] {2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 44, 45, 46}, new int[] {2, 3, 18, 19, 20, 21}, new int[] {20, 21}, 50, 48);
+    MEGA("Mega", 1, 54, 16, new int[] {2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 44, 45, 46}, new int[] {2, 3, 18, 19, 20, 21}, new int[] {20, 21}, 50);
 
     /** Volts of supply and of a high level. */
     public static final double VOLTS = 5;
@@ -26,9 +26,8 @@ public enum BoardModel {
     private final int[] interrupts;
     private final int[] twoWire;
     private final int servoEnd;
-    private final int servos;
 
-    BoardModel(String title, int mrlType, int firstAnalog, int analogs, int[] pwm, int[] interrupts, int[] twoWire, int servoEnd, int servos) {
+    BoardModel(String title, int mrlType, int firstAnalog, int analogs, int[] pwm, int[] interrupts, int[] twoWire, int servoEnd) {
         this.title = title;
         this.mrlType = mrlType;
         this.firstAnalog = firstAnalog;
@@ -37,7 +36,6 @@ public enum BoardModel {
         this.interrupts = interrupts;
         this.twoWire = twoWire;
         this.servoEnd = servoEnd;
-        this.servos = servos;
     }
 
     /** The board of a name, {@code uno} or {@code mega} in whatever capitals; null if there is none. */
@@ -78,11 +76,6 @@ public enum BoardModel {
     /** How many analog channels it has. */
     public int getAnalogs() {
         return analogs;
-    }
-
-    /** How many servos its timers can drive. */
-    public int getServos() {
-        return servos;
     }
 
     /** The analog channel of a pin; -1 if it has none. */

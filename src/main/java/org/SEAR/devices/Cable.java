@@ -1,5 +1,6 @@
 package org.SEAR.devices;
 
+import java.util.List;
 import org.SEAR.protocol.Uart;
 
 /**
@@ -104,6 +105,11 @@ public final class Cable implements SerialLine {
     /** What its device is doing, in words: {@link SerialDevice#status}, or that it is off. Simulation thread. */
     public String status() {
         return powered ? device.status() : "off";
+    }
+
+    /** {@link SerialDevice#pinStates} of its device; empty while it is off. Simulation thread. */
+    public List<PinState> pinStates() {
+        return powered ? device.pinStates() : List.of();
     }
 
     /** Whether its device moves its robot when it is told to, see {@link SerialDevice#takesDriveCommands}. Simulation thread. */

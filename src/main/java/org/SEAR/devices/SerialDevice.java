@@ -1,5 +1,7 @@
 package org.SEAR.devices;
 
+import java.util.List;
+
 /**
  * The firmware of a simulated device at the end of a serial line: bytes in, bytes out (through {@link DeviceContext#send}), no threads, no MRL.
  * Simulation thread only; time is simulated seconds and never runs backwards but for {@link #reset}.
@@ -59,6 +61,11 @@ public interface SerialDevice {
     /** Whether it takes commands that move its robot now, so that who sends them drives. */
     default boolean takesDriveCommands() {
         return false;
+    }
+
+    /** Its pins that something is wired to, as they are now; empty for what has none. */
+    default List<PinState> pinStates() {
+        return List.of();
     }
 
     /** State in words for people, for example {@code "OI mode: safe"}. */

@@ -2,6 +2,7 @@ package org.SEAR.simulator;
 
 import java.util.List;
 import java.util.Map;
+import org.SEAR.devices.PinState;
 import org.SEAR.geometry.Pose;
 
 /** The state of the world after one step, for everybody who looks. Immutable, any thread. */
@@ -39,11 +40,14 @@ public final class Snapshot {
         public final boolean powered;
         /** What it is doing, in words. */
         public final String status;
+        /** Its pins that something is wired to. */
+        public final List<PinState> pins;
 
-        DeviceState(String name, boolean powered, String status) {
+        DeviceState(String name, boolean powered, String status, List<PinState> pins) {
             this.name = name;
             this.powered = powered;
             this.status = status;
+            this.pins = pins;
         }
 
         /** Its line for people. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
 import org.SEAR.devices.Cable;
+import org.SEAR.devices.PinState;
 import org.SEAR.geometry.Pose;
 import org.SEAR.robot.RobotModel;
 
@@ -112,8 +113,9 @@ final class SnapshotRecorder {
     /** @return {@code before} if that still holds */
     private static Snapshot.DeviceState after(Snapshot.DeviceState before, Cable cable) {
         String status = cable.status();
-        boolean same = before != null && before.powered == cable.isPowered() && before.status.equals(status);
-        return same ? before : new Snapshot.DeviceState(cable.getObjectName(), cable.isPowered(), status);
+        List<PinState> pins = cable.pinStates();
+        boolean same = before != null && before.powered == cable.isPowered() && before.status.equals(status) && before.pins.equals(pins);
+        return same ? before : new Snapshot.DeviceState(cable.getObjectName(), cable.isPowered(), status, pins);
     }
 
     private static void put(List<Snapshot.DeviceState> list, int at, Snapshot.DeviceState state) {

@@ -7,6 +7,7 @@ import static org.junit.Assert.fail;
 import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import org.SEAR.Bytes;
 import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.Box;
@@ -180,6 +181,27 @@ public class ArduinoTest {
         double turns = simulation.getPose("rover").z / (2 * Math.PI * 0.0381);
         assertEquals(0, told.get(0));
         assertEquals("counts of a wheel of 360 lines", turns * 360, counts, turns * 36 + 20);
+    }
+
+    /** What the tab shows. */
+    @Test
+    public void snapshotsHaveThePinsThatSomethingIsWiredTo() throws Exception {
+        wall();
+        uno.setFirmware("StandardFirmata");
+        uno.wire("A0", ahead("sharp", "GP2Y0A21", 1.2));
+        motors();
+        start();
+        say("F4 07 01 F5 07 01 F4 09 03 E9 00 01");
+        Worlds.run(simulation, 0.2);
+        List<String> pins = new ArrayList<>();
+        simulation.snapshot().robots.get(0).devices.get(0).pins.forEach(pin -> pins.add(pin.toString()));
+        double volts = ((DistanceReading) simulation.read("sharp")).getVolts();
+        assertEquals(7, pins.size());
+        assertTrue(pins.toString(), pins.contains("7 roverLeftMotor (direction): output, high"));
+        assertTrue(pins.toString(), pins.contains("9 roverLeftMotor (pwm): pwm, 50 %"));
+        assertTrue(pins.toString(), pins.contains(String.format(Locale.ROOT, "A0 sharp (volts): input, %.2f V", volts)));
+        simulation.power("uno", false);
+        assertEquals(List.of(), simulation.snapshot().robots.get(0).devices.get(0).pins);
     }
 
     /** johnny-five turns a servo to 45 degrees: a quarter turn less than the middle, clockwise. */

@@ -1,7 +1,9 @@
 package org.SEAR.devices.arduino;
 
+import java.util.List;
 import java.util.function.Function;
 import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.PinState;
 import org.SEAR.devices.SerialDevice;
 
 /**
@@ -123,6 +125,11 @@ public final class ArduinoBoard implements SerialDevice, Firmware.Host {
     @Override
     public String status() {
         return title + ": " + (isStarting() ? "starting" : firmware.status()) + ", " + baud + " baud";
+    }
+
+    @Override
+    public List<PinState> pinStates() {
+        return pins.states();
     }
 
     @Override

@@ -1,7 +1,11 @@
 package org.SEAR.devices.arduino;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
 import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.PinState;
 import org.SEAR.protocol.arduino.BoardModel;
 import org.SEAR.protocol.arduino.PinUse;
 import org.SEAR.sensors.CounterRandom;
@@ -20,6 +24,7 @@ public final class Pins {
     /** Time from one servo pulse to the next, us. */
     private static final double SERVO_PERIOD = 20000;
     private static final double STEPS_A_SECOND = 60;
+    private static final double PERCENT = 100;
 
     /** What a pin is set to. */
     enum Mode { INPUT, PULLUP, OUTPUT, PWM, SERVO }
@@ -67,11 +72,6 @@ public final class Pins {
 
     Mode mode(int pin) {
         return modes[pin];
-    }
-
-    /** The level, duty or microseconds that were written. */
-    int value(int pin) {
-        return values[pin];
     }
 
     /** Sets a pin to a mode; an output is low then. */
@@ -180,8 +180,27 @@ public final class Pins {
         return !Double.isNaN(wires[pin].echo(wires[pin]));
     }
 
-    /** What hangs on a pin, in words; empty for nothing. */
-    String describe(int pin) {
-        return wires[pin].describe();
+    /** What hangs on the pins, and what is there now, for people. */
+    List<PinState> states() {
+        List<PinState> states = new ArrayList<>();
+        for (int pin = 0; pin < wires.length; pin++) {
+            if (wires[pin] != NOTHING) {
+                states.add(new PinState(board.nameOf(pin), wires[pin].describe(), modes[pin].name().toLowerCase(Locale.ROOT), value(pin)));
+            }
+        }
+        return states;
+    }
+
+    private String value(int pin) {
+        switch (modes[pin]) {
+            case OUTPUT:
+                return values[pin] == 0 ? "low" : "high";
+            case PWM:
+                return Math.round(PERCENT * values[pin] / FULL) + " %";
+            case SERVO:
+                return values[pin] + " us";
+            default:
+                return floats(pin) ? "floats" : String.format(Locale.ROOT, "%.2f V", volts(pin));
+        }
     }
 }

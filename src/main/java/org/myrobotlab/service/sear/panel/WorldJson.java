@@ -13,6 +13,7 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Terrain;
+import org.SEAR.devices.PinState;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
@@ -39,7 +40,8 @@ import org.myrobotlab.service.sear.readings.ScriptReadings;
  *              {"name": "Tree1", "type": "Model", "terrain": false, ..},
  *              {"name": "Land", "type": "Terrain", "ground": "1f-2e" (its stamp: see {@link TerrainMap}), ..}],
  *  "robots": [{"name": "myRoomba", "pose": [..], "speed": 0.2, "turnRate": 0, "radius": 0.17, "path": [[x, z], ..],
- *              "devices": [{"name", "on" (whether it has power), "status" (what it is doing)}],
+ *              "devices": [{"name", "on" (whether it has power), "status" (what it is doing),
+ *                           "pins": [{"pin", "wired", "mode", "value"}] (texts; only of a board)}],
  *              "parts": [{"name", "type", "corners", "look", "picture", "color", "colored", "pose" (in the body)}], "wheels": [pose, ..],
  *              "turned": [pose, ..] (of the other parts, if the robot has servos)}],
  *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "hit": [x, y, z] or null,
@@ -202,6 +204,19 @@ public final class WorldJson {
         return list;
     }
 
+    private static List<Object> pins(List<PinState> states) {
+        List<Object> list = new ArrayList<>();
+        for (PinState state : states) {
+            Map<String, Object> map = new LinkedHashMap<>();
+            map.put("pin", state.pin);
+            map.put("wired", state.wired);
+            map.put("mode", state.mode);
+            map.put("value", state.value);
+            list.add(map);
+        }
+        return list;
+    }
+
     private static List<Object> devices(Snapshot.RobotState robot) {
         List<Object> list = new ArrayList<>();
         for (Snapshot.DeviceState device : robot.devices) {
@@ -209,6 +224,9 @@ public final class WorldJson {
             map.put("name", device.name);
             map.put("on", device.powered);
             map.put("status", device.status);
+            if (!device.pins.isEmpty()) {
+                map.put("pins", pins(device.pins));
+            }
             list.add(map);
         }
         return list;

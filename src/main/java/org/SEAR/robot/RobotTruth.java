@@ -19,6 +19,7 @@ public final class RobotTruth implements Truth {
 
     private final Body body;
     private final Scenes scenes;
+    private final SurfaceColors colors;
     private final int owner;
     private final Earth earth;
     private final long epochMillis;
@@ -30,9 +31,10 @@ public final class RobotTruth implements Truth {
     private Pose anchor;
     private double heading;
 
-    public RobotTruth(Body body, Scenes scenes, int owner, Earth earth, long epochMillis) {
+    public RobotTruth(Body body, Scenes scenes, SurfaceColors colors, int owner, Earth earth, long epochMillis) {
         this.body = body;
         this.scenes = scenes;
+        this.colors = colors;
         this.owner = owner;
         this.earth = earth;
         this.epochMillis = epochMillis;
@@ -163,6 +165,11 @@ public final class RobotTruth implements Truth {
     @Override
     public boolean isGround(int shape) {
         return scenes.isGround(shape);
+    }
+
+    @Override
+    public int color(int shape, double x, double y, double z) {
+        return colors.at(scenes.body(shape), x, y, z);
     }
 
     @Override

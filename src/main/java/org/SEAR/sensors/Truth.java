@@ -48,6 +48,16 @@ public interface Truth {
         return false;
     }
 
+    /**
+     * The colour of a shape at a point of its surface.
+     *
+     * @param x of the world, metres, likewise y and z
+     * @return 0xRRGGBB as in a picture (sRGB)
+     */
+    default int color(int shape, double x, double y, double z) {
+        return 0x999999;
+    }
+
     /** Name of the object that a shape of the scene belongs to. */
     String objectName(int shape);
 }

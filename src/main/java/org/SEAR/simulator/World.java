@@ -28,6 +28,7 @@ import org.SEAR.robot.RobotBuilder;
 import org.SEAR.robot.RobotModel;
 import org.SEAR.robot.RobotTruth;
 import org.SEAR.robot.StartChecks;
+import org.SEAR.robot.SurfaceColors;
 import org.SEAR.robot.VirtualWalls;
 import org.SEAR.sensors.Earth;
 
@@ -60,6 +61,7 @@ final class World implements PhysicsWorld.Touches {
     World(Project project, long epochMillis, boolean groundVisible, Consumer<String> told) throws ProjectException {
         scenes = new Scenes(!groundVisible || hasInvisible(project));
         virtualWalls = new VirtualWalls(scenes);
+        SurfaceColors colors = new SurfaceColors(project.getAssets(), told);
         for (SearObject object : project.getEnvironment()) {
             Body body = body(object, project);
             environment.add(body);
@@ -67,6 +69,7 @@ final class World implements PhysicsWorld.Touches {
                 shapes.put(object, body.solids.get(0));
                 physics.add(body);
                 Shape shape = (Shape) object;
+                colors.add(body, shape, body.solids.get(0));
                 body.addTo(scenes, Collections.singletonList(shape.isVisibleToSensors() && (groundVisible || !shape.isGround())), -1, 1);
                 if (shape.isGround()) {
                     scenes.addGround(body);
@@ -92,7 +95,7 @@ final class World implements PhysicsWorld.Touches {
             physics.add(builder.body);
             shapes.putAll(builder.shapes);
             builder.addTo(scenes, robots.size());
-            RobotTruth truth = new RobotTruth(builder.body, scenes, robots.size(), Earth.of(project, robot), epochMillis);
+            RobotTruth truth = new RobotTruth(builder.body, scenes, colors, robots.size(), Earth.of(project, robot), epochMillis);
             robots.add(new RobotModel(builder, robots.size(), scenes, truth, virtualWalls));
         }
         places.end();

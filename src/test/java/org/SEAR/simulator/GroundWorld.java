@@ -17,6 +17,7 @@ import org.SEAR.project.Project;
 import org.SEAR.robot.RobotBuilder;
 import org.SEAR.robot.RobotModel;
 import org.SEAR.robot.RobotTruth;
+import org.SEAR.robot.SurfaceColors;
 import org.SEAR.robot.VirtualWalls;
 import org.SEAR.sensors.Earth;
 
@@ -46,7 +47,8 @@ final class GroundWorld {
             RobotBuilder builder = RobotBuilder.of(object, project, warnings);
             physics.add(builder.body);
             builder.addTo(scenes, 0);
-            robot = new RobotModel(builder, 0, scenes, new RobotTruth(builder.body, scenes, 0, Earth.of(project, object), 0),
+            robot = new RobotModel(builder, 0, scenes,
+                new RobotTruth(builder.body, scenes, new SurfaceColors(project.getAssets(), warnings::add), 0, Earth.of(project, object), 0),
                 new VirtualWalls(scenes));
         }
         StartPoses.lift(physics.getBodies(), warnings);

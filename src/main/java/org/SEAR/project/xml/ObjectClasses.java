@@ -8,6 +8,7 @@ import java.util.ServiceLoader;
 import java.util.TreeMap;
 import org.SEAR.POJOs.Accelerometer;
 import org.SEAR.POJOs.Arduino;
+import org.SEAR.POJOs.ColorSensor;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Dynamics;
@@ -15,6 +16,7 @@ import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Gyroscope;
 import org.SEAR.POJOs.IMU;
 import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.LineSensor;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.ObjectTypes;
 import org.SEAR.POJOs.Odometer;
@@ -27,8 +29,8 @@ import org.SEAR.POJOs.Shape;
  * lists them, and those that other jars register. Immutable, any thread. */
 public final class ObjectClasses {
     private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Motor.class, Servo.class,
-        Distance.class, LIDAR.class, GPS.class, Compass.class, Accelerometer.class, Gyroscope.class, Odometer.class, IMU.class,
-        Arduino.class);
+        Distance.class, LIDAR.class, GPS.class, Compass.class, Accelerometer.class, Gyroscope.class, Odometer.class, IMU.class, LineSensor.class,
+        ColorSensor.class, Arduino.class);
 
     private final Map<String, Class<? extends SearObject>> byElement = new TreeMap<>();
     private final List<Class<? extends SearObject>> inOrder = new ArrayList<>();

@@ -2,6 +2,7 @@ package org.SEAR.view.link;
 
 import java.util.Arrays;
 import java.util.Locale;
+import org.SEAR.sensors.ColorReading;
 import org.SEAR.sensors.DistanceReading;
 import org.SEAR.sensors.GpsFix;
 import org.SEAR.sensors.ImuReading;
@@ -63,6 +64,10 @@ final class ReadingText {
         if (reading instanceof ImuReading) {
             ImuReading imu = (ImuReading) reading;
             return format("yaw %.1f, pitch %.1f, roll %.1f deg", imu.getYaw(), imu.getPitch(), imu.getRoll());
+        }
+        if (reading instanceof ColorReading) {
+            ColorReading color = (ColorReading) reading;
+            return format("red %.0f, green %.0f, blue %.0f", color.getRed(), color.getGreen(), color.getBlue());
         }
         if (reading instanceof VectorReading) {
             VectorReading vector = (VectorReading) reading;

@@ -13,6 +13,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.Robot;
+import org.SEAR.sensors.ColorReading;
 import org.SEAR.sensors.DistanceReading;
 import org.SEAR.sensors.GpsFix;
 import org.SEAR.sensors.ImuReading;
@@ -110,6 +111,10 @@ public final class ScriptReadings {
         if (reading instanceof GpsFix) {
             GpsFix fix = (GpsFix) reading;
             return new double[] {fix.getLatitude(), fix.getLongitude(), fix.getAltitude()};
+        }
+        if (reading instanceof ColorReading) {
+            ColorReading color = (ColorReading) reading;
+            return new double[] {color.getRed(), color.getGreen(), color.getBlue()};
         }
         if (reading instanceof DistanceReading) {
             return ((DistanceReading) reading).getDistanceOrRange();

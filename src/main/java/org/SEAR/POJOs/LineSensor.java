@@ -1,0 +1,27 @@
+package org.SEAR.POJOs;
+
+/** How much light the surface before it throws back, percent: 0 for black or nothing, 100 for white. By itself it looks straight down. */
+@Described("how much light the surface below it throws back, percent: 0 for black or nothing, 100 for white")
+public class LineSensor extends SurfaceSensor {
+
+    /** For reading from a file. */
+    protected LineSensor() {
+    }
+
+    /** Looks straight down from the robot's origin. */
+    public LineSensor(String name) {
+        this(name, 0, 0, 0);
+    }
+
+    /** Looks straight down from (x, y, z) of the body frame, metres. */
+    public LineSensor(String name, double x, double y, double z) {
+        super(name, x, y, z);
+        created(LineSensor.class);
+    }
+
+    /** At (x, y, z) of the body frame, metres, turned by (rx, ry, rz), degrees; (90, 0, 0) looks straight down, (0, 0, 0) forward. */
+    public LineSensor(String name, double x, double y, double z, double rx, double ry, double rz) {
+        super(name, x, y, z, rx, ry, rz);
+        created(LineSensor.class);
+    }
+}

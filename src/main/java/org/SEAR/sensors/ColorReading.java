@@ -1,0 +1,29 @@
+package org.SEAR.sensors;
+
+/** The colour that a sensor sees: red, green and blue, 0 to 255, as in a picture (sRGB); NaN when the reading dropped out. Immutable, any thread. */
+public final class ColorReading {
+    private final double red;
+    private final double green;
+    private final double blue;
+
+    ColorReading(double red, double green, double blue) {
+        this.red = red;
+        this.green = green;
+        this.blue = blue;
+    }
+
+    /** 0 to 255. */
+    public double getRed() {
+        return red;
+    }
+
+    /** 0 to 255. */
+    public double getGreen() {
+        return green;
+    }
+
+    /** 0 to 255. */
+    public double getBlue() {
+        return blue;
+    }
+}

@@ -1,0 +1,56 @@
+package org.SEAR.sensors;
+
+import org.SEAR.POJOs.LineSensor;
+import org.SEAR.POJOs.SearObject;
+
+/**
+ * The share of light that a spot throws back, percent, as the eye weighs red, green and blue: black and nothing in range are 0, white is 100. NaN
+ * when the reading dropped out.
+ */
+public final class ReflectanceSensor extends Sensor<Double> {
+    private static final double RED = 0.2126;
+    private static final double GREEN = 0.7152;
+    private static final double BLUE = 0.0722;
+    private static final double PERCENT = 100;
+
+    private final Spot spot;
+
+    /** @param seed of the simulation */
+    public ReflectanceSensor(LineSensor parameters, long seed) {
+        super(parameters, seed, 1);
+        this.spot = new Spot(parameters);
+    }
+
+    @Override
+    protected Double measure(Truth truth) {
+        if (errors.drops(truth.step(), 0)) {
+            return Double.NaN;
+        }
+        double[] light = spot.look(truth, pose(truth));
+        double percent = PERCENT * (RED * light[0] + GREEN * light[1] + BLUE * light[2]);
+        return Math.max(0, Math.min(PERCENT, errors.apply(percent, truth.step(), 0, 0)));
+    }
+
+    /** The registry entry. */
+    public static final class Type implements SensorType {
+        @Override
+        public Class<? extends SearObject> parameterType() {
+            return LineSensor.class;
+        }
+
+        @Override
+        public String description() {
+            return "how much light the spot that it looks at throws back: 0 % for black or nothing in range, 100 % for white";
+        }
+
+        @Override
+        public String unit() {
+            return "%";
+        }
+
+        @Override
+        public Sensor<?> create(SearObject parameters, long seed) {
+            return new ReflectanceSensor((LineSensor) parameters, seed);
+        }
+    }
+}

@@ -1,0 +1,54 @@
+package org.SEAR.sensors;
+
+import org.SEAR.POJOs.ColorSensor;
+import org.SEAR.POJOs.SearObject;
+
+/** The mean colour of a spot, in light; black where nothing is in range; its errors are those of each of the three numbers. */
+public final class SpotColorSensor extends Sensor<ColorReading> {
+    private static final int CHANNELS = 3;
+    private static final double FULL = 255;
+
+    private final Spot spot;
+
+    /** @param seed of the simulation */
+    public SpotColorSensor(ColorSensor parameters, long seed) {
+        super(parameters, seed, CHANNELS);
+        this.spot = new Spot(parameters);
+    }
+
+    @Override
+    protected ColorReading measure(Truth truth) {
+        if (errors.drops(truth.step(), 0)) {
+            return new ColorReading(Double.NaN, Double.NaN, Double.NaN);
+        }
+        double[] light = spot.look(truth, pose(truth));
+        return new ColorReading(value(light[0], truth, 0), value(light[1], truth, 1), value(light[2], truth, 2));
+    }
+
+    private double value(double light, Truth truth, int channel) {
+        return Math.max(0, Math.min(FULL, errors.apply(Spot.picture(light), truth.step(), channel, channel)));
+    }
+
+    /** The registry entry. */
+    public static final class Type implements SensorType {
+        @Override
+        public Class<? extends SearObject> parameterType() {
+            return ColorSensor.class;
+        }
+
+        @Override
+        public String description() {
+            return "colour of the spot that it looks at: red, green and blue, 0 to 255; nothing in range is black";
+        }
+
+        @Override
+        public String unit() {
+            return "";
+        }
+
+        @Override
+        public Sensor<?> create(SearObject parameters, long seed) {
+            return new SpotColorSensor((ColorSensor) parameters, seed);
+        }
+    }
+}

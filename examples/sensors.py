@@ -1,6 +1,6 @@
 # A yard with obstacles of every kind, twenty boxes among them, and a Roomba with every sensor.
-from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Compass, Cone, Cylinder, Distance, Floor, GPS, Gyroscope, IMU, LIDAR, Model, Noise, \
-    Odometer, Robots
+from org.SEAR.POJOs import Accelerometer, BeamCone, Box, ColorSensor, Compass, Cone, Cylinder, Distance, Floor, GPS, Gyroscope, IMU, LIDAR, \
+    LineSensor, Model, Noise, Odometer, Robots
 
 sear = Runtime.start("sear", "SEAR")
 sear.newProject()    # the present project, if there is one, is kept as a backup
@@ -61,6 +61,8 @@ robot.addComponent(Accelerometer("accel", 30))
 robot.addComponent(Gyroscope("gyro", 30))
 robot.addComponent(Odometer("odometer"))
 robot.addComponent(IMU("imu"))
+robot.addComponent(LineSensor("line", 0, 0, 0.1))
+robot.addComponent(ColorSensor("color", 0, 0, 0.05))
 
 robot.addComponent(Distance("frontPing", "PING)))", 0, 0.06, 0.16, 0, 0, 0))
 robot.addComponent(Distance("leftEZ1", "LV-EZ1", 0.12, 0.06, 0.1, 0, 60, 0))

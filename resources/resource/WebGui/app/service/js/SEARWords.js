@@ -1,6 +1,7 @@
 // What the SEAR panel says of readings, and the files that it gives to the browser.
 (function() {
-    var UNITS = {Distance: ['m', 3], Compass: ['°', 1], Accelerometer: ['m/s²', 3], Gyroscope: ['rad/s', 3], Odometer: ['m', 3], IMU: ['°', 1]}
+    var UNITS = {Distance: ['m', 3], Compass: ['°', 1], Accelerometer: ['m/s²', 3], Gyroscope: ['rad/s', 3], Odometer: ['m', 3], IMU: ['°', 1],
+        LineSensor: ['%', 1], ColorSensor: ['', 0]}
     var NO_BREAK = '\u00a0'
     var PLAIN = ['', 6]         // of a sensor that somebody has added
 

@@ -1,8 +1,11 @@
 package org.SEAR.POJOs;
 
+import java.util.List;
+import org.SEAR.protocol.arduino.WireRole;
+
 /** How much light the surface before it throws back, percent: 0 for black or nothing, 100 for white. By itself it looks straight down. */
 @Described("how much light the surface below it throws back, percent: 0 for black or nothing, 100 for white")
-public class LineSensor extends SurfaceSensor {
+public class LineSensor extends SurfaceSensor implements Wirable {
 
     /** For reading from a file. */
     protected LineSensor() {
@@ -23,5 +26,10 @@ public class LineSensor extends SurfaceSensor {
     public LineSensor(String name, double x, double y, double z, double rx, double ry, double rz) {
         super(name, x, y, z, rx, ry, rz);
         created(LineSensor.class);
+    }
+
+    @Override
+    public List<WireRole> getWireRoles() {
+        return List.of(WireRole.VOLTS);
     }
 }

@@ -26,4 +26,10 @@ public final class ColorReading {
     public double getBlue() {
         return blue;
     }
+
+    /** {@code 255.0,128.0,0.0}. */
+    @Override
+    public String toString() {
+        return red + "," + green + "," + blue;
+    }
 }

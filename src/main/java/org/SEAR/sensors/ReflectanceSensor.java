@@ -12,6 +12,8 @@ public final class ReflectanceSensor extends Sensor<Double> {
     private static final double GREEN = 0.7152;
     private static final double BLUE = 0.0722;
     private static final double PERCENT = 100;
+    /** Of its supply, volts. */
+    private static final double SUPPLY = 5;
 
     private final Spot spot;
 
@@ -29,6 +31,16 @@ public final class ReflectanceSensor extends Sensor<Double> {
         double[] light = spot.look(truth, pose(truth));
         double percent = PERCENT * (RED * light[0] + GREEN * light[1] + BLUE * light[2]);
         return Math.max(0, Math.min(PERCENT, errors.apply(percent, truth.step(), 0, 0)));
+    }
+
+    /**
+     * What a phototransistor with a resistor puts out: light pulls it down.
+     *
+     * @param percent a reading
+     * @return 0 for white to 5 for black
+     */
+    public static double volts(double percent) {
+        return SUPPLY * (1 - percent / PERCENT);
     }
 
     /** The registry entry. */

@@ -6,6 +6,7 @@ import java.util.Random;
 import org.SEAR.POJOs.Accelerometer;
 import org.SEAR.POJOs.BeamCone;
 import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.ColorSensor;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Cone;
 import org.SEAR.POJOs.Cylinder;
@@ -16,6 +17,7 @@ import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Gyroscope;
 import org.SEAR.POJOs.IMU;
 import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.LineSensor;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.Odometer;
@@ -144,7 +146,9 @@ final class RandomProjects {
     }
 
     private SensorObject anySensor() {
-        switch (random.nextInt(8)) {
+        switch (random.nextInt(9)) {
+            case 8:
+                return random.nextBoolean() ? new LineSensor(name()) : new ColorSensor(name());
             case 0:
                 return new Accelerometer(name(), number(0.01, 10000));
             case 1:

@@ -38,8 +38,9 @@ public class SensorTypesTest {
     }
 
     @Test
-    public void theEightSensorsOfSearAreThere() {
-        assertEquals(List.of("Accelerometer", "Compass", "Distance", "GPS", "Gyroscope", "IMU", "LIDAR", "Odometer"), names());
+    public void theSensorsOfSearAreThere() {
+        assertEquals(List.of("Accelerometer", "ColorSensor", "Compass", "Distance", "GPS", "Gyroscope", "IMU", "LIDAR", "LineSensor",
+            "Odometer"), names());
         assertTrue(SensorTypes.load().create(new Compass("north"), 1) instanceof CompassSensor);
         assertTrue(SensorTypes.load().isSensor(new Compass("north")));
     }
@@ -49,7 +50,8 @@ public class SensorTypesTest {
         Box box = new Box("crate", 1, 1, 1, 0);
         assertFalse(SensorTypes.load().isSensor(box));
         IllegalArgumentException e = assertThrows(IllegalArgumentException.class, () -> SensorTypes.load().create(box, 1));
-        assertEquals("Box crate is no sensor; sensors are Accelerometer, Compass, Distance, GPS, Gyroscope, IMU, LIDAR, Odometer", e.getMessage());
+        assertEquals("Box crate is no sensor; sensors are Accelerometer, ColorSensor, Compass, Distance, GPS, Gyroscope, IMU, LIDAR,"
+            + " LineSensor, Odometer", e.getMessage());
     }
 
     @Test

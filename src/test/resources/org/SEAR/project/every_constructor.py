@@ -1,6 +1,6 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
-from org.SEAR.POJOs import Accelerometer, Arduino, BeamCone, Box, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, \
-    Model, Motor, Noise, Odometer, SEARrobot, Servo, Sphere, Terrain, Wheel
+from org.SEAR.POJOs import Accelerometer, Arduino, BeamCone, Box, ColorSensor, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, \
+    LineSensor, Model, Motor, Noise, Odometer, SEARrobot, Servo, Sphere, Terrain, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
 TREE = "models/Tree/Tree.mesh.xml"
@@ -208,3 +208,10 @@ castor.setTrail(0.04)
 robot.addWheel(castor)
 driven[4].setRollers(-45)
 driven[0].rotate(0, 120, 0)
+
+for kind in (LineSensor, ColorSensor):
+    add(kind(name()))
+    add(kind(name(), *pose[:3]))
+    surface = add(kind(name(), *pose))
+    surface.setSpot(0.02)
+    surface.setRange(0.1)

@@ -3,9 +3,10 @@ package org.SEAR.devices.arduino;
 import org.SEAR.devices.DeviceContext;
 import org.SEAR.protocol.arduino.WireRole;
 import org.SEAR.sensors.DistanceReading;
+import org.SEAR.sensors.ReflectanceSensor;
 import org.SEAR.sensors.Sensor;
 
-/** A wire of a distance sensor: its voltage, or the pulse that lasts as long as the sound is on its way. */
+/** A wire of a sensor: its voltage, or the pulse that lasts as long as the sound is on its way. */
 final class RangeWire implements PinWire {
     /** m/s, of dry air at 20 degrees. */
     static final double SOUND = 343.2;
@@ -26,6 +27,9 @@ final class RangeWire implements PinWire {
     @Override
     public double volts() {
         Object reading = role == WireRole.VOLTS ? context.read(sensor) : null;
+        if (reading instanceof Double) {
+            return ReflectanceSensor.volts((Double) reading);
+        }
         return reading instanceof DistanceReading ? ((DistanceReading) reading).getVolts() : role == WireRole.ECHO ? 0 : Double.NaN;
     }
 

@@ -48,7 +48,7 @@ public class LidarModelsTabTest {
         browser.until("the model", () -> robotLab.call("lidar", "getConfig").get("model").asText().equals(model));
         browser.type(".lidar-port", port);
         browser.click(".lidar-connect");
-        browser.seeText(".lidar-status", "connected");
+        browser.until("a connected panel", () -> browser.text(".lidar-status").startsWith("connected"));
         assertFalse("not while connected", browser.see(".lidar-model").isEnabled());
         assertFalse("millimetres only", browser.see(".lidar-cm").isEnabled());
     }

@@ -47,7 +47,7 @@ public class LidarTabTest {
 
     private void connect() {
         connect(DeviceWorld.LIDAR_PORT, "38400");
-        browser.seeText(".lidar-status", "connected");
+        browser.until("a connected panel", () -> browser.text(".lidar-status").startsWith("connected"));
         seeMode("180° / 1°");
     }
 
@@ -276,7 +276,7 @@ public class LidarTabTest {
         browser.until("the disconnected panel", () -> browser.text(".lidar-status").equals("not connected"));
         robotLab.call("sear", "startSimulation");
         browser.click(".lidar-connect");
-        browser.seeText(".lidar-status", "connected");
+        browser.until("a connected panel", () -> browser.text(".lidar-status").startsWith("connected"));
         scan();
         browser.click(".lidar-disconnect");
         browser.until("the disconnected panel", () -> browser.text(".lidar-status").equals("not connected"));

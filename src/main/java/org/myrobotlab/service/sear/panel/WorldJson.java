@@ -187,21 +187,23 @@ public final class WorldJson {
     }
 
     /** Their poses in the body, as they have turned, in the order of the wheels among the parts. */
-    private static List<double[]> wheels(List<Pose> poses) {
-        List<double[]> list = new ArrayList<>();
-        poses.forEach(pose -> list.add(numbers(pose)));
-        return list;
+    private static double[][] wheels(List<Pose> poses) {
+        double[][] all = new double[poses.size()][];
+        for (int i = 0; i < all.length; i++) {
+            all[i] = numbers(poses.get(i));
+        }
+        return all;
     }
 
     /** The poses in the body of the parts that are no wheels, as servos have turned them. */
-    private static List<double[]> turned(SEARrobot robot, List<Pose> poses) {
+    private static double[][] turned(SEARrobot robot, List<Pose> poses) {
         List<double[]> list = new ArrayList<>();
         for (int i = 0; i < poses.size(); i++) {
             if (robot.getComponents().get(i) instanceof Shape) {
                 list.add(numbers(poses.get(i)));
             }
         }
-        return list;
+        return list.toArray(new double[0][]);
     }
 
     private static List<Object> pins(List<PinState> states) {

@@ -15,6 +15,9 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
+import org.SEAR.physics.solid.Grounds;
+import org.SEAR.physics.solid.TerrainSolid;
+import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.project.problems.ProjectException;
 import org.junit.Rule;
@@ -167,6 +170,25 @@ public class VehicleTest {
         Worlds.run(simulation, 6);
         assertTrue(simulation.getPose("car").toString(), simulation.getPose("car").z > 1.2);
         assertEquals(0.012, simulation.getPose("car").y - low, 2e-3);
+    }
+
+    /** Over a height field that climbs: the motor's line and the steering are as on a plane. */
+    @Test
+    public void aCarClimbsAHeightField() throws Exception {
+        car().rotate(0, 90, 0);
+        GroundWorld world = new GroundWorld(new TerrainSolid(Grounds.slope(0.1)), Project.read(project.folder()));
+        world.robot.getMotor("engine").setPower(0.5);
+        world.run(4);
+        Pose from = world.robot.getPose();
+        world.run(4);
+        Pose to = world.robot.getPose();
+        double load = 4 * 9.81 * Math.sin(Math.atan(0.1)) * RADIUS;
+        double expected = 4 * RADIUS * 20 * (0.5 - load / 0.6);
+        assertEquals(expected, Math.hypot(to.x - from.x, to.y - from.y), SHARE * expected);
+        assertEquals("it climbs", 0.1 * (to.x - from.x), to.y - from.y, 1e-3);
+        world.robot.steer(-20);
+        world.run(2);
+        assertTrue("it turns to the right, to the east", world.robot.getPose().z > 0.02);
     }
 
     /** A castor that was turned about follows as a tractrix: tan(angle / 2) falls by e for each trail length. */

@@ -2,10 +2,10 @@
 (function() {
     // In this order: each uses some of those before it.
     var FILES = ['SEARTerrain', 'SEARGeometry', 'SEARWords', 'SEARMap', 'SEARLooks', 'SEARItem', 'SEARBeams', 'SEARGround', 'SEARScene', 'SEARWorld',
-        'SEARProjects', 'SEARViews', 'SEARPanel']
+        'SEARProjects', 'SEAREdits', 'SEARInspector', 'SEARPalette', 'SEARPointing', 'SEARHandles', 'SEARBuilding', 'SEARViews', 'SEARPanel']
     var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'getProblems', 'getExamples',
         'getExampleScripts', 'getBundle', 'getTerrain', 'getLooks', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate',
-        'startSimulation', 'stopSimulation']
+        'startSimulation', 'stopSimulation', 'publishEdit', 'getEdits', 'getGrammar', 'getProjectObject']
     var waiting = []            // panels that are to be built once all files are there
 
     window.SEARPanel = window.SEARPanel || {}
@@ -60,6 +60,8 @@
             early.forEach(handle)
             msg.send('getExamples')
             msg.send('getExampleScripts')
+            msg.send('getGrammar')
+            msg.send('getEdits')
             $scope.$applyAsync()
         })
 

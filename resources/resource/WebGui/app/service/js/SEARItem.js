@@ -11,6 +11,7 @@
         this.holder.visible = false
         parent.add(this.holder)
         this.extra = null           // what stands beside it in the scene and goes with it
+        this.marker = null          // likewise, what stands for a sensor while one builds
         this.pose = null
         this.from = null
         this.to = null

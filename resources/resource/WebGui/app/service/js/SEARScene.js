@@ -113,9 +113,8 @@
         for (var i = 0; i < Math.max(items.length, sources.length); i++) {
             if (items[i] && items[i].source !== sources[i]) {
                 items[i].parent.remove(items[i].holder)
-                if (items[i].extra) {
-                    this.scene.remove(items[i].extra)
-                }
+                this.scene.remove(items[i].extra)
+                this.scene.remove(items[i].marker)
                 items[i] = null
             }
             if (!items[i] && i < sources.length) {

@@ -53,6 +53,7 @@
         function canvas() {
             return element($scope.mode === 'space' ? 'scene' : 'view')
         }
+        panel.canvas = canvas
         /** Of the canvas, in pixels; 0 while the tab is not shown. */
         panel.width = function() {
             var shown = canvas()
@@ -96,7 +97,7 @@
                 $scope.form.robot = world.robots.length ? world.robots[0].name : null
             }
             $scope.listed = MOST_LISTED
-            view.chosen = Boolean(view.chosen && view.robots === robots)
+            view.chosen = Boolean(view.chosen && (view.robots === robots || $scope.building))
             if (!view.chosen) {
                 refit()
             }
@@ -141,6 +142,9 @@
                 refit()
             }
             view.size = size
+            if ($scope.building && (!world || !world.objects.length && !world.robots.length)) {
+                fitted = {space: true, map: true}       // what is made first does not fill the view
+            }
             if ($scope.mode === 'space') {
                 drawScene(shown, world)
             } else {
@@ -166,6 +170,7 @@
                 view.z = robot.pose[2]
             }
             map.draw(shown, view, world, terrainOf(world), shapes, $scope.form.beams)
+            panel.decorateMap(shown)
         }
 
         function drawScene(shown, world) {
@@ -184,6 +189,7 @@
                 }
                 fitted.space = true
             }
+            panel.decorate(scene, world)
             scene.draw(eyes(world).indexOf($scope.form.eye), followed(world), geometry.isLight(window.getComputedStyle(shown).color))
         }
 
@@ -332,6 +338,9 @@
         }
         /** Arrow keys turn the view in space, + and - zoom; all others drive. */
         $scope.viewKey = function(event) {
+            if (panel.buildKey(event)) {
+                return
+            }
             if (ARROWS[event.key] && $scope.mode === 'space') {
                 drag(ARROWS[event.key][0], ARROWS[event.key][1], event.shiftKey)
                 event.preventDefault()
@@ -349,6 +358,7 @@
                 listenToMap(element('view'))
                 listenToScene(element('scene'))
                 panel.listenToFiles()
+                panel.listenToBuilding(element('view').parentNode)
                 panel.repaint()
             } else {
                 first = panel.timeout(listen, 100)

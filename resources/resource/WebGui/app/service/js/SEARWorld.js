@@ -124,6 +124,7 @@
             if (preview && preview.problems && !panel.isSimulating() && !angular.equals(preview, $scope.preview)) {
                 $scope.preview = preview
                 $scope.problems = []
+                panel.askForSelected()
                 if (preview.world) {
                     panel.show(preview.world)
                 }
@@ -147,7 +148,7 @@
                 return 'Not running, and nothing to show: the project has ' + words.count(preview.problems.length, 'problem') + ', listed below'
             }
             if (!preview.world.objects.length && !preview.world.robots.length) {
-                return 'Not running, and the project is empty: open one or an example above, drop a .sear file there, or create objects in a script'
+                return 'Not running, and the project is empty: open one or an example above, drop a .sear file there, press Build, or create objects in a script'
             }
             return 'Not running: this is how the project starts, with the button Start or ' + $scope.service.name + '.startSimulation()'
         }

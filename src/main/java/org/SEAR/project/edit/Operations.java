@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Collectors;
 import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.ParameterTable;
 import org.SEAR.POJOs.PlacedObject;
@@ -128,12 +129,12 @@ final class Operations {
         Map<?, ?> values = edit.values("set");
         set(place.path, place.object, values, edit.values("was"));
         write(place);
-        boolean moves = values.keySet().stream().allMatch(name -> String.valueOf(name).matches("r?[xyz]"));
-        return new Done((moves ? "move " : "change " + String.join(", ", words(values)) + " of ") + place.object.getName(), place.address());
+        return new Done(words(values) + place.object.getName(), place.address());
     }
 
-    private static String[] words(Map<?, ?> values) {
-        return values.keySet().stream().map(String::valueOf).sorted().toArray(String[]::new);
+    private static String words(Map<?, ?> values) {
+        String names = values.keySet().stream().map(String::valueOf).sorted().collect(Collectors.joining(", "));
+        return names.matches("[xyz, ]+") ? "move " : names.matches("(r[xyz]|, )+") ? "turn " : "change " + names + " of ";
     }
 
     private void set(String file, SearObject object, Map<?, ?> values, Map<?, ?> was) throws ProjectException {

@@ -1,0 +1,256 @@
+package org.SEAR.web;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Paths;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.SEAR.project.ProjectRule;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.ClassRule;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TestRule;
+import org.openqa.selenium.Dimension;
+import org.openqa.selenium.Keys;
+import org.openqa.selenium.WebElement;
+import org.openqa.selenium.interactions.Actions;
+
+/** Worlds and robots are built in the SEAR tab by mouse and keys, and are what a script would have made. */
+public class BuildingTest {
+    @ClassRule
+    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
+    /** What the first test builds. */
+    private static final String SCRIPT = String.join("\n",
+        "from org.SEAR.POJOs import Box, Compass, Cone, Cylinder, Distance, Floor, LIDAR, Robots, Sphere",
+        "sear.newProject()",
+        "Floor('floor1', 10, 10)",
+        "for name, x, z in ((1, 2, 2), (2, 2, -2), (3, -2, 2), (4, -2, -2)): Box('box%d' % name, 0.5, 0.5, 0.5).move(x, 0.25, z)",
+        "Cylinder('cylinder1', 0.2, 0.5).move(3, 0.25, 0)",
+        "Cone('cone1', 0.2, 0.5).move(3, 0.25, 1)",
+        "Sphere('sphere1', 0.2).move(3, 0.2, -1)",
+        "tower = Box('box5', 0.5, 0.5, 0.5)",
+        "tower.move(2, 0.75, 2)",
+        "copy = Box('box6', 0.5, 0.5, 0.5, 4)",
+        "copy.move(2.05, 0.75, 2.5)",
+        "copy.rotate(0, 15, 0)",
+        "robot = Robots.create2('create2')",
+        "robot.move(0, 0, 1)",
+        "robot.addComponent(Compass('compass1'))",
+        "lidar = LIDAR('lidar1')",
+        "lidar.move(0, 0.1, 0.1)",
+        "robot.addComponent(lidar)",
+        "eye = Distance('eye', 'PING)))')",
+        "eye.move(0, 0.1, 0)",
+        "robot.addComponent(eye)");
+
+    @Rule
+    public final TestRule page = TABS.page("sear");
+    private final Browser browser = TABS.browser();
+    private final SearTab tab = new SearTab(TABS);
+
+    @Before
+    public void beginWithAnEmptyProject() {
+        browser.until("no simulation", () -> tab.isTrue("service && !service.simulating && preview !== null && grammar !== null"));
+        TABS.robotLab().run("sear.newProject()");
+        browser.until("an empty project", () -> tab.isTrue("world() && !world().objects.length && !world().robots.length"));
+    }
+
+    @After
+    public void stop() {
+        if (TABS.robotLab().call("sear", "isSimulating").asBoolean()) {
+            TABS.robotLab().call("sear", "stopSimulation");
+        }
+    }
+
+    /** While nothing is just written. */
+    private Map<String, String> files() throws IOException {
+        Map<String, String> files = ProjectRule.files(TABS.robotLab().file("SEARproject"));
+        files.keySet().removeIf(file -> file.startsWith(".edits/"));
+        return files;
+    }
+
+    private void build(String mode) {
+        browser.click(mode);
+        if (!tab.isTrue("building")) {
+            browser.click(".sear-build");
+        }
+        browser.see(".sear-palette");
+    }
+
+    /** A point of the ground on the map that is shown, as the middle of the canvas sees it. */
+    private Actions onMap(double x, double z) {
+        double[] at = tab.toScreen(x, z);
+        return moveTo(browser.see(".sear-view"), at);
+    }
+
+    private Actions moveTo(WebElement view, double[] at) {
+        Dimension size = view.getSize();
+        return new Actions(browser.driver()).moveToElement(view, (int) Math.round(at[0]) - size.getWidth() / 2,
+            (int) Math.round(at[1]) - size.getHeight() / 2);
+    }
+
+    @SuppressWarnings("unchecked")
+    private double[] inSpace(double x, double y, double z) {
+        Map<String, Object> at = (Map<String, Object>) browser.scope(SearTab.ROOT, "scene().toScreen(" + x + ", " + y + ", " + z + ")");
+        return new double[] {((Number) at.get("x")).doubleValue(), ((Number) at.get("y")).doubleValue()};
+    }
+
+    private void arm(String type) {
+        browser.click(".sear-palette [data-make='" + type + "']");
+        browser.until(type + " to place", () -> tab.isTrue("armed && armed.name == '" + type + "'"));
+    }
+
+    private void waitForSelected(String object) {
+        browser.until(object + " selected", () -> tab.isTrue("object && object.object == '" + object + "'"));
+        browser.until(object + " in the view", () -> Boolean.TRUE.equals(browser.script("var scope = angular.element("
+            + "document.querySelector('.sear-main')).scope(); return Boolean(window.SEARPanel.pointing.find(scope.world(), arguments[0]))", object)));
+    }
+
+    private void placeOnMap(String type, double x, double z, String name) {
+        arm(type);
+        onMap(x, z).click().perform();
+        waitForSelected(name);
+    }
+
+    private void set(String field, String value) {
+        String css = "[data-field='" + field + "'] .form-control";
+        WebElement input = browser.see(css);
+        input.sendKeys(Keys.chord(Keys.CONTROL, "a"));
+        input.sendKeys(value, Keys.ENTER);
+        browser.until(field + " to be " + value, () -> tab.isTrue("object && object.values." + field + " == '" + value + "'"));
+    }
+
+    @Test
+    public void aWorldAndARobotAreBuiltAndEqualWhatAScriptMakes() throws Exception {
+        TABS.robotLab().run(SCRIPT);
+        Map<String, String> wanted = files();
+        beginWithAnEmptyProject();
+        build(".sear-map");
+        placeOnMap("Floor", 0, 0, "floor1");
+        int box = 1;
+        for (double[] at : new double[][] {{2, 2}, {2, -2}, {-2, 2}, {-2, -2}}) {
+            placeOnMap("Box", at[0], at[1], "box" + box++);
+        }
+        placeOnMap("Cylinder", 3, 0, "cylinder1");
+        placeOnMap("Cone", 3, 1, "cone1");
+        placeOnMap("Sphere", 3, -1, "sphere1");
+        placeOnMap("Box", 2, 2, "box5");
+        browser.click(".sear-duplicate");
+        waitForSelected("box6");
+        browser.see(".sear-view").sendKeys(Keys.ARROW_UP);
+        browser.until("5 cm to the north", () -> tab.isTrue("object.values.x == '2.05'"));
+        browser.see(".sear-view").sendKeys("[");
+        browser.until("a turn", () -> tab.isTrue("object.values.ry == '15'"));
+        set("mass", "4");
+        placeOnMap("create2", 0, 1, "create2");
+        for (String type : List.of("Compass", "LIDAR", "Distance")) {
+            arm(type);
+            browser.click(".sear-middle");
+            waitForSelected("create2/" + type.toLowerCase(Locale.ROOT) + "1");
+            if (type.equals("Compass")) {
+                set("y", "0");
+            }
+        }
+        WebElement name = browser.see("#sear-p-name");
+        name.sendKeys(Keys.chord(Keys.CONTROL, "a"));
+        name.sendKeys("eye", Keys.ENTER);
+        waitForSelected("create2/eye");
+        set("beam", "PING)))");
+        browser.click(".sear-tree button[ng-click*='sensor']");
+        browser.until("a sensor of the list", () -> tab.isTrue("object && object.robot == 'create2'"));
+        TABS.robotLab().run("sear.edit({'do': 'set', 'object': 'lidar1', 'set': {'z': 0.1}})");
+        assertEquals(wanted, files());
+        tab.start();
+        browser.until("readings of all three sensors", () -> tab.number("world().sensors.length") == 3);
+        TABS.robotLab().call("sear", "stopSimulation");
+        browser.until("no simulation", () -> tab.isTrue("service && !service.simulating"));
+        while (tab.isTrue("undoable !== null")) {
+            Object last = browser.scope(SearTab.ROOT, "messages[0].id + ' ' + messages[0].times");
+            browser.click(".sear-undo");
+            browser.until("an edit undone", () -> !last.equals(browser.scope(SearTab.ROOT, "messages[0].id + ' ' + messages[0].times")));
+        }
+        assertEquals(Map.of(), files());
+        browser.until("an empty view", () -> tab.isTrue("!world().objects.length && !world().robots.length && selected === null"));
+    }
+
+    @Test
+    public void inSpaceTheMouseSelectsMovesSizesAndTurns() throws IOException {
+        TABS.robotLab().run("from org.SEAR.POJOs import Box, Floor, Robots\nFloor('floor', 10, 10)\nBox('crate', 1, 1, 1).move(0, 0.5, 0)\n"
+            + "Robots.create2('rosie').move(0, 0, 2)");
+        browser.until("the world", () -> tab.isTrue("world() && world().robots.length == 1"));
+        build(".sear-space");
+        browser.until("all of it", () -> tab.isTrue("view.fitted && scene().objects[0].dressed && scene().objects[1].dressed"));
+        WebElement view = browser.see(".sear-scene");
+        moveTo(view, inSpace(0, 0.1, 2)).click().perform();
+        waitForSelected("rosie");
+        moveTo(view, inSpace(0, 0.1, 2)).click().perform();
+        waitForSelected("rosie/body");
+        moveTo(view, inSpace(0, 0.9, 0)).click().perform();
+        waitForSelected("crate");
+        drag(inSpace(-0.3, 1, 0.3), inSpace(0.72, 1, -0.71));
+        browser.until("it moved", () -> tab.isTrue("object.values.x != '0' && object.values.z != '0'"));
+        double x = tab.number("1 * object.values.x");
+        double z = tab.number("1 * object.values.z");
+        assertEquals("as far as the mouse", 1, x, 0.11);
+        assertEquals(-1, z, 0.11);
+        assertEquals("to the grid", Math.rint(x / 0.05), x / 0.05, 1e-6);
+        waitForSelected("crate");
+        browser.until("its new place in the view", () -> Math.abs(place("x").get(0).doubleValue() - x - 0.5) < 1e-3);
+        drag(handle("x"), inSpace(x + 1, 0.5, z));
+        browser.until("it grew", () -> tab.isTrue("object.values.length != '1'"));
+        double length = tab.number("1 * object.values.length");
+        assertEquals(1.5, length, 0.11);
+        assertEquals("to the grid", Math.rint(length / 0.05), length / 0.05, 1e-6);
+        assertEquals("the other side stays", x - 0.5, tab.number("1 * object.values.x") - length / 2, 1e-4);
+        browser.until("the new size in the view", () -> Math.abs(place("x").get(0).doubleValue() - tab.number("1 * object.values.x") - length / 2) < 1e-3);
+        double[] handle = handle("turn");
+        drag(handle, new double[] {handle[0] - 20, handle[1] - 60});
+        browser.until("it turned by 15 degrees or more", () -> tab.isTrue("object.values.ry != '0' && object.values.ry % 15 == 0"));
+        browser.see(".sear-scene").sendKeys(Keys.chord(Keys.CONTROL, "z"));
+        browser.until("undone", () -> tab.isTrue("object.values.ry == '0'"));
+        picture("light");
+        set("mass", "7");
+        WebElement mass = browser.see("[data-field='mass'] .form-control");
+        mass.sendKeys(Keys.chord(Keys.CONTROL, "a"), "-7", Keys.ENTER);
+        browser.seeText("[data-field='mass'] .sear-wrong", "legal: 0, or a number from 0.000001 to 1000000 kg");
+        assertTrue(files().get("environment/crate.xml").contains("<mass>7</mass>"));
+        TABS.robotLab().run("sear.edit({'do': 'set', 'object': 'crate', 'set': {'color': 'red'}})");
+        browser.until("what another one has changed", () -> tab.isTrue("object.values.color == 'red'"));
+        view.sendKeys(Keys.DELETE);
+        browser.until("it is gone", () -> tab.isTrue("selected === null && undoable == 'delete crate'"));
+        assertFalse(files().containsKey("environment/crate.xml"));
+        view.sendKeys(Keys.chord(Keys.CONTROL, "z"));
+        browser.until("it is back", () -> tab.isTrue("redoable == 'delete crate'"));
+        assertTrue(files().containsKey("environment/crate.xml"));
+    }
+
+    /** For whoever looks at it. */
+    private void picture(String theme) throws IOException {
+        browser.picture(Paths.get(System.getProperty("sear.root", "."), "build/reports/web/building-" + theme + ".png"));
+    }
+
+    @SuppressWarnings("unchecked")
+    private List<Number> place(String handle) {
+        return (List<Number>) browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope();"
+            + "return window.SEARPanel.handles.place(scope.scene(), arguments[0])", handle);
+    }
+
+    private double[] handle(String name) {
+        List<Number> at = place(name);
+        return inSpace(at.get(0).doubleValue(), at.get(1).doubleValue(), at.get(2).doubleValue());
+    }
+
+    private void drag(double[] from, double[] to) {
+        WebElement view = browser.see(".sear-scene");
+        Dimension size = view.getSize();
+        moveTo(view, from).clickAndHold().moveToElement(view, (int) Math.round((from[0] + to[0]) / 2) - size.getWidth() / 2,
+            (int) Math.round((from[1] + to[1]) / 2) - size.getHeight() / 2).moveToElement(view, (int) Math.round(to[0]) - size.getWidth() / 2,
+            (int) Math.round(to[1]) - size.getHeight() / 2).release().perform();
+    }
+}

@@ -208,7 +208,8 @@ public class BuildingTest {
         assertEquals(1.5, length, 0.11);
         assertEquals("to the grid", Math.rint(length / 0.05), length / 0.05, 1e-6);
         assertEquals("the other side stays", x - 0.5, tab.number("1 * object.values.x") - length / 2, 1e-4);
-        browser.until("the new size in the view", () -> Math.abs(place("x").get(0).doubleValue() - tab.number("1 * object.values.x") - length / 2) < 1e-3);
+        browser.until("the new size in the view", () ->
+            Math.abs(place("x").get(0).doubleValue() - tab.number("1 * object.values.x") - length / 2) < 1e-3);
         double[] handle = handle("turn");
         drag(handle, new double[] {handle[0] - 20, handle[1] - 60});
         browser.until("it turned by 15 degrees or more", () -> tab.isTrue("object.values.ry != '0' && object.values.ry % 15 == 0"));

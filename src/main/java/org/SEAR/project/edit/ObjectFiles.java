@@ -59,7 +59,11 @@ final class ObjectFiles {
         }
     }
 
-    /** The path of an object's file. @param stem as {@code SearObject.getFileName} */
+    /**
+     * The path of an object's file.
+     *
+     * @param stem as {@code SearObject.getFileName}
+     */
     static String path(boolean part, String stem) {
         return (part ? ProjectFolder.ROBOT : ProjectFolder.ENVIRONMENT) + "/" + stem + ProjectFolder.XML;
     }

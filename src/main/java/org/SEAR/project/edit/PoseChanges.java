@@ -17,7 +17,8 @@ import org.SEAR.project.xml.Xml;
 
 /** Which things and robots an edit puts elsewhere, and whether it does anything besides. Immutable, any thread. */
 final class PoseChanges {
-    private static final List<String> PLACING = List.of("x", "y", "z", "rx", "ry", "rz", "onGround", "placeLatitude", "placeLongitude", "placeHeading");
+    private static final List<String> PLACING = List.of("x", "y", "z", "rx", "ry", "rz", "onGround", "placeLatitude", "placeLongitude",
+        "placeHeading");
 
     /** Names of things of the environment and robots; of robots' Dynamics, the components as the robots' files name them. */
     final Set<String> moved;

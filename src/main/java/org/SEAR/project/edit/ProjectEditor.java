@@ -173,7 +173,8 @@ public final class ProjectEditor {
             }
             journal.undo();
             return new Outcome(step.words, null, outside == null ? null : "only " + outside.words
-                + " was taken back, since it came last; undo once more takes back what was edited before, redo brings it back", step.changes, journal);
+                + " was taken back, since it came last; undo once more takes back what was edited before, redo brings it back", step.changes,
+                journal);
         });
     }
 

@@ -41,7 +41,11 @@ final class Values {
         return parameter.isList() ? all : all.isEmpty() ? null : all.get(0);
     }
 
-    /** Sets parameters of an object or group. @param path what stands before their names in problems */
+    /**
+     * Sets parameters of an object or group.
+     *
+     * @param path what stands before their names in problems
+     */
     void set(Object object, Map<?, ?> values, String path) {
         ParameterTable table = ParameterTable.of(object.getClass());
         for (Map.Entry<?, ?> one : values.entrySet()) {

@@ -166,7 +166,8 @@ public class ProjectEditorTest {
         assertTrue(refusal("do", "set", "object", "crate", "set", map("placeLatitude", 5)).contains("legal: both placeLatitude and placeLongitude"));
         assertTrue(refusal("do", "set", "object", "crate", "set", map("name", "x")).contains("rename"));
         assertTrue(refusal("do", "rename", "object", "crate", "name", "a/b").contains("name is \"a/b\", legal: a name of 1 to 100"));
-        assertTrue(refusal("do", "add", "type", "Box", "name", "crate").contains("a name that no other object has, not even with other capitals, such as crate1"));
+        assertTrue(refusal("do", "add", "type", "Box", "name", "crate")
+            .contains("a name that no other object has, not even with other capitals, such as crate1"));
         assertTrue(refusal("do", "add", "type", "Box", "name", "CRATE").contains("name is \"CRATE\", legal: a name that no other"));
         assertTrue(refusal("do", "add", "type", "Bax").contains("type is \"Bax\", legal: Accelerometer, Box"));
         assertTrue(refusal("do", "add", "type", "Compass").contains("the name of a robot: a Compass is a part of one"));
@@ -256,7 +257,8 @@ public class ProjectEditorTest {
     public void aCrashInTheMiddleLosesTheEditInFlightAndNothingElse() throws Exception {
         edit("do", "add", "type", "Box", "name", "crate");
         Map<String, String> before = objects();
-        edit("do", "all", "edits", List.of(map("do", "set", "object", "crate", "set", map("x", 1)), map("do", "add", "type", "Sphere", "name", "ball")));
+        edit("do", "all", "edits", List.of(map("do", "set", "object", "crate", "set", map("x", 1)),
+            map("do", "add", "type", "Sphere", "name", "ball")));
         Map<String, String> after = objects();
         Path state = project.folder().resolve(".edits/state");
         for (boolean undoing : new boolean[] {false, true}) {

@@ -137,6 +137,7 @@ public final class Edits {
 
     /** The robot whose component it is, else the name itself. */
     private static String whole(Project project, String name) {
-        return project.getRobots().stream().filter(robot -> robot.getComponentNames().contains(name)).map(SEARrobot::getName).findFirst().orElse(name);
+        return project.getRobots().stream().filter(robot -> robot.getComponentNames().contains(name)).map(SEARrobot::getName).findFirst()
+            .orElse(name);
     }
 }

@@ -178,11 +178,11 @@ public final class Body {
         toTransform(centred(to), home);
         rigid.setCenterOfMassTransform(home);
         rigid.setInterpolationWorldTransform(home);
-        low.set(0, 0, 0);
-        rigid.setLinearVelocity(low);
-        rigid.setAngularVelocity(low);
-        rigid.clearForces();
         if (mass > 0) {
+            low.set(0, 0, 0);
+            rigid.setLinearVelocity(low);
+            rigid.setAngularVelocity(low);
+            rigid.clearForces();
             rigid.setSleepingThresholds(0, 0);
             rigid.setDeactivationTime(0);
             rigid.forceActivationState(CollisionObject.ACTIVE_TAG);

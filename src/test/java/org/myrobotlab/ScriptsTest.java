@@ -133,6 +133,19 @@ public class ScriptsTest {
         assertEquals(270, number(answers, "Heading: (-?[0-9.]+) degrees"), 0.5);
     }
 
+    /** The robot of two sensors, two motor drivers and an 8-bit board turns away from the walls of its room. */
+    @Test
+    public void theArduinoTemplateAvoidsObstacles() throws Exception {
+        temporary.newFile("nothing");
+        File script = temporary.newFile("rover.py");
+        Files.writeString(script.toPath(), String.join("\n", "sear = Runtime.start('sear', 'SEAR')",
+            "sear.copyTemplate('arduino.py', 'SEARproject')", "python.execFile('SEARproject/arduino.py')",
+            "x, y, z = sear.getPose('rover')[:3]", "print 'in the room:', abs(x) < 1.9 and abs(z) < 1.9", ""));
+        String text = run(script.toString());
+        assertTrue(text, number(text, "(\\d+) turns in 30 s") >= 3);
+        assertTrue(text, text.contains("in the room: True"));
+    }
+
     @Test
     public void theDemoEndsByItselfWithoutATerminal() throws Exception {
         temporary.newFile("nothing");

@@ -695,7 +695,7 @@ public class SEAR extends Service<SEARConfig> {
     /**
      * Copies a template into a folder.
      *
-     * @param name {@code controller.py} or {@code userCode.py}
+     * @param name {@code controller.py}, {@code userCode.py} or {@code arduino.py}
      * @param folder is made if it is missing
      * @return the copy's path
      * @throws IllegalStateException if there is such a file already

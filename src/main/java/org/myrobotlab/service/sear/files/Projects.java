@@ -24,7 +24,7 @@ import org.myrobotlab.service.sear.run.SimulationControl;
 
 /** The project folder and the templates in the jar. Any thread. */
 public final class Projects {
-    private static final List<String> TEMPLATES = Arrays.asList("controller.py", "userCode.py");
+    private static final List<String> TEMPLATES = Arrays.asList("controller.py", "userCode.py", "arduino.py");
     private static final String DEFAULT_FOLDER = "SEARproject";
     private static final String ENDING = ".sear";
 

@@ -2,10 +2,11 @@
 (function() {
     // In this order: each uses some of those before it.
     var FILES = ['SEARTerrain', 'SEARGeometry', 'SEARWords', 'SEARMap', 'SEARLooks', 'SEARItem', 'SEARBeams', 'SEARGround', 'SEARScene', 'SEARWorld',
-        'SEARProjects', 'SEAREdits', 'SEARInspector', 'SEARPalette', 'SEARPointing', 'SEARHandles', 'SEARBuilding', 'SEARViews', 'SEARPanel']
+        'SEARProjects', 'SEARScript', 'SEAREdits', 'SEARInspector', 'SEARPalette', 'SEARPointing', 'SEARHandles', 'SEARBuilding', 'SEARViews',
+        'SEARPanel']
     var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'getProblems', 'getExamples',
         'getExampleScripts', 'getBundle', 'getTerrain', 'getLooks', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate',
-        'startSimulation', 'stopSimulation', 'publishEdit', 'getEdits', 'getGrammar', 'getProjectObject']
+        'startSimulation', 'stopSimulation', 'publishEdit', 'getEdits', 'getGrammar', 'getProjectObject', 'getScript']
     var waiting = []            // panels that are to be built once all files are there
 
     window.SEARPanel = window.SEARPanel || {}

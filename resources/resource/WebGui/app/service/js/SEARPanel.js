@@ -140,8 +140,8 @@
             onStopSimulation: settle,
             onProblems: onProblems,
             onStatus: onStatus
-        }, world, window.SEARPanel.projects(panel), window.SEARPanel.edits(panel), window.SEARPanel.inspector(panel), window.SEARPanel.palette(panel),
-        window.SEARPanel.building(panel), window.SEARPanel.views(panel))
+        }, world, window.SEARPanel.projects(panel), window.SEARPanel.script(panel), window.SEARPanel.edits(panel),
+        window.SEARPanel.inspector(panel), window.SEARPanel.palette(panel), window.SEARPanel.building(panel), window.SEARPanel.views(panel))
 
         return function(inMsg) {
             var handler = Object.prototype.hasOwnProperty.call(handlers, inMsg.method) && handlers[inMsg.method]

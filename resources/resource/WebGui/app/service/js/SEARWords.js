@@ -50,8 +50,14 @@
 
     /** Has the browser save a file. @param parts of it, in base64 */
     function saveFile(name, parts) {
+        saveBlob(name, new Blob(parts.map(bytes), {type: 'application/zip'}))
+    }
+    function saveText(name, text) {
+        saveBlob(name, new Blob([text], {type: 'text/plain'}))
+    }
+    function saveBlob(name, blob) {
         var link = document.createElement('a')
-        link.href = window.URL.createObjectURL(new Blob(parts.map(bytes), {type: 'application/zip'}))
+        link.href = window.URL.createObjectURL(blob)
         link.download = name
         document.body.appendChild(link)
         link.click()
@@ -61,5 +67,5 @@
         }, 60000)
     }
 
-    window.SEARPanel.words = {reading: readingText, count: count, fileName: fileName, saveFile: saveFile}
+    window.SEARPanel.words = {reading: readingText, count: count, fileName: fileName, saveFile: saveFile, saveText: saveText}
 })()

@@ -117,15 +117,15 @@ public class Compass extends SensorObject implements SerialObject {
         serial.setBaud(this, newBaud);
     }
 
-    /** @param x metres, a point of the world that lies in the north; not straight above or below the origin */
-    public void setNorth(double x, double y, double z) {
-        if (x == 0 && z == 0) {
-            throw new IllegalArgumentException(this + ": north is (0, " + Parameter.format(y) + ", 0), legal: a point that isn't straight above or"
-                + " below the origin");
+    /** @param newNorthX metres, a point of the world that lies in the north; not straight above or below the origin */
+    public void setNorth(double newNorthX, double newNorthY, double newNorthZ) {
+        if (newNorthX == 0 && newNorthZ == 0) {
+            throw new IllegalArgumentException(this + ": north is (0, " + Parameter.format(newNorthY) + ", 0), legal: a point that isn't straight"
+                + " above or below the origin");
         }
-        double checkedX = checked("northX", x);
-        double checkedY = checked("northY", y);
-        northZ = checked("northZ", z);
+        double checkedX = checked("northX", newNorthX);
+        double checkedY = checked("northY", newNorthY);
+        northZ = checked("northZ", newNorthZ);
         northX = checkedX;
         northY = checkedY;
         changed();

@@ -90,6 +90,12 @@ public class Distance extends SensorObject implements Wirable {
         }
     }
 
+    @Override
+    void valuesSet() {
+        super.valuesSet();
+        shape = beam == null ? null : named(beam);
+    }
+
     /** Gives a sensor that was read from a file the shape of its named beam. */
     void link(Beam named) {
         shape = named;

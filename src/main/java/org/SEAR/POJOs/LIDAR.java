@@ -234,9 +234,9 @@ public class LIDAR extends SensorObject implements SerialObject {
         serial.setBaud(this, newBaud);
     }
 
-    /** @param type 1 for a device of its {@link #setModel model} behind the ports, 0 for none */
-    public void LMS(int type) {
-        int wanted = checked("lms", type);
+    /** @param newLms 1 for a device of its {@link #setModel model} behind the ports, 0 for none */
+    public void LMS(int newLms) {
+        int wanted = checked("lms", newLms);
         if (serial.getUartPort() != null) {
             checkFan(wanted);
         }

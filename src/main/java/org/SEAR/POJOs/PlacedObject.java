@@ -71,15 +71,15 @@ public abstract class PlacedObject extends SearObject {
     /**
      * Puts it on the ground at a point of the world. It keeps its rotation.
      *
-     * @param northX metres north of the world's origin
-     * @param eastZ metres east of it
+     * @param newX metres north of the world's origin
+     * @param newZ metres east of it
      */
-    public void placeAt(double northX, double eastZ) {
-        checked("x", northX);
-        checked("z", eastZ);
+    public void placeAt(double newX, double newZ) {
+        checked("x", newX);
+        checked("z", newZ);
         checked(ON_GROUND, true);
         checkNoPart();
-        setPosition(northX, 0, eastZ);
+        setPosition(newX, 0, newZ);
         onGround = true;
         placeLatitude = null;
         placeLongitude = null;
@@ -111,6 +111,17 @@ public abstract class PlacedObject extends SearObject {
                 placeLatitude = wasLatitude;
                 placeLongitude = wasLongitude;
             }
+        }
+    }
+
+    @Override
+    void valuesSet() {
+        if (isOnGround()) {
+            String fixed = whyFixed(ON_GROUND);
+            if (fixed != null) {
+                throw new IllegalArgumentException(label() + ": " + ON_GROUND + " can't be set: " + fixed);
+            }
+            checkNoPart();
         }
     }
 

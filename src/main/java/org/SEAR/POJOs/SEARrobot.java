@@ -76,13 +76,13 @@ public class SEARrobot extends PlacedObject {
     /**
      * Puts it on the ground at a point of the world, looking into a direction, wherever its Dynamics is.
      *
-     * @param northX metres north of the world's origin
-     * @param eastZ metres east of it
+     * @param newX metres north of the world's origin
+     * @param newZ metres east of it
      * @param heading degrees clockwise from north
      */
-    public void placeAt(double northX, double eastZ, double heading) {
+    public void placeAt(double newX, double newZ, double heading) {
         double checkedHeading = checked("placeHeading", heading);
-        placeAt(northX, eastZ);
+        placeAt(newX, newZ);
         placeHeading = checkedHeading;
         changed();
     }
@@ -179,6 +179,38 @@ public class SEARrobot extends PlacedObject {
             }
         }
         Stores.get().remove(component.getName(), true);
+    }
+
+    /**
+     * Says where a component's file lies: {@code robot/ROBOT/NAME.xml} or {@code robot/NAME.xml}. Scripts need it only to make files as they were; a
+     * file moves by itself where another robot's part takes its place.
+     *
+     * @param component the name of one of this robot's
+     * @param on whether it lies in the robot's own folder
+     * @throws IllegalArgumentException if there is no such component
+     */
+    public void setOwnFolder(String component, boolean on) {
+        checkChangeable();
+        String wanted = ScriptText.of(component);
+        SearObject part = components.stream().filter(c -> c.getName().equals(wanted)).findFirst().orElseThrow(() -> new IllegalArgumentException(
+            label() + ": component is " + ParameterTable.quote(wanted) + ", legal: " + components.stream().map(SearObject::getName)
+                .collect(Collectors.joining(", "))));
+        boolean aside = !part.getFileName().equals(part.getName());
+        if (aside == on) {
+            return;
+        }
+        try {
+            if (on) {
+                moveAside(part);
+            } else {
+                setAside(part, false);
+                part.save();
+                save();
+                Stores.get().remove(asideName(part), true);
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(part.label() + " could not be moved: " + e.getMessage(), e);
+        }
     }
 
     private void setAside(SearObject component, boolean aside) {

@@ -2,7 +2,9 @@ package org.SEAR.POJOs;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 
 /**
  * Anything of the object grammar: a name and a pose. An object that a script or program creates writes its XML file when it is created and after
@@ -62,16 +64,20 @@ public abstract class SearObject {
         if (getClass() != constructed) {
             return;
         }
-        List<String> problems = ParameterTable.of(constructed).problems(this, "");
-        crossCheck((element, value, legal) -> problems.add(element + " is " + ParameterTable.quote(value) + ", legal: " + legal));
-        if (!problems.isEmpty()) {
-            throw new IllegalArgumentException(label() + ": " + String.join("; ", problems));
-        }
+        checkWhole();
         boolean taken = isTaken();
         life = Life.LIVE;
         changed();
         if (!Stores.isRedirected()) {
             Notices.made(label(), name, taken);
+        }
+    }
+
+    private void checkWhole() {
+        List<String> problems = new ArrayList<>(ParameterTable.of(getClass()).problems(this, ""));
+        crossCheck((element, value, legal) -> problems.add(element + " is " + ParameterTable.quote(value) + ", legal: " + legal));
+        if (!problems.isEmpty()) {
+            throw new IllegalArgumentException(label() + ": " + String.join("; ", problems));
         }
     }
 
@@ -184,6 +190,38 @@ public abstract class SearObject {
         if (life == Life.READ) {
             throw new IllegalStateException(label() + " was read from a project and can't be changed; create objects with their constructors");
         }
+    }
+
+    /**
+     * Sets parameters by the names that they have in the object's file, for what has no method of its own: {@code box.set({"onGround": False})}. All
+     * of them, or, if one is wrong or they don't fit together, none.
+     *
+     * @param values number, text, True or False by name; None for nothing; a group of parameters is a dictionary in turn, several are a list
+     * @throws IllegalArgumentException that names object, parameter, value and legal values
+     */
+    public void set(Map<String, ?> values) {
+        checkChangeable();
+        NamedValues named = new NamedValues(this);
+        boolean done = false;
+        try {
+            named.set(values);
+            checkWhole();
+            valuesSet();
+            done = true;
+        } finally {
+            if (!done) {
+                named.undo();
+            }
+        }
+        changed();
+    }
+
+    /**
+     * Several parameters were set by name: what hangs on them follows. Called before the file is written.
+     *
+     * @throws IllegalArgumentException if they don't fit to what else there is
+     */
+    void valuesSet() {
     }
 
     /** {@code Box "Box1_name"}. */

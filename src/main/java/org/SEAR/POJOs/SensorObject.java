@@ -19,6 +19,13 @@ public abstract class SensorObject extends SearObject {
         return true;
     }
 
+    @Override
+    void valuesSet() {
+        if (noise != null) {
+            noise.setOwner(this);
+        }
+    }
+
     /** The error model; null for none. */
     public Noise getNoise() {
         return noise;

@@ -210,12 +210,12 @@ public abstract class Shape extends PlacedObject {
     /**
      * Stretches the object along its own axes.
      *
-     * @param sx factor, 0.0001 to 10000
+     * @param newScaleX factor, 0.0001 to 10000
      */
-    public void scale(double sx, double sy, double sz) {
-        double checkedX = checked("scaleX", sx);
-        double checkedY = checked("scaleY", sy);
-        scaleZ = checked("scaleZ", sz);
+    public void scale(double newScaleX, double newScaleY, double newScaleZ) {
+        double checkedX = checked("scaleX", newScaleX);
+        double checkedY = checked("scaleY", newScaleY);
+        scaleZ = checked("scaleZ", newScaleZ);
         scaleX = checkedX;
         scaleY = checkedY;
         changed();

@@ -693,6 +693,17 @@ public class SEAR extends Service<SEARConfig> {
     }
 
     /**
+     * The Python script that makes the project's objects. Run in another project with the same assets and beams, or in this one, it gives the same
+     * files to the byte.
+     *
+     * @throws IllegalStateException with every problem of the project
+     * @example print sear.getScript()
+     */
+    public String getScript() {
+        return calls.attempt(() -> parts.projects().script());
+    }
+
+    /**
      * Copies a template into a folder.
      *
      * @param name {@code controller.py}, {@code userCode.py} or {@code arduino.py}

@@ -30,18 +30,19 @@ import org.SEAR.POJOs.Wheel;
 import org.SEAR.protocol.lidar.LidarModel;
 
 /** Creates random legal projects: any class, any legal value, odd names. The same seed gives the same project. */
-final class RandomProjects {
+public final class RandomProjects {
     private static final String[] LETTERS = {"a", "B", " ", "_", "1", ".", "\u00e4", "\u00df", "\u6728", "\ud83e\udd16",
         "'", "&", "#", "]]", "(", "%20"};
     private final Random random;
     private int counter;
 
-    RandomProjects(long seed) {
+    /** @param seed of all that is chosen */
+    public RandomProjects(long seed) {
         random = new Random(seed);
     }
 
     /** Creates one in the present folder. */
-    void create() {
+    public void create() {
         int objects = random.nextInt(4);
         for (int i = 0; i < objects; i++) {
             shape(true);

@@ -215,3 +215,6 @@ for kind in (LineSensor, ColorSensor):
     surface = add(kind(name(), *pose))
     surface.setSpot(0.02)
     surface.setRange(0.1)
+Box(name(), 1, 2, 3).set({"onGround": False, "friction": 0.25, "image": None})
+add(LIDAR(name())).set({"noise": {"white": 0.5, "dropout": 0}, "lms": 0, "lenient": True})
+robot.setOwnFolder("LV-EZ1", True)

@@ -16,9 +16,11 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.SEAR.POJOs.Notices;
+import org.SEAR.project.Project;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.project.script.ProjectScript;
 import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
@@ -196,6 +198,11 @@ public final class Projects {
                 host.progress("\"" + old + "\" is called \"" + now + "\" here, because that name was taken");
             }
         });
+    }
+
+    /** The Python script that makes the project's objects. */
+    public synchronized String script() throws ProjectException {
+        return ProjectScript.of(Project.read(folder()));
     }
 
     /**

@@ -1,0 +1,99 @@
+package org.SEAR.POJOs;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Parameters that are set by their names: what {@link SearObject#set} takes. One use. */
+final class NamedValues {
+    private final SearObject object;
+    private final ParameterTable table;
+    private final Map<Parameter, Object> before = new LinkedHashMap<>();
+
+    NamedValues(SearObject object) {
+        this.object = object;
+        this.table = ParameterTable.of(object.getClass());
+    }
+
+    /** Whether the parameter says what an object is a part of, which no value can. */
+    static boolean isStructure(Parameter parameter) {
+        return parameter.getTextRule() == TextRule.COMPONENT || SearObject.class.isAssignableFrom(parameter.getType());
+    }
+
+    /**
+     * Sets them, checked one by one but not together.
+     *
+     * @throws IllegalArgumentException with the first that is wrong
+     */
+    void set(Map<?, ?> values) {
+        for (Map.Entry<?, ?> entry : values.entrySet()) {
+            Parameter parameter = table.get(ScriptText.of(String.valueOf(entry.getKey())));
+            if (parameter.getName().equals("name") || isStructure(parameter)) {
+                throw new IllegalArgumentException(object.label() + ": " + parameter.getName() + " can't be set: an object keeps its name, and"
+                    + " addComponent and addWheel give a robot its parts");
+            }
+            Object value = whole(parameter, entry.getValue());
+            before.putIfAbsent(parameter, parameter.get(object));
+            parameter.set(object, value);
+        }
+    }
+
+    /** Everything as it was. */
+    void undo() {
+        before.forEach((parameter, value) -> parameter.set(object, value));
+    }
+
+    private Object whole(Parameter parameter, Object value) {
+        if (!parameter.isList()) {
+            return single(parameter, value);
+        }
+        if (!(value instanceof List)) {
+            throw illegal(parameter, value, "a list");
+        }
+        List<Object> entries = new ArrayList<>();
+        ((List<?>) value).forEach(entry -> entries.add(single(parameter, entry)));
+        return entries;
+    }
+
+    private Object single(Parameter parameter, Object value) {
+        Object converted = value;
+        if (value instanceof Number && parameter.getKind() == Parameter.Kind.NUMBER) {
+            converted = ((Number) value).doubleValue() + 0.0;
+        } else if (value instanceof Map && parameter.getKind() == Parameter.Kind.GROUP) {
+            converted = group(parameter, (Map<?, ?>) value);
+        }
+        boolean right = converted == null ? !parameter.getType().isPrimitive() : boxed(parameter).isInstance(converted);
+        if (!right || !parameter.isLegal(converted)) {
+            throw illegal(parameter, value, parameter.legal());
+        }
+        return converted;
+    }
+
+    private Object group(Parameter parameter, Map<?, ?> values) {
+        ParameterTable inner = ParameterTable.of(parameter.getType());
+        Object made = inner.newInstance();
+        values.forEach((key, value) -> {
+            Parameter part = inner.get(String.valueOf(key));
+            part.set(made, whole(part, value));
+        });
+        return made;
+    }
+
+    private static Class<?> boxed(Parameter parameter) {
+        switch (parameter.getKind()) {
+            case NUMBER:
+                return Double.class;
+            case WHOLE:
+                return Integer.class;
+            case SWITCH:
+                return Boolean.class;
+            default:
+                return parameter.getType();
+        }
+    }
+
+    private IllegalArgumentException illegal(Parameter parameter, Object value, String legal) {
+        return new IllegalArgumentException(object.label() + ": " + parameter.getName() + " is " + ParameterTable.quote(value) + ", legal: " + legal);
+    }
+}

@@ -1,0 +1,182 @@
+package org.SEAR.project.script;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.SEAR.POJOs.Parameter;
+import org.SEAR.POJOs.ScriptText;
+import org.SEAR.POJOs.SearObject;
+
+/**
+ * The constructor and calls that make one object, or one group of parameters. They are found by making drafts: of all constructors with those calls
+ * that bring a draft nearer to the object the shortest ones count, and {@code set} does what no method does. One use, within a
+ * {@link org.SEAR.POJOs.Draft}.
+ */
+final class ObjectScript {
+    /** How much longer a call makes a script than an argument, and a call by names than others. */
+    private static final int CALL = 2;
+    private static final int BY_NAME = 6;
+
+    private final Object wanted;
+    private final Set<Class<?>> classes = new LinkedHashSet<>();
+    private String expression;
+    private List<String> calls = new ArrayList<>();
+    private int length = Integer.MAX_VALUE;
+
+    ObjectScript(Object wanted) {
+        this.wanted = wanted;
+        for (Call constructor : Call.constructors(wanted.getClass())) {
+            tryWith(constructor);
+        }
+        classes.add(wanted.getClass());
+    }
+
+    /** Whether there is a way. */
+    boolean isPossible() {
+        return expression != null;
+    }
+
+    /** {@code Box("crate", 1, 2, 3)}. */
+    String expression() {
+        return expression;
+    }
+
+    /** {@code setColor("red")}, in order. */
+    List<String> calls() {
+        return calls;
+    }
+
+    /** The classes that the words name. */
+    Set<Class<?>> classes() {
+        return classes;
+    }
+
+    private void tryWith(Call constructor) {
+        Object[] values = values(constructor);
+        Object draft = constructor.run(null, values);
+        String made = draft == null ? null : words(wanted.getClass().getSimpleName(), constructor, values);
+        if (made == null) {
+            return;
+        }
+        List<String> found = new ArrayList<>();
+        int size = values.length + change(draft, found);
+        List<Parameter> rest = Values.differences(wanted, draft);
+        if (!rest.isEmpty()) {
+            if (!(draft instanceof SearObject) || !setByName((SearObject) draft, rest, found)) {
+                return;
+            }
+            size += BY_NAME + rest.size();
+        }
+        if (size < length) {
+            length = size;
+            expression = made;
+            calls = found;
+        }
+    }
+
+    /** Calls methods as long as they help. */
+    private int change(Object draft, List<String> found) {
+        int size = 0;
+        List<Parameter> rest = Values.differences(wanted, draft);
+        boolean helped = draft instanceof SearObject;
+        while (helped && !rest.isEmpty()) {
+            helped = false;
+            Call best = null;
+            List<Parameter> after = rest;
+            for (Call call : Call.methods(wanted.getClass())) {
+                Map<Parameter, Object> before = Values.copy(draft);
+                if (call.arguments.stream().anyMatch(rest::contains) && runAll(call, draft)) {
+                    List<Parameter> left = Values.differences(wanted, draft);
+                    if (left.size() < after.size()) {
+                        best = call;
+                        after = left;
+                    }
+                }
+                Values.restore(draft, before);
+            }
+            if (best != null && words(best, found)) {
+                runAll(best, draft);
+                size += CALL + best.arguments.size();
+                helped = true;
+                rest = after;
+            }
+        }
+        return size;
+    }
+
+    private boolean runAll(Call call, Object draft) {
+        if (!call.isAdding()) {
+            return call.run(draft, values(call)) != null;
+        }
+        return call.arguments.get(0).values(wanted).stream().allMatch(entry -> call.run(draft, new Object[] {entry}) != null);
+    }
+
+    private boolean words(Call call, List<String> found) {
+        String name = call.target.getName();
+        List<String> words = new ArrayList<>();
+        if (call.isAdding()) {
+            call.arguments.get(0).values(wanted).forEach(entry -> words.add(words(name, call, new Object[] {entry})));
+        } else {
+            words.add(words(name, call, values(call)));
+        }
+        return !words.contains(null) && found.addAll(words);
+    }
+
+    private static boolean setByName(SearObject draft, List<Parameter> rest, List<String> found, Object wanted) {
+        Map<String, Object> named = new LinkedHashMap<>();
+        rest.forEach(parameter -> named.put(parameter.getName(), Values.plain(parameter.get(wanted))));
+        try {
+            draft.set(named);
+        } catch (IllegalArgumentException e) {
+            return false;
+        }
+        found.add("set(" + PythonText.literal(named) + ")");
+        return Values.differences(wanted, draft).isEmpty();
+    }
+
+    private boolean setByName(SearObject draft, List<Parameter> rest, List<String> found) {
+        return setByName(draft, rest, found, wanted);
+    }
+
+    private Object[] values(Call call) {
+        return call.arguments.stream().map(parameter -> {
+            Object value = parameter.get(wanted);
+            return parameter.getName().equals("name") ? asWritten((String) value) : value instanceof List ? new ArrayList<>((List<?>) value) : value;
+        }).toArray();
+    }
+
+    /** The text that a script has to say for a name: one that looks like the bytes of another is said in bytes. */
+    private static String asWritten(String name) {
+        return name.equals(ScriptText.of(name)) ? name : new String(name.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
+    }
+
+    /** {@code name(1, 2)}; null if one of the values can't be written so. */
+    private String words(String name, Call call, Object[] values) {
+        List<String> words = new ArrayList<>();
+        for (int i = 0; i < values.length; i++) {
+            words.add(word(call.arguments.get(i), values[i]));
+        }
+        return words.contains(null) ? null : name + "(" + String.join(", ", words) + ")";
+    }
+
+    private String word(Parameter parameter, Object value) {
+        if (parameter.getKind() != Parameter.Kind.GROUP || value == null) {
+            return PythonText.literal(value);
+        }
+        if (value instanceof List) {
+            List<String> entries = ((List<?>) value).stream().map(entry -> word(parameter, entry)).collect(Collectors.toList());
+            return entries.contains(null) ? null : "[" + String.join(", ", entries) + "]";
+        }
+        ObjectScript group = new ObjectScript(value);
+        if (!group.isPossible()) {
+            return null;
+        }
+        classes.addAll(group.classes);
+        return group.expression;
+    }
+}

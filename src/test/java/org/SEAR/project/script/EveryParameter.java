@@ -1,0 +1,145 @@
+package org.SEAR.project.script;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import org.SEAR.POJOs.Assembly;
+import org.SEAR.POJOs.Parameter;
+import org.SEAR.POJOs.ParameterTable;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.TextRule;
+
+/** Legal objects of a class of the grammar: without all that is optional, with each parameter alone, and with as many as go together. */
+final class EveryParameter {
+    private static final List<Object> TEXTS = Arrays.asList("laser", "textures/brick.png", "#12ab34", "ttyX", "MT3329", "LMS291", "roomba400", "1");
+    private static final List<Object> NUMBERS = Arrays.asList(0.5, 0.25, 2.5, 1.0, 45.0, 500.0, 9600.0);
+    private static final List<Object> WHOLES = Arrays.asList(2, 1, 0, 12, 500, 19200);
+    private static final int MOST_COMPANIONS = 3;
+
+    private final Class<?> type;
+    private final List<Parameter> parameters = new ArrayList<>();
+    private final TreeSet<String> never = new TreeSet<>();
+    private int made;
+
+    EveryParameter(Class<? extends SearObject> type) {
+        this.type = type;
+        for (Parameter parameter : ParameterTable.of(type).getParameters()) {
+            boolean structure = parameter.getTextRule() == TextRule.COMPONENT || SearObject.class.isAssignableFrom(parameter.getType());
+            if (!structure && !parameter.isRequired()) {
+                parameters.add(parameter);
+            }
+        }
+    }
+
+    /** The objects; what no object has is found at {@link #never}. */
+    List<SearObject> objects() {
+        List<SearObject> all = new ArrayList<>();
+        Map<Parameter, Object> most = new LinkedHashMap<>();
+        List<Map<Parameter, Object>> single = new ArrayList<>();
+        single.add(whole(new LinkedHashMap<>(), 0, MOST_COMPANIONS));
+        for (Parameter parameter : parameters) {
+            Map<Parameter, Object> alone = new LinkedHashMap<>();
+            alone.put(parameter, another(parameter));
+            Map<Parameter, Object> legal = whole(alone, 0, MOST_COMPANIONS);
+            if (legal == null) {
+                never.add(type.getSimpleName() + "." + parameter.getName());
+                continue;
+            }
+            single.add(legal);
+            Map<Parameter, Object> together = new LinkedHashMap<>(most);
+            together.putAll(legal);
+            if (isLegal(make(together))) {
+                most = together;
+            }
+        }
+        single.add(most);
+        single.stream().filter(values -> values != null).forEach(values -> all.add(make(values)));
+        return all;
+    }
+
+    /** {@code Type.parameter} of what can't be set at all. */
+    TreeSet<String> never() {
+        return never;
+    }
+
+    /** The values with as few others as make them legal; null if there are none. */
+    private Map<Parameter, Object> whole(Map<Parameter, Object> values, int from, int more) {
+        if (isLegal(make(values))) {
+            return values;
+        }
+        for (int i = from; i < parameters.size() && more > 0; i++) {
+            Parameter companion = parameters.get(i);
+            if (!values.containsKey(companion) && (!companion.getType().isPrimitive() || companion.isList())) {
+                Map<Parameter, Object> larger = new LinkedHashMap<>(values);
+                larger.put(companion, another(companion));
+                Map<Parameter, Object> found = whole(larger, i + 1, more - 1);
+                if (found != null) {
+                    return found;
+                }
+            }
+        }
+        return null;
+    }
+
+    private SearObject make(Map<Parameter, Object> values) {
+        Object object = ParameterTable.of(type).newInstance();
+        for (Parameter parameter : ParameterTable.of(type).getParameters()) {
+            if (parameter.isRequired()) {
+                parameter.set(object, parameter.getName().equals("name") ? "it " + made++ : another(parameter));
+            }
+        }
+        values.forEach((parameter, value) -> parameter.set(object, value));
+        return (SearObject) object;
+    }
+
+    private static boolean isLegal(SearObject object) {
+        List<String> faults = new ArrayList<>();
+        Assembly.crossCheck(object, (element, value, legal) -> faults.add(element));
+        return faults.isEmpty();
+    }
+
+    /** A legal value that is not the default; two of a list. */
+    private Object another(Parameter parameter) {
+        if (parameter.isList()) {
+            List<Object> entries = new ArrayList<>();
+            entries.add(single(parameter, 0));
+            entries.add(single(parameter, 1));
+            return entries;
+        }
+        return single(parameter, 0);
+    }
+
+    private Object single(Parameter parameter, int which) {
+        if (parameter.getKind() == Parameter.Kind.GROUP) {
+            ParameterTable table = ParameterTable.of(parameter.getType());
+            Object group = table.newInstance();
+            table.getParameters().forEach(inner -> inner.set(group, another(inner)));
+            return group;
+        }
+        Object usual = parameter.get(ParameterTable.of(type == null || !owns(parameter) ? ownerOf(parameter) : type).newInstance());
+        List<Object> candidates = new ArrayList<>(parameter.getKind() == Parameter.Kind.TEXT ? TEXTS : parameter.getKind() == Parameter.Kind.NUMBER
+            ? NUMBERS : parameter.getKind() == Parameter.Kind.WHOLE ? WHOLES : Arrays.asList((Object) false, true));
+        if (parameter.getKind() == Parameter.Kind.NUMBER) {
+            candidates.add(0, 45 + 0.25 * parameters.indexOf(parameter));
+        }
+        int skip = which;
+        for (Object each : candidates) {
+            if (parameter.isLegal(each) && !each.equals(usual) && skip-- == 0) {
+                return each;
+            }
+        }
+        throw new AssertionError(type + ": no example of " + parameter.getName() + ", legal: " + parameter.legal());
+    }
+
+    private boolean owns(Parameter parameter) {
+        return ParameterTable.of(type).getParameters().contains(parameter);
+    }
+
+    private Class<?> ownerOf(Parameter inner) {
+        return ParameterTable.of(type).getParameters().stream().map(Parameter::getType)
+            .filter(group -> ParameterTable.of(group).getParameters().contains(inner)).findFirst().orElseThrow(AssertionError::new);
+    }
+}

@@ -24,12 +24,15 @@ public final class Cable implements SerialLine {
     private SerialDevice device;
     private volatile boolean powered = true;
     private Sink sink = bytes -> { };
+    private LineTap tap;
     private final Object lock = new Object();
     private byte[] incoming = new byte[FIRST_SIZE];
     private int incomingCount;
     private volatile boolean hasIncoming;
     private volatile int hostBaud;
     private volatile boolean pickedUp;
+    /** {@link #hostBaud} as it was at the beginning of the step. */
+    private int userBaud;
     private volatile boolean hungUp;
     private volatile int deviceBaud;
     private volatile long written;
@@ -119,8 +122,17 @@ public final class Cable implements SerialLine {
 
     /** Commands phase: what was written until now is on its way from {@code time} on. */
     public void accept(double time) {
+        if (userBaud != hostBaud) {
+            userBaud = hostBaud;
+            if (tap != null) {
+                tap.baud(this, userBaud);
+            }
+        }
         if (hungUp) {
             hungUp = false;
+            if (tap != null) {
+                tap.hungUp(this);
+            }
             if (powered) {
                 device.hungUp(time);
             }
@@ -149,6 +161,9 @@ public final class Cable implements SerialLine {
                 toDeviceEnd = left;
             }
             System.arraycopy(incoming, 0, toDevice, toDeviceEnd, incomingCount);
+            if (tap != null) {
+                tap.heard(this, incoming, incomingCount);
+            }
             toDeviceEnd += incomingCount;
             incomingCount = 0;
             hasIncoming = false;
@@ -205,7 +220,7 @@ public final class Cable implements SerialLine {
     }
 
     private int speedOfHost() {
-        int speed = hostBaud;
+        int speed = userBaud;
         return speed > 0 && !device.hearsEveryBaud() ? speed : device.getBaud();
     }
 
@@ -245,6 +260,18 @@ public final class Cable implements SerialLine {
         return freeAt;
     }
 
+    /**
+     * Has somebody look at the line from now on. Simulation thread.
+     *
+     * @param newTap null for nobody
+     */
+    public void setTap(LineTap newTap) {
+        tap = newTap;
+        if (tap != null && userBaud != 0) {
+            tap.baud(this, userBaud);
+        }
+    }
+
     /** Throws away what has not left the line. */
     public void clearOutput() {
         toHostFrom = 0;
@@ -276,6 +303,9 @@ public final class Cable implements SerialLine {
         if (toHostFrom == toHostEnd) {
             toHostFrom = 0;
             toHostEnd = 0;
+        }
+        if (tap != null) {
+            tap.said(this, bytes);
         }
         if (!hungUp) {
             sink.receive(bytes);

@@ -51,9 +51,12 @@ public final class Simulation implements AutoCloseable {
     private volatile Thread thread;
     private volatile boolean closed;
     private long step;
+    private final RunOrigin origin;
+    private RunTap tap;
 
     private Simulation(Project project, long seed, long epochMillis, boolean groundVisible) throws ProjectException {
         this.project = project;
+        origin = new RunOrigin(seed, epochMillis, groundVisible);
         world = new World(project, epochMillis, groundVisible, warnings::add);
         instruments = new Instruments(world.getRobots(), seed, warnings::count);
         places = new Places(project, world);
@@ -92,6 +95,11 @@ public final class Simulation implements AutoCloseable {
         return new Simulation(project, seed, epochMillis, true);
     }
 
+    /** Builds the world of a project as another run began. */
+    public static Simulation of(Project project, RunOrigin origin) throws ProjectException {
+        return new Simulation(project, origin.seed, origin.epochMillis, origin.groundVisible);
+    }
+
     private void start() {
         step = 0;
         warnings.restart(project.getWarnings(), world.getWarnings(), deviceWarnings);
@@ -121,12 +129,18 @@ public final class Simulation implements AutoCloseable {
     /** The outputs of a step: who gets bytes and asks for the time reads that of this step. Simulation thread. */
     void deliver() {
         instruments.deliver(getTime());
+        if (tap != null) {
+            tap.stepped(this);
+        }
         serve();
     }
 
     private void obey() {
         for (Consumer<Simulation> command = commands.poll(); command != null; command = commands.poll()) {
             try {
+                if (tap != null && command instanceof DriveCommand) {
+                    tap.drive((DriveCommand) command);
+                }
                 command.accept(this);
             } catch (RuntimeException e) {
                 warnings.count("command", "a command failed: " + e);
@@ -147,9 +161,27 @@ public final class Simulation implements AutoCloseable {
 
     /** Everything back to step 0, as a fresh start with the same seed. Who watches what and the speed of the user's ports stay. Simulation thread. */
     public void reset() {
+        if (tap != null) {
+            tap.reset();
+        }
         world.restart();
         instruments.restart();
         start();
+    }
+
+    /**
+     * Has somebody look at the run from now on. Simulation thread.
+     *
+     * @param newTap null for nobody
+     */
+    public void setTap(RunTap newTap) {
+        tap = newTap;
+        instruments.getPorts().forEach(port -> port.getCable().setTap(newTap));
+    }
+
+    /** What, beside project and commands, decides what happens. Any thread. */
+    public RunOrigin getOrigin() {
+        return origin;
     }
 
     /** A command for the start of the next step. Any thread. A command that throws becomes a warning. */
@@ -354,6 +386,9 @@ public final class Simulation implements AutoCloseable {
      */
     public void power(String name, boolean on) {
         instruments.power(name, on, getTime());
+        if (tap != null) {
+            tap.power(name, on);
+        }
         snapshot = observer.lookClosely(step);
     }
 

@@ -12,6 +12,7 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.project.Project;
 import org.SEAR.sensors.SensorTypes;
+import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
 import org.SEAR.simulator.Snapshot;
@@ -141,7 +142,7 @@ public final class RunnerLink implements WorldLink {
 
     @Override
     public void drive(int robot, double speed, double radius) {
-        simulation.post(world -> world.getRobots().get(robot).drive(speed, radius));
+        simulation.post(DriveCommand.circle(robot, speed, radius));
     }
 
     @Override

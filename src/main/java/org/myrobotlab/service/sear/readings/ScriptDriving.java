@@ -1,7 +1,8 @@
 package org.myrobotlab.service.sear.readings;
 
-import java.util.function.Consumer;
+import java.util.function.BiFunction;
 import org.SEAR.robot.Robot;
+import org.SEAR.simulator.DriveCommand;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
 /**
@@ -23,20 +24,20 @@ public final class ScriptDriving {
     /** @param speed m/s, + forward */
     public void straight(String robot, double speed) throws InterruptedException {
         check("driveStraight: speed", speed, MOST_SPEED, "m/s");
-        give(robot, false, driven -> driven.getHardware().setWheelSpeeds(speed, speed));
+        give(robot, false, (number, driven) -> DriveCommand.wheels(number, speed, speed));
     }
 
     /** @param degrees a second, + to the left */
     public void spin(String robot, double degrees) throws InterruptedException {
         check("spin: speed", degrees, MOST_SPIN, "degrees a second");
-        give(robot, true, driven -> driven.drive(Math.toRadians(degrees) * driven.getHardware().getWheelBase() / 2, 0));
+        give(robot, true, (number, driven) -> DriveCommand.circle(number, Math.toRadians(degrees) * driven.getHardware().getWheelBase() / 2, 0));
     }
 
     /** @param left m/s over ground, + forward, likewise right */
     public void wheels(String robot, double left, double right) throws InterruptedException {
         check("setWheelSpeeds: left", left, MOST_SPEED, "m/s");
         check("setWheelSpeeds: right", right, MOST_SPEED, "m/s");
-        give(robot, false, driven -> driven.getHardware().setWheelSpeeds(left, right));
+        give(robot, false, (number, driven) -> DriveCommand.wheels(number, left, right));
     }
 
     /**
@@ -50,7 +51,7 @@ public final class ScriptDriving {
         if (Double.isNaN(radius)) {
             throw new IllegalArgumentException("drive: radius is " + radius + ", legal: metres, + to the left, 0 or infinity");
         }
-        give(robot, false, driven -> driven.drive(speed, radius));
+        give(robot, false, (number, driven) -> DriveCommand.circle(number, speed, radius));
     }
 
     /** @param degrees of a wheel in the middle, + to the left */
@@ -68,7 +69,7 @@ public final class ScriptDriving {
         }
     }
 
-    private void give(String robot, boolean twoSides, Consumer<Robot> command) throws InterruptedException {
+    private void give(String robot, boolean twoSides, BiFunction<Integer, Robot, DriveCommand> command) throws InterruptedException {
         control.session().scriptDrives();
         control.session().ask(world -> {
             Robot driven = ScriptReadings.robot(world, robot);
@@ -80,7 +81,7 @@ public final class ScriptDriving {
                 throw new IllegalArgumentException("robot " + name + " can't turn in place: its driven wheels are all in its middle;"
                     + " wheel.move(x, y, z) puts one to the left with x above 0, to the right with x below");
             }
-            world.post(next -> command.accept(driven));
+            world.post(command.apply(world.getRobots().indexOf(driven), driven));
             return true;
         });
     }

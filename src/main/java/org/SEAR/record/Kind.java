@@ -1,0 +1,18 @@
+package org.SEAR.record;
+
+/** The events of a record, each one byte with this number and what belongs to it; docs/records.md is the table. */
+final class Kind {
+    static final int STEP = 1;
+    static final int FRAME = 2;
+    static final int HEARD = 3;
+    static final int SAID = 4;
+    static final int BAUD = 5;
+    static final int HUNG_UP = 6;
+    static final int DRIVE = 7;
+    static final int POWER = 8;
+    static final int RESET = 9;
+    static final int END = 10;
+
+    private Kind() {
+    }
+}

@@ -1,0 +1,128 @@
+package org.SEAR.record;
+
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import org.SEAR.simulator.RunOrigin;
+
+/** What a record says once: of which project and run it is, and what its numbers belong to. Immutable, any thread. */
+public final class RecordHeader {
+    static final byte[] MAGIC = "SEARLOG1".getBytes(StandardCharsets.US_ASCII);
+    /** Most robots, objects, sensors or ports of a record. */
+    static final int MOST_NAMES = 10000;
+    /** Most numbers of one reading. */
+    static final int MOST_VALUES = 32;
+    private static final int LONGEST_NAME = 1000;
+    private static final int LONGEST_INTERVAL = 3600;
+
+    /** What beside project and commands decides what happens. */
+    public final RunOrigin origin;
+    /** Step of the simulation with which the record begins: only one from step 0 can be run again. */
+    public final long firstStep;
+    /** Steps from one frame of poses and readings to the next. */
+    public final int interval;
+    /** SHA-256 of the project's objects, in hexadecimal digits. */
+    public final String project;
+    public final List<String> robots;
+    public final List<String> objects;
+    public final List<String> sensors;
+    /** How many numbers a reading of each sensor has. */
+    public final List<Integer> sizes;
+    /** Object and user port of each serial line: {@code myLidar at /dev/SEAR_LIDAR_01}. */
+    public final List<String> lines;
+
+    RecordHeader(RunOrigin origin, long firstStep, int interval, String project, List<String> robots, List<String> objects, List<String> sensors,
+            List<Integer> sizes, List<String> lines) {
+        this.origin = origin;
+        this.firstStep = firstStep;
+        this.interval = interval;
+        this.project = project;
+        this.robots = Collections.unmodifiableList(robots);
+        this.objects = Collections.unmodifiableList(objects);
+        this.sensors = Collections.unmodifiableList(sensors);
+        this.sizes = Collections.unmodifiableList(sizes);
+        this.lines = Collections.unmodifiableList(lines);
+    }
+
+    void write(DataOutputStream out) throws IOException {
+        out.write(MAGIC);
+        out.writeLong(origin.seed);
+        out.writeLong(origin.epochMillis);
+        out.writeBoolean(origin.groundVisible);
+        out.writeLong(firstStep);
+        out.writeInt(interval);
+        writeText(out, project);
+        for (List<String> names : Arrays.asList(robots, objects, sensors, lines)) {
+            out.writeShort(names.size());
+            for (String name : names) {
+                writeText(out, name);
+            }
+        }
+        for (int size : sizes) {
+            out.writeByte(size);
+        }
+    }
+
+    private static void writeText(DataOutputStream out, String text) throws IOException {
+        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+        out.writeShort(bytes.length);
+        out.write(bytes);
+    }
+
+    /** @throws RecordException if it can't be one */
+    static RecordHeader read(DataInputStream in) throws IOException {
+        byte[] magic = new byte[MAGIC.length];
+        int got = in.readNBytes(magic, 0, magic.length);
+        if (got < magic.length || !Arrays.equals(magic, MAGIC)) {
+            throw new RecordException("it is no record of a run: it does not begin with \"SEARLOG1\"");
+        }
+        RunOrigin origin = new RunOrigin(in.readLong(), in.readLong(), in.readBoolean());
+        long firstStep = in.readLong();
+        int interval = in.readInt();
+        if (firstStep < 0 || interval < 1 || interval > LONGEST_INTERVAL) {
+            throw new RecordException("its first step is " + firstStep + " and its interval " + interval + ", legal: 0 or more, and 1 to "
+                + LONGEST_INTERVAL);
+        }
+        String project = readText(in);
+        List<List<String>> names = new ArrayList<>();
+        for (int i = 0; i < 4; i++) {
+            names.add(readNames(in));
+        }
+        List<Integer> sizes = new ArrayList<>();
+        for (String sensor : names.get(2)) {
+            int size = in.readUnsignedByte();
+            if (size > MOST_VALUES) {
+                throw new RecordException("sensor \"" + sensor + "\" has " + size + " numbers, legal: at most " + MOST_VALUES);
+            }
+            sizes.add(size);
+        }
+        return new RecordHeader(origin, firstStep, interval, project, names.get(0), names.get(1), names.get(2), sizes, names.get(3));
+    }
+
+    private static List<String> readNames(DataInputStream in) throws IOException {
+        int count = in.readUnsignedShort();
+        if (count > MOST_NAMES) {
+            throw new RecordException("it has " + count + " names of one kind, legal: at most " + MOST_NAMES);
+        }
+        List<String> names = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            names.add(readText(in));
+        }
+        return names;
+    }
+
+    static String readText(DataInputStream in) throws IOException {
+        int length = in.readUnsignedShort();
+        if (length > LONGEST_NAME) {
+            throw new RecordException("a name has " + length + " bytes, legal: at most " + LONGEST_NAME);
+        }
+        byte[] bytes = new byte[length];
+        in.readFully(bytes);
+        return new String(bytes, StandardCharsets.UTF_8);
+    }
+}

@@ -1,0 +1,231 @@
+package org.SEAR.record;
+
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.devices.SerialLine;
+import org.SEAR.geometry.Pose;
+import org.SEAR.project.Project;
+import org.SEAR.project.xml.Xml;
+import org.SEAR.simulator.DriveCommand;
+import org.SEAR.simulator.RunTap;
+import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.Snapshot;
+
+/**
+ * Writes a run into a file while it goes on: each step, what went in and out, and at every second step where everything is and what the sensors read.
+ * Made and ended by {@link Simulation#ask}; simulation thread.
+ */
+public final class Recorder implements RunTap {
+    /** A record ends at this size unless told otherwise, bytes. */
+    public static final long LIMIT = 1L << 29;
+    /** Steps from one frame to the next. */
+    private static final int INTERVAL = 2;
+    /** A piece of bytes on a line; longer ones are several. */
+    static final int LONGEST_BYTES = 1 << 16;
+
+    private final Simulation simulation;
+    private final Path path;
+    private final long limit;
+    private final LogBuffer out;
+    private final List<String> sensors;
+    private final List<Integer> sizes = new ArrayList<>();
+    private final Pose[] seen;
+    private long steps;
+    private boolean ended;
+
+    private Recorder(Simulation simulation, Path path, long limit) throws IOException {
+        this.simulation = simulation;
+        this.path = path;
+        this.limit = limit;
+        sensors = simulation.getSensorNames();
+        sensors.forEach(name -> sizes.add(Numbers.of(simulation.read(name)).length));
+        seen = new Pose[simulation.snapshot().environment.size()];
+        byte[] header = header();
+        out = new LogBuffer(path);
+        out.putBytes(header, header.length);
+    }
+
+    /**
+     * Begins a record. Simulation thread.
+     *
+     * @param path a new file, or a record that is replaced
+     * @param limit bytes at which it ends by itself
+     * @throws IOException if there is another file, or it can't be written
+     */
+    public static Recorder begin(Simulation simulation, Path path, long limit) throws IOException {
+        if (Files.exists(path) && !RunRecord.isRecord(path)) {
+            throw new IOException(path + " is there already and is no record of a run; choose another name");
+        }
+        Recorder recorder = new Recorder(simulation, path, limit);
+        recorder.frame(simulation.snapshot());
+        simulation.setTap(recorder);
+        return recorder;
+    }
+
+    /** SHA-256 of a project's objects, as SEAR writes them. */
+    static String fingerprint(Project project) {
+        try {
+            MessageDigest digest = MessageDigest.getInstance("SHA-256");
+            List<SearObject> all = new ArrayList<>(project.getEnvironment());
+            for (SEARrobot robot : project.getRobots()) {
+                all.add(robot);
+                all.addAll(robot.getComponents());
+            }
+            all.forEach(object -> digest.update(Xml.write(object).getBytes(StandardCharsets.UTF_8)));
+            StringBuilder hex = new StringBuilder();
+            for (byte each : digest.digest()) {
+                hex.append(Character.forDigit(each >> 4 & 15, 16)).append(Character.forDigit(each & 15, 16));
+            }
+            return hex.toString();
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private byte[] header() throws IOException {
+        Project project = simulation.getProject();
+        RecordHeader header = new RecordHeader(simulation.getOrigin(), simulation.getStep(), INTERVAL, fingerprint(project),
+            project.getRobots().stream().map(SearObject::getName).collect(Collectors.toList()),
+            project.getEnvironment().stream().map(SearObject::getName).collect(Collectors.toList()), sensors, sizes,
+            simulation.getLines().stream().map(line -> line.getObjectName() + " at " + line.getUserPort()).collect(Collectors.toList()));
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        header.write(new DataOutputStream(bytes));
+        return bytes.toByteArray();
+    }
+
+    private void frame(Snapshot snapshot) {
+        out.put(Kind.FRAME);
+        for (Snapshot.RobotState robot : snapshot.robots) {
+            put(robot.pose);
+            out.putDouble(robot.speed).putDouble(robot.turnRate);
+        }
+        int moved = 0;
+        for (int i = 0; i < seen.length; i++) {
+            moved += seen[i] == snapshot.environment.get(i) ? 0 : 1;
+        }
+        out.putShort(moved);
+        for (int i = 0; i < seen.length; i++) {
+            Pose pose = snapshot.environment.get(i);
+            if (pose != seen[i]) {
+                seen[i] = pose;
+                out.putShort(i);
+                put(pose);
+            }
+        }
+        for (int i = 0; i < sensors.size(); i++) {
+            double[] numbers = sizes.get(i) == 0 ? null : Numbers.of(simulation.read(sensors.get(i)));
+            for (int k = 0; k < sizes.get(i); k++) {
+                out.putDouble(k < numbers.length ? numbers[k] : Double.NaN);
+            }
+        }
+    }
+
+    private void put(Pose pose) {
+        out.putDouble(pose.x).putDouble(pose.y).putDouble(pose.z).putDouble(pose.qx).putDouble(pose.qy).putDouble(pose.qz).putDouble(pose.qw);
+    }
+
+    @Override
+    public void stepped(Simulation stepping) {
+        steps++;
+        if (steps % INTERVAL == 0) {
+            frame(stepping.snapshot());
+        } else {
+            out.put(Kind.STEP);
+        }
+        if (out.size() >= limit || out.failure() != null) {
+            stop();
+        }
+    }
+
+    private void bytes(int kind, SerialLine line, byte[] bytes, int count) {
+        for (int at = 0; at < count; at += LONGEST_BYTES) {
+            int part = Math.min(LONGEST_BYTES, count - at);
+            out.put(kind).putShort(simulation.getLines().indexOf(line)).putInt(part);
+            if (at == 0) {
+                out.putBytes(bytes, part);
+            } else {
+                out.putBytes(java.util.Arrays.copyOfRange(bytes, at, at + part), part);
+            }
+        }
+    }
+
+    @Override
+    public void heard(SerialLine line, byte[] bytes, int count) {
+        bytes(Kind.HEARD, line, bytes, count);
+    }
+
+    @Override
+    public void said(SerialLine line, byte[] bytes) {
+        bytes(Kind.SAID, line, bytes, bytes.length);
+    }
+
+    @Override
+    public void baud(SerialLine line, int baud) {
+        out.put(Kind.BAUD).putShort(simulation.getLines().indexOf(line)).putInt(baud);
+    }
+
+    @Override
+    public void hungUp(SerialLine line) {
+        out.put(Kind.HUNG_UP).putShort(simulation.getLines().indexOf(line));
+    }
+
+    @Override
+    public void drive(DriveCommand command) {
+        out.put(Kind.DRIVE).putShort(command.robot).put(command.wheels ? 1 : 0).putDouble(command.first).putDouble(command.second);
+    }
+
+    @Override
+    public void power(String device, boolean on) {
+        byte[] name = device.getBytes(StandardCharsets.UTF_8);
+        out.put(Kind.POWER).put(on ? 1 : 0).putShort(name.length).putBytes(name, name.length);
+    }
+
+    @Override
+    public void reset() {
+        out.put(Kind.RESET);
+    }
+
+    private void stop() {
+        if (!ended) {
+            ended = true;
+            simulation.setTap(null);
+            out.put(Kind.END).putLong(steps);
+        }
+    }
+
+    /**
+     * Ends the record. Simulation thread, or any once the simulation has ended.
+     *
+     * @throws IOException if it could not be written to its end
+     */
+    public void end() throws IOException {
+        stop();
+        out.close();
+    }
+
+    /** The file. Any thread. */
+    public Path getPath() {
+        return path;
+    }
+
+    /** Whether the record has ended by itself at its limit. */
+    public boolean isFull() {
+        return out.size() >= limit;
+    }
+
+    /** Simulated seconds that it has. */
+    public double getSeconds() {
+        return steps * Simulation.STEP;
+    }
+}

@@ -1,0 +1,203 @@
+package org.SEAR.record;
+
+import java.io.IOException;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.SEAR.devices.SerialLine;
+import org.SEAR.project.Project;
+import org.SEAR.project.problems.ProjectException;
+import org.SEAR.simulator.DriveCommand;
+import org.SEAR.simulator.RunTap;
+import org.SEAR.simulator.Simulation;
+
+/**
+ * Gives the commands of a record to a fresh world of the same project and compares what comes out of each port. The world belongs to nobody else: it
+ * needs no ports and disturbs no simulation that runs. One use, one thread.
+ */
+public final class Rerun implements RunRecord.Visitor {
+    private final RunRecord record;
+    private final Simulation world;
+    private final List<Consumer<Simulation>> commands = new ArrayList<>();
+    private final MessageDigest[] recorded;
+    private final MessageDigest[] again;
+    private final long[] counts;
+    private long steps;
+
+    private Rerun(RunRecord record, Simulation world) {
+        this.record = record;
+        this.world = world;
+        recorded = digests(world.getLines().size());
+        again = digests(world.getLines().size());
+        counts = new long[recorded.length];
+    }
+
+    /** What came of it. */
+    public static final class Result {
+        /** Whether each port gave the same bytes. */
+        public final boolean same;
+        /** Simulated seconds. */
+        public final double seconds;
+        /** By port: bytes that came out in the record, and whether the same came again. */
+        public final Map<String, String> ports;
+
+        Result(boolean same, double seconds, Map<String, String> ports) {
+            this.same = same;
+            this.seconds = seconds;
+            this.ports = ports;
+        }
+
+        @Override
+        public String toString() {
+            return String.format(Locale.ROOT, "%.3f s, %s: %s", seconds, same ? "the same bytes on every port" : "other bytes", ports);
+        }
+    }
+
+    /**
+     * Runs a record's commands.
+     *
+     * @param project that was recorded
+     * @throws IOException if the record can't be run again: it is of another project or did not begin at the start
+     */
+    public static Result of(RunRecord record, Project project) throws IOException, ProjectException {
+        RecordHeader header = record.getHeader();
+        if (header.firstStep != 0) {
+            throw new RecordException(record.getPath() + " begins at step " + header.firstStep
+                + " of its run and can't be run again: begin the record before the start, or after reset()");
+        }
+        if (!header.project.equals(Recorder.fingerprint(project))) {
+            throw new RecordException(record.getPath() + " is of another project than " + project.getFolder()
+                + ", or that was changed since: open the project that was recorded");
+        }
+        try (Simulation world = Simulation.of(project, header.origin)) {
+            if (world.getLines().size() != header.lines.size()) {
+                throw new RecordException(record.getPath() + " has " + header.lines.size() + " ports, the project has " + world.getLines().size());
+            }
+            return new Rerun(record, world).run();
+        }
+    }
+
+    private static MessageDigest[] digests(int count) {
+        MessageDigest[] all = new MessageDigest[count];
+        try {
+            for (int i = 0; i < count; i++) {
+                all[i] = MessageDigest.getInstance("SHA-256");
+            }
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException(e);
+        }
+        return all;
+    }
+
+    private Result run() throws IOException {
+        world.setTap(new Listener());
+        record.read(this);
+        boolean same = true;
+        Map<String, String> ports = new LinkedHashMap<>();
+        for (int i = 0; i < recorded.length; i++) {
+            boolean equal = Arrays.equals(recorded[i].digest(), again[i].digest());
+            same &= equal;
+            ports.put(record.getHeader().lines.get(i), counts[i] + " bytes, " + (equal ? "the same" : "others"));
+        }
+        return new Result(same, steps * Simulation.STEP, ports);
+    }
+
+    @Override
+    public void step() {
+        commands.forEach(command -> command.accept(world));
+        commands.clear();
+        world.step();
+        steps++;
+    }
+
+    private SerialLine line(int number) {
+        return world.getLines().get(number);
+    }
+
+    @Override
+    public void heard(int line, byte[] bytes) {
+        commands.add(run -> line(line).write(bytes));
+    }
+
+    @Override
+    public void said(int line, byte[] bytes) {
+        commands.add(run -> {
+            recorded[line].update(bytes);
+            counts[line] += bytes.length;
+        });
+    }
+
+    @Override
+    public void baud(int line, int baud) {
+        commands.add(run -> line(line).setHostBaud(baud));
+    }
+
+    @Override
+    public void hungUp(int line) {
+        commands.add(run -> line(line).hangUp());
+    }
+
+    @Override
+    public void drive(DriveCommand command) {
+        commands.add(run -> run.post(command));
+    }
+
+    @Override
+    public void power(String device, boolean on) {
+        commands.add(run -> run.power(device, on));
+    }
+
+    @Override
+    public void reset() {
+        commands.add(Simulation::reset);
+    }
+
+    /** What the devices say now. */
+    private final class Listener implements RunTap {
+        @Override
+        public void said(SerialLine line, byte[] bytes) {
+            again[world.getLines().indexOf(line)].update(bytes);
+        }
+
+        @Override
+        public void heard(SerialLine line, byte[] bytes, int count) {
+            // the record has it
+        }
+
+        @Override
+        public void baud(SerialLine line, int baud) {
+            // the record has it
+        }
+
+        @Override
+        public void hungUp(SerialLine line) {
+            // the record has it
+        }
+
+        @Override
+        public void drive(DriveCommand command) {
+            // the record has it
+        }
+
+        @Override
+        public void power(String device, boolean on) {
+            // the record has it
+        }
+
+        @Override
+        public void reset() {
+            // the record has it
+        }
+
+        @Override
+        public void stepped(Simulation simulation) {
+            // its outputs have come already
+        }
+    }
+}

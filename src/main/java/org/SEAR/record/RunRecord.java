@@ -1,0 +1,261 @@
+package org.SEAR.record;
+
+import java.io.BufferedInputStream;
+import java.io.DataInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.Arrays;
+import org.SEAR.simulator.DriveCommand;
+
+/**
+ * A record on the disk, read from its beginning to its end, one event at a time: however large it is and whatever it claims, that takes the memory of
+ * one event. A record that was cut off is read up to its last whole event. Immutable, any thread.
+ */
+public final class RunRecord {
+    private static final int BUFFER = 1 << 16;
+    private static final int POSE = 7;
+
+    private final Path path;
+    private final RecordHeader header;
+
+    private RunRecord(Path path, RecordHeader header) {
+        this.path = path;
+        this.header = header;
+    }
+
+    /** What is done with the events of a record; each does nothing unless it is overridden. */
+    public interface Visitor {
+        /**
+         * Poses and readings as they are now; the arrays are used again.
+         *
+         * @param robots nine numbers each: x, y, z, quaternion x, y, z, w, speed, turn rate
+         * @param objects seven numbers each
+         * @param readings the numbers of all sensors
+         */
+        default void frame(double[] robots, double[] objects, double[] readings) {
+        }
+
+        /** A step has ended. */
+        default void step() {
+        }
+
+        default void heard(int line, byte[] bytes) {
+        }
+
+        default void said(int line, byte[] bytes) {
+        }
+
+        default void baud(int line, int baud) {
+        }
+
+        default void hungUp(int line) {
+        }
+
+        default void drive(DriveCommand command) {
+        }
+
+        default void power(String device, boolean on) {
+        }
+
+        default void reset() {
+        }
+    }
+
+    /** Numbers of a robot in a frame. */
+    public static final int ROBOT = 9;
+
+    static boolean isRecord(Path path) throws IOException {
+        if (!Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS)) {
+            return false;
+        }
+        try (InputStream in = Files.newInputStream(path)) {
+            return Arrays.equals(in.readNBytes(RecordHeader.MAGIC.length), RecordHeader.MAGIC);
+        }
+    }
+
+    /**
+     * Opens a record.
+     *
+     * @throws IOException that says what is wrong with the file
+     */
+    public static RunRecord open(Path path) throws IOException {
+        if (!Files.isRegularFile(path)) {
+            throw new RecordException(path + " is no record of a run: there is no such file");
+        }
+        try (DataInputStream in = stream(path)) {
+            return new RunRecord(path, RecordHeader.read(in));
+        } catch (EOFException e) {
+            throw new RecordException(path + " can't be read as a record: it ends in the middle of its header");
+        } catch (RecordException e) {
+            throw new RecordException(path + " can't be read as a record: " + e.getMessage());
+        }
+    }
+
+    private static DataInputStream stream(Path path) throws IOException {
+        return new DataInputStream(new BufferedInputStream(Files.newInputStream(path), BUFFER));
+    }
+
+    public Path getPath() {
+        return path;
+    }
+
+    public RecordHeader getHeader() {
+        return header;
+    }
+
+    /**
+     * Reads all events.
+     *
+     * @return whether it is whole; false if it was cut off
+     * @throws RecordException if it says what can't be
+     */
+    public boolean read(Visitor visitor) throws IOException {
+        try (DataInputStream in = stream(path)) {
+            RecordHeader.read(in);
+            Events events = new Events(in, visitor);
+            while (events.next()) {
+                // each is handed to the visitor
+            }
+            return events.whole;
+        } catch (RecordException e) {
+            throw new RecordException(path + " can't be read as a record: " + e.getMessage());
+        }
+    }
+
+    private final class Events {
+        private final DataInputStream in;
+        private final Visitor visitor;
+        private final double[] robots = new double[header.robots.size() * ROBOT];
+        private final double[] objects = new double[header.objects.size() * POSE];
+        private final double[] readings = new double[header.sizes.stream().mapToInt(Integer::intValue).sum()];
+        private long steps;
+        private boolean begun;
+        private boolean whole;
+
+        Events(DataInputStream in, Visitor visitor) {
+            this.in = in;
+            this.visitor = visitor;
+        }
+
+        boolean next() throws IOException {
+            int kind = in.read();
+            if (kind < 0) {
+                return false;
+            }
+            try {
+                return event(kind);
+            } catch (EOFException e) {
+                return false;
+            }
+        }
+
+        private boolean event(int kind) throws IOException {
+            switch (kind) {
+                case Kind.STEP:
+                    steps++;
+                    visitor.step();
+                    return true;
+                case Kind.FRAME:
+                    frame();
+                    return true;
+                case Kind.HEARD:
+                    visitor.heard(line(), bytes());
+                    return true;
+                case Kind.SAID:
+                    visitor.said(line(), bytes());
+                    return true;
+                case Kind.BAUD:
+                    visitor.baud(line(), baud());
+                    return true;
+                case Kind.HUNG_UP:
+                    visitor.hungUp(line());
+                    return true;
+                case Kind.DRIVE:
+                    visitor.drive(command());
+                    return true;
+                case Kind.POWER:
+                    boolean on = in.readBoolean();
+                    visitor.power(RecordHeader.readText(in), on);
+                    return true;
+                case Kind.RESET:
+                    visitor.reset();
+                    return true;
+                case Kind.END:
+                    whole = in.readLong() == steps;
+                    return false;
+                default:
+                    throw new RecordException("after " + steps + " steps comes an event " + kind + ", legal: 1 to " + Kind.END);
+            }
+        }
+
+        private void frame() throws IOException {
+            read(robots, 0, robots.length);
+            int moved = in.readUnsignedShort();
+            for (int i = 0; i < moved; i++) {
+                int object = in.readUnsignedShort();
+                if (object >= header.objects.size()) {
+                    throw illegal("object", object, header.objects.size());
+                }
+                read(objects, object * POSE, POSE);
+            }
+            read(readings, 0, readings.length);
+            if (begun) {
+                steps++;
+                visitor.step();
+            }
+            begun = true;
+            visitor.frame(robots, objects, readings);
+        }
+
+        private void read(double[] into, int from, int count) throws IOException {
+            for (int i = from; i < from + count; i++) {
+                into[i] = in.readDouble();
+            }
+        }
+
+        private int line() throws IOException {
+            int line = in.readUnsignedShort();
+            if (line >= header.lines.size()) {
+                throw illegal("port", line, header.lines.size());
+            }
+            return line;
+        }
+
+        private byte[] bytes() throws IOException {
+            int count = in.readInt();
+            if (count < 1 || count > Recorder.LONGEST_BYTES) {
+                throw new RecordException("after " + steps + " steps come " + count + " bytes at once, legal: 1 to " + Recorder.LONGEST_BYTES);
+            }
+            byte[] bytes = new byte[count];
+            in.readFully(bytes);
+            return bytes;
+        }
+
+        private int baud() throws IOException {
+            int baud = in.readInt();
+            if (baud < 0) {
+                throw new RecordException("after " + steps + " steps a port gets " + baud + " baud, legal: 0 or more");
+            }
+            return baud;
+        }
+
+        private DriveCommand command() throws IOException {
+            int robot = in.readUnsignedShort();
+            if (robot >= header.robots.size()) {
+                throw illegal("robot", robot, header.robots.size());
+            }
+            boolean wheels = in.readBoolean();
+            double first = in.readDouble();
+            double second = in.readDouble();
+            return wheels ? DriveCommand.wheels(robot, first, second) : DriveCommand.circle(robot, first, second);
+        }
+
+        private RecordException illegal(String what, int number, int count) {
+            return new RecordException("after " + steps + " steps it names " + what + " " + number + ", legal: below " + count);
+        }
+    }
+}

@@ -1,0 +1,190 @@
+package org.SEAR.record;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.SEAR.geometry.Pose;
+import org.SEAR.simulator.DriveCommand;
+import org.SEAR.simulator.Simulation;
+
+/** Values of a record over time: readings, places, commands, bytes on the ports. Immutable but for its arrays, any thread. */
+public final class Series {
+    private static final List<String> ROBOT = Arrays.asList(".x", ".y", ".z", ".heading", ".speed", ".turnRate", " speed wanted", " radius wanted",
+        " left wanted", " right wanted");
+    private static final List<String> OBJECT = Arrays.asList(".x", ".y", ".z");
+    private static final List<String> LINE = Arrays.asList(" received", " sent");
+    private static final int COMMANDS = 6;
+    private static final int POSE = 7;
+
+    public final List<String> names;
+    /** Simulated seconds since the record began. */
+    public final double[] times;
+    /** By name and time; not a number where there is none. */
+    public final double[][] values;
+
+    private Series(List<String> names, double[] times, double[][] values) {
+        this.names = names;
+        this.times = times;
+        this.values = values;
+    }
+
+    private static Map<String, int[]> places(RecordHeader header) {
+        Map<String, int[]> places = new LinkedHashMap<>();
+        for (int i = 0; i < header.robots.size(); i++) {
+            for (int k = 0; k < ROBOT.size(); k++) {
+                places.putIfAbsent(header.robots.get(i) + ROBOT.get(k), new int[] {0, i, k});
+            }
+        }
+        int at = 0;
+        for (int i = 0; i < header.sensors.size(); i++) {
+            for (int k = 0; k < header.sizes.get(i); k++) {
+                places.putIfAbsent(header.sensors.get(i) + Numbers.name(k, header.sizes.get(i)), new int[] {1, at++, 0});
+            }
+        }
+        for (int i = 0; i < header.lines.size(); i++) {
+            for (int k = 0; k < LINE.size(); k++) {
+                places.putIfAbsent(header.lines.get(i) + LINE.get(k), new int[] {2, i, k});
+            }
+        }
+        for (int i = 0; i < header.objects.size(); i++) {
+            for (int k = 0; k < OBJECT.size(); k++) {
+                places.putIfAbsent(header.objects.get(i) + OBJECT.get(k), new int[] {3, i, k});
+            }
+        }
+        return places;
+    }
+
+    /**
+     * What there is: {@code rover.x}, {@code rover.heading}, {@code rover speed wanted}, {@code ping}, {@code accel.x}, {@code crate.y},
+     * {@code lidar at /dev/SEAR_LIDAR_01 sent} (bytes so far).
+     */
+    public static Collection<String> names(RecordHeader header) {
+        return Collections.unmodifiableCollection(places(header).keySet());
+    }
+
+    /**
+     * Reads values of a record.
+     *
+     * @param most frames to answer; of more, every second, fourth ... one is
+     * @throws IllegalArgumentException that names the values there are
+     */
+    public static Series of(RunRecord record, List<String> names, int most) throws IOException {
+        Map<String, int[]> places = places(record.getHeader());
+        List<int[]> wanted = new ArrayList<>();
+        for (String name : names) {
+            if (!places.containsKey(name)) {
+                throw new IllegalArgumentException("no value is called \"" + name + "\", legal: " + String.join(", ", places.keySet()));
+            }
+            wanted.add(places.get(name));
+        }
+        Collector collector = new Collector(record.getHeader(), wanted, most);
+        record.read(collector);
+        double[] times = collector.rows.stream().mapToDouble(row -> row[0]).toArray();
+        double[][] values = new double[names.size()][times.length];
+        for (int i = 0; i < times.length; i++) {
+            for (int k = 0; k < values.length; k++) {
+                values[k][i] = collector.rows.get(i)[k + 1];
+            }
+        }
+        return new Series(List.copyOf(names), times, values);
+    }
+
+    /** As a table: the names, then a line for each time; empty where there is no number. */
+    public String csv() {
+        StringBuilder text = new StringBuilder("time (s)");
+        names.forEach(name -> text.append(',').append(name.matches("[^\",\n\r]*") ? name : '"' + name.replace("\"", "\"\"") + '"'));
+        for (int i = 0; i < times.length; i++) {
+            text.append('\n').append(String.format(Locale.ROOT, "%.4f", times[i]));
+            for (double[] column : values) {
+                text.append(',').append(Double.isNaN(column[i]) || Double.isInfinite(column[i]) ? "" : Double.toString(column[i]));
+            }
+        }
+        return text.append('\n').toString();
+    }
+
+    /** Degrees clockwise from north, (-180, 180], of a body whose forward axis is z. */
+    static double heading(double[] robots, int at) {
+        double[] ahead = new Pose(0, 0, 0, robots[at + 3], robots[at + 4], robots[at + 5], robots[at + 6]).rotate(0, 0, 1);
+        return Math.toDegrees(Math.atan2(ahead[2], ahead[0]));
+    }
+
+    private static final class Collector implements RunRecord.Visitor {
+        private final List<int[]> wanted;
+        private final double[][] commands;
+        private final double[][] bytes;
+        private final Thinned<double[]> rows;
+        private long steps;
+
+        Collector(RecordHeader header, List<int[]> wanted, int most) {
+            this.wanted = wanted;
+            commands = new double[header.robots.size()][ROBOT.size() - COMMANDS];
+            for (double[] each : commands) {
+                Arrays.fill(each, Double.NaN);
+            }
+            bytes = new double[header.lines.size()][LINE.size()];
+            rows = new Thinned<>(most);
+        }
+
+        @Override
+        public void step() {
+            steps++;
+        }
+
+        @Override
+        public void frame(double[] robots, double[] objects, double[] readings) {
+            if (rows.isNextKept()) {
+                double[] row = new double[wanted.size() + 1];
+                row[0] = steps * Simulation.STEP;
+                for (int i = 0; i < wanted.size(); i++) {
+                    row[i + 1] = value(wanted.get(i), robots, objects, readings);
+                }
+                rows.add(row);
+            } else {
+                rows.pass();
+            }
+        }
+
+        private double value(int[] place, double[] robots, double[] objects, double[] readings) {
+            switch (place[0]) {
+                case 0:
+                    int at = place[1] * RunRecord.ROBOT;
+                    if (place[2] >= COMMANDS) {
+                        return commands[place[1]][place[2] - COMMANDS];
+                    }
+                    return place[2] < 3 ? robots[at + place[2]] : place[2] == 3 ? heading(robots, at) : robots[at + POSE + place[2] - 4];
+                case 1:
+                    return readings[place[1]];
+                case 2:
+                    return bytes[place[1]][place[2]];
+                default:
+                    return objects[place[1] * POSE + place[2]];
+            }
+        }
+
+        @Override
+        public void drive(DriveCommand command) {
+            double[] now = commands[command.robot];
+            boolean same = command.wheels && command.first == command.second;
+            now[0] = command.wheels ? (command.first + command.second) / 2 : command.first;
+            now[1] = command.wheels ? same ? Double.POSITIVE_INFINITY : Double.NaN : command.second;
+            now[2] = command.wheels ? command.first : Double.NaN;
+            now[3] = command.wheels ? command.second : Double.NaN;
+        }
+
+        @Override
+        public void heard(int line, byte[] sent) {
+            bytes[line][0] += sent.length;
+        }
+
+        @Override
+        public void said(int line, byte[] sent) {
+            bytes[line][1] += sent.length;
+        }
+    }
+}

@@ -1,0 +1,18 @@
+package org.SEAR.simulator;
+
+import org.SEAR.devices.LineTap;
+
+/** Looks at everything that goes into a run and comes out of it, in its order, without changing anything. Simulation thread. */
+public interface RunTap extends LineTap {
+    /** A command is obeyed in this step. */
+    void drive(DriveCommand command);
+
+    /** Between two steps a device was switched on or off. */
+    void power(String device, boolean on);
+
+    /** Between two steps everything went back to the start. */
+    void reset();
+
+    /** A step has ended: its snapshot and outputs are there. */
+    void stepped(Simulation simulation);
+}

@@ -1,0 +1,261 @@
+package org.SEAR.record;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertThrows;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import org.SEAR.POJOs.Accelerometer;
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Compass;
+import org.SEAR.POJOs.Cylinder;
+import org.SEAR.POJOs.Distance;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.GPS;
+import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.Noise;
+import org.SEAR.POJOs.Robots;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.devices.SerialLine;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectRule;
+import org.SEAR.simulator.DriveCommand;
+import org.SEAR.simulator.Simulation;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** Records of runs: what is in them, that they can be run again to the byte, and what becomes of files that are none. */
+public class RecordTest {
+    private static final byte[] FULL_MODE = {(byte) 0x80, (byte) 0x84};
+    private static final byte[] AHEAD = {(byte) 0x89, 0, (byte) 0xC8, (byte) 0x80, 0};
+    private static final byte[] SENSORS = {(byte) 0x8E, 0};
+    private static final byte[] STREAM = {(byte) 0x94, 3, 7, 19, 20};
+    private static final byte[] SCAN = {2, 0, 2, 0, 0x30, 1, 0x31, 0x18};
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    private Path file() {
+        return project.getRoot().toPath().resolve("run.searlog");
+    }
+
+    private Simulation world() throws Exception {
+        new Floor("floor", 20, 20);
+        new Box("wall", 0.1, 6, 0.5).move(3, 0.25, 0);
+        new Cylinder("can", 0.05, 0.1, 0.3).move(1, 0.05, 0);
+        SEARrobot robot = Robots.create("rover", "/dev/uart", "/dev/user");
+        robot.rotate(0, 90, 0);
+        Distance ping = new Distance("ping");
+        ping.setNoise(new Noise(0.01));
+        robot.addComponent(ping);
+        LIDAR lidar = new LIDAR("lidar", 8, 180, 1, 0, 0.2, 0);
+        lidar.setPorts("/dev/lidarUart", "/dev/lidarUser");
+        lidar.setNoise(new Noise(0.01));
+        robot.addComponent(lidar);
+        GPS gps = new GPS("gps", 33.6, 182.5, -80.8);
+        gps.setPorts("/dev/gpsUart", "/dev/gpsUser");
+        robot.addComponent(gps);
+        robot.addComponent(new Compass("compass"));
+        robot.addComponent(new Accelerometer("accel"));
+        return Simulation.of(Project.read(project.folder()), 7);
+    }
+
+    private static void run(Simulation world, int steps) {
+        for (int i = 0; i < steps; i++) {
+            world.step();
+        }
+    }
+
+    private static SerialLine line(Simulation world, String object) {
+        return world.getLines().stream().filter(line -> line.getObjectName().equals(object)).findFirst().orElseThrow(AssertionError::new);
+    }
+
+    /** Drives by bytes and by calls, switches a device off and on, changes the baud rate, goes back to the start. */
+    private static void drive(Simulation world) {
+        run(world, 60);
+        line(world, "drive").write(FULL_MODE);
+        line(world, "drive").write(STREAM);
+        run(world, 10);
+        line(world, "drive").write(AHEAD);
+        line(world, "lidar").write(SCAN);
+        run(world, 90);
+        line(world, "drive").setHostBaud(19200);
+        line(world, "drive").write(SENSORS);
+        run(world, 7);
+        line(world, "drive").setHostBaud(57600);
+        world.power("gps", false);
+        run(world, 60);
+        world.power("gps", true);
+        line(world, "drive").write(SENSORS);
+        run(world, 33);
+        world.reset();
+        world.post(DriveCommand.circle(0, 0.3, 1));
+        run(world, 30);
+        world.post(DriveCommand.wheels(0, -0.1, 0.2));
+        line(world, "lidar").write(SCAN);
+        run(world, 100);
+    }
+
+    private Recorder recorded(Simulation world) throws Exception {
+        Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT);
+        drive(world);
+        recorder.end();
+        return recorder;
+    }
+
+    @Test
+    public void runAgainItGivesTheSameBytesOnEveryPort() throws Exception {
+        try (Simulation world = world()) {
+            assertEquals(390 / 60.0, recorded(world).getSeconds(), 1e-9);
+        }
+        Rerun.Result result = Rerun.of(RunRecord.open(file()), Project.read(project.folder()));
+        assertTrue(result.toString(), result.same);
+        assertEquals(390 / 60.0, result.seconds, 1e-9);
+        assertEquals(3, result.ports.size());
+        result.ports.forEach((port, text) -> assertTrue(port + ": " + text, text.matches("[1-9][0-9]{2,} bytes, the same")));
+    }
+
+    @Test
+    public void whatIsNotTheSameIsSaid() throws Exception {
+        try (Simulation world = world()) {
+            recorded(world);
+        }
+        byte[] bytes = Files.readAllBytes(file());
+        int at = new String(bytes, StandardCharsets.ISO_8859_1).indexOf(new String(AHEAD, StandardCharsets.ISO_8859_1));
+        bytes[at + 2] = 100;
+        Files.write(file(), bytes);
+        Rerun.Result result = Rerun.of(RunRecord.open(file()), Project.read(project.folder()));
+        assertFalse(result.same);
+        assertTrue(result.toString(), result.ports.get("drive at /dev/user").endsWith("others"));
+        new Box("new", 1, 1, 1).move(5, 5, 5);
+        String said = assertThrows(IOException.class, () -> Rerun.of(RunRecord.open(file()), Project.read(project.folder()))).getMessage();
+        assertTrue(said, said.contains("is of another project than"));
+    }
+
+    @Test
+    public void aRecordFromTheMiddleIsNotRunAgain() throws Exception {
+        try (Simulation world = world()) {
+            run(world, 5);
+            recorded(world);
+        }
+        String said = assertThrows(IOException.class, () -> Rerun.of(RunRecord.open(file()), Project.read(project.folder()))).getMessage();
+        assertTrue(said, said.contains("begins at step 5 of its run and can't be run again: begin the record before the start"));
+    }
+
+    @Test
+    public void valuesOverTime() throws Exception {
+        double[] last = new double[3];
+        try (Simulation world = world()) {
+            recorded(world);
+            last[0] = world.getPose("rover").x;
+            last[1] = ((Number) world.read("compass")).doubleValue();
+        }
+        Series series = Series.of(RunRecord.open(file()), List.of("rover.x", "compass", "accel.x", "can.y", "drive at /dev/user sent", "rover speed wanted"),
+            10000);
+        assertEquals(196, series.times.length);
+        assertEquals(390 / 60.0, series.times[195], 1e-9);
+        assertEquals(last[0], series.values[0][195], 1e-12);
+        assertEquals(last[1], series.values[1][195], 1e-12);
+        assertEquals(0.05, series.values[3][195], 0.01);
+        assertTrue(series.values[4][195] > 100);
+        assertEquals(0.05, series.values[5][195], 1e-12);
+        assertTrue(Series.names(RunRecord.open(file()).getHeader()).containsAll(series.names));
+        assertEquals("time (s),rover.x", series.csv().split("\n")[0].substring(0, 16));
+        assertEquals(197, series.csv().split("\n").length);
+        Series few = Series.of(RunRecord.open(file()), List.of("rover.x"), 50);
+        assertTrue("" + few.times.length, few.times.length >= 25 && few.times.length <= 50);
+        String said = assertThrows(IllegalArgumentException.class, () -> Series.of(RunRecord.open(file()), List.of("rover.q"), 50)).getMessage();
+        assertTrue(said, said.contains("no value is called \"rover.q\", legal: rover.x, "));
+    }
+
+    @Test
+    public void framesForPanelsAreFew() throws Exception {
+        try (Simulation world = world()) {
+            recorded(world);
+        }
+        Frames frames = Frames.of(RunRecord.open(file()), 50);
+        assertTrue("" + frames.times.size(), frames.times.size() >= 25 && frames.times.size() <= 50);
+        assertEquals(7, frames.robots.get(0).get(0).length);
+        assertTrue(frames.whole);
+    }
+
+    @Test
+    public void aRecordEndsAtItsLimit() throws Exception {
+        try (Simulation world = world()) {
+            Recorder recorder = Recorder.begin(world, file(), 20000);
+            run(world, 600);
+            recorder.end();
+            assertTrue(recorder.isFull());
+        }
+        assertTrue(Files.size(file()) < 22000);
+        assertTrue(RunRecord.open(file()).read(new RunRecord.Visitor() { }));
+        assertTrue(Rerun.of(RunRecord.open(file()), Project.read(project.folder())).same);
+    }
+
+    @Test
+    public void onlyRecordsAreReplaced() throws Exception {
+        Files.writeString(file(), "my diary");
+        try (Simulation world = world()) {
+            String said = assertThrows(IOException.class, () -> Recorder.begin(world, file(), 1000)).getMessage();
+            assertTrue(said, said.contains("is there already and is no record of a run; choose another name"));
+        }
+        assertEquals("my diary", Files.readString(file()));
+        String said = assertThrows(IOException.class, () -> RunRecord.open(file())).getMessage();
+        assertTrue(said, said.contains("it does not begin with \"SEARLOG1\""));
+    }
+
+    @Test
+    public void cutOffFilesAreReadUpToThere() throws Exception {
+        try (Simulation world = world()) {
+            recorded(world);
+        }
+        byte[] whole = Files.readAllBytes(file());
+        Random random = new Random(3);
+        for (int i = 0; i < 60; i++) {
+            Files.write(file(), Arrays.copyOf(whole, i < 2 ? 8 + i : random.nextInt(whole.length)));
+            try {
+                int[] steps = {0};
+                boolean complete = RunRecord.open(file()).read(new RunRecord.Visitor() {
+                    @Override
+                    public void step() {
+                        steps[0]++;
+                    }
+                });
+                assertFalse(complete);
+                assertTrue(steps[0] <= 390);
+            } catch (RecordException e) {
+                assertTrue(e.getMessage(), e.getMessage().matches("(?s).*(it ends in the middle of its header|does not begin with).*"));
+            }
+        }
+    }
+
+    @Test
+    public void lyingFilesAreRefusedOrRead() throws Exception {
+        try (Simulation world = world()) {
+            recorded(world);
+        }
+        byte[] whole = Files.readAllBytes(file());
+        Random random = new Random(5);
+        for (int i = 0; i < 200; i++) {
+            byte[] broken = whole.clone();
+            for (int k = 0; k < 1 + i % 5; k++) {
+                broken[random.nextInt(i % 2 == 0 ? 300 : broken.length)] = (byte) random.nextInt(256);
+            }
+            Files.write(file(), broken);
+            try {
+                RunRecord record = RunRecord.open(file());
+                record.read(new RunRecord.Visitor() { });
+                Frames.of(record, 100);
+            } catch (RecordException e) {
+                assertTrue(e.getMessage(), e.getMessage().contains("can't be read as a record: ") && e.getMessage().length() < 2000);
+            }
+        }
+    }
+}

@@ -3,10 +3,11 @@
     // In this order: each uses some of those before it.
     var FILES = ['SEARTerrain', 'SEARGeometry', 'SEARWords', 'SEARMap', 'SEARLooks', 'SEARItem', 'SEARBeams', 'SEARGround', 'SEARScene', 'SEARWorld',
         'SEARProjects', 'SEARScript', 'SEAREdits', 'SEARInspector', 'SEARPalette', 'SEARPointing', 'SEARHandles', 'SEARBuilding', 'SEARViews',
-        'SEARPanel']
+        'SEARPlot', 'SEARRecords', 'SEARPanel']
     var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'getProblems', 'getExamples',
         'getExampleScripts', 'getBundle', 'getTerrain', 'getLooks', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate',
-        'startSimulation', 'stopSimulation', 'publishEdit', 'getEdits', 'getGrammar', 'getProjectObject', 'getScript']
+        'startSimulation', 'stopSimulation', 'publishEdit', 'getEdits', 'getGrammar', 'getProjectObject', 'getScript', 'recordRun',
+        'endRecord', 'getRecords', 'getRecordFrames', 'getRecordValues']
     var waiting = []            // panels that are to be built once all files are there
 
     window.SEARPanel = window.SEARPanel || {}

@@ -141,12 +141,14 @@
             onProblems: onProblems,
             onStatus: onStatus
         }, world, window.SEARPanel.projects(panel), window.SEARPanel.script(panel), window.SEARPanel.edits(panel),
-        window.SEARPanel.inspector(panel), window.SEARPanel.palette(panel), window.SEARPanel.building(panel), window.SEARPanel.views(panel))
+        window.SEARPanel.inspector(panel), window.SEARPanel.palette(panel), window.SEARPanel.building(panel),
+        window.SEARPanel.views(panel), window.SEARPanel.records(panel))
 
         return function(inMsg) {
             var handler = Object.prototype.hasOwnProperty.call(handlers, inMsg.method) && handlers[inMsg.method]
             if (handler) {
                 handler(inMsg.data && inMsg.data[0])
+                panel.sample()
                 if (handler !== world.onSimulation && handler !== world.onWorld) {     // which may come faster than the screen is drawn
                     $scope.$applyAsync()
                 }

@@ -3,7 +3,7 @@ package org.SEAR.POJOs;
 import java.util.List;
 import java.util.function.Supplier;
 
-/** Objects that are made only to be looked at: while a draft's work runs, what its thread makes and changes is checked, but neither written nor told. */
+/** Objects that are made only to be looked at: while a draft's work runs, what its thread makes is checked, but neither written nor told. */
 public final class Draft implements ObjectStore {
     private final List<String> beamNames;
 

@@ -4,21 +4,25 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Predicate;
 
-/** Parameters that are set by their names: what {@link SearObject#set} takes. One use. */
+/** Parameters that are set by their names: what {@code SearObject.set} takes. One use. */
 final class NamedValues {
-    private final SearObject object;
+    private final Object object;
+    private final String label;
+    private final Predicate<Parameter> fixed;
     private final ParameterTable table;
     private final Map<Parameter, Object> before = new LinkedHashMap<>();
 
-    NamedValues(SearObject object) {
+    /**
+     * @param label of the object, as problems name it
+     * @param fixed which parameters are never set
+     */
+    NamedValues(Object object, String label, Predicate<Parameter> fixed) {
         this.object = object;
+        this.label = label;
+        this.fixed = fixed;
         this.table = ParameterTable.of(object.getClass());
-    }
-
-    /** Whether the parameter says what an object is a part of, which no value can. */
-    static boolean isStructure(Parameter parameter) {
-        return parameter.getTextRule() == TextRule.COMPONENT || SearObject.class.isAssignableFrom(parameter.getType());
     }
 
     /**
@@ -29,8 +33,8 @@ final class NamedValues {
     void set(Map<?, ?> values) {
         for (Map.Entry<?, ?> entry : values.entrySet()) {
             Parameter parameter = table.get(ScriptText.of(String.valueOf(entry.getKey())));
-            if (parameter.getName().equals("name") || isStructure(parameter)) {
-                throw new IllegalArgumentException(object.label() + ": " + parameter.getName() + " can't be set: an object keeps its name, and"
+            if (fixed.test(parameter)) {
+                throw new IllegalArgumentException(label + ": " + parameter.getName() + " can't be set: an object keeps its name, and"
                     + " addComponent and addWheel give a robot its parts");
             }
             Object value = whole(parameter, entry.getValue());
@@ -94,6 +98,6 @@ final class NamedValues {
     }
 
     private IllegalArgumentException illegal(Parameter parameter, Object value, String legal) {
-        return new IllegalArgumentException(object.label() + ": " + parameter.getName() + " is " + ParameterTable.quote(value) + ", legal: " + legal);
+        return new IllegalArgumentException(label + ": " + parameter.getName() + " is " + ParameterTable.quote(value) + ", legal: " + legal);
     }
 }

@@ -201,7 +201,7 @@ public abstract class SearObject {
      */
     public void set(Map<String, ?> values) {
         checkChangeable();
-        NamedValues named = new NamedValues(this);
+        NamedValues named = new NamedValues(this, label(), SearObject::isGiven);
         boolean done = false;
         try {
             named.set(values);
@@ -214,6 +214,12 @@ public abstract class SearObject {
             }
         }
         changed();
+    }
+
+    /** Whether a parameter is what an object is called or made of, which no value sets. */
+    private static boolean isGiven(Parameter parameter) {
+        return parameter.getName().equals("name") || parameter.getTextRule() == TextRule.COMPONENT
+            || SearObject.class.isAssignableFrom(parameter.getType());
     }
 
     /**

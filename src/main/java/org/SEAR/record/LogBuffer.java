@@ -10,8 +10,8 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Bytes on their way to a file: the simulation thread fills pieces that are there from the start, a thread of its own writes them. When the disk falls
- * behind by all pieces, the simulation waits for it, up to {@value #PATIENCE_SECONDS} s.
+ * Bytes on their way to a file: the simulation thread fills pieces that are there from the start, a thread of its own writes them. When the disk
+ * falls behind by all pieces, the simulation waits for it, up to {@value #PATIENCE_SECONDS} s.
  */
 final class LogBuffer {
     private static final int PIECE = 1 << 18;

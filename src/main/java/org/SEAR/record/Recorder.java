@@ -9,7 +9,9 @@ import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
@@ -37,6 +39,7 @@ public final class Recorder implements RunTap {
     private final Simulation simulation;
     private final Path path;
     private final long limit;
+    private final Consumer<String> told;
     private final LogBuffer out;
     private final List<String> sensors;
     private final List<Integer> sizes = new ArrayList<>();
@@ -44,10 +47,11 @@ public final class Recorder implements RunTap {
     private long steps;
     private boolean ended;
 
-    private Recorder(Simulation simulation, Path path, long limit) throws IOException {
+    private Recorder(Simulation simulation, Path path, long limit, Consumer<String> told) throws IOException {
         this.simulation = simulation;
         this.path = path;
         this.limit = limit;
+        this.told = told;
         sensors = simulation.getSensorNames();
         sensors.forEach(name -> sizes.add(Numbers.of(simulation.read(name)).length));
         seen = new Pose[simulation.snapshot().environment.size()];
@@ -61,16 +65,22 @@ public final class Recorder implements RunTap {
      *
      * @param path a new file, or a record that is replaced
      * @param limit bytes at which it ends by itself
+     * @param told hears on the simulation thread why it has ended by itself
      * @throws IOException if there is another file, or it can't be written
      */
-    public static Recorder begin(Simulation simulation, Path path, long limit) throws IOException {
-        if (Files.exists(path) && !RunRecord.isRecord(path)) {
-            throw new IOException(path + " is there already and is no record of a run; choose another name");
-        }
-        Recorder recorder = new Recorder(simulation, path, limit);
+    public static Recorder begin(Simulation simulation, Path path, long limit, Consumer<String> told) throws IOException {
+        check(path);
+        Recorder recorder = new Recorder(simulation, path, limit, told);
         recorder.frame(simulation.snapshot());
         simulation.setTap(recorder);
         return recorder;
+    }
+
+    /** @throws IOException if there is a file of that name that is no record */
+    public static void check(Path path) throws IOException {
+        if (Files.exists(path) && !RunRecord.isRecord(path)) {
+            throw new IOException(path + " is there already and is no record of a run; choose another name");
+        }
     }
 
     /** SHA-256 of a project's objects, as SEAR writes them. */
@@ -144,7 +154,9 @@ public final class Recorder implements RunTap {
             out.put(Kind.STEP);
         }
         if (out.size() >= limit || out.failure() != null) {
-            stop();
+            leave();
+            told.accept("the record " + path + " has ended at " + getSeconds() + " s: " + (out.failure() == null ? "it has its largest size, "
+                + limit + " bytes" : out.failure()));
         }
     }
 
@@ -155,7 +167,7 @@ public final class Recorder implements RunTap {
             if (at == 0) {
                 out.putBytes(bytes, part);
             } else {
-                out.putBytes(java.util.Arrays.copyOfRange(bytes, at, at + part), part);
+                out.putBytes(Arrays.copyOfRange(bytes, at, at + part), part);
             }
         }
     }
@@ -196,7 +208,8 @@ public final class Recorder implements RunTap {
         out.put(Kind.RESET);
     }
 
-    private void stop() {
+    /** Looks at no more of the run. Simulation thread. */
+    public void leave() {
         if (!ended) {
             ended = true;
             simulation.setTap(null);
@@ -205,23 +218,13 @@ public final class Recorder implements RunTap {
     }
 
     /**
-     * Ends the record. Simulation thread, or any once the simulation has ended.
+     * Ends the record and waits until it is written. Simulation thread; any once the simulation has ended, or after {@link #leave}.
      *
      * @throws IOException if it could not be written to its end
      */
     public void end() throws IOException {
-        stop();
+        leave();
         out.close();
-    }
-
-    /** The file. Any thread. */
-    public Path getPath() {
-        return path;
-    }
-
-    /** Whether the record has ended by itself at its limit. */
-    public boolean isFull() {
-        return out.size() >= limit;
     }
 
     /** Simulated seconds that it has. */

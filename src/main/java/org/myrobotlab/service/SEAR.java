@@ -15,6 +15,8 @@ import org.myrobotlab.service.sear.SensorReading;
 import org.myrobotlab.service.sear.files.Edits;
 import org.myrobotlab.service.sear.files.ExampleScripts;
 import org.myrobotlab.service.sear.panel.Preview;
+import org.myrobotlab.service.sear.records.Recording;
+import org.myrobotlab.service.sear.records.Records;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
 /**
@@ -44,6 +46,7 @@ public class SEAR extends Service<SEARConfig> {
     private transient SearParts parts;
     private boolean simulating;
     private boolean paused;
+    private boolean recorded;
 
     /** As MyRobotLab makes services. */
     public SEAR(String name, String id) {
@@ -736,6 +739,96 @@ public class SEAR extends Service<SEARConfig> {
         return calls.attempt(() -> ExampleScripts.text(ScriptText.of(name)));
     }
 
+    // ---- records of runs -------------------------------------------------------------------------------------------
+
+    /**
+     * Records a run into a file: poses, readings, commands and the bytes of every port, until {@link #endRecord}, stopSimulation or 512 MB. If
+     * nothing runs, from the next start on. Only a record from the start of its run, or from a reset, can be run again.
+     *
+     * @param path for example {@code "run.searlog"}; the ending may be left out. Another record of that name is replaced, no other file
+     * @return the path with its ending
+     * @throws IllegalStateException if it can't be written, or one is being written already
+     * @example sear.recordRun("run.searlog"); sear.endRecord()
+     */
+    public String recordRun(String path) {
+        return recordRun(path, Recording.MEGABYTES);
+    }
+
+    /**
+     * The same up to another size.
+     *
+     * @param path of the file
+     * @param megabytes above 0; there the record ends by itself, whole, and a warning says so
+     * @example sear.recordRun("run.searlog", 20); sear.endRecord()
+     */
+    public String recordRun(String path, double megabytes) {
+        String file = calls.attempt(() -> parts.recording().begin(ScriptText.of(path), megabytes));
+        changed();
+        return file;
+    }
+
+    /**
+     * Ends the record that is being written.
+     *
+     * @return simulated seconds that it has
+     * @throws IllegalStateException if there is none, or it could not be written to its end
+     * @example sear.recordRun("run.searlog"); sear.simSleep(1); print sear.endRecord()
+     */
+    public double endRecord() {
+        double seconds = calls.attempt(() -> parts.recording().end());
+        changed();
+        return seconds;
+    }
+
+    /**
+     * Gives the commands of a record to a fresh world of the present project, apart from any simulation that runs, and compares what comes out.
+     *
+     * @param path of a record from the start of its run
+     * @return {@code same}: whether every port gave the same bytes, {@code seconds}: simulated, {@code ports}: by port, in words
+     * @throws IllegalStateException if it is no record, of another project, or not from the start
+     * @example sear.reset(); sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print sear.rerunRecord("run.searlog")["same"]
+     */
+    public Map<String, Object> rerunRecord(String path) {
+        return calls.attempt(() -> Records.rerun(path, parts.control().getFolder()));
+    }
+
+    /**
+     * Names of the values over time in a record: places and speeds of robots, places of objects, numbers of readings, commands, bytes so far.
+     *
+     * @param path of a record
+     * @throws IllegalStateException if it is none
+     * @example sear.recordRun("run.searlog"); sear.endRecord(); print ", ".join(sear.getRecordNames("run.searlog"))
+     */
+    public List<String> getRecordNames(String path) {
+        return calls.attempt(() -> Records.names(path));
+    }
+
+    /**
+     * Values of a record over time, 30 a second, or so much fewer that there are at most 4000.
+     *
+     * @param path of a record
+     * @param names of {@link #getRecordNames}
+     * @return {@code times}: simulated seconds since it began, {@code values}: by name a list as long, None where there is no number
+     * @throws IllegalArgumentException that names the values there are
+     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print sear.getRecordValues("run.searlog", ["myRoomba.x"])["times"]
+     */
+    public Map<String, Object> getRecordValues(String path, List<String> names) {
+        return calls.attempt(() -> Records.values(path, names));
+    }
+
+    /**
+     * Writes values of a record as a table, 30 lines a second, at most 200000.
+     *
+     * @param path of a record
+     * @param names of {@link #getRecordNames}
+     * @param csv a new file, or one whose name ends in .csv, which is replaced
+     * @throws IllegalArgumentException that names the values there are
+     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordCsv("run.searlog", ["myRoomba.x"], "run.csv")
+     */
+    public void saveRecordCsv(String path, List<String> names, String csv) {
+        calls.act(() -> Records.saveCsv(path, names, csv));
+    }
+
     // ---- ports for other programs (before, while and after a simulation runs) -------------------------------------
 
     /**
@@ -925,6 +1018,16 @@ public class SEAR extends Service<SEARConfig> {
         return calls.attempt(() -> Edits.object(ScriptText.of(name)));
     }
 
+    /** Records in the working folder, for panels. */
+    public List<String> getRecords() {
+        return calls.attempt(() -> Records.list());
+    }
+
+    /** Where everything was over time, for panels that show a record; the form stands at {@code Records}. */
+    public Map<String, Object> getRecordFrames(String path) {
+        return calls.attempt(() -> Records.frames(path));
+    }
+
     /** Tells panels why a project could not be started or loaded. */
     public List<Problem> publishProblems(List<Problem> problems) {
         return problems;
@@ -1001,6 +1104,7 @@ public class SEAR extends Service<SEARConfig> {
     void changed() {
         simulating = isSimulating();
         paused = simulating && parts.control().session().isPaused();
+        recorded = parts != null && parts.recording().isOn();
         broadcastState();
     }
 

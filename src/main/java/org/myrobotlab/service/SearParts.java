@@ -25,6 +25,7 @@ import org.myrobotlab.service.sear.readings.Publisher;
 import org.myrobotlab.service.sear.readings.ScriptActuators;
 import org.myrobotlab.service.sear.readings.ScriptDriving;
 import org.myrobotlab.service.sear.readings.ScriptReadings;
+import org.myrobotlab.service.sear.records.Recording;
 import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 import org.slf4j.Logger;
@@ -44,6 +45,7 @@ final class SearParts {
     private final Publisher publisher;
     private final Exports exports;
     private final BundleTransfers transfers;
+    private final Recording recording;
     private final WorldFeed feed = new WorldFeed();
     private final Preview preview = new Preview();
     private final TerrainMap terrain = new TerrainMap();
@@ -59,6 +61,7 @@ final class SearParts {
         publisher = new Publisher(host, control, readings);
         exports = new Exports(host, control);
         transfers = new BundleTransfers(projects::save, projects::load);
+        recording = new Recording(control, host);
         control.setStepListener(publisher::publishDue);
         notices = host::warn;
         Notices.listen(notices);
@@ -111,6 +114,10 @@ final class SearParts {
 
     public BundleTransfers transfers() {
         return transfers;
+    }
+
+    public Recording recording() {
+        return recording;
     }
 
     /** What panels are told next of the world: the whole or what has changed, as {@link WorldFeed} says. */
@@ -189,6 +196,7 @@ final class SearParts {
     public void stop() {
         exports.pause();
         control.stop();
+        recording.stopped();
         feed.forget();
     }
 

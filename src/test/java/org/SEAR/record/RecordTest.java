@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
@@ -104,7 +105,7 @@ public class RecordTest {
     }
 
     private Recorder recorded(Simulation world) throws Exception {
-        Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT);
+        Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
         drive(world);
         recorder.end();
         return recorder;
@@ -157,8 +158,8 @@ public class RecordTest {
             last[0] = world.getPose("rover").x;
             last[1] = ((Number) world.read("compass")).doubleValue();
         }
-        Series series = Series.of(RunRecord.open(file()), List.of("rover.x", "compass", "accel.x", "can.y", "drive at /dev/user sent", "rover speed wanted"),
-            10000);
+        Series series = Series.of(RunRecord.open(file()), List.of("rover.x", "compass", "accel.x", "can.y", "drive at /dev/user sent",
+            "rover speed wanted"), 10000);
         assertEquals(196, series.times.length);
         assertEquals(390 / 60.0, series.times[195], 1e-9);
         assertEquals(last[0], series.values[0][195], 1e-12);
@@ -188,11 +189,13 @@ public class RecordTest {
 
     @Test
     public void aRecordEndsAtItsLimit() throws Exception {
+        List<String> said = new ArrayList<>();
         try (Simulation world = world()) {
-            Recorder recorder = Recorder.begin(world, file(), 20000);
+            Recorder recorder = Recorder.begin(world, file(), 20000, said::add);
             run(world, 600);
             recorder.end();
-            assertTrue(recorder.isFull());
+            assertEquals(said.toString(), 1, said.size());
+            assertTrue(said.get(0), said.get(0).endsWith("it has its largest size, 20000 bytes"));
         }
         assertTrue(Files.size(file()) < 22000);
         assertTrue(RunRecord.open(file()).read(new RunRecord.Visitor() { }));
@@ -203,7 +206,7 @@ public class RecordTest {
     public void onlyRecordsAreReplaced() throws Exception {
         Files.writeString(file(), "my diary");
         try (Simulation world = world()) {
-            String said = assertThrows(IOException.class, () -> Recorder.begin(world, file(), 1000)).getMessage();
+            String said = assertThrows(IOException.class, () -> Recorder.begin(world, file(), 1000, text -> { })).getMessage();
             assertTrue(said, said.contains("is there already and is no record of a run; choose another name"));
         }
         assertEquals("my diary", Files.readString(file()));

@@ -14,9 +14,9 @@ import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.ParameterTable;
 
 /**
- * A public constructor or method of a class of the grammar and the parameters that its arguments have the names of ({@code newX} stands for {@code x},
- * {@code user} for {@code userPort}; of a setter {@code setMass} the method's own name counts). Whether it really sets those is found out by calling
- * it. Immutable, any thread.
+ * A public constructor or method of a class of the grammar and the parameters that its arguments have the names of: {@code newX} stands for
+ * {@code x}, {@code user} for {@code userPort}; of a setter {@code setMass} the method's own name counts. Whether it really sets those is found out
+ * by calling it. Immutable, any thread.
  */
 final class Call {
     private static final ClassValue<List<Call>> CONSTRUCTORS = new ClassValue<List<Call>>() {

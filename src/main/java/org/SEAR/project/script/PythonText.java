@@ -11,8 +11,9 @@ import org.SEAR.POJOs.Parameter;
 
 /** Values as Python 2.7 writes them: ASCII only, whatever is in them, so that no text of a project can become code. Any thread. */
 final class PythonText {
-    private static final Set<String> TAKEN = Set.of("and", "as", "assert", "break", "class", "continue", "def", "del", "elif", "else", "except", "exec",
-        "finally", "for", "from", "global", "if", "import", "in", "is", "lambda", "not", "or", "pass", "print", "raise", "return", "try", "while",
+    private static final Set<String> TAKEN = Set.of("and", "as", "assert", "break", "class", "continue", "def", "del", "elif", "else", "except",
+        "exec", "finally", "for", "from", "global", "if", "import", "in",
+        "is", "lambda", "not", "or", "pass", "print", "raise", "return", "try", "while",
         "with", "yield", "none", "true", "false", "sear", "python", "runtime", "java", "javax", "org", "com", "sys", "sleep");
     private static final int ASCII = 0x7f;
     private static final double EXACT = 1e9;

@@ -25,8 +25,9 @@ public final class PanelFiles {
     private static final List<String> FILES = Arrays.asList("%s.png", "%s/%s.py",
         "%s/maze.sear", "%s/mountain.sear", "%s/office.sear", "%s/ramps.sear", "%s/sensors.sear", "WebGui/app/service/views/%sGui.html",
         script("Gui"), script("Beams"), script("Building"), script("Edits"), script("Geometry"), script("Ground"), script("Handles"),
-        script("Inspector"), script("Item"), script("Looks"), script("Map"), script("Palette"), script("Panel"), script("Pointing"),
-        script("Projects"), script("Scene"), script("Script"), script("Terrain"), script("Views"), script("Words"), script("World"));
+        script("Inspector"), script("Item"), script("Looks"), script("Map"), script("Palette"), script("Panel"), script("Plot"),
+        script("Pointing"), script("Projects"), script("Records"), script("Scene"), script("Script"), script("Terrain"),
+        script("Views"), script("Words"), script("World"));
     /** Where the jar has them. */
     private static final String IN_JAR = "/resource/";
     /** Below the resource root: what was written, by file name, as SHA-256. */

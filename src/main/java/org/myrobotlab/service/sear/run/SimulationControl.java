@@ -6,10 +6,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.SEAR.POJOs.Notices;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.Host;
 
 /** Starts and ends the simulation of one SEAR service; there is one simulation in the whole program at a time. Any thread. */
@@ -23,6 +25,7 @@ public final class SimulationControl {
     private Boolean lockStep;
     private volatile boolean groundVisible = true;
     private BooleanSupplier stepListener = () -> false;
+    private Consumer<Simulation> startListener = world -> { };
 
     /** @param folder of the project, asked for each time */
     public SimulationControl(Host host, Supplier<Path> folder) {
@@ -49,7 +52,7 @@ public final class SimulationControl {
                 throw new IOException("there is no project folder " + project.toAbsolutePath()
                     + ": create some objects first (org.SEAR.POJOs), or loadProject(\"file.sear\")");
             }
-            session = SimulationSession.start(project, settings(), debugShapes, host, stepListener);
+            session = SimulationSession.start(project, settings(), debugShapes, host, stepListener, startListener);
             running = this;
             Notices.setSimulating(this::isRunning);
         }
@@ -76,6 +79,11 @@ public final class SimulationControl {
     /** Called after each step of lock-step, on the thread that advances time; answers whether it has published something. Before the first start. */
     public void setStepListener(BooleanSupplier listener) {
         stepListener = listener;
+    }
+
+    /** Called with each world before its first step, on the thread that starts it; what it throws ends the start. Before the first start. */
+    public void setStartListener(Consumer<Simulation> listener) {
+        startListener = listener;
     }
 
     /** Ends the simulation. Does nothing if none runs. */

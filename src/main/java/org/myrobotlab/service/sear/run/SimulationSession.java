@@ -14,6 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.project.Project;
@@ -94,10 +95,11 @@ public final class SimulationSession {
      * @throws IOException if a port can't be had; nothing is left behind
      */
     public static SimulationSession start(Path folder, RunSettings settings, boolean debugShapes, Host host,
-            BooleanSupplier stepListener) throws ProjectException, IOException {
+            BooleanSupplier stepListener, Consumer<Simulation> startListener) throws ProjectException, IOException {
         Simulation world = Simulation.load(folder, settings.seed, settings.groundVisible);
         SimulationSession session = new SimulationSession(world, settings, host, stepListener);
         try {
+            startListener.accept(world);
             session.open(settings, debugShapes);
             return session;
         } catch (IOException | RuntimeException | LinkageError e) {

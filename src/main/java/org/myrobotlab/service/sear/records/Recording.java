@@ -1,0 +1,129 @@
+package org.myrobotlab.service.sear.records;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import org.SEAR.record.Recorder;
+import org.SEAR.simulator.Simulation;
+import org.myrobotlab.service.sear.Host;
+import org.myrobotlab.service.sear.run.SimulationControl;
+import org.myrobotlab.service.sear.run.SimulationSession;
+
+/** The record that is being written, or will be from the next start of a simulation on. Any thread. */
+public final class Recording {
+    /** A record ends by itself at this size unless told otherwise. */
+    public static final double MEGABYTES = 512;
+    private static final String ENDING = ".searlog";
+    private static final long MEGABYTE = 1 << 20;
+    private static final double MOST_MEGABYTES = 100000;
+
+    private final SimulationControl control;
+    private final Host host;
+    private Path wanted;
+    private long limit;
+    private Recorder recorder;
+
+    public Recording(SimulationControl control, Host host) {
+        this.control = control;
+        this.host = host;
+        control.setStartListener(this::started);
+    }
+
+    /**
+     * Begins a record now, or with the next start if nothing runs.
+     *
+     * @param path gets the ending .searlog, if it has it not; its folder must be there
+     * @param megabytes at which it ends by itself
+     * @return the path with its ending
+     */
+    public synchronized String begin(String path, double megabytes) throws IOException, InterruptedException {
+        if (path == null || path.isEmpty()) {
+            throw new IllegalArgumentException("the path is missing, legal: the path of a file, such as \"run.searlog\"");
+        }
+        if (!(megabytes > 0 && megabytes <= MOST_MEGABYTES)) {
+            throw new IllegalArgumentException("recordRun: megabytes is " + megabytes + ", legal: above 0 to " + MOST_MEGABYTES);
+        }
+        if (wanted != null) {
+            throw new IllegalStateException("a record is being written to " + wanted + " already: endRecord() first");
+        }
+        Path file = Paths.get(path.endsWith(ENDING) ? path : path + ENDING);
+        Path parent = file.toAbsolutePath().getParent();
+        if (parent == null || !Files.isDirectory(parent)) {
+            throw new IOException(file + " can't be written, there is no folder " + parent + ": make it, or choose another");
+        }
+        Recorder.check(file);
+        limit = (long) (megabytes * MEGABYTE);
+        SimulationSession session = control.sessionOrNull();
+        if (session != null) {
+            recorder = session.ask(world -> made(world, file));
+        }
+        wanted = file;
+        return file.toString();
+    }
+
+    /** What {@link #begin} could not tell its caller is thrown as IllegalStateException. */
+    private Recorder made(Simulation world, Path file) {
+        try {
+            return Recorder.begin(world, file, limit, host::warn);
+        } catch (IOException e) {
+            throw new IllegalStateException("the record can't be written: " + e.getMessage(), e);
+        }
+    }
+
+    /** Before the first step of a simulation. */
+    private synchronized void started(Simulation world) {
+        if (wanted != null && recorder == null) {
+            recorder = made(world, wanted);
+        }
+    }
+
+    /** Whether one is being written, or will be. */
+    public synchronized boolean isOn() {
+        return wanted != null;
+    }
+
+    /**
+     * Ends the record.
+     *
+     * @return simulated seconds that it has
+     * @throws IllegalStateException if there is none
+     */
+    public synchronized double end() throws IOException, InterruptedException {
+        if (wanted == null) {
+            throw new IllegalStateException("no record is being written: recordRun(\"run.searlog\") begins one");
+        }
+        Recorder present = recorder;
+        wanted = null;
+        recorder = null;
+        SimulationSession session = control.sessionOrNull();
+        if (present == null) {
+            return 0;
+        }
+        if (session != null) {
+            session.ask(world -> {
+                present.leave();
+                return true;
+            });
+        }
+        present.end();
+        return present.getSeconds();
+    }
+
+    /** After the end of a simulation: the record of it ends, too. */
+    public void stopped() {
+        try {
+            if (hasBegun()) {
+                end();
+            }
+        } catch (IOException e) {
+            host.error("the record of the run: " + e.getMessage());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private synchronized boolean hasBegun() {
+        return recorder != null;
+    }
+}

@@ -1,0 +1,138 @@
+package org.myrobotlab.service.sear.records;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import org.SEAR.POJOs.ScriptText;
+import org.SEAR.geometry.Pose;
+import org.SEAR.project.Project;
+import org.SEAR.project.problems.ProjectException;
+import org.SEAR.record.Frames;
+import org.SEAR.record.Rerun;
+import org.SEAR.record.RunRecord;
+import org.SEAR.record.Series;
+import org.myrobotlab.service.sear.readings.EulerAngles;
+
+/** What is in records, for scripts and panels. Any thread. */
+public final class Records {
+    /** Frames of a record that scripts and tables get; of more, every second, fourth ... one. */
+    private static final int MOST_ROWS = 200000;
+    /** Frames that panels get. */
+    private static final int MOST_FRAMES = 2000;
+    private static final int MOST_POINTS = 4000;
+    private static final int MOST_LISTED = 200;
+    private static final double FINE = 1e4;
+
+    private Records() {
+    }
+
+    private static RunRecord open(String path) throws IOException {
+        if (path == null) {
+            throw new IllegalArgumentException("the path is missing (None), legal: the path of a record, such as \"run.searlog\"");
+        }
+        return RunRecord.open(Paths.get(ScriptText.of(path)));
+    }
+
+    /** Records in the working folder, ordered by name. */
+    public static List<String> list() throws IOException {
+        TreeSet<String> names = new TreeSet<>();
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(Paths.get(""), "*.searlog")) {
+            for (Path file : files) {
+                names.add(file.getFileName().toString());
+                if (names.size() > MOST_LISTED) {
+                    names.pollLast();
+                }
+            }
+        }
+        return new ArrayList<>(names);
+    }
+
+    /** Names of the values of a record. */
+    public static List<String> names(String path) throws IOException {
+        return new ArrayList<>(Series.names(open(path).getHeader()));
+    }
+
+    /** Runs a record's commands in a world of their own. */
+    public static Map<String, Object> rerun(String path, Path project) throws IOException, ProjectException {
+        Rerun.Result result = Rerun.of(open(path), Project.read(project));
+        Map<String, Object> answer = new LinkedHashMap<>();
+        answer.put("same", result.same);
+        answer.put("seconds", result.seconds);
+        answer.put("ports", result.ports);
+        return answer;
+    }
+
+    /** Writes values of a record as a table. */
+    public static void saveCsv(String path, List<String> names, String csv) throws IOException {
+        Path file = Paths.get(ScriptText.of(csv));
+        if (Files.exists(file) && !csv.endsWith(".csv")) {
+            throw new IOException(file + " is there already and is no .csv: choose another name");
+        }
+        Files.write(file, Series.of(open(path), names, MOST_ROWS).csv().getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** {@code {"path": .., "names": [..], "times": [..], "values": [[.., null, ..], ..]}}. */
+    public static Map<String, Object> values(String path, List<String> names) throws IOException {
+        Series series = Series.of(open(path), names, MOST_POINTS);
+        List<List<Object>> values = new ArrayList<>();
+        for (double[] column : series.values) {
+            List<Object> numbers = new ArrayList<>();
+            for (double number : column) {
+                numbers.add(Double.isNaN(number) || Double.isInfinite(number) ? null : Double.valueOf(number));
+            }
+            values.add(numbers);
+        }
+        Map<String, Object> answer = new LinkedHashMap<>();
+        answer.put("path", path);
+        answer.put("names", series.names);
+        answer.put("times", series.times);
+        answer.put("values", values);
+        return answer;
+    }
+
+    /**
+     * {@code {"path", "whole", "names": [..], "robots": [name, ..], "objects": [name of one that moves, ..], "times": [..], "robotPoses":
+     * [[pose, ..], ..] by time, "objectPoses": likewise}}; poses are [x, y, z, rx, ry, rz].
+     */
+    public static Map<String, Object> frames(String path) throws IOException {
+        RunRecord record = open(path);
+        Frames frames = Frames.of(record, MOST_FRAMES);
+        List<String> moved = new ArrayList<>();
+        frames.moved.forEach(number -> moved.add(record.getHeader().objects.get(number)));
+        Map<String, Object> answer = new LinkedHashMap<>();
+        answer.put("path", path);
+        answer.put("whole", frames.whole);
+        answer.put("names", new ArrayList<>(Series.names(record.getHeader())));
+        answer.put("robots", record.getHeader().robots);
+        answer.put("objects", moved);
+        answer.put("times", frames.times);
+        answer.put("robotPoses", poses(frames.robots));
+        answer.put("objectPoses", poses(frames.objects));
+        return answer;
+    }
+
+    private static List<List<double[]>> poses(List<List<double[]>> frames) {
+        List<List<double[]>> all = new ArrayList<>();
+        for (List<double[]> frame : frames) {
+            List<double[]> poses = new ArrayList<>();
+            for (double[] n : frame) {
+                double[] angles = EulerAngles.degrees(new Pose(n[0], n[1], n[2], n[3], n[4], n[5], n[6]));
+                poses.add(new double[] {rounded(n[0]), rounded(n[1]), rounded(n[2]), rounded(angles[0]), rounded(angles[1]), rounded(angles[2])});
+            }
+            all.add(poses);
+        }
+        return all;
+    }
+
+    private static double rounded(double value) {
+        return Double.isNaN(value) || Double.isInfinite(value) ? 0 : Math.round(value * FINE) / FINE;
+    }
+}

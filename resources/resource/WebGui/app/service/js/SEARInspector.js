@@ -1,6 +1,6 @@
 // The inspector of the SEAR panel: every parameter of the selected object with its unit, what is legal, and what it means, as the grammar says it.
 (function() {
-    var HIDDEN = ['name', 'component', 'wheel']     // other edits see to them
+    var PARTS = ['component', 'wheel']              // of a robot: other edits see to them
 
     /** Adds it to a panel. */
     window.SEARPanel.inspector = function(panel) {
@@ -55,7 +55,7 @@
                 shown = object.object + ' ' + object.type
                 $scope.refused = ''
                 $scope.rows = type.parameters.filter(function(parameter) {
-                    return HIDDEN.indexOf(parameter.name) < 0
+                    return parameter.name !== 'name' && (type.kind !== 'robot' || PARTS.indexOf(parameter.name) < 0)
                 }).map(rowOf)
             }
             $scope.rows.forEach(function(row) {
@@ -67,6 +67,9 @@
             $scope.parts = partsOf(object)
         })
         function partsOf(robot) {
+            if (robot.type !== 'SEARrobot') {
+                return []
+            }
             var names = (robot.values.component || []).concat((robot.values.wheel || []).map(function(wheel) {
                 return wheel.name
             }))

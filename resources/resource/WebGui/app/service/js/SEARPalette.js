@@ -97,6 +97,22 @@
                 panel.selectAfter(answer)
                 if (answer.done) {
                     $scope.armed = null
+                } else if (armed.type) {
+                    askFor(armed, answer.problems)
+                }
+            })
+        }
+        /** What was wrong gets a field, so that somebody can say it: the name of a motor's wheel. */
+        function askFor(armed, problems) {
+            armed.type.parameters.forEach(function(parameter) {
+                var wrong = problems.some(function(problem) {
+                    return problem.field.split(/[.#]/)[0] === parameter.name
+                })
+                var known = armed.fields.some(function(field) {
+                    return field.p.name === parameter.name
+                })
+                if (wrong && !known) {
+                    armed.fields.push({p: parameter, text: ''})
                 }
             })
         }

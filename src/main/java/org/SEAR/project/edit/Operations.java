@@ -19,8 +19,8 @@ import org.SEAR.project.problems.ProjectException;
 
 /** What edits do to a draft. One use, whoever holds the project's lock. */
 final class Operations {
-    /** Links to other files: other edits than {@code set} see to them. */
-    private static final List<String> LINKS = List.of("name", "component", "wheel");
+    /** A robot's parts: other edits than {@code set} see to them. */
+    private static final List<String> LINKS = List.of("component", "wheel");
     private static final List<String> PORTS = List.of("uartPort", "userPort", "export");
 
     private final Draft draft;
@@ -139,9 +139,10 @@ final class Operations {
 
     private void set(String file, SearObject object, Map<?, ?> values, Map<?, ?> was) throws ProjectException {
         ProblemList problems = new ProblemList();
-        for (String link : LINKS) {
-            if (values.containsKey(link)) {
-                problems.add(file, 0, link, String.valueOf(values.get(link)), "nothing here: rename, add, mount and unmount are edits of their own");
+        for (Object name : values.keySet()) {
+            String link = String.valueOf(name);
+            if (link.equals("name") || object instanceof SEARrobot && LINKS.contains(link)) {
+                problems.add(file, 0, link, String.valueOf(values.get(name)), "nothing here: rename, add, mount and unmount are edits of their own");
             }
         }
         Values setting = new Values(file, problems);

@@ -73,6 +73,9 @@ public class GrammarTest {
                 if (!Boolean.TRUE.equals(type.get("environment")) && Boolean.TRUE.equals(type.get("robot"))) {
                     edit.put("to", "create2");
                 }
+                if (type.get("type").equals("Motor")) {
+                    edit.put("set", Map.of("wheel", "left"));
+                }
                 Outcome outcome = editor.apply(edit);
                 assertEquals(type.get("type"), editor.object(outcome.object).get("type"));
             }

@@ -2,7 +2,8 @@ package org.SEAR.devices;
 
 /**
  * The cable between a device and the user's port. Bytes take 10 bits of simulated time each, in both directions.
- * {@link #write}, {@link #setHostBaud}, {@link #pickUp}, {@link #hangUp} and the counters may be called from any thread; the rest is the simulation thread's.
+ * {@link #write}, {@link #setHostBaud}, {@link #pickUp}, {@link #hangUp} and the counters may be called from any thread; the rest is the
+ * simulation thread's.
  */
 public interface SerialLine {
     /** Receives the bytes that have left the device. Simulation thread. */

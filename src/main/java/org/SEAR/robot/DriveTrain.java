@@ -146,7 +146,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         commandedLeft = newLeft;
         commandedRight = newRight;
         motors.forEach(MotorDrive::follow);
-        braking &= newLeft == 0 && newRight == 0;
+        braking = braking && newLeft == 0 && newRight == 0;
     }
 
     /** An emergency stop, until the next command that moves. */

@@ -308,7 +308,8 @@ public class SearCommandTest {
     @Test
     public void sensorsAreListedWithUnitsRangesAndDefaults() throws Exception {
         assertEquals(0, sear("sensors"));
-        for (String type : new String[] {"Accelerometer", "ColorSensor", "Compass", "Distance", "GPS", "Gyroscope", "IMU", "LIDAR", "LineSensor", "Odometer"}) {
+        for (String type : new String[] {"Accelerometer", "ColorSensor", "Compass", "Distance", "GPS", "Gyroscope", "IMU", "LIDAR", "LineSensor",
+            "Odometer"}) {
             assertTrue(out, out.contains(type + ": "));
         }
         assertTrue(out, out.contains("bandwidth: readings a second that differ from each other. Legal: a number from 0.01 to 10000 Hz; default 60"));

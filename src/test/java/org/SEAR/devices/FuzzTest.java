@@ -202,7 +202,8 @@ public class FuzzTest {
     @Test
     public void arduinos() {
         for (boolean firmata : new boolean[] {true, false}) {
-            int[] likely = Bytes.ints(firmata ? "F0 F7 F4 E0 90 C0 D0 75 61 6B 79 6F 70 7A F9 00 01 04 03" : "AA AA AA 02 03 04 1E 1A 1B 23 2F 30 29 04 0A 01");
+            int[] likely = Bytes.ints(firmata ? "F0 F7 F4 E0 90 C0 D0 75 61 6B 79 6F 70 7A F9 00 01 04 03"
+                : "AA AA AA 02 03 04 1E 1A 1B 23 2F 30 29 04 0A 01");
             fuzz(line -> org.SEAR.devices.arduino.Devices.uno(firmata, line), likely, null, firmata ? "F9" : "AA 01 02",
                 firmata ? "F9 02 05" : "AA 02 09 02");
         }

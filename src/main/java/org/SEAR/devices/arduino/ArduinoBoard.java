@@ -7,8 +7,8 @@ import org.SEAR.devices.PinState;
 import org.SEAR.devices.SerialDevice;
 
 /**
- * A board with its program. Opening its port resets it, as the DTR line of a real one does: for a second its boot loader has the line, then its program
- * begins anew. Bytes that come to the boot loader are lost.
+ * A board with its program. Opening its port resets it, as the DTR line of a real one does: for a second its boot loader has the line, then its
+ * program begins anew. Bytes that come to the boot loader are lost.
  */
 public final class ArduinoBoard implements SerialDevice, Firmware.Host {
     /** How long the boot loader waits for a new program, seconds. */

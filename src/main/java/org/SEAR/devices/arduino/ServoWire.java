@@ -3,8 +3,8 @@ package org.SEAR.devices.arduino;
 import org.SEAR.devices.ServoHardware;
 
 /**
- * The wire of a servo. A pulse of 1472 us, an Arduino's 90 degrees, is the servo's 0 degrees; a longer one turns it counter-clockwise, by a degree for
- * 10.31 us as in the Servo library. Beyond its range it stays at its end, and without pulses where it is told to be last.
+ * The wire of a servo. A pulse of 1472 us, an Arduino's 90 degrees, is the servo's 0 degrees; a longer one turns it counter-clockwise, by a degree
+ * for 10.31 us as in the Servo library. Beyond its range it stays at its end, and without pulses where it is told to be last.
  */
 final class ServoWire implements PinWire {
     private static final double MIDDLE = (FirmataPins.SHORTEST + FirmataPins.LONGEST) / 2.0;

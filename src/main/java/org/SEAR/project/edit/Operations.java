@@ -139,10 +139,10 @@ final class Operations {
 
     private void set(String file, SearObject object, Map<?, ?> values, Map<?, ?> was) throws ProjectException {
         ProblemList problems = new ProblemList();
-        for (Object name : values.keySet()) {
-            String link = String.valueOf(name);
+        for (Map.Entry<?, ?> value : values.entrySet()) {
+            String link = String.valueOf(value.getKey());
             if (link.equals("name") || object instanceof SEARrobot && LINKS.contains(link)) {
-                problems.add(file, 0, link, String.valueOf(values.get(name)), "nothing here: rename, add, mount and unmount are edits of their own");
+                problems.add(file, 0, link, String.valueOf(value.getValue()), "nothing here: rename, add, mount and unmount are edits of their own");
             }
         }
         Values setting = new Values(file, problems);

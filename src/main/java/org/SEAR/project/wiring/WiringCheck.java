@@ -47,7 +47,8 @@ public final class WiringCheck {
             } else if (problem != null) {
                 problems.add(parsed.file, line, "wire", wire.getPart(), problem);
             } else if (other != null && !other.equals(parsed.file)) {
-                problems.add(parsed.file, line, "wire", wire.getPart(), "one board for its " + wire.getRole().getWord() + "; " + other + " has it too");
+                problems.add(parsed.file, line, "wire", wire.getPart(),
+                    "one board for its " + wire.getRole().getWord() + "; " + other + " has it too");
             }
         }
     }

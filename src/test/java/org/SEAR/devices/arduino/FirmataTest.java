@@ -9,8 +9,8 @@ import org.junit.Test;
 
 /** Exchanges with StandardFirmata 2.5 as protocol.md has them, in the order in which drivers ask. */
 public class FirmataTest {
-    private static final String FIRMWARE = "F0 79 02 05 53 00 74 00 61 00 6E 00 64 00 61 00 72 00 64 00 46 00 69 00 72 00 6D 00 61 00 74 00 61 00 2E 00 69 00 6E"
-        + " 00 6F 00 F7";
+    private static final String FIRMWARE = "F0 79 02 05 53 00 74 00 61 00 6E 00 64 00 61 00 72 00 64 00 46 00 69 00 72 00 6D 00 61 00 74 00 61 "
+        + "00 2E 00 69 00 6E 00 6F 00 F7";
     private static final String DIGITAL = "00 01 0B 01 01 01 04 0E 7F ";
     private static final String PWM = "00 01 0B 01 01 01 03 08 04 0E 7F ";
     private static final String ANALOG = "00 01 0B 01 01 01 02 0A 04 0E 7F ";

@@ -39,7 +39,8 @@ public class CodecTest {
 
     @Test
     public void theFirmwaresName() {
-        assertEquals("F0 79 02 05 53 00 74 00 61 00 6E 00 64 00 61 00 72 00 64 00 46 00 69 00 72 00 6D 00 61 00 74 00 61 00 2E 00 69 00 6E 00 6F 00 F7",
+        assertEquals("F0 79 02 05 53 00 74 00 61 00 6E 00 64 00 61 00 72 00 64 00 46 00 69 00 72 00 6D 00 61 00 74 00 61 00 2E"
+            + " 00 69 00 6E 00 6F 00 F7",
             hex(FirmataMessage.text(Feature.FIRMWARE, new int[] {2, 5}, "StandardFirmata.ino")));
         assertEquals("Tür", read(FirmataReader.HOST, hex(FirmataMessage.text(Feature.STRING, new int[0], "Tür"))).get(0).getText(0));
     }

@@ -118,8 +118,8 @@ public class WorldFeedTest {
     public void whatAServoTurnsIsToldAsItTurns() throws Exception {
         Path folder = temporary.newFolder().toPath();
         Path robot = Files.createDirectories(folder.resolve("robot"));
-        Files.writeString(robot.resolve("r.xml"), "<SEARrobot><name>r</name><component>d</component><component>s</component><component>head</component>"
-            + "<wheel><name>w</name><radius>0.1</radius><width>0.1</width></wheel></SEARrobot>");
+        Files.writeString(robot.resolve("r.xml"), "<SEARrobot><name>r</name><component>d</component><component>s</component>"
+            + "<component>head</component><wheel><name>w</name><radius>0.1</radius><width>0.1</width></wheel></SEARrobot>");
         Files.writeString(robot.resolve("d.xml"), "<Dynamics><name>d</name><mass>1</mass></Dynamics>");
         Files.writeString(robot.resolve("s.xml"), "<Servo><name>s</name><part>head</part></Servo>");
         Files.writeString(robot.resolve("head.xml"), box("head", 0.1, 0, 0.2, 0.3, 0));

@@ -216,10 +216,29 @@ public abstract class SearObject {
         changed();
     }
 
+    /**
+     * Makes an object of any class of the grammar from its parameters by name, as {@link #set} takes them, whatever constructors the class has.
+     *
+     * @param type its class
+     * @param values what differs from the defaults; the name has to be there
+     * @throws IllegalArgumentException with everything that is wrong; nothing is written then
+     */
+    public static <T extends SearObject> T make(Class<T> type, Map<String, ?> values) {
+        SearObject object = (SearObject) ParameterTable.of(type).newInstance();
+        object.life = Life.BEING_MADE;
+        new NamedValues(object, type.getSimpleName(), SearObject::isPart).set(values);
+        object.valuesSet();
+        object.created(type);
+        return type.cast(object);
+    }
+
+    private static boolean isPart(Parameter parameter) {
+        return parameter.getTextRule() == TextRule.COMPONENT || SearObject.class.isAssignableFrom(parameter.getType());
+    }
+
     /** Whether a parameter is what an object is called or made of, which no value sets. */
     private static boolean isGiven(Parameter parameter) {
-        return parameter.getName().equals("name") || parameter.getTextRule() == TextRule.COMPONENT
-            || SearObject.class.isAssignableFrom(parameter.getType());
+        return parameter.getName().equals("name") || isPart(parameter);
     }
 
     /**

@@ -139,6 +139,9 @@ public final class Cable implements SerialLine {
         }
         if (pickedUp) {
             pickedUp = false;
+            if (tap != null) {
+                tap.opened(this);
+            }
             if (powered) {
                 device.opened(time);
             }

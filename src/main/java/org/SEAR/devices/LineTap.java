@@ -11,6 +11,9 @@ public interface LineTap {
     /** From this step on the user's end has this speed, 0 for the device's own. */
     void baud(SerialLine line, int baud);
 
+    /** The device notices in this step that a program has opened the user's end. */
+    void opened(SerialLine line);
+
     /** The device notices in this step that the last program has left the user's end. */
     void hungUp(SerialLine line);
 }

@@ -12,6 +12,7 @@ final class Kind {
     static final int POWER = 8;
     static final int RESET = 9;
     static final int END = 10;
+    static final int OPENED = 11;
 
     private Kind() {
     }

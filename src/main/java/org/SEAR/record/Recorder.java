@@ -193,6 +193,11 @@ public final class Recorder implements RunTap {
     }
 
     @Override
+    public void opened(SerialLine line) {
+        out.put(Kind.OPENED).putShort(simulation.getLines().indexOf(line));
+    }
+
+    @Override
     public void drive(DriveCommand command) {
         out.put(Kind.DRIVE).putShort(command.robot).put(command.wheels ? 1 : 0).putDouble(command.first).putDouble(command.second);
     }

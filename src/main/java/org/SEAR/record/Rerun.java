@@ -144,6 +144,11 @@ public final class Rerun implements RunRecord.Visitor {
     }
 
     @Override
+    public void opened(int line) {
+        commands.add(run -> line(line).pickUp());
+    }
+
+    @Override
     public void drive(DriveCommand command) {
         commands.add(run -> run.post(command));
     }
@@ -177,6 +182,11 @@ public final class Rerun implements RunRecord.Visitor {
 
         @Override
         public void hungUp(SerialLine line) {
+            // the record has it
+        }
+
+        @Override
+        public void opened(SerialLine line) {
             // the record has it
         }
 

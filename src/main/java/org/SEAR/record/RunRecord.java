@@ -55,6 +55,9 @@ public final class RunRecord {
         default void hungUp(int line) {
         }
 
+        default void opened(int line) {
+        }
+
         default void drive(DriveCommand command) {
         }
 
@@ -174,6 +177,9 @@ public final class RunRecord {
                 case Kind.HUNG_UP:
                     visitor.hungUp(line());
                     return true;
+                case Kind.OPENED:
+                    visitor.opened(line());
+                    return true;
                 case Kind.DRIVE:
                     visitor.drive(command());
                     return true;
@@ -188,7 +194,7 @@ public final class RunRecord {
                     whole = in.readLong() == steps;
                     return false;
                 default:
-                    throw new RecordException("after " + steps + " steps comes an event " + kind + ", legal: 1 to " + Kind.END);
+                    throw new RecordException("after " + steps + " steps comes an event " + kind + ", legal: 1 to " + Kind.OPENED);
             }
         }
 

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Parameter;
+import org.SEAR.POJOs.ParameterTable;
 import org.SEAR.POJOs.ScriptText;
 import org.SEAR.POJOs.SearObject;
 
@@ -33,7 +34,26 @@ final class ObjectScript {
         for (Call constructor : Call.constructors(wanted.getClass())) {
             tryWith(constructor);
         }
+        if (expression == null && wanted instanceof SearObject) {
+            makeByNames();
+        }
         classes.add(wanted.getClass());
+    }
+
+    /** For a class without a constructor that takes values alone. */
+    private void makeByNames() {
+        Map<String, Object> named = new LinkedHashMap<>();
+        Values.differences(wanted, ParameterTable.of(wanted.getClass()).newInstance())
+            .forEach(parameter -> named.put(parameter.getName(), Values.plain(parameter.get(wanted))));
+        try {
+            Object draft = SearObject.make(((SearObject) wanted).getClass(), named);
+            if (Values.differences(wanted, draft).isEmpty()) {
+                expression = "SearObject.make(" + wanted.getClass().getSimpleName() + ", " + PythonText.literal(named) + ")";
+                classes.add(SearObject.class);
+            }
+        } catch (IllegalArgumentException e) {
+            expression = null;
+        }
     }
 
     /** Whether there is a way. */

@@ -91,8 +91,7 @@ public final class ProjectScript {
     private ObjectScript script(SearObject object) {
         ObjectScript script = new ObjectScript(object);
         if (!script.isPossible()) {
-            throw new IllegalStateException(object + " can't be written as a script: its class has no public constructor whose arguments are named as"
-                + " its parameters are (compiled with -parameters)");
+            throw new IllegalStateException(object + " can't be written as a script: neither its constructors nor make take its values");
         }
         classes.addAll(script.classes());
         return script;

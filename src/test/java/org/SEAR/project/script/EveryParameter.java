@@ -122,6 +122,9 @@ final class EveryParameter {
         Object usual = parameter.get(ParameterTable.of(type == null || !owns(parameter) ? ownerOf(parameter) : type).newInstance());
         List<Object> candidates = new ArrayList<>(parameter.getKind() == Parameter.Kind.TEXT ? TEXTS : parameter.getKind() == Parameter.Kind.NUMBER
             ? NUMBERS : parameter.getKind() == Parameter.Kind.WHOLE ? WHOLES : Arrays.asList((Object) false, true));
+        if (parameter.getKind() == Parameter.Kind.TEXT) {
+            candidates.addAll(Arrays.asList(parameter.legal().split(", ")));
+        }
         if (parameter.getKind() == Parameter.Kind.NUMBER) {
             candidates.add(0, 45 + 0.25 * parameters.indexOf(parameter));
         }

@@ -17,12 +17,15 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Draft;
 import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.BeamLibrary;
 import org.SEAR.project.Project;
@@ -124,8 +127,8 @@ public class ProjectScriptTest {
             count += wanted.size();
             never.addAll(every.never());
         }
-        assertEquals("[Terrain.mass, Terrain.onGround, Terrain.placeLatitude, Terrain.placeLongitude, Terrain.rx, Terrain.ry, Terrain.rz,"
-            + " Terrain.scaleX, Terrain.scaleY, Terrain.scaleZ, Terrain.x, Terrain.y, Terrain.z]", never.toString());
+        assertEquals("[Arduino.wire, Terrain.mass, Terrain.onGround, Terrain.placeLatitude, Terrain.placeLongitude, Terrain.rx, Terrain.ry, Terrain.rz,"
+            + " Terrain.scaleX, Terrain.scaleY, Terrain.scaleZ, Terrain.x, Terrain.y, Terrain.z, Wheel.trail]", never.toString());
         assertTrue("objects: " + count, count > 200);
     }
 
@@ -209,6 +212,37 @@ public class ProjectScriptTest {
             Files.delete(project.folder().resolve(file));
         }
         assertTrue(checkSame(project.folder()).contains("one.setOwnFolder(\"drive\", True)"));
+    }
+
+    /** What is legal only together with other objects. */
+    @Test
+    public void wiresMotorsServosAndCastors() throws Exception {
+        SEARrobot robot = new SEARrobot("rover");
+        robot.addComponent(new Dynamics("drive", 4));
+        robot.addComponent(new Box("box", 1, 1, 1, 1));
+        Wheel left = new Wheel("left", 0.1, 0.05, 1);
+        Wheel right = new Wheel("right", 0.1, 0.05, 1);
+        Wheel castor = new Wheel("castor", 0.1, 0.05, 0);
+        castor.setTrail(0.04);
+        for (Wheel wheel : List.of(left, right, castor)) {
+            robot.addWheel(wheel);
+        }
+        Motor motor = new Motor("motor", left);
+        motor.addWheel(right);
+        robot.addComponent(motor);
+        Distance eye = new Distance("eye", "GP2Y0A21");
+        robot.addComponent(eye);
+        Servo servo = new Servo("servo");
+        robot.addComponent(servo);
+        servo.mount(eye);
+        Arduino uno = new Arduino("uno");
+        robot.addComponent(uno);
+        uno.wire("A0", eye);
+        uno.wire(9, motor, "pwm");
+        uno.wire(10, servo);
+        Map<String, String> made = objects(project.folder());
+        assertTrue(made.toString(), made.get("robot/uno.xml").contains("A0") && made.get("robot/rover.xml").contains("<trail>0.04</trail>"));
+        checkSame(project.folder());
     }
 
     @Test

@@ -128,7 +128,8 @@ public class ProjectScriptTest {
             never.addAll(every.never());
         }
         assertEquals("[Arduino.wire, Terrain.mass, Terrain.onGround, Terrain.placeLatitude, Terrain.placeLongitude, Terrain.rx, Terrain.ry, Terrain.rz,"
-            + " Terrain.scaleX, Terrain.scaleY, Terrain.scaleZ, Terrain.x, Terrain.y, Terrain.z, Wheel.trail]", never.toString());
+            + " Terrain.scaleX, Terrain.scaleY, Terrain.scaleZ, Terrain.x, Terrain.y, Terrain.z,"
+            + " Wheel.trail]", never.toString());
         assertTrue("objects: " + count, count > 200);
     }
 

@@ -127,8 +127,8 @@ public class ProjectScriptTest {
             count += wanted.size();
             never.addAll(every.never());
         }
-        assertEquals("[Arduino.wire, Terrain.mass, Terrain.onGround, Terrain.placeLatitude, Terrain.placeLongitude, Terrain.rx, Terrain.ry, Terrain.rz,"
-            + " Terrain.scaleX, Terrain.scaleY, Terrain.scaleZ, Terrain.x, Terrain.y, Terrain.z,"
+        assertEquals("[Arduino.wire, Terrain.mass, Terrain.onGround, Terrain.placeLatitude, Terrain.placeLongitude, Terrain.rx, Terrain.ry,"
+            + " Terrain.rz, Terrain.scaleX, Terrain.scaleY, Terrain.scaleZ, Terrain.x, Terrain.y, Terrain.z,"
             + " Wheel.trail]", never.toString());
         assertTrue("objects: " + count, count > 200);
     }

@@ -300,7 +300,7 @@ public class SearCommandTest {
     @Test
     public void aProjectIsPrintedAsItsScript() throws Exception {
         assertEquals(0, sear("script", Paths.get(System.getProperty("sear.root", ".")).resolve("examples/maze.sear").toString()));
-        assertTrue(out, out.startsWith("from org.SEAR.POJOs import Box, ") && out.contains("addComponent(Distance(\"frontEye\", \"GP2Y0A21\", "));
+        assertTrue(out, out.startsWith("from org.SEAR.POJOs import Box, ") && out.contains("addComponent(Distance(\"leftEye\", \"GP2Y0A21\", "));
         assertEquals(2, sear("script", "nothing.sear"));
         assertTrue(err, err.contains("there is no such file or folder"));
     }

@@ -85,7 +85,7 @@ public class DoorTest {
         refused(() -> new Model("m", null), "path is missing");
         refused(() -> new Model("m", "../x.obj"), "path is \"../x.obj\", legal: a file below assets");
         refused(() -> new Cylinder("c", 1, 1, 1, "C:\\x.png"), "image is \"C:\\x.png\"");
-        refused(() -> new Wheel("w", 0.1, 0.1, 2), "Wheel \"w\": type is 2, legal: 0, 1");
+        refused(() -> new Wheel("w", 0.1, 0.1, 3), "Wheel \"w\": type is 3, legal: 0, 1, 2");
         refused(() -> new Dynamics("d", 0), "mass is 0, legal: a number from 0.001");
         refused(() -> new GPS("g", 91, 0, -181), "latitude is 91", "longitude is -181, legal: a number from -180 to 180 deg");
         refused(() -> new Accelerometer("a", 0), "bandwidth is 0", "Hz");

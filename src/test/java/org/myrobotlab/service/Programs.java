@@ -51,7 +51,8 @@ final class Programs {
         Process process = start(builder);
         List<String> output = read(process, SECONDS + 60);
         before.addAll(output);
-        assertEquals(String.join("\n", before), 0, process.waitFor());
+        assertTrue("it has not ended: " + String.join("\n", before), process.waitFor(0, TimeUnit.SECONDS));
+        assertEquals(String.join("\n", before), 0, process.exitValue());
         return output;
     }
 

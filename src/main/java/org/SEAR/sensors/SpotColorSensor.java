@@ -43,7 +43,7 @@ public final class SpotColorSensor extends Sensor<ColorReading> {
 
         @Override
         public String unit() {
-            return "";
+            return "of 255";
         }
 
         @Override

@@ -1,7 +1,6 @@
 package org.SEAR.POJOs;
 
 import java.io.IOException;
-import java.util.function.Supplier;
 
 /** Puts objects that were read from files together; for the project room. */
 public final class Assembly {
@@ -40,11 +39,6 @@ public final class Assembly {
     /** Gives a distance sensor that was read from a file the shape of its named beam. */
     public static void link(Distance sensor, Beam beam) {
         sensor.link(beam);
-    }
-
-    /** Makes objects that another store keeps than the present project. Any thread; concerns only what the maker makes on this one. */
-    public static <T> T keptBy(ObjectStore store, Supplier<T> maker) {
-        return Stores.with(store, maker);
     }
 
     /** Adds what is wrong with the values of an object together. */

@@ -100,6 +100,7 @@ public class LockStepTest {
         SEAR sear = (SEAR) Runtime.start("sear", "SEAR");
         sear.startSimulation();
         sear.setLockStep(lockStep);
+        sear.setSpeed(Double.POSITIVE_INFINITY);
         sear.simSleep(30);
         sear.setSpeed(speed);
         AtomicReference<Double> start = new AtomicReference<>();

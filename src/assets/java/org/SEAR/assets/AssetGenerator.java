@@ -31,6 +31,7 @@ public final class AssetGenerator {
         new Picture(SIZE, SIZE, Textures::roomba).write(textures.resolve("roomba.jpg"));
         new Picture(SIZE, SIZE / 4, Textures::tyre).write(textures.resolve("tyre.png"));
         new Picture(SIZE, SIZE, Textures::grass).write(textures.resolve("grass.png"));
+        new Picture(2 * SIZE, 2 * SIZE, Textures::lineTrack).write(textures.resolve("line-track.png"));
         Path tree = folder.resolve("models/Tree");
         new Picture(SIZE / 2, SIZE / 2, Textures::bark).write(tree.resolve("bark.png"));
         new Picture(SIZE / 2, SIZE / 2, Textures::leaves).write(tree.resolve("leaves.png"));

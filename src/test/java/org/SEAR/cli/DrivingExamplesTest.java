@@ -1,5 +1,6 @@
 package org.SEAR.cli;
 
+import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
@@ -9,6 +10,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -70,8 +73,8 @@ public class DrivingExamplesTest {
     @Test
     public void everyScriptIsTriedHere() throws IOException {
         try (Stream<Path> scripts = Files.list(EXAMPLES.resolve("drive"))) {
-            assertEquals(List.of("gps_waypoints.py", "lidar_mapper.py", "maze_solver.py", "mountain_climber.py", "obstacle_avoidance.py",
-                "wall_follower.py"),
+            assertEquals(List.of("arduino_rover.py", "car_waypoints.py", "gps_waypoints.py", "lidar_mapper.py", "line_follower.py",
+                "maze_solver.py", "mountain_climber.py", "obstacle_avoidance.py", "radar_turret.py", "wall_follower.py"),
                 scripts.map(script -> script.getFileName().toString()).sorted().collect(Collectors.toList()));
         }
     }
@@ -146,6 +149,68 @@ public class DrivingExamplesTest {
         double[] counts = numbers(text, "(\\d+) scans: ([0-9.]+) square metres are free");
         assertEquals(32, counts[0], 0);
         assertEquals("of 48 square metres", 44, counts[1], 4);
+    }
+
+    /** By x and z where the scripts in examples put them: nothing has moved. */
+    private static void assertUntouched(String text, Map<String, double[]> places) {
+        places.forEach((name, place) -> assertArrayEquals(name + "\n" + text, place, end(text, name), 0.001));
+    }
+
+    @Test
+    public void theRoverTouchesNothing() throws Exception {
+        Map<String, double[]> places = Map.of("north wall", at(2, 0), "south wall", at(-2, 0), "east wall", at(0, 1.6), "west wall", at(0, -1.6),
+            "crate 1", at(0.9, 0.7), "crate 2", at(0.6, -0.9), "crate 3", at(-0.9, 0.8), "crate 4", at(-1.1, -0.5));
+        String text = run("arduino_rover.py", places.keySet().toArray(new String[0]));
+        assertUntouched(text, places);
+        double[] drive = numbers(text, "([0-9.]+) m in \\d+ s, with (\\d+) turns");
+        assertEquals(text, 10, drive[0], 0.2);
+        assertTrue("the room is 4 m long", drive[1] >= 5);
+    }
+
+    @Test
+    public void theCarDrivesThroughAllGates() throws Exception {
+        double[][] gates = {{6, 0, 0}, {10, 5, 80}, {4, 9, 190}, {-3, 5, 250}, {-1, -4, 330}};
+        Map<String, double[]> cones = new TreeMap<>();
+        for (int i = 0; i < gates.length; i++) {
+            double north = 1.2 * Math.sin(Math.toRadians(gates[i][2]));
+            double east = 1.2 * Math.cos(Math.toRadians(gates[i][2]));
+            cones.put("gate " + (i + 1) + ", left", at(gates[i][0] + north, gates[i][1] - east));
+            cones.put("gate " + (i + 1) + ", right", at(gates[i][0] - north, gates[i][1] + east));
+        }
+        String text = run("car_waypoints.py", cones.keySet().toArray(new String[0]));
+        assertUntouched(text, cones);
+        for (int i = 0; i < gates.length; i++) {
+            double[] at = numbers(text, "Waypoint " + (i + 1) + " after .*, x (-?[0-9.]+) m, z (-?[0-9.]+) m");
+            assertEquals(text, 0, Math.hypot(at[0] - gates[i][0], at[1] - gates[i][1]), 1);
+        }
+    }
+
+    @Test
+    public void theLineIsFollowedOnceRound() throws Exception {
+        String text = run("line_follower.py", "follower");
+        double[] round = numbers(text, "Once round in [0-9.]+ s: ([0-9.]+) m, the line lost (\\d+) times");
+        assertEquals("the tape is 4.9 m long", 4.9, round[0], 0.15);
+        assertEquals(text, 0, round[1], 0);
+        double[] robot = end(text, "follower");
+        assertEquals(text, 0, Math.hypot(robot[0] - 0.85, robot[1]), 0.05);
+    }
+
+    @Test
+    public void theRadarShowsWhatIsNearest() throws Exception {
+        String text = run("radar_turret.py", "scout", "bin");
+        double[] nearest = numbers(text, "echoes. Nearest: ([0-9.]+) m from the turret, (-?[0-9.]+) degrees to the left");
+        assertEquals("the bin is 1.22 m away and 0.2 m thick", Math.hypot(1, 0.7) - 0.2, nearest[0], 0.03);
+        assertEquals(text, Math.toDegrees(Math.atan2(0.7, 1)), nearest[1], 4);
+        List<String> lines = text.lines().collect(Collectors.toList());
+        int axis = lines.indexOf(lines.stream().filter(line -> line.length() == 61 && line.charAt(30) == '^').findFirst().orElseThrow());
+        assertEquals(text, '#', lines.get(axis - 4).charAt(30 - 6));      // 0.8 m ahead, 0.6 m to the left
+        for (int row = 0; row < 4; row++) {
+            assertEquals("nothing is nearer\n" + text, -1, lines.get(axis - row).substring(25, 36).indexOf('#'));
+        }
+    }
+
+    private static double[] at(double x, double z) {
+        return new double[] {x, z};
     }
 
     private static int pixel(BufferedImage map, double x, double z) {

@@ -26,7 +26,7 @@ public class ExamplesTest {
 
     @Test
     public void eachScriptMakesItsBundle() throws Exception {
-        assertEquals(5, ExampleMaker.scripts(EXAMPLES).size());
+        assertEquals(9, ExampleMaker.scripts(EXAMPLES).size());
         for (Path script : ExampleMaker.scripts(EXAMPLES)) {
             ProjectSwap.delete(project.folder());
             ExampleMaker.run(script);

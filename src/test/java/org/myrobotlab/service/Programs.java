@@ -20,6 +20,8 @@ import org.junit.rules.TemporaryFolder;
 final class Programs {
     /** Seconds that a driver runs. */
     static final int SECONDS = Integer.getInteger("sear.driverSeconds", 8);
+    /** Seconds after which a driver that says nothing will never do. */
+    static final int PATIENCE = 60;
     private static final int TRIES = 3;
 
     private final TemporaryFolder folder;
@@ -46,10 +48,20 @@ final class Programs {
             .collect(Collectors.toList());
     }
 
+    /** Waits until a process has said a line like that. */
+    void untilItTells(Process process, String pattern) throws Exception {
+        long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE);
+        List<String> output = new ArrayList<>();
+        while (output.stream().noneMatch(line -> line.matches(pattern))) {
+            assertTrue("no " + pattern + " in " + output, process.isAlive() && System.nanoTime() < deadline);
+            output = read(process, 1);
+        }
+    }
+
     /** All that a process says that has to end well. */
     List<String> run(ProcessBuilder builder, List<String> before) throws Exception {
         Process process = start(builder);
-        List<String> output = read(process, SECONDS + 60);
+        List<String> output = read(process, SECONDS + PATIENCE);
         before.addAll(output);
         assertTrue("it has not ended: " + String.join("\n", before), process.waitFor(0, TimeUnit.SECONDS));
         assertEquals(String.join("\n", before), 0, process.exitValue());

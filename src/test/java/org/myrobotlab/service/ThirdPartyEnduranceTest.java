@@ -7,9 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
@@ -36,8 +34,6 @@ public class ThirdPartyEnduranceTest {
     private static final int VALUES = 682;
     private static final int SOLUTIONS_A_SECOND = 5;
     private static final int STARTING = 15;
-    /** Seconds after which a driver that says nothing will never do. */
-    private static final int PATIENCE = 60;
 
     @Rule
     public TemporaryFolder folder = new TemporaryFolder();
@@ -88,25 +84,15 @@ public class ThirdPartyEnduranceTest {
         return Files.writeString(folder.newFile().toPath(), text);
     }
 
-    /** Waits until a driver has told something that begins so. */
-    private void untilItTells(Process driver, String pattern) throws Exception {
-        long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE);
-        List<String> output = new ArrayList<>();
-        while (output.stream().noneMatch(line -> line.matches(pattern))) {
-            assertTrue("no " + pattern + " in " + output, driver.isAlive() && System.nanoTime() < deadline);
-            output = programs.read(driver, 1);
-        }
-    }
-
     @Test
     public void threeDriversAreKilledComeBackAndLoseNothing() throws Exception {
         for (int kill = 0; kill < KILLS; kill++) {
-            Process robot = python("pycreate2_drive.py", sear.exportPort(ROBOT), PATIENCE);
-            Process receiver = python("pyubx2_read.py", sear.exportPort(RECEIVER), PATIENCE);
+            Process robot = python("pycreate2_drive.py", sear.exportPort(ROBOT), Programs.PATIENCE);
+            Process receiver = python("pyubx2_read.py", sear.exportPort(RECEIVER), Programs.PATIENCE);
             Process scanner = programs.start(new ProcessBuilder("rawlog-grabber", grabber("killed" + kill).toString()));
-            untilItTells(robot, "\\d+ mode .*");
-            untilItTells(receiver, "35\\.3.*");
-            untilItTells(scanner, ".*Saved [1-9].*");
+            programs.untilItTells(robot, "\\d+ mode .*");
+            programs.untilItTells(receiver, "35\\.3.*");
+            programs.untilItTells(scanner, ".*Saved [1-9].*");
             for (Process driver : new Process[] {robot, receiver, scanner}) {
                 driver.destroyForcibly().waitFor();
             }
@@ -118,9 +104,9 @@ public class ThirdPartyEnduranceTest {
         List<String[]> scans = programs.grabScans(grabber("log"), STARTING);
         scans.forEach(line -> assertEquals(1 + 2 * VALUES, line.length));
         assertTrue("only " + scans.size() + " scans", scans.size() >= Programs.SECONDS * 5);
-        List<String> driven = programs.read(robot, PATIENCE);
+        List<String> driven = programs.read(robot, Programs.PATIENCE);
         assertEquals(String.join("\n", driven.subList(Math.max(0, driven.size() - 5), driven.size())), 0, robot.waitFor());
-        List<String> solved = programs.read(receiver, PATIENCE);
+        List<String> solved = programs.read(receiver, Programs.PATIENCE);
         assertEquals(solved.get(solved.size() - 1), 0, receiver.waitFor());
         assertEquals(2 + SOLUTIONS_A_SECOND * Programs.SECONDS, solved.size());
     }

@@ -134,7 +134,7 @@ public class ThirdPartyArduinoTest {
     private void kill(ProcessBuilder program) throws Exception {
         for (int i = 0; i < KILLS; i++) {
             Process process = programs.start(program);
-            programs.untilItTells(process, "2 s .*");
+            programs.untilItTells(process, "1 s .*");
             process.destroyForcibly().waitFor();
         }
     }

@@ -7,7 +7,7 @@ import org.SEAR.protocol.arduino.WireRole;
 public class BoardWire {
     @Param(doc = "the pin, 7 or A0", required = true)
     private String pin;
-    @Param(doc = "name of the component", text = TextRule.NAME, required = true)
+    @Param(doc = "name of the component", text = TextRule.NAME, names = SearObject.class, required = true)
     private String part;
     @Param(doc = "what the wire is for", values = {"volts", "ping", "trigger", "echo", "pwm", "reverse", "direction", "encoderA", "encoderB",
         "servo"}, required = true)

@@ -45,6 +45,9 @@ public @interface Param {
     /** XML element, if it isn't named like the field (an entry of a list). */
     String element() default "";
 
+    /** Of what kind the thing of the same robot is whose name this text is, so that it follows when that gets another name; void for no such text. */
+    Class<?> names() default void.class;
+
     /** Most entries of a list. */
     int maxEntries() default 1;
 }

@@ -114,6 +114,11 @@ public final class Parameter {
         return List.of(param.values());
     }
 
+    /** Whether its text may be the name of such a thing of the same robot. */
+    public boolean isNameOf(SearObject thing) {
+        return param.names().isInstance(thing);
+    }
+
     /** Whether 0 is legal, too, where the smallest number is above it. */
     public boolean isOrZero() {
         return param.orZero();

@@ -24,7 +24,7 @@ public class Servo extends SearObject implements Wirable {
     @Param(doc = "how fast it turns", unit = "deg/s", min = 0.1, max = 36000)
     private double speed = SPEED;
     @Param(doc = "name of a component of the same robot that it turns: a shape, a distance sensor, a LIDAR, a compass or another servo",
-        element = "part", text = TextRule.NAME, maxEntries = MAX_PARTS)
+        element = "part", text = TextRule.NAME, names = SearObject.class, maxEntries = MAX_PARTS)
     private List<String> partNames = new ArrayList<>();
 
     /** For reading from a file. */

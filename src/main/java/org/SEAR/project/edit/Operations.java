@@ -227,6 +227,9 @@ final class Operations {
             }
             draft.write(ObjectFiles.path(place.path.startsWith(ProjectFolder.ROBOT + "/"), name), place.object);
         }
+        if (place.robot != null) {
+            References.follow(draft, place.robot, place.object, old);
+        }
         return new Done("rename " + old + " to " + name, place.address());
     }
 

@@ -65,6 +65,7 @@ final class SearParts {
         control.setStepListener(publisher::publishDue);
         notices = host::warn;
         Notices.listen(notices);
+        Edits.mend(notices);
     }
 
     /**

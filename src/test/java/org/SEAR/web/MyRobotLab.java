@@ -158,7 +158,12 @@ public final class MyRobotLab implements AutoCloseable {
         }
     }
 
-    /** Starts a stopped one again, in the same folder and on the same port. */
+    /** Ends the process as {@code kill -9} does, wherever it is just then; the folder stays. */
+    public void kill() throws InterruptedException {
+        process.destroyForcibly().waitFor();
+    }
+
+    /** Starts a stopped or killed one again, in the same folder and on the same port. */
     public void startAgain() throws IOException, InterruptedException {
         startProcess();
     }

@@ -62,6 +62,18 @@ public class EditCallsTest {
     }
 
     @Test
+    public void anEditThatWasCutOffIsTakenBackBeforeAnybodyReadsIt() throws Exception {
+        sear.edit(Map.of("do", "add", "type", "Box"));
+        sear.edit(Map.of("do", "add", "type", "Sphere"));
+        Runtime.releaseService("editSear");
+        Files.writeString(folder.resolve(".edits/state"), "done 1 doing 2\n");
+        sear = (SEAR) Runtime.start("editSear", "SEAR");
+        assertFalse(Files.exists(folder.resolve("environment/sphere1.xml")));
+        assertTrue(Files.exists(folder.resolve("environment/box1.xml")));
+        assertEquals("add box1", sear.getEdits().get("undo"));
+    }
+
+    @Test
     public void panelsGetWhatIsWrongAsAnAnswer() throws Exception {
         Edits edits = new Edits(new SimulationControl(null, () -> folder));
         Map<String, Object> answer = edits.attempt(Map.of("do", "set", "object", "wall", "set", Map.of("mass", "heavy"), "page", "a"));

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.project.Project;
 import org.SEAR.project.edit.Grammar;
@@ -62,6 +63,19 @@ public final class Edits {
             gone.put("object", name);
             gone.put("gone", e.getMessage());
             return gone;
+        }
+    }
+
+    /**
+     * Takes back the edit in the middle of which a program was killed, before anybody reads its files.
+     *
+     * @param notices get what hinders that
+     */
+    public static void mend(Consumer<String> notices) {
+        try {
+            editor().state();
+        } catch (IOException | ProjectException e) {
+            notices.accept(Reasons.of(e));
         }
     }
 

@@ -32,7 +32,10 @@
             }
             row.filled = true
             row.was = value === undefined ? '' : value
-            row.error = ''
+            if (!row.refused) {
+                row.error = ''
+            }
+            row.refused = false     // what another page has set in the meantime comes with the reason why this page could not set it
             if (row.p.list) {
                 row.entries = (value || []).map(function(one) {
                     return entryOf(row, one)
@@ -130,6 +133,7 @@
             if (!answer.problems.length || other.length && !row.error) {
                 row.error = other.shift() || answer.reason
             }
+            row.refused = Boolean(row.error)
             $scope.refused = other.join('; ')
             panel.askForSelected()
         }

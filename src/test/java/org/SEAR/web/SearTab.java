@@ -14,8 +14,12 @@ final class SearTab {
     private final MyRobotLab robotLab;
 
     SearTab(Tabs tabs) {
-        this.browser = tabs.browser();
-        this.robotLab = tabs.robotLab();
+        this(tabs.browser(), tabs.robotLab());
+    }
+
+    SearTab(Browser browser, MyRobotLab robotLab) {
+        this.browser = browser;
+        this.robotLab = robotLab;
     }
 
     /** Ends what a test before has left running. */

@@ -3,6 +3,8 @@
     var geometry = window.SEARPanel.geometry
     var pointing = window.SEARPanel.pointing
     var FRAME = 0xff7f0e
+    var EYE = 0x8e5bd0
+    var FAR = 1                 // metres from a sensor to the far end of what one sees through its eye
     var HANDLES = [['x', 0xd9534f], ['y', 0x5cb85c], ['z', 0x337ab7], ['turn', 0xf0ad4e]]
     var SIZE = 0.012            // of a handle, as a share of the camera's distance
     var GAP = 0.06              // between the frame and the handle that turns, likewise
@@ -59,11 +61,23 @@
         return points
     }
 
+    /** What is seen from the origin: four edges and the far end of a pyramid that is 2 wide, 2 high and 1 long, along z. */
+    function pyramid() {
+        var corners = [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]]
+        var points = []
+        corners.forEach(function(corner, i) {
+            points.push([0, 0, 0], corner, corner, corners[(i + 1) % 4])
+        })
+        return points
+    }
+
     function make(scene) {
         var THREE = window.THREE
         var group = new THREE.Object3D()
         group.frame = lines(edges(), FRAME)
         group.add(group.frame)
+        group.eye = lines(pyramid(), EYE)
+        group.add(group.eye)
         group.knobs = {}
         HANDLES.forEach(function(one) {
             var shape = one[0] === 'turn' ? new THREE.CylinderGeometry(1.3, 1.3, 0.5, 20) : new THREE.BoxGeometry(1.6, 1.6, 1.6)
@@ -114,7 +128,14 @@
             knob.position.fromArray(at)
             knob.scale.set(SIZE * away, SIZE * away, SIZE * away)
         })
+        showEye(scene, group.eye, found)
         group.updateMatrixWorld(true)
+    }
+    /** Of a sensor, what the view shows when one looks through its eye. */
+    function showEye(scene, eye, found) {
+        var up = Math.tan(scene.eyeField * Math.PI / 360)
+        eye.visible = Boolean(found.robot) && found.robot.parts.indexOf(found.object) < 0
+        eye.scale.set(FAR * up * scene.camera.aspect, FAR * up, FAR)
     }
 
     /** The handle under a pixel: 'x', 'y', 'z' or 'turn'; null for none. */

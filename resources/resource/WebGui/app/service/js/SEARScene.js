@@ -47,6 +47,7 @@
         this.scene.add(new THREE.HemisphereLight(0xffffff, 0x9a958a, 0.75))
         this.camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 1000)
         this.orbit = {target: new THREE.Vector3(), distance: 5, azimuth: Math.PI, elevation: 0.6}
+        this.eyeField = EYE_FIELD
         this.objects = []           // in the order of the world's lists
         this.robots = []
         this.sensors = []

@@ -151,6 +151,14 @@ public class SpaceTest {
         assertEquals(browser.see(".sear-scene").getSize().getWidth() / 2.0, ahead[0], 1);
         double[] left = place(2, 0.15, 2);
         assertTrue("+x, north, is on the left of who looks east", left[0] < ahead[0] - 100);
+        browser.scope(SearTab.ROOT, "select('roomba/scanner')");
+        browser.until("the lines around what it sees", () -> Boolean.TRUE.equals(inScene("scene.handles && scene.handles.eye.visible")));
+        String corner = "scene.handles.eye.localToWorld(new THREE.Vector3(-1, 1, 1)).project(scene.camera)";
+        browser.until("their end in the view's corner",
+            () -> Math.abs(number(corner + ".x") - 1) < 0.01 && Math.abs(number(corner + ".y") - 1) < 0.01);
+        browser.scope(SearTab.ROOT, "select('roomba/body')");
+        browser.until("no such lines of what is no sensor", () -> Boolean.TRUE.equals(inScene("!scene.handles.eye.visible")));
+        browser.scope(SearTab.ROOT, "select(null)");
         browser.choose(".sear-eye", "outside");
         browser.until("the camera outside", () -> number("scene.camera.position.y") > 1);
     }

@@ -1,5 +1,5 @@
 # A yard with obstacles of every kind, twenty boxes among them, and a Roomba with every sensor.
-from org.SEAR.POJOs import Accelerometer, BeamCone, Box, ColorSensor, Compass, Cone, Cylinder, Distance, Floor, GPS, Gyroscope, IMU, LIDAR, \
+from org.SEAR.POJOs import Accelerometer, BeamCone, Box, Bumper, ColorSensor, Compass, Cone, Cylinder, Distance, Floor, GPS, Gyroscope, IMU, LIDAR, \
     LineSensor, Model, Noise, Odometer, Robots
 
 sear = Runtime.start("sear", "SEAR")
@@ -63,6 +63,7 @@ robot.addComponent(Odometer("odometer"))
 robot.addComponent(IMU("imu"))
 robot.addComponent(LineSensor("line", 0, 0, 0.1))
 robot.addComponent(ColorSensor("color", 0, 0, 0.05))
+robot.addComponent(Bumper("bumper"))
 
 robot.addComponent(Distance("frontPing", "PING)))", 0, 0.06, 0.16, 0, 0, 0))
 robot.addComponent(Distance("leftEZ1", "LV-EZ1", 0.12, 0.06, 0.1, 0, 60, 0))

@@ -14,6 +14,9 @@
             })
             return [near.length ? Math.min.apply(null, near) : NaN]
         }
+        if (typeof sensor.value === 'boolean') {
+            return [Number(sensor.value)]
+        }
         return (angular.isArray(sensor.value) ? sensor.value : String(sensor.value).split(',')).slice(0, 3).map(Number)
     }
 

@@ -16,6 +16,9 @@
         if (sensor.hit === null) {
             return 'nothing within ' + Math.round(sensor.value * 1e3) / 1e3 + ' m'
         }
+        if (typeof sensor.value === 'boolean') {
+            return sensor.value ? 'pressed' : 'not pressed'
+        }
         var values = angular.isArray(sensor.value) ? sensor.value : String(sensor.value).split(',')
         if (sensor.type === 'GPS') {
             return fixed(values[0], 7) + '°, ' + fixed(values[1], 7) + '°, ' + fixed(values[2], 2) + NO_BREAK + 'm'

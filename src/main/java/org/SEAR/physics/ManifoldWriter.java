@@ -60,6 +60,8 @@ final class ManifoldWriter {
             ManifoldPoint now = manifold.getContactPoint(i);
             now.combinedRestitution = bounces ? (float) restitution : 0;
             now.combinedFriction = friction;
+            now.index0 = numberOf(solidA, a);
+            now.index1 = numberOf(solidB, b);
             inherit(now, old);
         }
         if (manifold.getNumContacts() > 0) {
@@ -71,6 +73,11 @@ final class ManifoldWriter {
             resist(a, b, rolling, manifold.getContactPoint(0));
             resist(b, a, rolling, manifold.getContactPoint(0));
         }
+    }
+
+    /** Which of a robot's solids it is; 0 in all other bodies. */
+    private static int numberOf(Solid solid, Body body) {
+        return body.isRobot() ? body.solids.indexOf(solid) : 0;
     }
 
     private static void touch(Body body, boolean bounce, PersistentManifold manifold) {

@@ -41,10 +41,11 @@ public final class PhysicsWorld {
     /** Takes the contacts of a step. */
     public interface Touches {
         /**
+         * @param solidOfA number of the solid in its body that touches, likewise {@code solidOfB}; 0 in what is no robot
          * @param at the contact in the world
          * @param normal of the surface of {@code b}, towards {@code a}
          */
-        void touch(Body a, Body b, Vector3f at, Vector3f normal);
+        void touch(Body a, int solidOfA, Body b, int solidOfB, Vector3f at, Vector3f normal);
     }
 
     /** Constraints that a robot's wheels put on its body; jbullet solves them together with the contacts. */
@@ -270,8 +271,8 @@ public final class PhysicsWorld {
             for (int k = 0; k < manifold.getNumContacts(); k++) {
                 ManifoldPoint point = manifold.getContactPoint(k);
                 if (point.distance1 < TOUCH) {
-                    touches.touch((Body) ((CollisionObject) manifold.getBody0()).getUserPointer(),
-                        (Body) ((CollisionObject) manifold.getBody1()).getUserPointer(), point.positionWorldOnB, point.normalWorldOnB);
+                    touches.touch((Body) ((CollisionObject) manifold.getBody0()).getUserPointer(), point.index0,
+                        (Body) ((CollisionObject) manifold.getBody1()).getUserPointer(), point.index1, point.positionWorldOnB, point.normalWorldOnB);
                 }
             }
         }

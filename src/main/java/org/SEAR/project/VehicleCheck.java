@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Assembly;
+import org.SEAR.POJOs.Bumper;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.SEARrobot;
@@ -14,7 +15,7 @@ import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
 
-/** Checks what motors are to the wheels of their robots, and servos to what is mounted on them. One use. */
+/** Checks what motors are to the wheels of their robots, servos to what is mounted on them, bumpers to the parts that press them. One use. */
 final class VehicleCheck {
     private final Map<String, ParsedObject> parts;
     private final Map<ParsedObject, SEARrobot> owners;
@@ -39,6 +40,8 @@ final class VehicleCheck {
                 check(parsed, (Motor) parsed.object, robot);
             } else if (parsed.object instanceof Servo) {
                 check(parsed, (Servo) parsed.object, robot);
+            } else if (parsed.object instanceof Bumper) {
+                check(parsed, (Bumper) parsed.object, robot);
             }
         });
     }
@@ -103,6 +106,15 @@ final class VehicleCheck {
             } else if (turnsItself(servo, robot)) {
                 problems.add(parsed.file, line, "part", name, "what does not turn the servo itself");
             }
+        }
+    }
+
+    private void check(ParsedObject parsed, Bumper bumper, SEARrobot robot) {
+        String name = bumper.getPart();
+        List<String> parts = robot.getComponents().stream().filter(Bumper::canPress).map(SearObject::getName).collect(Collectors.toList());
+        if (name != null && !parts.contains(name)) {
+            problems.add(parsed.file, parsed.line("part"), "part", name, "the name of a shape of the bumper's robot " + robot.getName() + ": "
+                + (parts.isEmpty() ? "it has none" : String.join(", ", parts)));
         }
     }
 

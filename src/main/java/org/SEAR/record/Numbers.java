@@ -9,7 +9,7 @@ import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.OdometerReading;
 import org.SEAR.sensors.VectorReading;
 
-/** Readings as numbers over time. A scan is its nearest distance, infinity where nothing is in range. Any thread. */
+/** Readings as numbers over time. A scan is its nearest distance, infinity where nothing is in range; True is 1. Any thread. */
 final class Numbers {
     private static final List<String> AXES = Arrays.asList("x", "y", "z");
     private static final double[] NONE = {};
@@ -26,6 +26,9 @@ final class Numbers {
     static double[] of(Object reading) {
         if (reading instanceof Number) {
             return new double[] {((Number) reading).doubleValue()};
+        }
+        if (reading instanceof Boolean) {
+            return new double[] {(Boolean) reading ? 1 : 0};
         }
         if (reading instanceof DistanceReading) {
             return new double[] {((DistanceReading) reading).getDistanceOrRange()};

@@ -88,6 +88,7 @@ public final class RobotModel implements Robot, RobotHardware {
         }
         bumpedLeft = false;
         bumpedRight = false;
+        truth.touches().clear();
         unsettled = SETTLING;
         truth.restart();
     }
@@ -95,6 +96,7 @@ public final class RobotModel implements Robot, RobotHardware {
     /** Puts it elsewhere at once, at rest; its motors go on. */
     public void move(PhysicsWorld physics, Pose to) {
         physics.move(body, to);
+        truth.touches().clear();
         truth.moved();
         unsettled = SETTLING;
         mirror();
@@ -131,6 +133,7 @@ public final class RobotModel implements Robot, RobotHardware {
         if (awake) {
             train.roll();
             mirror();
+            truth.touches().clear();
         }
         bumpedLeft = false;
         bumpedRight = false;
@@ -150,9 +153,11 @@ public final class RobotModel implements Robot, RobotHardware {
     /**
      * Something touches the body.
      *
+     * @param solid of the body that is touched, its number
      * @param normal of the surface that touches, vertical part decides whether it is an obstacle
      */
-    public void touch(Vector3f at, Vector3f normal) {
+    public void touch(int solid, Vector3f at, Vector3f normal) {
+        truth.touches().add(solid);
         if (Math.abs(normal.y) > LEVEL) {
             return;
         }

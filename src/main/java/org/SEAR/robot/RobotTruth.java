@@ -18,6 +18,7 @@ public final class RobotTruth implements Truth {
     private static final double TURN_DEAD_BAND = 2e-4;
 
     private final Body body;
+    private final PartTouches touches;
     private final Scenes scenes;
     private final SurfaceColors colors;
     private final int owner;
@@ -31,8 +32,9 @@ public final class RobotTruth implements Truth {
     private Pose anchor;
     private double heading;
 
-    public RobotTruth(Body body, Scenes scenes, SurfaceColors colors, int owner, Earth earth, long epochMillis) {
-        this.body = body;
+    public RobotTruth(RobotBuilder from, Scenes scenes, SurfaceColors colors, int owner, Earth earth, long epochMillis) {
+        this.body = from.body;
+        this.touches = new PartTouches(from);
         this.scenes = scenes;
         this.colors = colors;
         this.owner = owner;
@@ -160,6 +162,16 @@ public final class RobotTruth implements Truth {
     @Override
     public int owner() {
         return owner;
+    }
+
+    /** What touches its parts. */
+    PartTouches touches() {
+        return touches;
+    }
+
+    @Override
+    public boolean isTouched(String part) {
+        return touches.is(part);
     }
 
     @Override

@@ -43,6 +43,15 @@ public interface Truth {
     /** The owner number of this robot's parts in the scene. */
     int owner();
 
+    /**
+     * Whether a part of this robot touches anything that isn't the robot itself.
+     *
+     * @param part name of a component that is a shape; null for any of them but wheels
+     */
+    default boolean isTouched(String part) {
+        return false;
+    }
+
     /** Whether a shape of the scene is ground to drive on: a floor or the terrain. */
     default boolean isGround(int shape) {
         return false;

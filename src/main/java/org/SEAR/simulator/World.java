@@ -95,7 +95,7 @@ final class World implements PhysicsWorld.Touches {
             physics.add(builder.body);
             shapes.putAll(builder.shapes);
             builder.addTo(scenes, robots.size());
-            RobotTruth truth = new RobotTruth(builder.body, scenes, colors, robots.size(), Earth.of(project, robot), epochMillis);
+            RobotTruth truth = new RobotTruth(builder, scenes, colors, robots.size(), Earth.of(project, robot), epochMillis);
             robots.add(new RobotModel(builder, robots.size(), scenes, truth, virtualWalls));
         }
         places.end();
@@ -259,11 +259,11 @@ final class World implements PhysicsWorld.Touches {
     }
 
     @Override
-    public void touch(Body a, Body b, Vector3f at, Vector3f normal) {
+    public void touch(Body a, int solidOfA, Body b, int solidOfB, Vector3f at, Vector3f normal) {
         for (int i = 0; i < robots.size(); i++) {
             RobotModel robot = robots.get(i);
             if (robot.getBody() == a || robot.getBody() == b) {
-                robot.touch(at, normal);
+                robot.touch(robot.getBody() == a ? solidOfA : solidOfB, at, normal);
             }
         }
         if (wantsContacts && contacts.size() < MAX_CONTACTS) {

@@ -6,6 +6,7 @@ import java.util.Random;
 import org.SEAR.POJOs.Accelerometer;
 import org.SEAR.POJOs.BeamCone;
 import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Bumper;
 import org.SEAR.POJOs.ColorSensor;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Cone;
@@ -149,7 +150,7 @@ public final class RandomProjects {
     private SensorObject anySensor() {
         switch (random.nextInt(9)) {
             case 8:
-                return random.nextBoolean() ? new LineSensor(name()) : new ColorSensor(name());
+                return random.nextInt(3) == 0 ? new Bumper(name()) : random.nextBoolean() ? new LineSensor(name()) : new ColorSensor(name());
             case 0:
                 return new Accelerometer(name(), number(0.01, 10000));
             case 1:

@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.SEAR.POJOs.Accelerometer;
+import org.SEAR.POJOs.Bumper;
 import org.SEAR.POJOs.ColorSensor;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Distance;
@@ -37,7 +38,8 @@ public class SensorIndependenceTest {
     private static List<SensorObject> objects() {
         List<SensorObject> objects = new ArrayList<>(Arrays.asList(new Distance("ping", "ultrasonic"), new LIDAR("lidar"),
             new GPS("gps", 35, 200, -80), new Compass("compass", true), new Accelerometer("accel", 12), new Gyroscope("gyro", 7),
-            new Odometer("odometer"), new IMU("imu"), new LineSensor("line"), new ColorSensor("color")));
+            new Odometer("odometer"), new IMU("imu"), new LineSensor("line"), new ColorSensor("color"),
+            new Bumper("bumper")));
         objects.forEach(object -> object.setNoise(new Noise(0.01, 0.02, 0.03, 0.0005, 0.1)));
         return objects;
     }
@@ -90,7 +92,7 @@ public class SensorIndependenceTest {
         Map<String, String> first = run(sensors(objects(), 1), 1);
         assertEquals(first, run(sensors(objects(), 1), 1));
         Map<String, String> other = run(sensors(objects(), 2), 1);
-        assertEquals(10, other.size());
+        assertEquals(11, other.size());
         other.forEach((name, readings) -> assertNotEquals(name, first.get(name), readings));
     }
 

@@ -11,6 +11,7 @@ import java.util.Locale;
 import org.SEAR.Bytes;
 import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Bumper;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
@@ -224,6 +225,57 @@ public class ArduinoTest {
         assertEquals("beyond its range it stays at its end", before + 0.05, simulation.getPose("eye").x, 0.002);
     }
 
+    /** A switch between pin 2 and ground at the robot's front. */
+    private void bumper() throws Exception {
+        wall();
+        Box plate = new Box("plate", 0.2, 0.02, 0.05, 0);
+        plate.move(0, 0.03, 0.25);
+        robot.addComponent(plate);
+        Bumper bumper = new Bumper("front", plate);
+        robot.addComponent(bumper);
+        uno.wire(2, bumper);
+        start();
+    }
+
+    private void drive(double speed, double seconds) {
+        simulation.getRobots().get(0).drive(speed, Double.POSITIVE_INFINITY);
+        Worlds.run(simulation, seconds);
+    }
+
+    /** As johnny-five's Switch and pyFirmata2 ask: pull-up, reports of port 0; bit 2 is high while the bumper is free. */
+    @Test
+    public void aBumperPullsItsPinLow() throws Exception {
+        uno.setFirmware("StandardFirmata");
+        bumper();
+        say("F4 02 0B D0 01");
+        Worlds.run(simulation, 0.5);
+        assertEquals("90 04 00", Bytes.hex(heard.toByteArray()));
+        assertEquals("2 front (switch): pullup, 5.00 V", simulation.snapshot().robots.get(0).devices.get(0).pins.get(0).toString());
+        heard.reset();
+        drive(0.4, 6);
+        String told = Bytes.hex(heard.toByteArray());
+        assertTrue("it may bounce: " + told, told.startsWith("90 00 00") && told.endsWith("90 00 00"));
+        assertEquals("2 front (switch): pullup, 0.00 V", simulation.snapshot().robots.get(0).devices.get(0).pins.get(0).toString());
+        heard.reset();
+        drive(-0.4, 1);
+        assertEquals("90 04 00", Bytes.hex(heard.toByteArray()));
+    }
+
+    /** MyRobotLab's Arduino service: pinMode(2, "INPUT_PULLUP"), enablePin(2, 10). */
+    @Test
+    public void aBumperAsMrlCommReadsIt() throws Exception {
+        bumper();
+        say("AA 03 1E 02 02 AA 05 04 02 00 00 0A");
+        Worlds.run(simulation, 0.5);
+        String told = Bytes.hex(heard.toByteArray());
+        assertTrue(told, told.contains("AA 05 20 03 02 00 01") && !told.contains("AA 05 20 03 02 00 00"));
+        drive(0.4, 6);
+        heard.reset();
+        Worlds.run(simulation, 0.5);
+        told = Bytes.hex(heard.toByteArray());
+        assertTrue(told, told.contains("AA 05 20 03 02 00 00") && !told.contains("AA 05 20 03 02 00 01"));
+    }
+
     @Test
     public void openingThePortResetsTheBoard() throws Exception {
         start();
@@ -277,6 +329,7 @@ public class ArduinoTest {
         refused("Arduino \"uno\": pin A0 is not a PWM pin of an Uno, legal: 3, 5, 6, 9 to 11 for pwm", () -> uno.wire("A0", motor));
         refused("Arduino \"uno\": pin 4 is not a pin with an interrupt of an Uno, legal: 2, 3 for encoderA",
             () -> uno.wire(4, motor, "encoderA"));
+        refused("Arduino \"uno\": role is \"volts\", legal for Bumper \"front\": switch", () -> uno.wire("A0", new Bumper("front"), "volts"));
         refused("Arduino \"uno\": nothing is wired to pin 9, legal: 7", () -> uno.unwire(9));
         GPS gps = new GPS("gps");
         try {

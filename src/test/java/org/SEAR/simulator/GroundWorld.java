@@ -48,7 +48,7 @@ final class GroundWorld {
             physics.add(builder.body);
             builder.addTo(scenes, 0);
             robot = new RobotModel(builder, 0, scenes,
-                new RobotTruth(builder.body, scenes, new SurfaceColors(project.getAssets(), warnings::add), 0, Earth.of(project, object), 0),
+                new RobotTruth(builder, scenes, new SurfaceColors(project.getAssets(), warnings::add), 0, Earth.of(project, object), 0),
                 new VirtualWalls(scenes));
         }
         StartPoses.lift(physics.getBodies(), warnings);

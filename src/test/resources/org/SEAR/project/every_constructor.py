@@ -1,5 +1,5 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
-from org.SEAR.POJOs import Accelerometer, Arduino, BeamCone, Box, ColorSensor, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, \
+from org.SEAR.POJOs import Accelerometer, Arduino, BeamCone, Box, Bumper, ColorSensor, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, \
     LineSensor, Model, Motor, Noise, Odometer, SEARrobot, Servo, Sphere, Terrain, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
@@ -218,3 +218,10 @@ for kind in (LineSensor, ColorSensor):
 Box(name(), 1, 2, 3).set({"onGround": False, "friction": 0.25, "image": None})
 add(LIDAR(name())).set({"noise": {"white": 0.5, "dropout": 0}, "lms": 0, "lenient": True})
 robot.setOwnFolder("LV-EZ1", True)
+
+plate = add(Box(name(), 0.3, 0.02, 0.05))
+add(Bumper(name()))
+bumper = add(Bumper(name(), plate))
+bumper.setPart(add(Cylinder(name(), 0.1, 0.05)))
+mega.wire(24, bumper)
+mega.wire(25, add(Bumper(name(), plate)), "switch")

@@ -35,8 +35,9 @@ final class Wiring {
             case PING:
             case TRIGGER:
             case ECHO:
+            case SWITCH:
                 Sensor<?> sensor = context.sensor(wire.getPart());
-                return sensor == null ? null : new RangeWire(context, sensor, wire.getRole());
+                return sensor == null ? null : new SensorWire(context, sensor, wire.getRole());
             case SERVO:
                 ServoHardware servo = context.robot().getServo(wire.getPart());
                 return servo == null ? null : new ServoWire(servo);

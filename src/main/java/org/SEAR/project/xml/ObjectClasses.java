@@ -8,6 +8,7 @@ import java.util.ServiceLoader;
 import java.util.TreeMap;
 import org.SEAR.POJOs.Accelerometer;
 import org.SEAR.POJOs.Arduino;
+import org.SEAR.POJOs.Bumper;
 import org.SEAR.POJOs.ColorSensor;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Distance;
@@ -30,7 +31,7 @@ import org.SEAR.POJOs.Shape;
 public final class ObjectClasses {
     private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Motor.class, Servo.class,
         Distance.class, LIDAR.class, GPS.class, Compass.class, Accelerometer.class, Gyroscope.class, Odometer.class, IMU.class, LineSensor.class,
-        ColorSensor.class, Arduino.class);
+        ColorSensor.class, Bumper.class, Arduino.class);
 
     private final Map<String, Class<? extends SearObject>> byElement = new TreeMap<>();
     private final List<Class<? extends SearObject>> inOrder = new ArrayList<>();

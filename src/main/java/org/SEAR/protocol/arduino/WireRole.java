@@ -21,7 +21,9 @@ public enum WireRole {
     /** Second track of a motor's encoder, a quarter of a line behind the first when it turns forward. */
     ENCODER_B("encoderB", PinUse.DIGITAL),
     /** Pulses for a servo. */
-    SERVO("servo", PinUse.SERVO);
+    SERVO("servo", PinUse.SERVO),
+    /** A switch between the pin and ground. */
+    SWITCH("switch", PinUse.DIGITAL);
 
     private final String word;
     private final PinUse use;

@@ -44,7 +44,7 @@ final class ReadingText {
     /**
      * In words, with unit.
      *
-     * @param unit of the sensor's type, for readings that are plain numbers
+     * @param unit of the sensor's type, for readings that are plain numbers, or what True says
      */
     static String words(Object reading, String unit) {
         if (reading instanceof LidarScan) {
@@ -72,6 +72,9 @@ final class ReadingText {
         if (reading instanceof VectorReading) {
             VectorReading vector = (VectorReading) reading;
             return (format("%.2f, %.2f, %.2f ", hundredths(vector.getX()), hundredths(vector.getY()), hundredths(vector.getZ())) + unit).trim();
+        }
+        if (reading instanceof Boolean) {
+            return ((Boolean) reading ? "" : "not ") + unit;
         }
         if (reading instanceof Double) {
             return (format("%.1f ", Math.rint((Double) reading * TENTHS) / TENTHS + 0.0) + unit).trim();

@@ -3,6 +3,7 @@ package org.SEAR.view.link;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 
+import org.SEAR.POJOs.Bumper;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Gyroscope;
 import org.SEAR.project.ProjectRule;
@@ -32,6 +33,12 @@ public class ReadingTextTest {
         VectorReading vector = new VectorReading(1, -0.001, 2.25);
         assertEquals("1.00, 0.00, 2.25 rad/s", ReadingText.words(vector, types.unit(new Gyroscope("gyroscope"))));
         assertEquals("1.00, 0.00, 2.25 uT", ReadingText.words(vector, "uT"));
+    }
+
+    @Test
+    public void aSwitchSaysItsUnitOrNot() {
+        assertEquals("pressed", ReadingText.words(true, types.unit(new Bumper("bumper"))));
+        assertEquals("not pressed", ReadingText.words(false, types.unit(new Bumper("bumper"))));
     }
 
     @Test

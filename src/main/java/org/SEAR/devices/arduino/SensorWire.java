@@ -6,8 +6,8 @@ import org.SEAR.sensors.DistanceReading;
 import org.SEAR.sensors.ReflectanceSensor;
 import org.SEAR.sensors.Sensor;
 
-/** A wire of a sensor: its voltage, or the pulse that lasts as long as the sound is on its way. */
-final class RangeWire implements PinWire {
+/** A wire of a sensor: its voltage, the pulse that lasts as long as the sound is on its way, or a switch that joins the pin to ground. */
+final class SensorWire implements PinWire {
     /** m/s, of dry air at 20 degrees. */
     static final double SOUND = 343.2;
     /** Longest pulses, seconds, which they give when nothing comes back: data sheets of the PING))) and the HC-SR04. */
@@ -18,7 +18,7 @@ final class RangeWire implements PinWire {
     private final Sensor<?> sensor;
     private final WireRole role;
 
-    RangeWire(DeviceContext context, Sensor<?> sensor, WireRole role) {
+    SensorWire(DeviceContext context, Sensor<?> sensor, WireRole role) {
         this.context = context;
         this.sensor = sensor;
         this.role = role;
@@ -26,7 +26,10 @@ final class RangeWire implements PinWire {
 
     @Override
     public double volts() {
-        Object reading = role == WireRole.VOLTS ? context.read(sensor) : null;
+        Object reading = role == WireRole.VOLTS || role == WireRole.SWITCH ? context.read(sensor) : null;
+        if (reading instanceof Boolean) {
+            return (Boolean) reading ? 0 : Double.NaN;
+        }
         if (reading instanceof Double) {
             return ReflectanceSensor.volts((Double) reading);
         }
@@ -35,8 +38,8 @@ final class RangeWire implements PinWire {
 
     @Override
     public double echo(PinWire listened) {
-        boolean starts = role == WireRole.PING && listened == this || role == WireRole.TRIGGER && listened instanceof RangeWire
-            && ((RangeWire) listened).sensor == sensor && ((RangeWire) listened).role == WireRole.ECHO;
+        boolean starts = role == WireRole.PING && listened == this || role == WireRole.TRIGGER && listened instanceof SensorWire
+            && ((SensorWire) listened).sensor == sensor && ((SensorWire) listened).role == WireRole.ECHO;
         if (!starts) {
             return Double.NaN;
         }

@@ -1,0 +1,63 @@
+package org.SEAR.POJOs;
+
+import java.util.List;
+import org.SEAR.protocol.arduino.WireRole;
+
+/** A switch that is pressed while a part of its robot, or any of them, touches anything that isn't the robot itself. */
+@Described("a switch that is pressed while a part of its robot touches anything that isn't the robot itself; its own place doesn't matter")
+public class Bumper extends SensorObject implements Wirable {
+    @Param(doc = "name of the part that presses it, a shape of the same robot; without it every part but the wheels does",
+        text = TextRule.NAME)
+    private String part;
+
+    /** For reading from a file. */
+    protected Bumper() {
+    }
+
+    /** Every part of the robot presses it, but for its wheels. */
+    public Bumper(String name) {
+        super(name);
+        created(Bumper.class);
+    }
+
+    /** @param part a shape of the same robot, which presses it */
+    public Bumper(String name, Shape part) {
+        super(name);
+        this.part = checkPart(part);
+        created(Bumper.class);
+    }
+
+    private String checkPart(Shape wanted) {
+        if (wanted == null || !canPress(wanted)) {
+            throw new IllegalArgumentException(label() + ": " + (wanted == null ? "part is missing (None)" : wanted.label() + " can't press it")
+                + ", legal: a shape that is a component of the same robot, and no wheel; Bumper(name) is pressed by each of them");
+        }
+        if (robot() != null && wanted.robot() != null && robot() != wanted.robot()) {
+            throw new IllegalArgumentException(label() + ": " + wanted.label() + " is a part of " + wanted.robot().label() + ", legal: a part of "
+                + robot().label());
+        }
+        return wanted.getName();
+    }
+
+    /** Whether a kind of component can press a bumper. */
+    public static boolean canPress(SearObject part) {
+        return part instanceof Shape && !(part instanceof Wheel);
+    }
+
+    @Override
+    public List<WireRole> getWireRoles() {
+        return List.of(WireRole.SWITCH);
+    }
+
+    /** Name of the part that presses it; null if every part but the wheels does. */
+    public String getPart() {
+        return part;
+    }
+
+    /** @param newPart a shape of the same robot, which presses it from now on */
+    public void setPart(Shape newPart) {
+        checkChangeable();
+        part = checkPart(newPart);
+        changed();
+    }
+}

@@ -1,0 +1,36 @@
+package org.SEAR.robot;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+
+/** Which parts of one robot's body touch something now. A body that sleeps touches what it touched when it fell asleep. Simulation thread. */
+final class PartTouches {
+    private final Map<String, Integer> solids = new HashMap<>();
+    private final boolean[] touched;
+    private final int wheelsFrom;
+    private boolean any;
+
+    PartTouches(RobotBuilder from) {
+        from.object.getComponents().stream().filter(from.shapes::containsKey).forEach(part -> solids.put(part.getName(), from.solidOf(part)));
+        touched = new boolean[from.body.solids.size()];
+        wheelsFrom = touched.length - from.wheelSolids.size();
+    }
+
+    void clear() {
+        Arrays.fill(touched, false);
+        any = false;
+    }
+
+    /** @param solid its number in the body; a wheel is none of the parts */
+    void add(int solid) {
+        touched[solid] = true;
+        any |= solid < wheelsFrom;
+    }
+
+    /** @param part name of a component; null for any of them */
+    boolean is(String part) {
+        Integer solid = part == null ? null : solids.get(part);
+        return part == null ? any : solid != null && touched[solid];
+    }
+}

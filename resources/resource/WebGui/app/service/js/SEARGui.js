@@ -3,7 +3,7 @@
     // In this order: each uses some of those before it.
     var FILES = ['SEARTerrain', 'SEARGeometry', 'SEARWords', 'SEARMap', 'SEARLooks', 'SEARItem', 'SEARBeams', 'SEARGround', 'SEARScene', 'SEARWorld',
         'SEARProjects', 'SEARScript', 'SEAREdits', 'SEARInspector', 'SEARPalette', 'SEARPointing', 'SEARHandles', 'SEARBuilding', 'SEARViews',
-        'SEARPlot', 'SEARRecords', 'SEARPanel']
+        'SEARPlot', 'SEARRecords', 'SEARWorkspace', 'SEARPanel']
     var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'getProblems', 'getExamples',
         'getExampleScripts', 'getBundle', 'getTerrain', 'getLooks', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate',
         'startSimulation', 'stopSimulation', 'publishEdit', 'getEdits', 'getGrammar', 'getProjectObject', 'getScript', 'recordRun',

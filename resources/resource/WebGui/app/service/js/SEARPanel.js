@@ -131,6 +131,7 @@
             }
             panel.repaint()
         }
+        window.SEARPanel.workspace(panel)
         var world = window.SEARPanel.world(panel)
         var handlers = angular.extend({
             onState: function(service) {

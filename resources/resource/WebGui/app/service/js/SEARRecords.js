@@ -71,14 +71,13 @@
         }
 
         // ---- which values ------------------------------------------------------------------------------------------------------------------
-        $scope.togglePlots = function() {
-            $scope.plotting = !$scope.plotting
+        $scope.$watch('isFolded("plots")', function(folded) {
+            $scope.plotting = !folded
             if ($scope.plotting) {
                 msg.send('getRecords')
                 nameValues()
-                panel.timeout(draw)
             }
-        }
+        })
         function nameValues() {
             var world = $scope.form.source ? null : $scope.state
             if (world) {
@@ -229,6 +228,10 @@
         $scope.savePlot = function() {
             window.SEARPanel.words.saveText('plot.csv', plots.csv(linesToDraw()))
         }
+        $scope.$watch(function() {
+            var canvas = $scope.plotting && $scope.service && document.getElementById('sear-plot-' + $scope.service.name)
+            return canvas ? canvas.clientWidth + ' ' + canvas.clientHeight : ''
+        }, draw)
         /** The plot, for tests. */
         $scope.plot = function() {
             return plot

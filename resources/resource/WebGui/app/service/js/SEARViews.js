@@ -59,6 +59,11 @@
             var shown = canvas()
             return shown ? shown.clientWidth : 0
         }
+        /** Width and height of the canvas; changes when something beside it is folded, too. */
+        function sizeOf() {
+            var shown = canvas()
+            return shown ? shown.clientWidth + ' ' + shown.clientHeight : ''
+        }
 
         /** Where a point of the ground lies on the map; also what tests compare with the robot's pose. */
         $scope.toScreen = function(x, z) {
@@ -137,7 +142,7 @@
             }
             var world = $scope.world()
             var view = $scope.view
-            var size = shown.clientWidth + ' ' + shown.clientHeight
+            var size = sizeOf()
             if (view.size !== size && !view.chosen) {
                 refit()
             }
@@ -369,7 +374,7 @@
         var looks = panel.interval(panel.look, LOOK_MILLIS, 0, false)
         first = panel.timeout(listen)
         theme.addEventListener('change', panel.repaint)
-        window.addEventListener('resize', panel.repaint)
+        window.addEventListener('resize', panel.repaint)    // which digests, too, and so measures
         $scope.$on('$destroy', function() {
             theme.removeEventListener('change', panel.repaint)
             window.removeEventListener('resize', panel.repaint)
@@ -379,7 +384,7 @@
                 scene.close()
             }
         })
-        $scope.$watch(panel.width, function() {
+        $scope.$watch(sizeOf, function() {
             draw()
             panel.look()
         })

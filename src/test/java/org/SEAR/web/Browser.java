@@ -229,7 +229,17 @@ public final class Browser implements AutoCloseable {
      * @param width pixels
      */
     public void setPageWidth(int width) {
-        driver.executeCdpCommand("Emulation.setDeviceMetricsOverride", Map.of("width", width, "height", 0, "deviceScaleFactor", 0, "mobile", false));
+        setPageSize(width, 0);
+    }
+
+    /**
+     * Gives the page a size without regard to the window; 0 for the window's own.
+     *
+     * @param width pixels
+     * @param height pixels
+     */
+    public void setPageSize(int width, int height) {
+        driver.executeCdpCommand("Emulation.setDeviceMetricsOverride", Map.of("width", width, "height", height, "deviceScaleFactor", 0, "mobile", false));
     }
 
     // ---- what went wrong -----------------------------------------------------------------------------------------------

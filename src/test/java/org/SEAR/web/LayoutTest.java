@@ -3,7 +3,9 @@ package org.SEAR.web;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
+import org.junit.After;
 import org.junit.ClassRule;
 import org.junit.Rule;
 import org.junit.Test;
@@ -41,6 +43,12 @@ public class LayoutTest {
         "    function middle(e) { var r = e.getBoundingClientRect(); return (r.top + r.bottom) / 2 }",
         "    return Math.abs(middle(box) - middle(box.closest('label')))",
         "})");
+    /** Of each element: left, top, right and bottom in the window, pixels. */
+    private static final String BOX = "var box = arguments[0].getBoundingClientRect(); return [box.left, box.top, box.right, box.bottom]";
+    private static final int LAPTOP_WIDTH = 1280;
+    private static final int LAPTOP_HEIGHT = 720;
+    private static final int PHONE_WIDTH = 390;
+    private static final int PHONE_HEIGHT = 844;
     @Rule
     public final TestRule page = TABS.page("sear");
     private final Browser browser = TABS.browser();
@@ -99,5 +107,102 @@ public class LayoutTest {
         } finally {
             browser.setPageWidth(0);
         }
+    }
+
+    @After
+    public void forgetWhatWasFolded() {
+        browser.setPageSize(0, 0);
+        browser.script("localStorage.removeItem('sear.folds')");
+    }
+
+    private void openAt(int width, int height) {
+        browser.setPageSize(width, height);
+        TABS.open("sear");
+        browser.see(".sear-sensors");
+    }
+
+    private double[] box(String css) {
+        return ((List<?>) browser.script(BOX, browser.see(css))).stream().mapToDouble(number -> ((Number) number).doubleValue()).toArray();
+    }
+
+    private void checkInWindow(int width, int height, String... all) {
+        for (String css : all) {
+            double[] box = box(css);
+            assertTrue(css + " " + Arrays.toString(box), box[0] >= 0 && box[1] >= 0 && box[2] <= width && box[3] <= height && box[3] > box[1]);
+        }
+    }
+
+    private void checkNothingScrolls(String when) {
+        browser.until("a page that does not scroll, " + when, () -> ((Number) browser.script("return Math.max(document.documentElement.scrollHeight,"
+            + " document.body.scrollHeight)")).intValue() <= LAPTOP_HEIGHT);
+        checkInWindow(LAPTOP_WIDTH, LAPTOP_HEIGHT, ".sear-load", ".sear-start", ".sear-status", ".sear-stage canvas", ".sear-halt", ".sear-plots");
+    }
+
+    @Test
+    public void onASmallLaptopThePageDoesNotScrollWhateverIsOpen() {
+        openAt(LAPTOP_WIDTH, LAPTOP_HEIGHT);
+        checkNothingScrolls("as it is opened");
+        checkInWindow(LAPTOP_WIDTH, LAPTOP_HEIGHT, ".sear-fold-world", ".sear-tree > li", ".sear-fold-inspector", ".sear-sensors tr");
+        double[] world = box(".sear-world");
+        double[] view = box(".sear-stage canvas");
+        double[] side = box(".sear-side");
+        assertTrue("world, view, inspector from left to right", world[2] <= view[0] && view[2] <= side[0]);
+        assertTrue("the view is the largest", view[2] - view[0] > 600 && view[3] - view[1] > 350);
+        browser.click(".sear-tree .btn-link");
+        browser.see(".sear-inspector .sear-field");
+        browser.click(".sear-build");
+        browser.see(".sear-palette");
+        checkNothingScrolls("while one builds");
+        for (String part : new String[] {".sear-plots", ".sear-fold-messages", ".sear-fold-scripts"}) {
+            browser.click(part);
+        }
+        browser.see(".sear-plot");
+        browser.see(".sear-messages");
+        checkNothingScrolls("with all parts open");
+        double[] small = box(".sear-stage canvas");
+        assertTrue("room for the view " + Arrays.toString(small), small[3] - small[1] >= 90);
+        browser.click(".sear-show-script");
+        browser.see(".sear-python");
+        checkNothingScrolls("with the project as a script");
+    }
+
+    @Test
+    public void whatIsFoldedGivesItsRoomToTheViewAndStaysFolded() {
+        openAt(LAPTOP_WIDTH, LAPTOP_HEIGHT);
+        double[] before = box(".sear-stage canvas");
+        for (String part : new String[] {"world", "inspector", "readings"}) {
+            assertEquals("true", browser.see(".sear-fold-" + part).getAttribute("aria-expanded"));
+            browser.click(".sear-fold-" + part);
+        }
+        browser.until("a wider view", () -> box(".sear-stage canvas")[2] - box(".sear-stage canvas")[0] > before[2] - before[0] + 400);
+        openAgain();
+        browser.until("the view as wide", () -> box(".sear-stage canvas")[2] - box(".sear-stage canvas")[0] > before[2] - before[0] + 400);
+        assertEquals("false", browser.see(".sear-fold-world").getAttribute("aria-expanded"));
+        assertTrue(browser.texts(".sear-tree").isEmpty());
+        browser.click(".sear-fold-world");
+        browser.see(".sear-tree");
+        browser.click(".sear-fold-messages");
+        browser.see(".sear-messages");
+        openAgain();
+        browser.see(".sear-tree");
+        browser.see(".sear-messages");
+        assertTrue("still folded", browser.texts(".sear-sensors").isEmpty());
+    }
+
+    private void openAgain() {
+        TABS.open("sear");
+        browser.until("the world", () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "world() && world().robots.length > 0")));
+    }
+
+    @Test
+    public void onATelephoneViewAndDriveButtonsAreWhatIsSeenFirst() {
+        openAt(PHONE_WIDTH, PHONE_HEIGHT);
+        checkInWindow(PHONE_WIDTH, PHONE_HEIGHT, ".sear-start", ".sear-stop", ".sear-status", ".sear-stage canvas", ".sear-left", ".sear-forward", ".sear-halt",
+            ".sear-backward", ".sear-right");
+        double[] view = box(".sear-stage canvas");
+        assertTrue(Arrays.toString(view), view[2] - view[0] > 300 && view[3] - view[1] >= 240);
+        assertTrue("folded", browser.texts(".sear-load").isEmpty());
+        browser.click(".sear-fold-project");
+        browser.see(".sear-load");
     }
 }

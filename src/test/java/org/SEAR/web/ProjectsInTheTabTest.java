@@ -221,7 +221,7 @@ public class ProjectsInTheTabTest {
             browser.click(".sear-download");
             browser.download("mine.sear");
             robotLab.call("sear", "saveProject", "later.sear");
-            other.seeText(".sear-main .alert-info", "saved by another page");
+            other.seeText(".sear-last", "saved by another page");
             assertEquals("nothing was loaded beside it", 0, other.downloads().toFile().list().length);
             assertEquals("nor begun", null, other.scope(SearTab.ROOT, "transfer"));
         }

@@ -8,7 +8,6 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.util.List;
-import java.util.stream.Collectors;
 import org.junit.ClassRule;
 import org.junit.Rule;
 import org.junit.Test;
@@ -139,7 +138,7 @@ public class ScriptsAndPortsTest {
 
     @Test
     public void bytesGoOutAndComeBackInHex() {
-        browser.click("#tab-line");
+        TABS.show("line");
         String panel = "mrl-panel[name='line'] ";
         browser.until("the ports of the simulated devices", () -> browser.all(panel + "datalist option").stream()
             .anyMatch(option -> "/dev/SEAR_Robot_01".equals(option.getAttribute("value"))));
@@ -172,7 +171,7 @@ public class ScriptsAndPortsTest {
         String panel = "mrl-panel[name='line'] ";
         browser.until("a panel", () -> !browser.all(panel + ".serial-port").isEmpty());
         browser.until("nobody listens", () -> !isListenedTo("publishTX") && !isListenedTo("publishBytes"));
-        browser.click("#tab-line");
+        TABS.show("line");
         browser.until("the page listens", () -> isListenedTo("publishTX") && isListenedTo("publishBytes"));
         robotLab.call("line", "connect", "/dev/SEAR_Robot_01", 57600, 8, 1, 0);
         try {
@@ -181,7 +180,7 @@ public class ScriptsAndPortsTest {
             browser.click("#tab-python");
             browser.until("nobody listens any more", () -> !isListenedTo("publishTX") && !isListenedTo("publishBytes"));
             robotLab.call("line", "write", 0x83);
-            browser.click("#tab-line");
+            TABS.show("line");
             browser.until("the page listens again", () -> isListenedTo("publishTX"));
             robotLab.call("line", "write", 0x84);
             browser.seeText(panel + ".serial-out", "84");
@@ -196,10 +195,11 @@ public class ScriptsAndPortsTest {
     }
 
     @Test
-    public void serialPortsHaveTheirOwnRowOfTabs() {
-        List<String> main = browser.all(".nav-tabs a").stream().map(WebElement::getText).collect(Collectors.toList());
-        assertEquals(List.of("sear SEAR", "python Python", "runtime Runtime", "webgui WebGui"), main);
-        List<String> ports = browser.all(".shell-ports a").stream().map(WebElement::getText).collect(Collectors.toList());
+    public void serialPortsAndServicesWithoutPanelStandInTheMenu() {
+        browser.until("tabs of those with a panel", () -> List.of("sear SEAR", "python Python").equals(browser.texts(".shell-lists > .nav-tabs a")));
+        browser.click("#shell-more");
+        browser.until("all others", () -> List.of("runtime Runtime", "webgui WebGui").equals(browser.texts(".shell-bare a")));
+        List<String> ports = browser.texts(".shell-ports a");
         assertTrue(ports.toString(), ports.contains("line") && ports.contains("myLidar_LIDARsimulator_Serial_Service"));
     }
 }

@@ -11,6 +11,8 @@ import org.junit.ClassRule;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TestRule;
+import org.openqa.selenium.Keys;
+import org.openqa.selenium.WebElement;
 
 /** The page around the tabs, light and dark, in one browser and in two. */
 public class ShellTest {
@@ -79,13 +81,31 @@ public class ShellTest {
 
     @Test
     public void aServiceIsStartedInThePage() {
+        browser.click("#shell-more");
         browser.type("#shell-name", "second");
         browser.type("input[aria-label='Type']", "Serial");
-        browser.click("footer button[type='submit']");
+        browser.click("#shell-menu button[type='submit']");
         browser.click("#tab-second");
         browser.see("mrl-panel[name='second'] .serial-connect");
+        assertEquals("the menu names what is in front", "More: second", browser.text("#shell-more"));
+        assertFalse(browser.see("#shell-more").getAttribute("aria-expanded").equals("true"));
         robotLab.call("runtime", "release", "second");
         browser.until("no tab", () -> browser.all("#tab-second").isEmpty());
+    }
+
+    @Test
+    public void theMenuClosesByEscapeAndByAClickBesideIt() {
+        for (boolean byKey : new boolean[] {true, false}) {
+            browser.click("#shell-more");
+            browser.see("#shell-menu");
+            if (byKey) {
+                browser.see("#shell-name").sendKeys(Keys.ESCAPE);
+            } else {
+                browser.click(".sear-status");
+            }
+            browser.until("a closed menu", () -> !browser.see("#shell-more").getAttribute("aria-expanded").equals("true")
+                && browser.all("#shell-menu").stream().noneMatch(WebElement::isDisplayed));
+        }
     }
 
     @Test
@@ -101,7 +121,7 @@ public class ShellTest {
             for (String theme : new String[] {"light", "dark"}) {
                 browser.setTheme(theme);
                 for (String service : new String[] {"sear", "python", "line", "runtime"}) {
-                    browser.click("#tab-" + service);
+                    TABS.show(service);
                     browser.see("mrl-panel[name='" + service + "'] > *");
                     assertEquals(theme + ", " + service, List.of(), browser.script(FAINT, CONTRAST));
                 }
@@ -120,7 +140,7 @@ public class ShellTest {
         try {
             browser.setPageWidth(NARROW);
             for (String service : new String[] {"sear", "python", "line", "runtime"}) {
-                browser.click("#tab-" + service);
+                TABS.show(service);
                 browser.see("mrl-panel[name='" + service + "'] > *");
                 browser.until(service + " without anything beside the window", () ->
                     ((Number) browser.script("return document.documentElement.scrollWidth")).intValue() == NARROW);

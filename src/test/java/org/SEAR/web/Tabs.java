@@ -10,6 +10,7 @@ import org.junit.rules.TestRule;
 import org.junit.runner.Description;
 import org.junit.runners.model.Statement;
 import org.openqa.selenium.By;
+import org.openqa.selenium.WebElement;
 
 /**
  * One MyRobotLab and one browser for the tests of a class.
@@ -63,6 +64,16 @@ public final class Tabs extends ExternalResource {
 
     public Browser browser() {
         return browser;
+    }
+
+    /** Brings a service to the front by its tab, or by the menu if it stands there. */
+    public void show(String service) {
+        String tab = "#tab-" + service;
+        browser.until("a tab of " + service, () -> !browser.all(tab).isEmpty());
+        if (browser.all(tab).stream().noneMatch(WebElement::isDisplayed)) {
+            browser.click("#shell-more");
+        }
+        browser.click(tab);
     }
 
     /** Loads the page anew and shows a service's tab; returns when its panel is there. */

@@ -8,15 +8,19 @@
         providers = {$controllerProvider: controller, $compileProvider: compile, $filterProvider: filter, $provide: provide}
     }])
 
-    app.controller('ShellCtrl', ['$scope', '$location', 'mrl', function($scope, $location, mrl) {
+    app.controller('ShellCtrl', ['$scope', '$location', '$document', 'mrl', 'panels', function($scope, $location, $document, mrl, panels) {
         var shell = this
         var FIRST = ['SEAR', 'LIDAR', 'GPS', 'Roomba', 'Python']
         var LAST = ['Runtime', 'WebGui']
         var REPEATED = 'could not invoke '
-        var PORT = 'Serial'     // there are many of them, so they get a row of their own
-        shell.main = []
-        shell.ports = []
+        var BARE = 'AnyGuiCtrl'
+        var PORT = 'Serial'     // there are many of them, and they are rarely looked at
+        var faces = {}          // by type: whether it has a panel of its own
+        shell.main = []         // services with a tab
+        shell.ports = []        // and those in the menu
+        shell.bare = []
         shell.services = []
+        shell.menu = false      // whether it is open
         shell.statuses = []
         shell.form = {name: '', type: ''}
         var wanted = null       // the tab that the user wants, shown whenever its service is there
@@ -37,7 +41,7 @@
         }
 
         function choose() {
-            var names = shell.main.concat(shell.ports).map(function(service) {
+            var names = shell.main.concat(shell.bare, shell.ports).map(function(service) {
                 return service.name
             })
             shell.shown = names.indexOf(wanted) < 0 ? names[0] : wanted
@@ -47,19 +51,41 @@
             return service.simpleName === PORT
         }
 
+        function isMain(service) {
+            return !isPort(service) && faces[service.simpleName]
+        }
+
+        /** Services whose panel shows more than their state get a tab, the others stand in the menu. */
+        function sort() {
+            shell.ports = shell.services.filter(isPort)
+            shell.main = shell.services.filter(isMain)
+            shell.bare = shell.services.filter(function(service) {
+                return !isPort(service) && !isMain(service)
+            })
+            choose()
+        }
+
+        function lookForFace(service) {
+            var type = service.simpleName
+            if (!(type in faces)) {
+                faces[type] = FIRST.indexOf(type) >= 0      // until it is known
+                panels(type).then(function(panel) {
+                    faces[type] = panel.controller !== BARE
+                    sort()
+                }, angular.noop)
+            }
+        }
+
         $scope.$on('mrl.services', function() {
             shell.services = mrl.getServices().slice().sort(function(a, b) {
                 return order(a) - order(b) || (a.name < b.name ? -1 : 1)
             })
-            shell.ports = shell.services.filter(isPort)
-            shell.main = shell.services.filter(function(service) {
-                return !isPort(service)
-            })
+            shell.services.forEach(lookForFace)
             shell.services.forEach(function(service) {
                 mrl.subscribe(service.name, 'publishStatus')
                 mrl.subscribeToService(onStatus, service.name)
             })
-            choose()
+            sort()
         })
         $scope.$on('$locationChangeSuccess', function() {
             wanted = $location.path().substring(1) || wanted
@@ -97,11 +123,37 @@
         }
         shell.show = function(name) {
             wanted = name
+            if (shell.menu) {
+                closeMenu()
+            }
             choose()
+        }
+        /** The service in front, if it stands in the menu. */
+        shell.inMenu = function() {
+            return shell.bare.concat(shell.ports).some(function(service) {
+                return service.name === shell.shown
+            })
         }
         shell.start = function() {
             mrl.sendTo('runtime', 'start', shell.form.name, shell.form.type)
         }
+
+        function closeMenu() {
+            shell.menu = false
+            document.getElementById('shell-more').focus()   // not lost with what is hidden
+            $scope.$applyAsync()
+        }
+        $document.on('mousedown', function(event) {
+            if (shell.menu && !angular.element(event.target).closest('.shell-menu').length) {
+                shell.menu = false
+                $scope.$applyAsync()
+            }
+        })
+        $document.on('keydown', function(event) {
+            if (shell.menu && event.key === 'Escape') {
+                closeMenu()
+            }
+        })
     }])
 
     // A module that comes after the start of the application: what it declares is handed to the providers by hand.

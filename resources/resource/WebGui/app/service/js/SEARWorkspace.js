@@ -76,18 +76,19 @@
             var room = $scope.room
             return width >= WIDE + (room === 'wide' ? 0 : SLACK) ? 'wide' : width >= MEDIUM + (room === 'narrow' ? SLACK : 0) ? 'medium' : 'narrow'
         }
-        /** Room and height that there are now; those of before while the tab is not shown. */
-        panel.measure = function() {
+        /** Takes the room and the height that there are now; those of before while the tab is not shown. @return them */
+        function measure() {
             var whole = $scope.service && document.getElementById('sear-workspace-' + $scope.service.name)
             if (!whole || !whole.clientWidth) {
-                return
+                return ''
             }
             $scope.room = roomOf(whole.clientWidth)
             var height = $scope.room === 'narrow' ? '' : Math.max(LEAST, window.innerHeight - topOf(whole) - below(whole)) + 'px'
             if (whole.style.height !== height) {
                 whole.style.height = height
             }
+            return $scope.room + ' ' + height
         }
-        $scope.$watch(panel.measure)
+        $scope.$watch(measure)
     }
 })()

@@ -110,9 +110,8 @@ public class LayoutTest {
     }
 
     @After
-    public void forgetWhatWasFolded() {
+    public void giveThePageItsOwnSize() {
         browser.setPageSize(0, 0);
-        browser.script("localStorage.removeItem('sear.folds')");
     }
 
     private void openAt(int width, int height) {

@@ -32,6 +32,11 @@ public final class MyRobotLab implements AutoCloseable {
     private static final String TAKEN = "is in use by another program";
     private static final ObjectMapper JSON = new ObjectMapper();
 
+    static {
+        // Seconds: far less than after which the server closes an idle connection, since a call may meet that.
+        System.setProperty("jdk.httpclient.keepalive.timeout", "5");
+    }
+
     private final HttpClient client = HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
     private final Path folder;
     private final String moreClasses;

@@ -22,7 +22,7 @@ import org.openqa.selenium.WebElement;
  * public final TestRule page = TABS.page("sear");
  * </pre>
  *
- * <p>Each test begins with a page that was just loaded and shows that tab, and ends with a look at the browser's console, which must be without
+ * <p>Each test begins with a page that was just loaded and shows that tab, with nothing folded or opened by a user, and ends with a look at the browser's console, which must be without
  * errors. When a test fails, {@code build/reports/web} gets what the page showed.
  */
 public final class Tabs extends ExternalResource {
@@ -97,6 +97,9 @@ public final class Tabs extends ExternalResource {
             @Override
             public void evaluate() throws Throwable {
                 browser.forget();
+                if (browser.driver().getCurrentUrl().startsWith(robotLab.url())) {
+                    browser.script("localStorage.removeItem('sear.folds')");
+                }
                 try {
                     open(service);
                     test.evaluate();

@@ -239,7 +239,8 @@ public final class Browser implements AutoCloseable {
      * @param height pixels
      */
     public void setPageSize(int width, int height) {
-        driver.executeCdpCommand("Emulation.setDeviceMetricsOverride", Map.of("width", width, "height", height, "deviceScaleFactor", 0, "mobile", false));
+        driver.executeCdpCommand("Emulation.setDeviceMetricsOverride",
+            Map.of("width", width, "height", height, "deviceScaleFactor", 0, "mobile", false));
     }
 
     // ---- what went wrong -----------------------------------------------------------------------------------------------

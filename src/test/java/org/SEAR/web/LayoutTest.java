@@ -196,8 +196,8 @@ public class LayoutTest {
     @Test
     public void onATelephoneViewAndDriveButtonsAreWhatIsSeenFirst() {
         openAt(PHONE_WIDTH, PHONE_HEIGHT);
-        checkInWindow(PHONE_WIDTH, PHONE_HEIGHT, ".sear-start", ".sear-stop", ".sear-status", ".sear-stage canvas", ".sear-left", ".sear-forward", ".sear-halt",
-            ".sear-backward", ".sear-right");
+        checkInWindow(PHONE_WIDTH, PHONE_HEIGHT, ".sear-start", ".sear-stop", ".sear-status", ".sear-stage canvas", ".sear-left", ".sear-forward",
+            ".sear-halt", ".sear-backward", ".sear-right");
         double[] view = box(".sear-stage canvas");
         assertTrue(Arrays.toString(view), view[2] - view[0] > 300 && view[3] - view[1] >= 240);
         assertTrue("folded", browser.texts(".sear-load").isEmpty());

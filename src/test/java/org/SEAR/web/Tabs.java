@@ -22,8 +22,8 @@ import org.openqa.selenium.WebElement;
  * public final TestRule page = TABS.page("sear");
  * </pre>
  *
- * <p>Each test begins with a page that was just loaded and shows that tab, with nothing folded or opened by a user, and ends with a look at the browser's console, which must be without
- * errors. When a test fails, {@code build/reports/web} gets what the page showed.
+ * <p>Each test begins with a page that was just loaded and shows that tab, with nothing folded or opened by a user. It ends with a look at the
+ * browser's console, which must be without errors. When a test fails, {@code build/reports/web} gets what the page showed.
  */
 public final class Tabs extends ExternalResource {
     private static final int WIDTH = 1280;

@@ -115,7 +115,7 @@ public final class Parameter {
     }
 
     /** Whether its text may be the name of such a thing of the same robot. */
-    public boolean isNameOf(SearObject thing) {
+    public boolean isNameOf(Object thing) {
         return param.names().isInstance(thing);
     }
 

@@ -30,7 +30,7 @@ public class Wheel extends Shape {
     @Param(doc = "greatest angle to which it is steered, of a wheel in the middle: the inner one of two turns farther, the outer one less; without it"
         + " it isn't steered", unit = "deg", min = 0.1, max = 80)
     private Double steering;
-    @Param(doc = "name of the servo that steers it, instead of a greatest angle", text = TextRule.NAME, names = Servo.class)
+    @Param(doc = "name of the servo that steers it, instead of a greatest angle", text = TextRule.NAME, names = SearObject.class)
     private String steeringServo;
     @Param(doc = "distance of a castor behind the upright axis about which it turns freely, which stands at its x and z; 0 for no castor", unit = "m",
         max = 10)

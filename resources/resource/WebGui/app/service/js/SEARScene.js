@@ -14,6 +14,7 @@
     var SKY = {light: ['#7fb2e5', '#e8f1fa', '#cfd3c8', '#b9bdb0'], dark: ['#0d1b2f', '#33475f', '#2c2f2b', '#20231f']}
     var BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i
     var PATH = '#337ab7'
+    var DARK = 0.2              // what is seen of the colour of a light that is dark
 
     /** Whether the browser draws in space; with a graphics card and not by the processor, if that is asked for. */
     function isPossible(fast) {
@@ -161,7 +162,24 @@
             item.parts[i].goTo(part.type === 'Wheel' && robot.wheels ? robot.wheels[wheel++] : robot.turned ? robot.turned[i] : part.pose, now)
             this.dress(item.parts[i], part)
         }, this)
+        this.showLights(item, robot)
         this.showPath(item, robot)
+    }
+
+    /** Lights, lit or dark. */
+    Scene.prototype.showLights = function(item, robot) {
+        var THREE = window.THREE
+        item.lights = item.lights || (robot.leds || []).map(function(led) {
+            var light = new Item(item.holder, led)
+            light.bulb = new THREE.Mesh(new THREE.SphereGeometry(led.size / 2, 12, 8), new THREE.MeshBasicMaterial())
+            light.holder.add(light.bulb)
+            light.goTo(led.pose, 0)
+            light.move(0, 1)
+            return light
+        })
+        item.lights.forEach(function(light, i) {
+            light.bulb.material.color.set(light.source.color).multiplyScalar(DARK + (1 - DARK) * (robot.lights[i] || 0))
+        })
     }
 
     Scene.prototype.showPath = function(item, robot) {

@@ -10,7 +10,7 @@ public class BoardWire {
     @Param(doc = "name of the component", text = TextRule.NAME, names = SearObject.class, required = true)
     private String part;
     @Param(doc = "what the wire is for", values = {"volts", "ping", "trigger", "echo", "pwm", "reverse", "direction", "encoderA", "encoderB",
-        "servo", "switch"}, required = true)
+        "servo", "switch", "light"}, required = true)
     private String role;
 
     /** For reading from a file. */

@@ -8,7 +8,7 @@ import org.SEAR.protocol.arduino.WireRole;
 /** Which wires a board takes, and in words which it would. Any thread. */
 public final class WireRules {
     private static final int FIRST_FREE = 2;
-    private static final String KINDS = "a Bumper, Distance, LineSensor, Motor or Servo";
+    private static final String KINDS = "a Bumper, Distance, Led, LineSensor, Motor or Servo";
 
     private WireRules() {
     }

@@ -22,6 +22,13 @@ public interface RobotHardware {
      */
     ServoHardware getServo(String name);
 
+    /**
+     * A light by the name of its object; the same for ever.
+     *
+     * @return null if the robot has none of that name
+     */
+    LightHardware getLight(String name);
+
     /** Distance between left and right driven wheels, metres. */
     double getWheelBase();
 

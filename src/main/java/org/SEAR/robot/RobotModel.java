@@ -7,6 +7,7 @@ import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.devices.LightHardware;
 import org.SEAR.devices.MotorHardware;
 import org.SEAR.devices.RobotHardware;
 import org.SEAR.devices.ServoHardware;
@@ -42,6 +43,7 @@ public final class RobotModel implements Robot, RobotHardware {
     private final double bodyRadius;
     private final List<MotorDrive> motors = new ArrayList<>();
     private final Turrets turrets;
+    private final LedLights lights;
     private DriveTrain train;
     private final Frame frame = new Frame();
     private boolean bumpedLeft;
@@ -59,6 +61,7 @@ public final class RobotModel implements Robot, RobotHardware {
         this.truth = truth;
         this.virtualWalls = virtualWalls;
         this.turrets = new Turrets(from);
+        this.lights = new LedLights(from);
         for (SearObject part : object.getComponents()) {
             if (part instanceof Motor) {
                 motors.add(new MotorDrive((Motor) part, object.getName()));
@@ -89,6 +92,7 @@ public final class RobotModel implements Robot, RobotHardware {
         bumpedLeft = false;
         bumpedRight = false;
         truth.touches().clear();
+        lights.restart();
         unsettled = SETTLING;
         truth.restart();
     }
@@ -258,6 +262,16 @@ public final class RobotModel implements Robot, RobotHardware {
     @Override
     public ServoHardware getServo(String name) {
         return turrets.find(name);
+    }
+
+    @Override
+    public LightHardware getLight(String name) {
+        return lights.find(name);
+    }
+
+    /** How bright each of its lights is, 0 to 1, in the order of its components; the same list as long as none changes. Immutable. */
+    public List<Double> getLights() {
+        return lights.getShown();
     }
 
     /** Where each component is now in the body frame; empty if the robot has no servos: they are where their objects are. Immutable. */

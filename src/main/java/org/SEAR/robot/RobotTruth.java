@@ -7,6 +7,7 @@ import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
 import org.SEAR.raycast.BeamScene;
+import org.SEAR.robot.surface.SurfaceColors;
 import org.SEAR.sensors.Earth;
 import org.SEAR.sensors.Truth;
 

@@ -2,18 +2,21 @@ package org.SEAR.simulator;
 
 import java.util.List;
 import java.util.TreeMap;
+import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Servo;
+import org.SEAR.devices.LightHardware;
 import org.SEAR.devices.MotorHardware;
 import org.SEAR.devices.ServoHardware;
 import org.SEAR.project.PartNames;
 import org.SEAR.robot.RobotModel;
 
-/** Finds what moves on robots by its names. What it finds belongs to the simulation thread. */
+/** Finds what moves or shines on robots by its names. What it finds belongs to the simulation thread. */
 final class Actuators {
     private final PartNames<MotorHardware> motors = new PartNames<>();
     private final PartNames<ServoHardware> servos = new PartNames<>();
+    private final PartNames<LightHardware> leds = new PartNames<>();
     /** Full names, ordered, with their kinds. */
     private final TreeMap<String, String> names = new TreeMap<>();
 
@@ -27,6 +30,9 @@ final class Actuators {
                 } else if (part instanceof Servo) {
                     servos.add(name, part.getName(), robot.getServo(part.getName()));
                     names.put(part.getFullName(), "servo");
+                } else if (part instanceof Led) {
+                    leds.add(name, part.getName(), robot.getLight(part.getName()));
+                    names.put(part.getFullName(), "led");
                 }
             }
         }
@@ -38,6 +44,10 @@ final class Actuators {
 
     ServoHardware servo(String name) {
         return found(servos.find(name), "servo", name);
+    }
+
+    LightHardware led(String name) {
+        return found(leds.find(name), "led", name);
     }
 
     private <T> T found(T thing, String kind, String name) {

@@ -12,6 +12,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
+import org.SEAR.devices.LightHardware;
 import org.SEAR.devices.MotorHardware;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.devices.ServoHardware;
@@ -355,6 +356,16 @@ public final class Simulation implements AutoCloseable {
      */
     public ServoHardware getServo(String name) {
         return actuators.servo(name);
+    }
+
+    /**
+     * A light by name; any thread, what it does is up to the simulation thread.
+     *
+     * @param name as {@code rover/lamp}, or without the robot where only one has a light of that name
+     * @throws IllegalArgumentException that names the lights there are, or the robots that have one of that name
+     */
+    public LightHardware getLight(String name) {
+        return actuators.led(name);
     }
 
     /** Whether snapshots carry the sensor's reading from now on; never changes any reading. Any thread, through {@link #post}. */

@@ -69,19 +69,22 @@ public final class Snapshot {
         public final List<Pose> wheels;
         /** Pose of each component in the body frame, in the order of {@code SEARrobot.getComponents()}; empty if no servo can turn any. */
         public final List<Pose> parts;
+        /** How bright each of its lights is, 0 to 1, in the order of {@code SEARrobot.getComponents()}. */
+        public final List<Double> lights;
         /** Its serial devices. */
         public final List<DeviceState> devices;
         /** Whether one of its devices takes drive commands: who sends them drives. */
         public final boolean commanded;
 
         RobotState(String name, Pose pose, double speed, double turnRate, List<Pose> wheels, List<Pose> parts,
-                List<DeviceState> devices, boolean commanded) {
+                List<Double> lights, List<DeviceState> devices, boolean commanded) {
             this.name = name;
             this.pose = pose;
             this.speed = speed;
             this.turnRate = turnRate;
             this.wheels = wheels;
             this.parts = parts;
+            this.lights = lights;
             this.devices = devices;
             this.commanded = commanded;
         }

@@ -28,8 +28,8 @@ import org.SEAR.robot.RobotBuilder;
 import org.SEAR.robot.RobotModel;
 import org.SEAR.robot.RobotTruth;
 import org.SEAR.robot.StartChecks;
-import org.SEAR.robot.SurfaceColors;
 import org.SEAR.robot.VirtualWalls;
+import org.SEAR.robot.surface.SurfaceColors;
 import org.SEAR.sensors.Earth;
 
 /** The things of a project: environment and robots in physics and before the beams. Simulation thread. */

@@ -355,7 +355,7 @@ public class SEAR extends Service<SEARConfig> {
         calls.act(() -> parts.driving().steer(robot, degrees));
     }
 
-    // ---- motors and servos (a simulation must run; the examples are of the car of vehicles.md) ---------------------
+    // ---- motors, servos and lights (a simulation must run; the examples are of the car of vehicles.md) ---------------------
 
     /**
      * Gives a motor power, until the next order for it or for its robot. Its torque is stallTorque (power - speed / noLoadSpeed).
@@ -424,6 +424,29 @@ public class SEAR extends Service<SEARConfig> {
      */
     public double getServo(String name) {
         return calls.attempt(() -> parts.actuators().angle(name));
+    }
+
+    /**
+     * Has a light shine, until the next order for it; one that is wired to an Arduino, until the board writes to its pin.
+     *
+     * @param name of the led; {@code "robot/led"} where several robots have one of that name
+     * @param brightness 0 (dark) to 1
+     * @throws IllegalArgumentException that names the leds there are, or the legal range
+     * @example sear.setLed("lamp", 0.5)
+     */
+    public void setLed(String name, double brightness) {
+        calls.act(() -> parts.actuators().brightness(name, brightness));
+    }
+
+    /**
+     * How bright a light shines now, 0 to 1.
+     *
+     * @param name of the led
+     * @throws IllegalArgumentException that names the leds there are
+     * @example print "%.0f %%" % (100 * sear.getLed("lamp"))
+     */
+    public double getLed(String name) {
+        return calls.attempt(() -> parts.actuators().brightness(name));
     }
 
     // ---- reading (a simulation must run) ---------------------------------------------------------------------------

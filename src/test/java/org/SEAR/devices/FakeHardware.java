@@ -34,6 +34,11 @@ public final class FakeHardware implements RobotHardware {
     }
 
     @Override
+    public LightHardware getLight(String name) {
+        return null;
+    }
+
+    @Override
     public ServoHardware getServo(String name) {
         return null;
     }

@@ -24,7 +24,7 @@ public class ScriptExamplesTest {
 
     /** Calls that have a vehicle: their examples run with the first block of its page. */
     private static final List<String> VEHICLES = Arrays.asList("setMotorPower", "setMotorSpeed", "getMotorSpeed", "getEncoder", "setServo",
-        "getServo", "setSteering");
+        "getServo", "setLed", "getLed", "setSteering");
 
     /** Brings about what the page takes as there before each example. */
     private static final String READY = String.join("\n",

@@ -44,7 +44,7 @@ public class JythonTest {
         assertEquals(5, read.getWarnings().size());
         SEARrobot robot = read.getRobots().get(0);
         assertEquals(11, robot.getWheels().size());
-        assertEquals(56, robot.getComponents().size());
+        assertEquals(59, robot.getComponents().size());
     }
 
     @Test

@@ -15,6 +15,7 @@ import org.SEAR.POJOs.Bumper;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
+import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Servo;
@@ -274,6 +275,43 @@ public class ArduinoTest {
         Worlds.run(simulation, 0.5);
         told = Bytes.hex(heard.toByteArray());
         assertTrue(told, told.contains("AA 05 20 03 02 00 00") && !told.contains("AA 05 20 03 02 00 01"));
+    }
+
+    /** Firmata's digital and PWM messages: on at pin 13, half at pin 9; a reset makes both dark. */
+    @Test
+    public void lightsAtADigitalAndAPwmPin() throws Exception {
+        uno.setFirmware("StandardFirmata");
+        leds();
+        say("F4 0D 01 F5 0D 01 F4 09 03 E9 00 01");
+        Worlds.run(simulation, 0.2);
+        assertEquals(List.of(1.0, 128 / 255.0), simulation.snapshot().robots.get(0).lights);
+        assertEquals("[9 dim (light): pwm, 50 %, 13 lamp (light): output, high]",
+            simulation.snapshot().robots.get(0).devices.get(0).pins.toString());
+        say("FF");
+        Worlds.run(simulation, 0.2);
+        assertEquals(List.of(0.0, 0.0), simulation.snapshot().robots.get(0).lights);
+    }
+
+    private void leds() throws Exception {
+        Led lamp = new Led("lamp", 0, 0.1, 0.1);
+        Led dim = new Led("dim", "yellow", 0, 0.1, 0);
+        robot.addComponent(lamp);
+        robot.addComponent(dim);
+        uno.wire(13, lamp);
+        uno.wire(9, dim);
+        start();
+    }
+
+    /** MyRobotLab's Arduino service: pinMode, digitalWrite, analogWrite. */
+    @Test
+    public void lightsAsMrlCommSwitchesThem() throws Exception {
+        leds();
+        say("AA 03 1E 0D 01 AA 03 1B 0D 01 AA 03 1E 09 01 AA 03 1A 09 33");
+        Worlds.run(simulation, 0.2);
+        assertEquals(List.of(1.0, 0.2), simulation.snapshot().robots.get(0).lights);
+        say("AA 03 1B 0D 00");
+        Worlds.run(simulation, 0.2);
+        assertEquals(List.of(0.0, 0.2), simulation.snapshot().robots.get(0).lights);
     }
 
     @Test

@@ -17,8 +17,8 @@ import org.SEAR.project.Project;
 import org.SEAR.robot.RobotBuilder;
 import org.SEAR.robot.RobotModel;
 import org.SEAR.robot.RobotTruth;
-import org.SEAR.robot.SurfaceColors;
 import org.SEAR.robot.VirtualWalls;
+import org.SEAR.robot.surface.SurfaceColors;
 import org.SEAR.sensors.Earth;
 
 /** A world on a ground that no object of the grammar describes. */

@@ -1,6 +1,6 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
 from org.SEAR.POJOs import Accelerometer, Arduino, BeamCone, Box, Bumper, ColorSensor, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, \
-    LineSensor, Model, Motor, Noise, Odometer, SEARrobot, Servo, Sphere, Terrain, Wheel
+    Led, LineSensor, Model, Motor, Noise, Odometer, SEARrobot, Servo, Sphere, Terrain, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
 TREE = "models/Tree/Tree.mesh.xml"
@@ -225,3 +225,10 @@ bumper = add(Bumper(name(), plate))
 bumper.setPart(add(Cylinder(name(), 0.1, 0.05)))
 mega.wire(24, bumper)
 mega.wire(25, add(Bumper(name(), plate)), "switch")
+
+add(Led(name()))
+add(Led(name(), *pose[:3]))
+lamp = add(Led(name(), "green", *pose[:3]))
+lamp.setColor("#ffffff")
+lamp.setSize(0.005)
+mega.wire(13, lamp)

@@ -5,6 +5,7 @@ import java.util.Map;
 import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.BoardWire;
 import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.LightHardware;
 import org.SEAR.devices.MotorHardware;
 import org.SEAR.devices.ServoHardware;
 import org.SEAR.sensors.Sensor;
@@ -41,9 +42,31 @@ final class Wiring {
             case SERVO:
                 ServoHardware servo = context.robot().getServo(wire.getPart());
                 return servo == null ? null : new ServoWire(servo);
+            case LIGHT:
+                LightHardware light = context.robot().getLight(wire.getPart());
+                return light == null ? null : new LightWire(light);
             default:
                 MotorHardware motor = context.robot().getMotor(wire.getPart());
                 return motor == null ? null : motors.computeIfAbsent(wire.getPart(), name -> new MotorWires(motor)).wire(wire.getRole());
+        }
+    }
+
+    /** A light between a pin and ground: as bright as the pin is high, by the mean of its pulses. */
+    private static final class LightWire implements PinWire {
+        private final LightHardware light;
+
+        LightWire(LightHardware light) {
+            this.light = light;
+        }
+
+        @Override
+        public void drive(double level) {
+            light.setBrightness(Double.isNaN(level) ? 0 : level);
+        }
+
+        @Override
+        public String describe() {
+            return light.getName() + " (light)";
         }
     }
 }

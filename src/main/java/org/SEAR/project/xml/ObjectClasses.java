@@ -17,6 +17,7 @@ import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Gyroscope;
 import org.SEAR.POJOs.IMU;
 import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.LineSensor;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.ObjectTypes;
@@ -29,7 +30,7 @@ import org.SEAR.POJOs.Shape;
 /** All classes that may stand as root element in an object's file: the grammar's own, shapes as {@code physics.solid.Solids}
  * lists them, and those that other jars register. Immutable, any thread. */
 public final class ObjectClasses {
-    private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Motor.class, Servo.class,
+    private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Motor.class, Servo.class, Led.class,
         Distance.class, LIDAR.class, GPS.class, Compass.class, Accelerometer.class, Gyroscope.class, Odometer.class, IMU.class, LineSensor.class,
         ColorSensor.class, Bumper.class, Arduino.class);
 

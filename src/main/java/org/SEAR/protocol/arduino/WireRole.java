@@ -23,7 +23,9 @@ public enum WireRole {
     /** Pulses for a servo. */
     SERVO("servo", PinUse.SERVO),
     /** A switch between the pin and ground. */
-    SWITCH("switch", PinUse.DIGITAL);
+    SWITCH("switch", PinUse.DIGITAL),
+    /** A light, lit by a high pin. */
+    LIGHT("light", PinUse.DIGITAL);
 
     private final String word;
     private final PinUse use;

@@ -76,7 +76,7 @@ public final class RunnerLink implements WorldLink {
         List<SceneState.RobotState> robots = new ArrayList<>();
         for (Snapshot.RobotState state : snapshot.robots) {
             robots.add(new SceneState.RobotState(state.name, state.pose, state.speed, state.turnRate, state.wheels, state.parts,
-                state.devices.stream().map(Snapshot.DeviceState::toString).collect(Collectors.toList())));
+                state.lights, state.devices.stream().map(Snapshot.DeviceState::toString).collect(Collectors.toList())));
         }
         Map<String, double[]> beams = new LinkedHashMap<>();
         Map<String, String> values = new LinkedHashMap<>();

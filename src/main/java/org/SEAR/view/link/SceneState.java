@@ -48,16 +48,20 @@ public final class SceneState {
         public final List<Pose> wheels;
         /** Components in the body frame; empty if no servo can turn any: they are where their objects are. */
         public final List<Pose> parts;
+        /** How bright each of its lights is, 0 to 1, in the order of its components. */
+        public final List<Double> lights;
         /** Status lines of its devices. */
         public final List<String> status;
 
-        public RobotState(String name, Pose pose, double speed, double turnRate, List<Pose> wheels, List<Pose> parts, List<String> status) {
+        public RobotState(String name, Pose pose, double speed, double turnRate, List<Pose> wheels, List<Pose> parts, List<Double> lights,
+                List<String> status) {
             this.name = name;
             this.pose = pose;
             this.speed = speed;
             this.turnRate = turnRate;
             this.wheels = wheels;
             this.parts = parts;
+            this.lights = lights;
             this.status = status;
         }
 

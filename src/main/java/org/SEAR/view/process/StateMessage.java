@@ -102,12 +102,13 @@ public final class StateMessage {
         out.writeDouble(robot.turnRate);
         writeAll(out, robot.wheels, robot.wheels.size(), wheel -> write(out, wheel));
         writeAll(out, robot.parts, robot.parts.size(), part -> write(out, part));
+        writeAll(out, robot.lights, robot.lights.size(), out::writeDouble);
         writeAll(out, robot.status, robot.status.size(), out::writeUTF);
     }
 
     private static SceneState.RobotState robot(DataInputStream in) throws IOException {
         return new SceneState.RobotState(in.readUTF(), pose(in), in.readDouble(), in.readDouble(), readAll(in, () -> pose(in)),
-            readAll(in, () -> pose(in)), readAll(in, in::readUTF));
+            readAll(in, () -> pose(in)), readAll(in, in::readDouble), readAll(in, in::readUTF));
     }
 
     private static void write(DataOutputStream out, Pose pose) throws IOException {

@@ -10,10 +10,12 @@ import com.jme3.scene.Node;
 import com.jme3.scene.Spatial;
 import com.jme3.scene.VertexBuffer.Type;
 import com.jme3.scene.shape.Box;
+import com.jme3.scene.shape.Sphere;
 import com.jme3.util.BufferUtils;
 import java.io.IOException;
 import java.util.function.Consumer;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
@@ -36,6 +38,7 @@ public final class SceneBuilder {
     private static final ColorRGBA SENSOR = new ColorRGBA(0.16f, 0.18f, 0.22f, 1);
     private static final float SENSOR_SIZE = 0.015f;
     private static final float SPOKE = 0.18f;
+    private static final int LED_SIDES = 12;
 
     private final ModelLoader models;
     private final Materials materials;
@@ -59,6 +62,8 @@ public final class SceneBuilder {
                 node.attachChild(solid((Shape) object));
             } else if (object instanceof SensorObject) {
                 node.attachChild(sensor(object));
+            } else if (object instanceof Led) {
+                node.attachChild(led((Led) object));
             }
         } catch (IOException | ProjectException e) {
             warnings.accept("a model can't be shown: " + e.getMessage());
@@ -132,6 +137,13 @@ public final class SceneBuilder {
         housing.setMaterial(materials.lit(SENSOR));
         housing.setShadowMode(ShadowMode.Off);
         return housing;
+    }
+
+    private Spatial led(Led led) {
+        Geometry bulb = new Geometry(led.getName(), new Sphere(LED_SIDES, LED_SIDES, (float) led.getSize() / 2));
+        bulb.setMaterial(materials.flat(Materials.glow(led, 0)));
+        bulb.setShadowMode(ShadowMode.Off);
+        return bulb;
     }
 
     private Spatial model(Model object) throws IOException {

@@ -3,10 +3,12 @@ package org.SEAR.view.scene;
 import com.jme3.math.Quaternion;
 import com.jme3.math.Vector3f;
 import com.jme3.renderer.Camera;
+import com.jme3.scene.Geometry;
 import com.jme3.scene.Node;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Servo;
@@ -24,6 +26,7 @@ public final class WorldView {
     private final List<List<Node>> wheels = new ArrayList<>();
     /** For each robot with servos the nodes of its components; for others nothing. */
     private final List<List<Node>> parts = new ArrayList<>();
+    private final List<List<Bulb>> lights = new ArrayList<>();
     private final List<BeamView> beams = new ArrayList<>();
     private final Vector3f place = new Vector3f();
     private final Quaternion turn = new Quaternion();
@@ -38,6 +41,7 @@ public final class WorldView {
             Node node = attach(root, builder.robot(robot));
             robots.add(node);
             parts.add(parts(robot, node));
+            lights.add(lights(robot, node));
             List<Node> turning = new ArrayList<>();
             for (Wheel wheel : robot.getWheels()) {
                 turning.add(attach(node, builder.object(wheel)));
@@ -63,6 +67,35 @@ public final class WorldView {
             node.getChildren().forEach(child -> all.add((Node) child));
         }
         return all;
+    }
+
+    private static List<Bulb> lights(SEARrobot robot, Node node) {
+        List<Bulb> all = new ArrayList<>();
+        for (int i = 0; i < robot.getComponents().size(); i++) {
+            if (robot.getComponents().get(i) instanceof Led) {
+                all.add(new Bulb((Led) robot.getComponents().get(i), (Geometry) ((Node) node.getChild(i)).getChild(0)));
+            }
+        }
+        return all;
+    }
+
+    /** A light, in the colour that it is seen in. */
+    private static final class Bulb {
+        private final Led led;
+        private final Geometry seen;
+        private double brightness;
+
+        Bulb(Led led, Geometry seen) {
+            this.led = led;
+            this.seen = seen;
+        }
+
+        void shine(double now) {
+            if (now != brightness) {
+                brightness = now;
+                seen.getMaterial().setColor("Color", Materials.glow(led, now));
+            }
+        }
     }
 
     public Node root() {
@@ -102,6 +135,9 @@ public final class WorldView {
             for (int j = 0; j < Math.min(wheels.get(i).size(), shown.robots.get(i).wheels.size()); j++) {
                 interpolator.wheel(i, j, place, turn);
                 move(wheels.get(i).get(j));
+            }
+            for (int j = 0; j < Math.min(lights.get(i).size(), shown.robots.get(i).lights.size()); j++) {
+                lights.get(i).get(j).shine(shown.robots.get(i).lights.get(j));
             }
             for (int j = 0; j < parts.get(i).size(); j++) {
                 if (interpolator.part(i, j, place, turn)) {

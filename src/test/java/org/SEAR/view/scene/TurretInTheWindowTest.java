@@ -3,11 +3,15 @@ package org.SEAR.view.scene;
 import static org.junit.Assert.assertEquals;
 
 import com.jme3.asset.AssetManager;
+import com.jme3.math.ColorRGBA;
 import com.jme3.math.Vector3f;
+import com.jme3.scene.Geometry;
+import com.jme3.scene.Node;
 import com.jme3.system.JmeSystem;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Wheel;
@@ -20,7 +24,7 @@ import org.SEAR.view.link.RunnerLink;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** What a servo turns, and a steered wheel, are seen turned; without a display. */
+/** What a servo turns, and a steered wheel, are seen turned, and lights lit or dark; without a display. */
 public class TurretInTheWindowTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -48,14 +52,7 @@ public class TurretInTheWindowTest {
         robot();
         try (Simulation world = Simulation.load(project.folder(), 1)) {
             RunnerLink link = new RunnerLink(new SimulationRunner(world), () -> false);
-            AssetManager manager = JmeSystem.newAssetManager(JmeSystem.getPlatformAssetConfigURL());
-            ModelLoader.prepare(manager, new Assets(project.folder()));
-            Materials materials = new Materials(manager, false, warning -> {
-                throw new AssertionError(warning);
-            });
-            WorldView view = new WorldView(link.project(), new SceneBuilder(new ModelLoader(link.project().getAssets()), materials, warning -> {
-                throw new AssertionError(warning);
-            }), link.beams(), materials);
+            WorldView view = view(link);
             world.getServo("neck").setAngle(90);
             world.getRobots().get(0).steer(30);
             for (int i = 0; i < 30; i++) {
@@ -71,6 +68,41 @@ public class TurretInTheWindowTest {
                 view.wheel(0, 1).getLocalRotation().mult(Vector3f.UNIT_X));
             link.close();
         }
+    }
+
+    @Test
+    public void lightsAreSeenLitOrDark() throws Exception {
+        robot();
+        SEARrobot second = new SEARrobot("second");
+        second.addComponent(new Dynamics("second drive", 3, 0, 1, 0, 0, 0, 0));
+        second.addComponent(new Led("lamp", "#ff8000", 0, 0.1, 0.2));
+        try (Simulation world = Simulation.load(project.folder(), 1)) {
+            RunnerLink link = new RunnerLink(new SimulationRunner(world), () -> false);
+            WorldView view = view(link);
+            near(new Vector3f(0, 0.1f, 0.2f), view.robot(1).getChild(1).getLocalTranslation());
+            Geometry bulb = (Geometry) ((Node) view.robot(1).getChild(1)).getChild(0);
+            ColorRGBA dark = (ColorRGBA) bulb.getMaterial().getParam("Color").getValue();
+            world.getLight("lamp").setBrightness(1);
+            world.step();
+            SceneInterpolator interpolator = new SceneInterpolator();
+            interpolator.advance(link.sceneState(), 0, 0);
+            view.update(interpolator);
+            ColorRGBA lit = (ColorRGBA) bulb.getMaterial().getParam("Color").getValue();
+            assertEquals(0xff8000, lit.asIntARGB() & 0xffffff);
+            assertEquals(0.2, dark.r, 1e-6);
+            link.close();
+        }
+    }
+
+    private WorldView view(RunnerLink link) throws Exception {
+        AssetManager manager = JmeSystem.newAssetManager(JmeSystem.getPlatformAssetConfigURL());
+        ModelLoader.prepare(manager, new Assets(project.folder()));
+        Materials materials = new Materials(manager, false, warning -> {
+            throw new AssertionError(warning);
+        });
+        return new WorldView(link.project(), new SceneBuilder(new ModelLoader(link.project().getAssets()), materials, warning -> {
+            throw new AssertionError(warning);
+        }), link.beams(), materials);
     }
 
     private static void near(Vector3f expected, Vector3f is) {

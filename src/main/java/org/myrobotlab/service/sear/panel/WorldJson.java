@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.SEAR.POJOs.BeamCone;
 import org.SEAR.POJOs.Distance;
+import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
@@ -43,7 +44,8 @@ import org.myrobotlab.service.sear.readings.ScriptReadings;
  *              "devices": [{"name", "on" (whether it has power), "status" (what it is doing),
  *                           "pins": [{"pin", "wired", "mode", "value"}] (texts; only of a board)}],
  *              "parts": [{"name", "type", "corners", "look", "picture", "color", "colored", "pose" (in the body)}], "wheels": [pose, ..],
- *              "turned": [pose, ..] (of the other parts, if the robot has servos)}],
+ *              "turned": [pose, ..] (of the other parts, if the robot has servos),
+ *              "leds": [{"name", "color", "size", "pose" (in the body)}], "lights": [0.5, ..] (how bright each is; both if the robot has leds)}],
  *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "hit": [x, y, z] or null,
  *               "cones": [{"halfAngle", "range", "yaw"}]},
  *              {"name": "myLidar", "type": "LIDAR", "pose": [..], "spread": 180, "resolution": 1, "ranges": [.., null, ..]}]}
@@ -83,6 +85,9 @@ public final class WorldJson {
             map.put("radius", rounded(robot.getHardware().getBodyRadius(), FINE));
             map.put("path", new ArrayList<>(paths.get(robot.getObject().getName())));
             map.put("parts", parts(world, robot));
+            if (map.containsKey("lights")) {
+                map.put("leds", leds(robot));
+            }
             for (Sensor<?> one : robot.getSensors()) {
                 addFixed(sensors.get(sensor++), robot, one.getParameters());
             }
@@ -180,6 +185,9 @@ public final class WorldJson {
             if (!robot.parts.isEmpty()) {
                 map.put("turned", turned(world.getRobots().get(list.size()).getObject(), robot.parts));
             }
+            if (!robot.lights.isEmpty()) {
+                map.put("lights", robot.lights);
+            }
             extendPath(robot);
             list.add(map);
         }
@@ -243,6 +251,20 @@ public final class WorldJson {
             Map<String, Object> map = posed(ObjectPose.of(part));
             addFixed(map, part, world);
             list.add(map);
+        }
+        return list;
+    }
+
+    private static List<Object> leds(Robot robot) {
+        List<Object> list = new ArrayList<>();
+        for (SearObject part : robot.getObject().getComponents()) {
+            if (part instanceof Led) {
+                Map<String, Object> map = posed(ObjectPose.of(part));
+                map.put("name", part.getName());
+                map.put("color", ((Led) part).getColor());
+                map.put("size", ((Led) part).getSize());
+                list.add(map);
+            }
         }
         return list;
     }

@@ -2,12 +2,13 @@ package org.myrobotlab.service.sear.readings;
 
 import java.util.function.Consumer;
 import org.SEAR.POJOs.ScriptText;
+import org.SEAR.devices.LightHardware;
 import org.SEAR.devices.MotorHardware;
 import org.SEAR.devices.ServoHardware;
 import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
-/** Motors and servos by call. An order holds from the start of the next step until the next order. Any thread. */
+/** Motors, servos and lights by call. An order holds from the start of the next step until the next order. Any thread. */
 public final class ScriptActuators {
     private final SimulationControl control;
 
@@ -48,6 +49,23 @@ public final class ScriptActuators {
     /** Degrees. */
     public double angle(String name) throws InterruptedException {
         return control.session().ask(world -> servo(world, name).getAngle());
+    }
+
+    /** @param share of its full brightness, 0 to 1 */
+    public void brightness(String name, double share) throws InterruptedException {
+        control.session().ask(world -> {
+            led(world, name).setBrightness(share);
+            return true;
+        });
+    }
+
+    /** 0 to 1. */
+    public double brightness(String name) throws InterruptedException {
+        return control.session().ask(world -> led(world, name).getBrightness());
+    }
+
+    private static LightHardware led(Simulation world, String name) {
+        return world.getLight(given(name, "led"));
     }
 
     private static ServoHardware servo(Simulation world, String name) {

@@ -135,4 +135,31 @@ public class WorldFeedTest {
             assertFalse(still.containsKey("turned"));
         }
     }
+
+    /** Panels are told once what lights there are, then how bright they are when that changes. */
+    @Test
+    public void lightsAreToldWhenTheyChange() throws Exception {
+        Path folder = temporary.newFolder().toPath();
+        Path robot = Files.createDirectories(folder.resolve("robot"));
+        Files.writeString(robot.resolve("r.xml"), "<SEARrobot><name>r</name><component>d</component><component>lamp</component></SEARrobot>");
+        Files.writeString(robot.resolve("d.xml"), "<Dynamics><name>d</name><mass>1</mass></Dynamics>");
+        Files.writeString(robot.resolve("lamp.xml"), "<Led><name>lamp</name><x>0.1</x><color>lime</color></Led>");
+        try (Simulation world = Simulation.load(folder, 1)) {
+            Map<?, ?> first = (Map<?, ?>) ((List<?>) feed.next(world).get("robots")).get(0);
+            Map<?, ?> lamp = (Map<?, ?>) ((List<?>) first.get("leds")).get(0);
+            assertEquals("lamp", lamp.get("name"));
+            assertEquals("#00ff00", lamp.get("color"));
+            assertEquals(0.01, lamp.get("size"));
+            assertArrayEquals(new double[] {0.1, 0, 0, 0, 0, 0}, (double[]) lamp.get("pose"), 0);
+            assertEquals(List.of(0.0), first.get("lights"));
+            world.getLight("lamp").setBrightness(0.5);
+            step(world, STEPS_BETWEEN);
+            Map<?, ?> changed = (Map<?, ?>) ((Map<?, ?>) ((Map<?, ?>) feed.next(world).get("changes")).get("robots")).get(0);
+            assertEquals(List.of(0.5), changed.get("lights"));
+            assertFalse(changed.containsKey("leds"));
+            step(world, STEPS_BETWEEN);
+            Map<?, ?> still = (Map<?, ?>) ((Map<?, ?>) ((Map<?, ?>) feed.next(world).get("changes")).get("robots")).get(0);
+            assertFalse(still.containsKey("lights"));
+        }
+    }
 }

@@ -1,4 +1,4 @@
-package org.SEAR.robot;
+package org.SEAR.robot.surface;
 
 /** Points in triangles of a mesh. */
 final class Barycentric {

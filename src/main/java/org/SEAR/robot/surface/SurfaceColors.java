@@ -1,4 +1,4 @@
-package org.SEAR.robot;
+package org.SEAR.robot.surface;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
@@ -48,7 +48,7 @@ public final class SurfaceColors {
      *
      * @return 0xRRGGBB
      */
-    int at(Body body, double x, double y, double z) {
+    public int at(Body body, double x, double y, double z) {
         Paint paint = paints.get(body);
         if (paint == null) {
             return GREY;

@@ -50,7 +50,7 @@ public class PanelNamesTest {
     public void noPanelUsesANameOfMyRobotLabForItsOwn() throws IOException {
         int panels = 0;
         for (Path folder : FOLDERS) {
-            for (String type : new String[] {"SEAR", "LIDAR", "GPS", "Python", "Serial", "Any"}) {
+            for (String type : new String[] {"SEAR", "LIDAR", "GPS", "Python", "Roomba", "Serial", "Any"}) {
                 Path script = folder.resolve("js/" + type + "Gui.js");
                 if (Files.exists(script)) {
                     panels++;
@@ -59,7 +59,7 @@ public class PanelNamesTest {
                 }
             }
         }
-        assertEquals(6, panels);
+        assertEquals(7, panels);
     }
 
     @Test

@@ -202,4 +202,25 @@ public class ScriptsAndPortsTest {
         List<String> ports = browser.texts(".shell-ports a");
         assertTrue(ports.toString(), ports.contains("line") && ports.contains("myLidar_LIDARsimulator_Serial_Service"));
     }
+
+    @Test
+    public void theRoombasTabHasItsModeItsButtonsAndItsSensors() {
+        robotLab.run("Runtime.start('rosie', 'Roomba')");
+        TABS.show("rosie");
+        String panel = "mrl-panel[name='rosie'] ";
+        browser.type(panel + ".roomba-port", "/dev/SEAR_Robot_01");
+        browser.click(panel + ".roomba-connect");
+        browser.seeText(panel + ".label-success", "/dev/SEAR_Robot_01");
+        browser.click(panel + ".roomba-full");
+        browser.click(panel + ".roomba-read");
+        browser.seeText(panel + ".roomba-mode", "full");
+        browser.seeText(panel + "[data-sensor='Battery']", "mAh");
+        browser.click(panel + ".roomba-forward");
+        browser.until("a way that it has driven", () -> browser.text(panel + "[data-sensor='Distance'] td + td").matches("[1-9]\\d* mm"));
+        browser.click(panel + ".roomba-stop");
+        browser.click(panel + ".roomba-disconnect");
+        browser.see(panel + ".roomba-connect");
+        robotLab.call("runtime", "release", "rosie");
+        browser.until("no tab", () -> browser.all("#tab-rosie").isEmpty());
+    }
 }

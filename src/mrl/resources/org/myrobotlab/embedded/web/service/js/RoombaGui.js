@@ -1,0 +1,154 @@
+// Panel of the Roomba service: its port, its mode, buttons that drive it, and what its sensors say.
+angular.module('mrlapp.service.RoombaGui', []).controller('RoombaGuiCtrl', ['$scope', '$interval', '$timeout', 'mrl', function($scope, $interval, $timeout, mrl) {
+    var msg = this.msg
+    var SERIAL = msg.name + '.serial'   // the port of its own
+    var TOPICS = ['publishRX', 'publishState']  // the port's own panel decides about publishBytes
+    var ALL = 0                 // packet with bumpers, cliffs, wheels, distance and battery
+    var MODE = 35
+    var LENGTHS = {}            // bytes of an answer
+    var MODES = ['off', 'passive', 'safe', 'full']
+    var CHARGING = ['not charging', 'reconditioning', 'charging', 'trickle charging', 'waiting', 'fault']
+    var WAYS = {passive: [128], safe: [128, 130], full: [128, 130, 132]}    // that every model knows
+    var GAP_MILLIS = 40         // that it needs between changes of its mode
+    var LOOK_MILLIS = 250
+    var PATIENCE = 4            // looks until an answer that has not come is given up
+    var packet = ALL            // that is asked for
+    var got = null              // bytes of the answer so far; null if nothing is asked for
+    var looks = 0
+    LENGTHS[ALL] = 26
+    LENGTHS[MODE] = 1
+
+    $scope.bauds = [19200, 57600, 115200]
+    $scope.form = {port: '', baud: 57600, speed: 200, read: false}
+    $scope.ports = []
+    $scope.port = null          // that is open
+    $scope.mode = null
+    $scope.sensors = null       // rows of name and text
+    var way = 0                 // millimetres and degrees since the panel reads
+    var angle = 0
+
+    function isShown() {
+        return $scope.$parent.shell.shown === msg.name
+    }
+
+    // ---- commands --------------------------------------------------------------------------------------------------------------------------
+    $scope.refresh = function() {
+        msg.sendBlocking('getPortNames').then(function(names) {
+            $scope.ports = names
+        })
+    }
+    $scope.connect = function() {
+        msg.send('connect', $scope.form.port, $scope.form.baud, 8, 1, 0)
+    }
+    $scope.setMode = function(name) {
+        WAYS[name].forEach(function(command, i) {
+            $timeout(function() {
+                msg.send('send', command)
+            }, i * GAP_MILLIS, false)
+        })
+    }
+    /** Calls goForward, spinLeft and so on, at the speed of the form. */
+    $scope.drive = function(method) {
+        msg.send('setSpeed', Math.round(Number($scope.form.speed)) || 0)
+        msg.send(method)
+    }
+
+    // ---- sensors ---------------------------------------------------------------------------------------------------------------------------
+    $scope.read = function() {
+        got = null
+        way = angle = 0
+        $scope.sensors = $scope.mode = null
+    }
+    function ask(next) {
+        packet = next
+        got = []
+        looks = 0
+        msg.send('updateSensors', packet)
+    }
+    function look() {
+        if (!$scope.port || !$scope.form.read || !isShown()) {
+            got = null
+        } else if (got === null || looks++ >= PATIENCE) {
+            if (got !== null && packet === MODE) {
+                $scope.mode = 'not told: the first Roombas have no packet for it'
+            }
+            ask(packet === ALL && got !== null ? ALL : packet === ALL ? MODE : ALL)
+        }
+    }
+    function take(value) {
+        if (got === null) {
+            return
+        }
+        got.push(value)
+        if (got.length >= LENGTHS[packet]) {
+            if (packet === ALL) {
+                $scope.sensors = rows(got)
+            } else {
+                $scope.mode = MODES[got[0]] || 'unknown'
+            }
+            got = null
+        }
+    }
+    function unsigned(data, at) {
+        return data[at] * 256 + data[at + 1]
+    }
+    function signed(data, at) {
+        return unsigned(data, at) << 16 >> 16
+    }
+    function named(bits, names) {
+        return names.filter(function(name, i) {
+            return name && bits >> i & 1
+        }).join(', ') || 'none'
+    }
+    /** Of packet 0 as the Open Interface lays it out. */
+    function rows(data) {
+        way += signed(data, 12)
+        angle += signed(data, 14)
+        return [
+            {name: 'Bumpers', text: named(data[0], ['right', 'left'])},
+            {name: 'Dropped wheels', text: named(data[0], ['', '', 'right', 'left', 'caster'])},
+            {name: 'Wall', text: data[1] ? 'yes' : 'no'},
+            {name: 'Cliffs', text: named(data[2] + 2 * data[3] + 4 * data[4] + 8 * data[5], ['left', 'front left', 'front right', 'right'])},
+            {name: 'Virtual wall', text: data[6] ? 'yes' : 'no'},
+            {name: 'Distance', text: way + ' mm'},
+            {name: 'Angle', text: String(angle), note: 'degrees; with the first Roombas millimetres between the wheels'},
+            {name: 'Battery', text: unsigned(data, 22) + ' of ' + unsigned(data, 24) + ' mAh, ' + (unsigned(data, 17) / 1000).toFixed(2) + ' V, '
+                + signed(data, 19) + ' mA, ' + (data[21] << 24 >> 24) + ' °C, ' + (CHARGING[data[16]] || 'unknown')}
+        ]
+    }
+
+    // ---- messages --------------------------------------------------------------------------------------------------------------------------
+    function onSerial(inMsg) {
+        if (inMsg.method === 'onState') {
+            $scope.port = inMsg.data[0].portName || null
+            $scope.$applyAsync()
+        } else if (inMsg.method === 'onRX') {
+            take(inMsg.data[0])
+            $scope.$applyAsync()
+        }
+    }
+    this.onMsg = function(inMsg) {
+        if (inMsg.method === 'onState') {
+            $scope.service = inMsg.data[0]
+            $scope.$applyAsync()
+        }
+    }
+    mrl.subscribeToService(onSerial, SERIAL)
+    $scope.$watch(function() {
+        return isShown() && Boolean(mrl.getService(SERIAL))
+    }, function(listens) {
+        TOPICS.forEach(function(topic) {
+            mrl[listens ? 'subscribe' : 'unsubscribe'](SERIAL, topic)
+        })
+        if (listens) {
+            mrl.sendTo(SERIAL, 'broadcastState')
+        }
+    })
+    var timer = $interval(look, LOOK_MILLIS, 0, false)
+    $scope.$on('$destroy', function() {
+        $interval.cancel(timer)
+        mrl.unsubscribeFromService(onSerial, SERIAL)
+    })
+    $scope.refresh()
+    msg.subscribe(this)
+}])

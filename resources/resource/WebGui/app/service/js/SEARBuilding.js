@@ -24,16 +24,21 @@
         function inSpace() {
             return $scope.mode === 'space' && $scope.scene()
         }
-        /** What is under a pixel of the view that is shown. */
-        function at(x, y) {
+        /** What is under a pixel of the view that is shown. @param without what is looked through in space */
+        function at(x, y, without) {
             var world = $scope.world() || {objects: [], robots: [], sensors: []}
             var scene = inSpace()
             if (scene) {
-                return pointing.inSpace(scene, world, x, y)
+                return pointing.inSpace(scene, world, x, y, without)
             }
             var shown = panel.canvas()
             return pointing.onMap(world, $scope.view.x - (y - shown.clientHeight / 2) / $scope.view.scale,
                 $scope.view.z + (x - shown.clientWidth / 2) / $scope.view.scale)
+        }
+        /** What is under the mouse. */
+        panel.under = function(event) {
+            var p = position(event)
+            return at(p[0], p[1])
         }
         panel.middle = function() {
             var shown = panel.canvas()
@@ -44,6 +49,7 @@
         panel.decorate = function(scene, world) {
             var selected = found()
             handles.showAids(scene, world, $scope.building)
+            window.SEARPanel.balance.show(scene, selected)
             handles.show(scene, selected, selected ? drag && drag.extent || pointing.extent(selected.object) : null,
                 selected && selected.object.type ? handles.sizesOf(panel.typeOf(selected.object.type)) : {})
         }
@@ -63,6 +69,7 @@
                 pen.lineWidth = 2
                 pen.stroke()
                 pen.lineWidth = 1
+                window.SEARPanel.balance.draw(pen, selected, $scope.toScreen)
             }
         }
 
@@ -140,6 +147,9 @@
         }
         function move(x, y, free) {
             var shift
+            if (slideOnBody(x, y, free)) {
+                return
+            }
             if (drag.up) {
                 shift = [0, pointing.alongAxis(pointing.ray(inSpace(), x, y), drag.from, [0, 1, 0]), 0]
             } else {
@@ -159,6 +169,20 @@
                 }
             })
             showMoved(drag.start, shift, 0)
+        }
+        /** A sensor that is dragged over the body of its robot stays on it. @return whether there was one below the mouse */
+        function slideOnBody(x, y, free) {
+            var selected = found()
+            var isSensor = selected && selected.robot && selected.robot.parts.indexOf(selected.object) < 0
+            var under = isSensor && inSpace() && !drag.up ? at(x, y, selected.object) : null
+            if (!under || under.robot !== selected.robot.name || !under.normal) {
+                return false
+            }
+            drag.set = panel.mounted(under, panel.typeOf($scope.object.type), free)
+            showMoved(drag.start, AXES.map(function(axis, i) {
+                return Number(drag.set[axis]) - drag.base[i]
+            }), drag.set.ry === undefined ? 0 : Number(drag.set.ry) - drag.ry)
+            return true
         }
         function turn(x, y, free) {
             var point = groundPoint(x, y)

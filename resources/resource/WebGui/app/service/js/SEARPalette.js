@@ -65,7 +65,7 @@
 
         /**
          * Makes what is armed. @param at what was met: point [x, y, z] in the world, ground (whether that is a terrain), robot (its name, null for
-         * none), local (the point in its frame) @param free whether it does not snap
+         * none), local (the point in its frame), normal (of its surface, there) @param free whether it does not snap
          */
         panel.place = function(at, free) {
             var armed = $scope.armed
@@ -85,7 +85,11 @@
                     return
                 }
                 edit.to = robot
-                put(edit.set, at.robot ? at.local : [0, 0.1, 0], free)
+                if (at.robot) {
+                    edit.set = angular.extend(edit.set, panel.mounted(at, armed.type, free))
+                } else {
+                    put(edit.set, [0, 0.1, 0], free)
+                }
             } else if (at.ground) {
                 edit.set.x = panel.plain(panel.snapped(at.point[0], free))
                 edit.set.z = panel.plain(panel.snapped(at.point[2], free))
@@ -93,7 +97,7 @@
             } else {
                 put(edit.set, [at.point[0], at.point[1] + (armed.type ? lift(armed.type) : 0), at.point[2]], free)
             }
-            panel.edit(edit, function(answer) {
+            panel.edit(armed.template ? panel.withGround(edit) : edit, function(answer) {
                 panel.selectAfter(answer)
                 if (answer.done) {
                     $scope.armed = null

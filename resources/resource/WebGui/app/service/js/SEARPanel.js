@@ -143,7 +143,7 @@
             onStatus: onStatus
         }, world, window.SEARPanel.projects(panel), window.SEARPanel.script(panel), window.SEARPanel.edits(panel),
         window.SEARPanel.inspector(panel), window.SEARPanel.palette(panel), window.SEARPanel.building(panel),
-        window.SEARPanel.views(panel), window.SEARPanel.records(panel))
+        window.SEARPanel.robots(panel), window.SEARPanel.views(panel), window.SEARPanel.records(panel))
 
         return function(inMsg) {
             var handler = Object.prototype.hasOwnProperty.call(handlers, inMsg.method) && handlers[inMsg.method]

@@ -122,15 +122,18 @@
         return (b * dot(line.along, between) - dot(axis, between)) / Math.max(1e-6, 1 - b * b)
     }
 
-    function met(world, who, point, ground) {
+    /** @param normal of the surface in the world; null if it is not known */
+    function met(world, who, point, ground, normal) {
         var robot = who && who.robot ? robotNamed(world, who.robot) : null
-        return {who: who, point: point, ground: ground, robot: robot ? robot.name : null, local: robot ? local(geometry.frame(robot.pose), point) : null}
+        var frame = robot ? geometry.frame(robot.pose) : null
+        return {who: who, point: point, ground: ground, robot: robot ? robot.name : null, local: robot ? local(frame, point) : null,
+            normal: robot && normal ? back(frame, normal) : null}
     }
-    /** What is under a pixel of the view in space; the plane at height 0 where nothing is; null above the horizon. */
-    function inSpace(scene, world, x, y) {
-        var found = scene.pick(x, y)
+    /** What is under a pixel of the view in space; the plane at height 0 where nothing is; null above the horizon. @param without what is looked through */
+    function inSpace(scene, world, x, y, without) {
+        var found = scene.pick(x, y, without)
         if (found) {
-            return met(world, whose(world, found.object), found.point, !found.object || Boolean(found.object.ground))
+            return met(world, whose(world, found.object), found.point, !found.object || Boolean(found.object.ground), found.normal)
         }
         var point = onPlane(ray(scene, x, y), [0, 0, 0], [0, 1, 0])
         return point ? met(world, null, point, false) : null
@@ -153,6 +156,13 @@
             return pose[1] + geometry.rotate(pose, corner)[1]
         }))
     }
+    /** The height of the highest point of a robot's part, in the world. */
+    function topOf(robot, part) {
+        var pose = geometry.times(geometry.frame(robot.pose), geometry.frame(part.pose))
+        return Math.max.apply(null, part.corners.map(function(corner) {
+            return pose[1] + geometry.rotate(pose, corner)[1]
+        }))
+    }
     /** What is at a point of the map: a robot, else the highest thing there, else the height 0. */
     function onMap(world, x, z) {
         var robot = world.robots.filter(function(one) {
@@ -162,8 +172,8 @@
             var body = robot.parts.filter(function(part) {
                 return part.type !== 'Wheel'
             })[0]
-            return met(world, {address: robot.name + (body ? '/' + body.name : ''), robot: robot.name, object: body || robot}, [x, robot.pose[1], z],
-                false)
+            return met(world, {address: robot.name + (body ? '/' + body.name : ''), robot: robot.name, object: body || robot},
+                [x, body ? topOf(robot, body) : robot.pose[1], z], false)
         }
         geometry.shapesOf(world)
         var below = world.objects.filter(function(object) {

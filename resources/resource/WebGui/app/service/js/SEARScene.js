@@ -345,15 +345,19 @@
         return {x: (at.x + 1) / 2 * this.canvas.clientWidth, y: (1 - at.y) / 2 * this.canvas.clientHeight, seen: Math.abs(at.z) < 1}
     }
 
-    /** What is under a point of the canvas: its object or part, and where it was met; null for nothing. */
-    Scene.prototype.pick = function(x, y) {
+    /**
+     * What is under a point of the canvas: its object or part, where it was met, and the surface's normal there, in the world; null for nothing.
+     * @param without an object that is looked through
+     */
+    Scene.prototype.pick = function(x, y, without) {
         var THREE = window.THREE
         var caster = new THREE.Raycaster()
         caster.setFromCamera(new THREE.Vector2(2 * x / this.canvas.clientWidth - 1, 1 - 2 * y / this.canvas.clientHeight), this.camera)
         var found = caster.intersectObjects(this.scene.children, true).filter(function(one) {
-            return one.object.named || one.object === this.ground
+            return one.object.named ? one.object.named !== without : one.object === this.ground
         }, this)[0]
-        return found ? {object: found.object.named || null, point: [found.point.x, found.point.y, found.point.z]} : null
+        return found ? {object: found.object.named || null, point: found.point.toArray(),
+            normal: found.face ? found.face.normal.clone().transformDirection(found.object.matrixWorld).toArray() : null} : null
     }
 
     Scene.prototype.close = function() {

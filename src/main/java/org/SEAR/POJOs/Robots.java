@@ -1,10 +1,11 @@
 package org.SEAR.POJOs;
 
 /**
- * Ready robots with the dimensions of real ones, so that drivers made for those judge distances and turns rightly. Each is an ordinary robot: it can
- * be moved, and gets sensors by {@link SEARrobot#addComponent}. Its parts are {@code drive} (a {@link Dynamics}), {@code body}, the driven wheels
- * {@code left} and {@code right}, and the castors {@code front} and {@code back} (the real ones have a castor in front only). Its origin is the
- * middle of its body, which starts 54 mm above the world's origin; forward is z.
+ * Ready robots: iRobot's with the dimensions of the real ones, so that drivers made for those judge distances and turns rightly, and three vehicles
+ * with motors to build one's own from. Each is an ordinary robot: it can be moved, and gets sensors by {@link SEARrobot#addComponent}. The parts of
+ * iRobot's are {@code drive} (a {@link Dynamics}), {@code body}, the driven wheels
+ * {@code left} and {@code right}, and the castors {@code front} and {@code back} (the real ones have a castor in front only). Their origin is
+ * the middle of the body, which starts 54 mm above the world's origin; forward is z.
  */
 public final class Robots {
     private static final double RADIUS = 0.17;
@@ -53,6 +54,30 @@ public final class Robots {
     /** The same with ports: {@code uart} is the device's end, {@code user} the one that the user opens. */
     public static SEARrobot create2(String name, String uart, String user) {
         return make(name, "create2", 115200, uart, user);
+    }
+
+    /**
+     * A rover of 2 kg with two driven wheels and a castor behind: {@code left}, {@code right}, {@code castor}, a motor for each driven wheel ({@code
+     * leftMotor}, {@code rightMotor}), {@code body} and {@code drive}.
+     */
+    public static SEARrobot rover(String name) {
+        return PlainRobots.rover(name);
+    }
+
+    /**
+     * A robot of 4 kg with four driven wheels, which turns by its two sides: {@code frontLeft}, {@code frontRight}, {@code rearLeft}, {@code
+     * rearRight}, a motor for each side ({@code leftMotor}, {@code rightMotor}), {@code body} and {@code drive}.
+     */
+    public static SEARrobot fourWheeled(String name) {
+        return PlainRobots.fourWheeled(name);
+    }
+
+    /**
+     * A car of 5 kg whose front wheels are steered by up to 30 degrees and whose rear wheels one motor drives: {@code frontLeft}, {@code frontRight},
+     * {@code rearLeft}, {@code rearRight}, {@code engine}, {@code body} and {@code drive}.
+     */
+    public static SEARrobot car(String name) {
+        return PlainRobots.car(name);
     }
 
     private static SEARrobot make(String name, String model, int baud, String uart, String user) {

@@ -4,8 +4,9 @@ import java.util.List;
 import org.SEAR.POJOs.Wheel;
 
 /**
- * Where a robot's centre of mass lies. It is the centroid of the components; but who built a real robot put its battery so that it stands on its
- * wheels, so a centroid that lies outside the wheels or close to tipping is replaced by the middle of the wheels.
+ * Where a robot's centre of mass lies. It is the centroid of the components. Who gives masses to two of them or more says with that where the weight
+ * is. Else that is not known; but who built a real robot put its battery so that it stands on its wheels, so a centroid that lies outside the wheels
+ * or close to tipping is replaced by the middle of the wheels.
  */
 final class CentreOfMass {
     /** Least distance from tipping, as a share of the distance that the middle of the wheels has. */
@@ -18,10 +19,10 @@ final class CentreOfMass {
      * The centre of mass: {x, y, z} in the body frame.
      *
      * @param centroid of the components
-     * @param weighed whether the components have masses; if not, what is heavy sits no higher than where the wheels are fastened
+     * @param weighed how many components have masses; if none, what is heavy sits no higher than where the wheels are fastened
      */
-    static double[] place(double[] centroid, boolean weighed, List<Wheel> wheels) {
-        if (wheels.size() < 3) {
+    static double[] place(double[] centroid, long weighed, List<Wheel> wheels) {
+        if (wheels.size() < 3 || weighed > 1) {
             return centroid;
         }
         double midX = 0;
@@ -32,7 +33,7 @@ final class CentreOfMass {
             midX += wheel.getX() / wheels.size();
             midZ += wheel.getZ() / wheels.size();
         }
-        double y = weighed ? centroid[1] : Math.min(centroid[1], midY);
+        double y = weighed > 0 ? centroid[1] : Math.min(centroid[1], midY);
         if (room(centroid[0], centroid[2], wheels) >= LEAST_SHARE * room(midX, midZ, wheels)) {
             return new double[] {centroid[0], y, centroid[2]};
         }

@@ -31,6 +31,8 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     private static final double BRAKE_RAMP = 20;
     /** The same as a share of what would lift a wheel off the ground. */
     private static final double TIPPING_SHARE = 0.5;
+    /** What tips over anyway starts and stops so, m/s^2. */
+    private static final double LEAST_RAMP = 0.2;
 
     /** A robot slower than this stands, m/s. */
     private static final double LEAST_SPEED = 0.01;
@@ -95,7 +97,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
             lowest = Math.min(lowest, wheel.y - dynamics.getRestLength() - wheel.radius);
         }
         double room = CentreOfMass.room(mass[0], mass[2], objects);
-        return TIPPING_SHARE * PhysicsWorld.GRAVITY * room / Math.max(mass[1] - lowest, NO_TRACK);
+        return Math.max(LEAST_RAMP, TIPPING_SHARE * PhysicsWorld.GRAVITY * room / Math.max(mass[1] - lowest, NO_TRACK));
     }
 
     /**
@@ -289,6 +291,21 @@ public final class DriveTrain implements PhysicsWorld.Drive {
             throw new IllegalArgumentException("robot " + body.name + " has no steered wheels: wheel.setSteering(30) makes one");
         }
         steering.steer(degrees);
+    }
+
+    /** Whether it has steered wheels that no servo steers. */
+    boolean canSteer() {
+        return steering != null && steering.isFree();
+    }
+
+    /**
+     * Steers to a circle, or as far as it can.
+     *
+     * @param radius metres, + to the left, infinite = straight, 0 = the smallest, to the left with a positive speed
+     * @param speed m/s
+     */
+    void steerTo(double radius, double speed) {
+        steering.follow(radius == 0 ? Math.signum(speed) * Double.POSITIVE_INFINITY : 1 / radius);
     }
 
     /** Degrees, + to the left; 0 without steered wheels. */

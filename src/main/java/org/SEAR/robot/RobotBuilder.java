@@ -32,11 +32,14 @@ public final class RobotBuilder {
     static final double GUARD = 0.8;
     /** A robot without shapes gets a box this high around its wheels, metres; the same is the least size of that box. */
     private static final double BARE = 0.02;
+    /** A centre of mass that was put elsewhere is so far from where it was, metres, or farther. */
+    private static final double LEAST_MOVE = 1e-9;
 
     final SEARrobot object;
     final Dynamics dynamics;
     final List<Solid> wheelSolids = new ArrayList<>();
     public final Body body;
+    final Stability stability;
     /** Greatest distance of the components from the vertical axis, metres. */
     final double radius;
     /** Of the components and wheels that have one. */
@@ -55,7 +58,8 @@ public final class RobotBuilder {
             add(bareBody(), Pose.IDENTITY, true, 1);
         }
         radius = reach();
-        double[] centre = CentreOfMass.place(centroid(), isWeighed(), robot.getWheels());
+        double[] centroid = centroid();
+        double[] centre = CentreOfMass.place(centroid, weighed(), robot.getWheels());
         for (Wheel wheel : robot.getWheels()) {
             Solid solid = Solids.of(wheel, project);
             wheelSolids.add(solid);
@@ -70,6 +74,7 @@ public final class RobotBuilder {
         Pose start = StartPose.of(robot, dynamics, warnings);
         body = new Body(robot.getName(), dynamics.getMass(), solids, all, centre, start);
         body.setRobot();
+        stability = new Stability(centre, feet(), Math.hypot(centre[0] - centroid[0], centre[2] - centroid[2]) > LEAST_MOVE);
     }
 
     /**
@@ -111,7 +116,11 @@ public final class RobotBuilder {
     }
 
     private boolean isWeighed() {
-        return object.getComponents().stream().anyMatch(part -> part instanceof Shape && ((Shape) part).getMass() > 0);
+        return weighed() > 0;
+    }
+
+    private long weighed() {
+        return object.getComponents().stream().filter(part -> part instanceof Shape && ((Shape) part).getMass() > 0).count();
     }
 
     private void add(Solid solid, Pose place, boolean seen, double weight) {
@@ -121,7 +130,7 @@ public final class RobotBuilder {
         weights.add(weight);
     }
 
-    /** Where its wheels touch when it stands level: {x, y, z} in the body frame. */
+    /** Where its wheels touch when it stands level, castors as when it drives forward: {x, y, z} in the body frame. */
     public double[][] feet() {
         int wheels = wheelSolids.size();
         double[][] feet = new double[wheels][];
@@ -129,7 +138,9 @@ public final class RobotBuilder {
         for (int i = 0; i < wheels; i++) {
             Wheel wheel = object.getWheels().get(i);
             double hangs = Math.max(0, dynamics.getRestLength() - sag);
-            feet[i] = new double[] {wheel.getX(), wheel.getY() - hangs - wheel.getRadius() * wheel.getScaleY(), wheel.getZ()};
+            double heading = Math.toRadians(wheel.getRy());
+            feet[i] = new double[] {wheel.getX() - wheel.getTrail() * Math.sin(heading),
+                wheel.getY() - hangs - wheel.getRadius() * wheel.getScaleY(), wheel.getZ() - wheel.getTrail() * Math.cos(heading)};
         }
         return feet;
     }

@@ -44,11 +44,14 @@ public final class RobotModel implements Robot, RobotHardware {
     private final List<MotorDrive> motors = new ArrayList<>();
     private final Turrets turrets;
     private final LedLights lights;
+    private final Stability stability;
     private DriveTrain train;
     private final Frame frame = new Frame();
     private boolean bumpedLeft;
     private boolean bumpedRight;
     private int unsettled;
+    /** Whether it is steered as {@link #drive} wants, not by an order of its own. */
+    private boolean steersToDrive;
 
     public RobotModel(RobotBuilder from, int number, Scenes scenes, RobotTruth truth, VirtualWalls virtualWalls) {
         this.object = from.object;
@@ -62,6 +65,7 @@ public final class RobotModel implements Robot, RobotHardware {
         this.virtualWalls = virtualWalls;
         this.turrets = new Turrets(from);
         this.lights = new LedLights(from);
+        this.stability = from.stability;
         for (SearObject part : object.getComponents()) {
             if (part instanceof Motor) {
                 motors.add(new MotorDrive((Motor) part, object.getName()));
@@ -93,6 +97,7 @@ public final class RobotModel implements Robot, RobotHardware {
         bumpedRight = false;
         truth.touches().clear();
         lights.restart();
+        steersToDrive = false;
         unsettled = SETTLING;
         truth.restart();
     }
@@ -219,7 +224,19 @@ public final class RobotModel implements Robot, RobotHardware {
     }
 
     @Override
+    public Stability getStability() {
+        return stability;
+    }
+
+    @Override
     public void drive(double speed, double radius) {
+        if (train.canSteer() && (steersToDrive || Double.isFinite(radius))) {
+            steersToDrive = Double.isFinite(radius);
+            train.steerTo(steersToDrive ? radius : Double.POSITIVE_INFINITY, speed);
+            double along = radius == 0 ? Math.abs(speed) : speed;
+            setWheelSpeeds(along, along);
+            return;
+        }
         double half = getWheelBase() / 2;
         if (Double.isInfinite(radius)) {
             setWheelSpeeds(speed, speed);
@@ -233,6 +250,7 @@ public final class RobotModel implements Robot, RobotHardware {
     @Override
     public void steer(double degrees) {
         train.steer(degrees);
+        steersToDrive = false;
     }
 
     @Override

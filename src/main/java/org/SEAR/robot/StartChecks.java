@@ -30,6 +30,9 @@ public final class StartChecks {
             warnings.add("robot " + name + " has no wheels and can't drive: robot.addWheel(Wheel(...)) adds one");
         }
         checkDimensions(robot, warnings);
+        if (robot.getStability().isCritical()) {
+            warnings.add("robot " + name + " " + robot.getStability().getWords());
+        }
         Pose pose = robot.getPose();
         double down = scenes.ground.cast(pose.x, pose.y, pose.z, 0, -1, 0, Double.MAX_VALUE, robot.getOwner(), new Hit());
         if (down == Double.POSITIVE_INFINITY) {

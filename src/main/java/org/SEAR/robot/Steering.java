@@ -58,6 +58,17 @@ final class Steering {
         wanted = Math.toRadians(degrees);
     }
 
+    /** Whether no servo steers. */
+    boolean isFree() {
+        return servo == null;
+    }
+
+    /** @param curvature to be driven, 1/m, + to the left; beyond what can be steered the greatest angle counts */
+    void follow(double curvature) {
+        double degrees = Math.toDegrees(Math.atan(curvature * length));
+        steer(Math.max(-most, Math.min(most, degrees)));
+    }
+
     /** Degrees, + to the left, of a wheel in the middle. */
     double getDegrees() {
         return Math.toDegrees(angle);

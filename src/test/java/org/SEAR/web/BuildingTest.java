@@ -231,6 +231,40 @@ public class BuildingTest {
         assertTrue(files().containsKey("environment/crate.xml"));
     }
 
+    /** In an empty project: a robot, the ground that it needs, a sensor dragged onto its side, and a drive; what makes it top-heavy is said. */
+    @Test
+    public void aRobotIsMadeFromATemplateAndDriven() throws IOException {
+        build(".sear-space");
+        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); var orbit = scope.scene().orbit;"
+            + "orbit.target.set(0, 0, 0); orbit.distance = 1; orbit.azimuth = Math.PI; orbit.elevation = 0.6; scope.redraw()");
+        browser.until("a near view", () -> inSpace(0, 0, 0.1)[0] - inSpace(0, 0, 0)[0] > 40);
+        arm("rover");
+        WebElement view = browser.see(".sear-scene");
+        moveTo(view, inSpace(0, 0, 0)).click().perform();
+        waitForSelected("rover1");
+        assertTrue(tab.isTrue("world().objects.length == 1 && world().objects[0].type == 'Floor'"));
+        browser.seeText(".sear-balance", "tips over");
+        browser.until("its parts", () -> tab.isTrue("scene().robots[0].parts[0].dressed"));
+        Dimension size = view.getSize();
+        double[] side = inSpace(-0.07, 0.09, -0.1);
+        new Actions(browser.driver()).moveToElement(browser.see(".sear-palette [data-make='Distance']")).clickAndHold().moveToElement(view,
+            (int) Math.round(side[0]) - size.getWidth() / 2, (int) Math.round(side[1]) - size.getHeight() / 2).release().perform();
+        waitForSelected("rover1/distance1");
+        assertTrue("it looks to the right, from the side", tab.isTrue("object.values.ry == '-90' && object.values.z == '-0.1'"));
+        assertEquals(-0.07, tab.number("1 * object.values.x"), 1e-3);
+        browser.click(".sear-test-drive");
+        browser.until("the drive", () -> tab.isTrue("service.simulating && state !== null"));
+        browser.until("keys for the view", () -> view.equals(browser.driver().switchTo().activeElement()));
+        view.sendKeys("u");
+        browser.until("it drives", () -> tab.number("world().robots[0].pose[2]") > 0.2);
+        browser.click(".sear-test-drive");
+        browser.until("no simulation", () -> tab.isTrue("service && !service.simulating"));
+        TABS.robotLab().run("sear.edit({'do': 'add', 'type': 'Box', 'name': 'mast', 'to': 'rover1', 'set': {'length': 0.04, 'width': 0.04,"
+            + " 'height': 0.3, 'y': 0.2, 'z': -0.05, 'mass': 3}})");
+        browser.seeText(".sear-balance .sear-wrong", "Warning: centre of mass at");
+        picture("robot");
+    }
+
     /** For whoever looks at it. */
     private void picture(String theme) throws IOException {
         browser.picture(Paths.get(System.getProperty("sear.root", "."), "build/reports/web/building-" + theme + ".png"));

@@ -17,6 +17,9 @@ public final class RobotTemplates {
         ALL.put("roomba400", Robots::roomba400);
         ALL.put("create", Robots::create);
         ALL.put("create2", Robots::create2);
+        ALL.put("rover", Robots::rover);
+        ALL.put("fourWheeled", Robots::fourWheeled);
+        ALL.put("car", Robots::car);
     }
 
     private RobotTemplates() {

@@ -20,6 +20,7 @@ import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.Robot;
+import org.SEAR.robot.Stability;
 import org.SEAR.sensors.DistanceReading;
 import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.Sensor;
@@ -46,6 +47,9 @@ import org.myrobotlab.service.sear.readings.ScriptReadings;
  *              "parts": [{"name", "type", "corners", "look", "picture", "color", "colored", "pose" (in the body)}], "wheels": [pose, ..],
  *              "turned": [pose, ..] (of the other parts, if the robot has servos),
  *              "leds": [{"name", "color", "size", "pose" (in the body)}], "lights": [0.5, ..] (how bright each is; both if the robot has leds)}],
+ *              "balance": {"centre": [x, y, z] (of mass, in the body), "support": [[x, y, z], ..] (the corners of what it stands on),
+ *                          "critical": false (whether it tips over easily), "words": "tips over .."},
+ *              "turned": [pose, ..] (of the other parts, if the robot has servos)}],
  *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "hit": [x, y, z] or null,
  *               "cones": [{"halfAngle", "range", "yaw"}]},
  *              {"name": "myLidar", "type": "LIDAR", "pose": [..], "spread": 180, "resolution": 1, "ranges": [.., null, ..]}]}
@@ -88,6 +92,7 @@ public final class WorldJson {
             if (map.containsKey("lights")) {
                 map.put("leds", leds(robot));
             }
+            map.put("balance", balance(robot.getStability()));
             for (Sensor<?> one : robot.getSensors()) {
                 addFixed(sensors.get(sensor++), robot, one.getParameters());
             }
@@ -267,6 +272,13 @@ public final class WorldJson {
             }
         }
         return list;
+    private static Map<String, Object> balance(Stability stability) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("centre", point(stability.getCentre(), FINE));
+        map.put("support", corners(stability.getSupport()));
+        map.put("critical", stability.isCritical());
+        map.put("words", stability.getWords());
+        return map;
     }
 
     /** Panels do the same with the poses that they get. */

@@ -1,0 +1,138 @@
+package org.SEAR.robot;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import org.SEAR.physics.PhysicsWorld;
+
+/**
+ * When a robot tips over, as a rigid body on the points where its wheels touch: about an edge of their convex hull, on a slope whose angle is
+ * atan(distance of the centre of mass from the edge / its height above the edge). Soft springs lean, and let it tip a little earlier. The same edge
+ * counts when it brakes: by more than 9.81 m/s^2 times the tangent of the angle. Body frame, metres; immutable, any thread.
+ */
+public final class Stability {
+    /** A robot that tips over on a less steep slope, degrees, is warned of. */
+    public static final double CRITICAL = 15;
+    /** Feet on a line, metres: their hull is narrower than this. */
+    private static final double FLAT = 1e-6;
+    /** By the angle from ahead to the left in steps of 45 degrees. */
+    private static final String[] WAYS = {"forwards", "forwards to the left", "to the left", "backwards to the left", "backwards",
+        "backwards to the right", "to the right", "forwards to the right"};
+
+    /** The slope on which it tips over, degrees; negative if it does where it stands, NaN if there are not three feet that span an area. */
+    public final double degrees;
+    private final double[] centre;
+    private final double[][] support;
+    /** Whether the centre of mass was put into the middle of the wheels. */
+    private final boolean balanced;
+    private String way = "";
+    /** Distance of the centre of mass from the edge over which it tips, metres; negative outside. */
+    private double room;
+
+    /**
+     * A robot at rest on its wheels.
+     *
+     * @param centre of mass {x, y, z}
+     * @param feet where its wheels touch, {x, y, z} each
+     * @param balanced whether the centre of mass was put into the middle of its wheels, because its parts don't tell
+     */
+    Stability(double[] centre, double[][] feet, boolean balanced) {
+        this.centre = centre.clone();
+        this.balanced = balanced;
+        double[][] hull = hull(feet);
+        support = hull.length < 3 ? new double[0][] : hull;
+        degrees = support.length == 0 ? Double.NaN : least();
+    }
+
+    private double least() {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < support.length; i++) {
+            double[] a = support[i];
+            double[] b = support[(i + 1) % support.length];
+            double ex = b[0] - a[0];
+            double ez = b[2] - a[2];
+            double length = Math.hypot(ex, ez);
+            double inside = (ex * (centre[2] - a[2]) - ez * (centre[0] - a[0])) / length;
+            double along = (ex * (centre[0] - a[0]) + ez * (centre[2] - a[2])) / (length * length);
+            double foot = a[1] + Math.max(0, Math.min(1, along)) * (b[1] - a[1]);
+            double angle = Math.toDegrees(Math.atan2(inside, Math.max(0, centre[1] - foot)));
+            if (angle < least) {
+                least = angle;
+                room = inside;
+                long eighth = Math.round(Math.atan2(ez, -ex) / (Math.PI / 4));
+                way = WAYS[Math.floorMod(eighth, WAYS.length)];
+            }
+        }
+        return least;
+    }
+
+    /** The corners of the convex hull in x and z, counter-clockwise from x to z. */
+    private static double[][] hull(double[][] feet) {
+        double[][] sorted = feet.clone();
+        Arrays.sort(sorted, Comparator.<double[]>comparingDouble(foot -> foot[0]).thenComparingDouble(foot -> foot[2]));
+        List<double[]> hull = new ArrayList<>();
+        half(sorted, hull);
+        for (int i = 0; i < sorted.length / 2; i++) {
+            double[] foot = sorted[i];
+            sorted[i] = sorted[sorted.length - 1 - i];
+            sorted[sorted.length - 1 - i] = foot;
+        }
+        half(sorted, hull);
+        return hull.toArray(new double[0][]);
+    }
+
+    /** Adds one side of the hull, without its last corner. */
+    private static void half(double[][] sorted, List<double[]> hull) {
+        int first = hull.size();
+        for (double[] foot : sorted) {
+            while (hull.size() - first > 1 && !turns(hull.get(hull.size() - 2), hull.get(hull.size() - 1), foot)) {
+                hull.remove(hull.size() - 1);
+            }
+            hull.add(foot);
+        }
+        if (hull.size() > first) {
+            hull.remove(hull.size() - 1);
+        }
+    }
+
+    /** Whether c lies beside the line from a to b, on the side of the hull. */
+    private static boolean turns(double[] a, double[] b, double[] c) {
+        double ex = b[0] - a[0];
+        double ez = b[2] - a[2];
+        return ex * (c[2] - a[2]) - ez * (c[0] - a[0]) > FLAT * Math.hypot(ex, ez);
+    }
+
+    /** The centre of mass, {x, y, z}. */
+    public double[] getCentre() {
+        return centre.clone();
+    }
+
+    /** The corners of the area on which it stands, {x, y, z} each; none if it stands on less than three points, or on a line. */
+    public double[][] getSupport() {
+        double[][] corners = new double[support.length][];
+        for (int i = 0; i < corners.length; i++) {
+            corners[i] = support[i].clone();
+        }
+        return corners;
+    }
+
+    /** Whether its user should know. */
+    public boolean isCritical() {
+        return degrees < CRITICAL;
+    }
+
+    /** When it tips over, in words; empty if its wheels don't say. */
+    public String getWords() {
+        if (Double.isNaN(degrees)) {
+            return "";
+        }
+        String words = degrees <= 0
+            ? String.format(Locale.ROOT, "falls over %s where it stands: its centre of mass lies %.3f m outside of its wheels", way, -room)
+            : String.format(Locale.ROOT, "tips over %s on a slope of %.0f degrees, or when it brakes or turns with more than %.1f m/s\u00b2", way,
+                Math.floor(degrees), Math.tan(Math.toRadians(degrees)) * PhysicsWorld.GRAVITY);
+        return words + (isCritical() ? "; put weight lower or farther inwards, or its wheels farther apart" : "")
+            + (balanced ? "; its weight counts in the middle of its wheels, until two of its shapes have a mass" : "");
+    }
+}

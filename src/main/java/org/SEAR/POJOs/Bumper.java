@@ -7,7 +7,7 @@ import org.SEAR.protocol.arduino.WireRole;
 @Described("a switch that is pressed while a part of its robot touches anything that isn't the robot itself; its own place doesn't matter")
 public class Bumper extends SensorObject implements Wirable {
     @Param(doc = "name of the part that presses it, a shape of the same robot; without it every part but the wheels does",
-        text = TextRule.NAME)
+        text = TextRule.NAME, names = Shape.class)
     private String part;
 
     /** For reading from a file. */

@@ -26,7 +26,7 @@ public class SpaceTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
     private static final String WORLD = String.join("\n",
-        "from org.SEAR.POJOs import Box, Cylinder, Distance, Floor, LIDAR, Robots, Sphere",
+        "from org.SEAR.POJOs import Box, Bumper, Cylinder, Distance, Floor, Led, LIDAR, Robots, Sphere",
         "sear.newProject()",
         "Floor('floor', 8, 8).setColor('#808080')",
         "box = Box('box', 1, 1, 1, 0)",
@@ -39,7 +39,9 @@ public class SpaceTest {
         "robot = Robots.create2('roomba')",
         "scanner = LIDAR('scanner', 4, 180, 1, 0, 0.15, 0.1)",
         "robot.addComponent(scanner)",
-        "robot.addComponent(Distance('ping', 'PING)))'))");
+        "robot.addComponent(Distance('ping', 'PING)))'))",
+        "robot.addComponent(Bumper('bumper'))",
+        "robot.addComponent(Led('lamp', '#00ff00', 0, 0.2, 0))");
 
     @Rule
     public final TestRule page = TABS.page("sear");
@@ -119,6 +121,18 @@ public class SpaceTest {
         assertTrue("beams that met something", ((Number) inScene("[].filter.call(scene.sensors[0].fan.geometry.attributes.position.array,"
             + " function(value) { return value !== 0 }).length")).intValue() > 50);
         browser.click(".sear-follow");
+    }
+
+    @Test
+    public void aLightIsDarkThenLitAndABumperIsFree() {
+        browser.seeText("[data-led=lamp]", "lamp: 0 %");
+        assertEquals("dark", 0.2, ((Number) inScene("scene.robots[0].lights[0].bulb.material.color.g")).doubleValue(), 1e-6);
+        tab.start();
+        TABS.robotLab().run("sear.setLed('lamp', 0.5)");
+        browser.seeText("[data-led=lamp]", "lamp: 50 %");
+        browser.until("lit", () -> Math.abs(((Number) inScene("scene.robots[0].lights[0].bulb.material.color.g")).doubleValue() - 0.6) < 1e-6);
+        assertEquals(0.2, ((Number) inScene("scene.robots[0].lights[0].holder.position.y")).doubleValue(), 1e-6);
+        browser.seeText("[data-sensor=bumper] .sear-reading", "not pressed");
     }
 
     @Test

@@ -128,12 +128,14 @@ public class ProjectEditorTest {
             edit("do", "add", "type", "Distance", "name", "eye", "to", robot);
             edit("do", "add", "type", "Servo", "name", "neck", "to", robot, "set", map("part", List.of("eye")));
             edit("do", "add", "type", "Servo", "name", "helm", "to", robot);
+            edit("do", "add", "type", "Bumper", "name", "touch", "to", robot, "set", map("part", "body"));
             edit("do", "add", "type", "Wheel", "name", "fifth", "to", robot, "set", map("type", 2, "z", 0.3, "steeringServo", "helm"));
             edit("do", "add", "type", "Arduino", "name", "board", "to", robot, "set", map("wire", List.of(
                 map("pin", 7, "part", "eye", "role", "ping"), map("pin", 9, "part", "neck", "role", "servo"), map("pin", 5, "part", "engine", "role", "pwm"))));
         }
         Map<String, String> before = objects();
-        List<String> renamed = List.of("left", "port", "eye", "sonar", "neck", "pan", "engine", "drivetrain", "helm", "rudder");
+        List<String> renamed = List.of("left", "port", "eye", "sonar", "neck", "pan", "engine", "drivetrain", "helm", "rudder",
+            "body", "hull");
         for (int i = 0; i < renamed.size(); i += 2) {
             edit("do", "rename", "object", "rover/" + renamed.get(i), "name", renamed.get(i + 1));
             Project.read(project.folder());
@@ -141,6 +143,7 @@ public class ProjectEditorTest {
         assertEquals(List.of("right", "port"), value("rover/drivetrain", "wheel"));
         assertEquals(List.of("sonar"), value("rover/pan", "part"));
         assertEquals("rudder", value("rover/fifth", "steeringServo"));
+        assertEquals("hull", value("rover/touch", "part"));
         assertEquals(List.of(map("pin", "7", "part", "sonar", "role", "ping"), map("pin", "9", "part", "pan", "role", "servo"),
             map("pin", "5", "part", "drivetrain", "role", "pwm")), value("rover/board", "wire"));
         assertEquals("another robot's parts are others", List.of("right", "left"), value("other/engine", "wheel"));

@@ -10,7 +10,7 @@ case " $* " in
         needed="$needed Xvfb:xvfb xdotool:xdotool chromium:chromium chromedriver:chromium-driver gpsd:gpsd gpspipe:gpsd-clients rawlog-grabber:mrpt-apps"
         needed="$needed python3:python3 pip3:python3-pip" ;;
 esac
-case " $* " in *" check "*|*" build "*|*" eslint "*) needed="$needed npm:npm node:nodejs" ;; esac
+case " $* " in *" check "*|*" build "*|*" test "*|*" eslint "*) needed="$needed npm:npm node:nodejs" ;; esac
 case " $* " in *" tryOnWindows "*) needed="$needed wine:wine python3:python3 pip3:python3-pip" ;; esac
 
 missing=

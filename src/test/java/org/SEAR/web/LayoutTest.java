@@ -126,8 +126,10 @@ public class LayoutTest {
 
     private void checkInWindow(int width, int height, String... all) {
         for (String css : all) {
-            double[] box = box(css);
-            assertTrue(css + " " + Arrays.toString(box), box[0] >= 0 && box[1] >= 0 && box[2] <= width && box[3] <= height && box[3] > box[1]);
+            browser.until(css + " in the window", () -> {
+                double[] box = box(css);
+                return box[0] >= 0 && box[1] >= 0 && box[2] <= width && box[3] <= height && box[3] > box[1];
+            });
         }
     }
 
@@ -163,6 +165,7 @@ public class LayoutTest {
         browser.click(".sear-show-script");
         browser.see(".sear-python");
         checkNothingScrolls("with the project as a script");
+        Accessibility.check(browser, SearTab.ROOT);
     }
 
     @Test

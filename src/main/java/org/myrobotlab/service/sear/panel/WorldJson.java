@@ -272,6 +272,8 @@ public final class WorldJson {
             }
         }
         return list;
+    }
+
     private static Map<String, Object> balance(Stability stability) {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("centre", point(stability.getCentre(), FINE));

@@ -310,10 +310,11 @@ public class SEAR extends Service<SEARConfig> {
     }
 
     /**
-     * Drives the first robot along a circle, as the Roomba's own command does, until the next command. One with steered wheels steers to it.
+     * Drives the first robot along a circle, as the Roomba's own command does, until the next command. One with steered wheels steers to it, at
+     * radius 0 as far as they turn.
      *
      * @param speed m/s, + forward, -100 to 100
-     * @param radius metres, + to the left; infinity = straight, 0 = in place to the left, or on the smallest circle where wheels are steered
+     * @param radius metres, + to the left; infinity = straight, 0 = in place to the left
      * @example sear.drive(0.2, 0.5)
      */
     public void drive(double speed, double radius) {
@@ -321,11 +322,11 @@ public class SEAR extends Service<SEARConfig> {
     }
 
     /**
-     * Drives a robot along a circle. One with steered wheels steers to it.
+     * Drives a robot along a circle. One with steered wheels steers to it, at radius 0 as far as they turn.
      *
      * @param robot its name
      * @param speed m/s, + forward, -100 to 100
-     * @param radius metres, + to the left; infinity = straight, 0 = in place to the left, or on the smallest circle where wheels are steered
+     * @param radius metres, + to the left; infinity = straight, 0 = in place to the left
      * @throws IllegalArgumentException that names the robots there are, or the legal range
      * @example sear.drive("myRoomba", 0.2, float("inf"))
      */

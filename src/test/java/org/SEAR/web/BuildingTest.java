@@ -236,10 +236,11 @@ public class BuildingTest {
     public void aRobotIsMadeFromATemplateAndDriven() throws IOException {
         build(".sear-space");
         browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); var orbit = scope.scene().orbit;"
-            + "orbit.target.set(0, 0, 0); orbit.distance = 1; orbit.azimuth = Math.PI; orbit.elevation = 0.6; scope.redraw()");
-        browser.until("a near view", () -> inSpace(0, 0, 0.1)[0] - inSpace(0, 0, 0)[0] > 40);
-        arm("rover");
+            + "orbit.target.set(0, 0, 0); orbit.distance = 0.9; orbit.azimuth = Math.PI; orbit.elevation = 0.6; scope.redraw()");
         WebElement view = browser.see(".sear-scene");
+        browser.until("a near view of the middle", () -> inSpace(0, 0, 0.1)[0] - inSpace(0, 0, 0)[0] > 25
+            && Math.abs(inSpace(0, 0, 0)[0] - view.getSize().getWidth() / 2.0) < 1);
+        arm("rover");
         moveTo(view, inSpace(0, 0, 0)).click().perform();
         waitForSelected("rover1");
         assertTrue(tab.isTrue("world().objects.length == 1 && world().objects[0].type == 'Floor'"));
@@ -252,6 +253,10 @@ public class BuildingTest {
         waitForSelected("rover1/distance1");
         assertTrue("it looks to the right, from the side", tab.isTrue("object.values.ry == '-90' && object.values.z == '-0.1'"));
         assertEquals(-0.07, tab.number("1 * object.values.x"), 1e-3);
+        browser.until("the sensor in the view", () -> tab.isTrue("scene().sensors.length == 1 && !!scene().sensors[0].marker"));
+        drag(inSpace(-0.07, 0.068 + tab.number("1 * object.values.y"), -0.1), inSpace(0, 0.113, -0.1));
+        browser.until("on top", () -> tab.isTrue("object.values.x == '0' && object.values.z == '-0.1'"));
+        assertEquals("on the surface", 0.045, tab.number("1 * object.values.y"), 1e-3);
         browser.click(".sear-test-drive");
         browser.until("the drive", () -> tab.isTrue("service.simulating && state !== null"));
         browser.until("keys for the view", () -> view.equals(browser.driver().switchTo().activeElement()));

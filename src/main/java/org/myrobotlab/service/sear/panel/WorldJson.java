@@ -46,10 +46,9 @@ import org.myrobotlab.service.sear.readings.ScriptReadings;
  *                           "pins": [{"pin", "wired", "mode", "value"}] (texts; only of a board)}],
  *              "parts": [{"name", "type", "corners", "look", "picture", "color", "colored", "pose" (in the body)}], "wheels": [pose, ..],
  *              "turned": [pose, ..] (of the other parts, if the robot has servos),
- *              "leds": [{"name", "color", "size", "pose" (in the body)}], "lights": [0.5, ..] (how bright each is; both if the robot has leds)}],
+ *              "leds": [{"name", "color", "size", "pose" (in the body)}], "lights": [0.5, ..] (how bright each is; both if the robot has leds),
  *              "balance": {"centre": [x, y, z] (of mass, in the body), "support": [[x, y, z], ..] (the corners of what it stands on),
- *                          "critical": false (whether it tips over easily), "words": "tips over .."},
- *              "turned": [pose, ..] (of the other parts, if the robot has servos)}],
+ *                          "critical": false (whether it tips over easily), "words": "tips over .."}}],
  *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "hit": [x, y, z] or null,
  *               "cones": [{"halfAngle", "range", "yaw"}]},
  *              {"name": "myLidar", "type": "LIDAR", "pose": [..], "spread": 180, "resolution": 1, "ranges": [.., null, ..]}]}

@@ -9,8 +9,8 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 
 /**
- * The names by which parts of a robot know each other: a motor its wheels, a servo what it turns, a wheel its servo, a bumper what presses it, an Arduino what is wired to it.
- * The grammar says which parameters these are. Whoever holds the project's lock.
+ * The names by which parts of a robot know each other: a motor its wheels, a servo what it turns, a wheel its servo, a bumper what presses it, an
+ * Arduino what is wired to it. The grammar says which parameters these are. Whoever holds the project's lock.
  */
 final class References {
     private References() {

@@ -131,7 +131,8 @@ public class ProjectEditorTest {
             edit("do", "add", "type", "Bumper", "name", "touch", "to", robot, "set", map("part", "body"));
             edit("do", "add", "type", "Wheel", "name", "fifth", "to", robot, "set", map("type", 2, "z", 0.3, "steeringServo", "helm"));
             edit("do", "add", "type", "Arduino", "name", "board", "to", robot, "set", map("wire", List.of(
-                map("pin", 7, "part", "eye", "role", "ping"), map("pin", 9, "part", "neck", "role", "servo"), map("pin", 5, "part", "engine", "role", "pwm"))));
+                map("pin", 7, "part", "eye", "role", "ping"), map("pin", 9, "part", "neck", "role", "servo"),
+                map("pin", 5, "part", "engine", "role", "pwm"))));
         }
         Map<String, String> before = objects();
         List<String> renamed = List.of("left", "port", "eye", "sonar", "neck", "pan", "engine", "drivetrain", "helm", "rudder",

@@ -27,8 +27,8 @@ public interface Robot {
     Stability getStability();
 
     /**
-     * Drives as the Roomba command does. A robot with steered wheels, unless a servo steers them, steers to that circle, or as far as it can; straight
-     * on it keeps the angle that {@link #steer} has set.
+     * Drives as the Roomba command does. A robot with steered wheels, unless a servo steers them, steers to that circle, or as far as it can;
+     * straight on it keeps the angle that {@link #steer} has set.
      *
      * @param speed m/s
      * @param radius metres, positive to the left, infinite = straight, 0 = in place to the left

@@ -93,8 +93,8 @@ public class TippingTest {
     public void thatIsSaidAtTheStart() throws Exception {
         new Floor("floor", 10, 10);
         tower(1, 3, 0, 0.9);
-        assertEquals("[robot tower tips over to the left on a slope of 11 degrees, or when it brakes or turns with more than 2.0 m/s\u00b2; put weight"
-            + " lower or farther inwards, or its wheels farther apart]", Worlds.start(project).snapshot().warnings.toString());
+        assertEquals("[robot tower tips over to the left on a slope of 11 degrees, or when it brakes or turns with more than 2.0 m/s\u00b2;"
+            + " put weight lower or farther inwards, or its wheels farther apart]", Worlds.start(project).snapshot().warnings.toString());
         tower(1, 3, 0.3, 0.1);
         Simulation simulation = Worlds.start(project);
         assertEquals("[robot tower falls over to the left where it stands: its centre of mass lies 0.075 m outside of its wheels; put weight lower or"

@@ -3,6 +3,8 @@ package org.SEAR.web;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Arrays;
+import java.util.List;
 import org.openqa.selenium.Dimension;
 import org.openqa.selenium.interactions.Actions;
 
@@ -22,15 +24,18 @@ public final class TabPictures {
     private TabPictures() {
     }
 
-    /** @param arguments the folder for the pictures and, if only the ground is wanted, the name of its picture */
+    /** @param arguments the folder for the pictures and, if not all are wanted, some of {@code tabs}, {@code terrain-tab}, {@code building} */
     public static void main(String[] arguments) throws Exception {
         Path folder = Paths.get(arguments[0]);
-        if (arguments.length < 2 || !arguments[1].equals(TERRAIN)) {
+        List<String> wanted = Arrays.asList(arguments).subList(1, arguments.length);
+        if (wanted.isEmpty() || wanted.contains("tabs")) {
             drive(folder);
         }
-        try (Browser browser = new Browser(WIDTH, 900); MyRobotLab robotLab = new MyRobotLab("Runtime.start('sear', 'SEAR')")) {
-            browser.driver().get(robotLab.url() + "#/sear");
-            terrain(browser, robotLab, folder);
+        if (wanted.isEmpty() || wanted.contains(TERRAIN)) {
+            terrain(folder);
+        }
+        if (wanted.isEmpty() || wanted.contains("building")) {
+            BuildingPictures.take(folder);
         }
         System.exit(0);
     }
@@ -74,6 +79,13 @@ public final class TabPictures {
     }
 
     /** The mountains of an example, with the pointer on them. */
+    private static void terrain(Path folder) throws Exception {
+        try (Browser browser = new Browser(WIDTH, 900); MyRobotLab robotLab = new MyRobotLab("Runtime.start('sear', 'SEAR')")) {
+            browser.driver().get(robotLab.url() + "#/sear");
+            terrain(browser, robotLab, folder);
+        }
+    }
+
     private static void terrain(Browser browser, MyRobotLab robotLab, Path folder) throws Exception {
         browser.see("mrl-panel[name='sear'] > *");
         robotLab.run(Files.readString(Paths.get("examples/mountain.py")));

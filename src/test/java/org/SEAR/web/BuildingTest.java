@@ -239,7 +239,7 @@ public class BuildingTest {
             + "orbit.target.set(0, 0, 0); orbit.distance = 0.9; orbit.azimuth = Math.PI; orbit.elevation = 0.6; scope.redraw()");
         WebElement view = browser.see(".sear-scene");
         browser.until("a near view of the middle", () -> inSpace(0, 0, 0.1)[0] - inSpace(0, 0, 0)[0] > 25
-            && Math.abs(inSpace(0, 0, 0)[0] - view.getSize().getWidth() / 2.0) < 1);
+            && Math.abs(inSpace(0, 0, 0)[0] - view.getSize().getWidth() / 2.0) < 2);
         arm("rover");
         moveTo(view, inSpace(0, 0, 0)).click().perform();
         waitForSelected("rover1");

@@ -22,18 +22,23 @@ import org.slf4j.LoggerFactory;
  */
 public final class PanelFiles {
     private static final Logger log = LoggerFactory.getLogger(PanelFiles.class);
-    private static final List<String> FILES = Arrays.asList("%s.png", "%s/%s.py",
-        "%s/maze.sear", "%s/mountain.sear", "%s/office.sear", "%s/ramps.sear", "%s/sensors.sear", "WebGui/app/service/views/%sGui.html",
-        script("Gui"), script("Beams"), script("Building"), script("Edits"), script("Geometry"), script("Ground"), script("Handles"),
-        script("Inspector"), script("Item"), script("Looks"), script("Map"), script("Palette"), script("Panel"), script("Plot"),
-        script("Pointing"), script("Projects"), script("Records"), script("Scene"), script("Script"), script("Terrain"),
-        script("Views"), script("Words"), script("World"));
+    private static final List<String> FILES = Arrays.asList("%s.png", "%s/%s.py", "WebGui/app/service/views/%sGui.html",
+        example("car"), example("line"), example("maze"), example("mountain"), example("office"), example("ramps"), example("rover"),
+        example("sensors"), example("turret"),
+        script("Gui"), script("Balance"), script("Beams"), script("Building"), script("Edits"), script("Geometry"), script("Ground"),
+        script("Handles"), script("Inspector"), script("Item"), script("Looks"), script("Map"), script("Palette"), script("Panel"), script("Plot"),
+        script("Pointing"), script("Projects"), script("Records"), script("Robots"), script("Scene"), script("Script"), script("Terrain"),
+        script("Views"), script("Words"), script("Workspace"), script("World"));
     /** Where the jar has them. */
     private static final String IN_JAR = "/resource/";
     /** Below the resource root: what was written, by file name, as SHA-256. */
     private static final String RECORD = ".sear-files.properties";
 
     private PanelFiles() {
+    }
+
+    private static String example(String name) {
+        return "%s/" + name + ".sear";
     }
 
     /** A file of a panel's script: {@code Gui} is the one that MyRobotLab loads, the others are loaded by it. */

@@ -11,10 +11,14 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Arrays;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.service.GPS;
 import org.myrobotlab.service.LIDAR;
 import org.myrobotlab.service.SEAR;
 
@@ -48,6 +52,22 @@ public class PanelFilesTest {
         try (DirectoryStream<Path> examples = Files.newDirectoryStream(Paths.get(System.getProperty("sear.root", "."), "examples"), "*.sear")) {
             for (Path example : examples) {
                 assertArrayEquals(Files.readAllBytes(example), Files.readAllBytes(root().resolve("SEAR").resolve(example.getFileName())));
+            }
+        }
+    }
+
+    /** A panel that MyRobotLab serves lacks nothing that the jar has. */
+    @Test
+    public void everyFileOfThePanelsIsInstalled() throws IOException {
+        for (Class<?> service : Arrays.asList(SEAR.class, LIDAR.class, GPS.class)) {
+            PanelFiles.install(service, root());
+        }
+        Path ours = Paths.get(System.getProperty("sear.root", "."), "resources/resource");
+        try (Stream<Path> files = Files.walk(ours)) {
+            for (Path file : files.filter(Files::isRegularFile).collect(Collectors.toList())) {
+                Path installed = root().resolve(ours.relativize(file));
+                assertTrue(installed + " is missing", Files.exists(installed));
+                assertArrayEquals(Files.readAllBytes(file), Files.readAllBytes(installed));
             }
         }
     }

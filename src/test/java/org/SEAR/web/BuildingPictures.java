@@ -15,11 +15,11 @@ final class BuildingPictures {
     private static final int LOOK = 70;
     private static final int END = 250;
     private static final int GLANCE = 8;
-    /** So slowly that there is time for many pictures. */
-    private static final double SLOWLY = 0.1;
     private static final double DRIVE_SECONDS = 8;
     private static final double TURN_SECONDS = 2;
-    private static final double BETWEEN = 0.08;
+    /** From one picture of the drive to the next. */
+    private static final int STEPS = 9;
+    private static final double STEP_SECONDS = 1 / 60.0;
     /** Where {@link LayoutTest} and others keep what somebody may look at. */
     private static final Path LOOKED_AT = Paths.get(System.getProperty("sear.root", "."), "build/reports/web");
 
@@ -135,28 +135,28 @@ final class BuildingPictures {
         browser.until("a running simulation", () -> tab.isTrue("state !== null && service.simulating"));
         robotLab.call("sear", "recordRun", "drive.searlog");
         film.shoot(LOOK);
-        robotLab.call("sear", "setSpeed", SLOWLY);
-        film.follow(tab::time);
+        robotLab.call("sear", "pause");
+        browser.until("a pause", () -> tab.isTrue("service.paused"));
         film.click(".sear-forward");
         shootFor(DRIVE_SECONDS);
         film.click(".sear-left");
         shootFor(TURN_SECONDS);
         film.click(".sear-halt");
-        film.follow(null);
         film.shoot(END);
         film.end();
         film.write(folder.resolve("building.gif"));
         System.out.println(folder.resolve("building.gif"));
-        robotLab.call("sear", "setSpeed", 1);
         robotLab.call("sear", "stopSimulation");
         browser.until("no simulation", () -> tab.isTrue("!service.simulating"));
     }
 
+    /** Step by step, so that a slow machine makes the same film. */
     private void shootFor(double seconds) throws IOException {
-        double end = tab.time() + seconds;
-        for (double now = tab.time(); now < end; now = tab.time()) {
-            tab.waitForTime(now + BETWEEN);
-            film.shoot(GLANCE);
+        for (double shown = 0; shown < seconds; shown += STEPS * STEP_SECONDS) {
+            double next = tab.time() + (STEPS - 0.5) * STEP_SECONDS;
+            robotLab.call("sear", "step", STEPS);
+            tab.waitForTime(next);
+            film.shoot((int) Math.round(100 * STEPS * STEP_SECONDS));
         }
     }
 

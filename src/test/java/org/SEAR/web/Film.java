@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import java.util.function.DoubleSupplier;
 import javax.imageio.ImageIO;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.OutputType;
@@ -22,7 +21,6 @@ final class Film {
     /** Hundredths of a second. */
     private static final int GLIDE_TIME = 5;
     private static final int KEY_TIME = 12;
-    private static final int SHORTEST = 3;
     /** Browsers without a display draw no pointer. */
     private static final String POINTER = "var hand = document.createElement('div'); hand.id = 'film-pointer'; document.body.appendChild(hand);"
         + "hand.style.cssText = 'position:fixed;left:0;top:0;z-index:99999;pointer-events:none';"
@@ -34,8 +32,6 @@ final class Film {
 
     private final Browser browser;
     private final AnimatedGif gif = new AnimatedGif();
-    private DoubleSupplier clock;
-    private double before;
     private double x;
     private double y;
 
@@ -44,30 +40,13 @@ final class Film {
         browser.script(POINTER);
     }
 
-    /** From now on each picture is shown for as long as this clock, in seconds, has gone on since the one before; null: for as long as is said. */
-    void follow(DoubleSupplier seconds) {
-        clock = seconds;
-        before = seconds == null ? 0 : seconds.getAsDouble();
-    }
-
     /** Takes the pointer away. */
     void end() {
         browser.script("document.getElementById('film-pointer').remove()");
     }
 
-    private int timeOf(int hundredths) {
-        if (clock == null) {
-            return hundredths;
-        }
-        double now = clock.getAsDouble();
-        int passed = (int) Math.round(100 * (now - before));
-        before = now;
-        return Math.max(SHORTEST, passed);
-    }
-
     /** @param hundredths of a second for which it is shown what is to be seen now */
     void shoot(int hundredths) throws IOException {
-        int time = timeOf(hundredths);
         browser.driver().executeAsyncScript("var done = arguments[0]; requestAnimationFrame(function() { requestAnimationFrame(done) })");
         BufferedImage shot = ImageIO.read(new ByteArrayInputStream(browser.driver().getScreenshotAs(OutputType.BYTES)));
         int height = WIDTH * shot.getHeight() / shot.getWidth();
@@ -75,7 +54,7 @@ final class Film {
         Graphics2D pen = small.createGraphics();
         pen.drawImage(shot.getScaledInstance(WIDTH, height, Image.SCALE_AREA_AVERAGING), 0, 0, null);
         pen.dispose();
-        gif.add(small, time);
+        gif.add(small, hundredths);
     }
 
     void write(Path file) throws IOException {

@@ -3,6 +3,7 @@ package org.myrobotlab.service;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 import org.myrobotlab.codec.CodecUtils;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.framework.Status;
@@ -61,6 +62,21 @@ public class Heard extends Service<ServiceConfig> {
                 values.wait(50);
             }
             return new ArrayList<>(values);
+        }
+    }
+
+    /**
+     * Waits for a value of this kind: what was said before a listener was added may come after it, for services deliver from a queue.
+     *
+     * @return whether it came
+     */
+    public boolean awaitValue(Predicate<Object> kind) throws InterruptedException {
+        long end = System.nanoTime() + PATIENCE;
+        synchronized (values) {
+            while (values.stream().noneMatch(kind) && System.nanoTime() < end) {
+                values.wait(50);
+            }
+            return values.stream().anyMatch(kind);
         }
     }
 

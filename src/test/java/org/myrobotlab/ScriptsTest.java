@@ -10,11 +10,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.concurrent.TimeUnit;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.Rule;
-import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
+import org.junit.Test;
+import org.SEAR.SearProcess;
 
 /** The listings of the dissertation run one after the other with the command line, and do what it says; so does the demo. */
 public class ScriptsTest {
@@ -49,10 +51,9 @@ public class ScriptsTest {
     private String run(String script) throws IOException, InterruptedException {
         File folder = temporary.getRoot();
         File output = new File(folder, Paths.get(script).getFileName() + ".txt");
-        ProcessBuilder builder = new ProcessBuilder(System.getProperty("java.home") + "/bin/java", "-Xmx512m", "-cp",
-            System.getProperty("sear.cliClasspath"), "org.SEAR.cli.SearCommand", ROOT.resolve(script).toString(), "--headless", "--speed", "max",
-            "--port", "none");
-        Process process = builder.directory(folder).redirectErrorStream(true).redirectOutput(output)
+        List<String> command = SearProcess.command("-Xmx512m");
+        command.addAll(List.of(ROOT.resolve(script).toString(), "--headless", "--speed", "max", "--port", "none"));
+        Process process = new ProcessBuilder(command).directory(folder).redirectErrorStream(true).redirectOutput(output)
             .redirectInput(ProcessBuilder.Redirect.from(new File(folder, "nothing"))).start();
         boolean ended = process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
         process.destroyForcibly();

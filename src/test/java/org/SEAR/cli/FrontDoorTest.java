@@ -6,26 +6,26 @@ import static org.junit.Assert.assertTrue;
 
 import java.io.File;
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
-import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import java.util.concurrent.TimeUnit;
+import java.util.List;
 import java.util.regex.Pattern;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
-import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
+import org.junit.Test;
+import org.SEAR.SearProcess;
 
 /** {@code sear} without a script: tabs, browser and the project that was asked for; and how it ends. */
 public class FrontDoorTest {
@@ -59,8 +59,7 @@ public class FrontDoorTest {
     }
 
     private void sear(String... arguments) throws IOException {
-        List<String> command = new ArrayList<>(Arrays.asList(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx256m",
-            "-Dfile.encoding=UTF-8", "-Dsear.headless=true", "-cp", System.getProperty("sear.cliClasspath"), "org.SEAR.cli.SearCommand"));
+        List<String> command = SearProcess.command("-Xmx256m", "-Dfile.encoding=UTF-8", "-Dsear.headless=true");
         command.addAll(Arrays.asList(arguments));
         command.addAll(List.of("--port", String.valueOf(port)));
         ProcessBuilder builder = new ProcessBuilder(command).directory(root.toFile()).redirectOutput(log("out")).redirectError(log("err"));

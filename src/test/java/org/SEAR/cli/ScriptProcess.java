@@ -7,11 +7,10 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.List;
+import org.SEAR.SearProcess;
 
 /** Runs scripts with {@code sear} in a process of its own: headless, in lock-step, without tabs. */
 public final class ScriptProcess {
@@ -27,9 +26,8 @@ public final class ScriptProcess {
      * @return what it printed
      */
     public static String run(Path folder, Path script, String... arguments) throws IOException, InterruptedException {
-        List<String> command = new ArrayList<>(Arrays.asList(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx512m", "-cp",
-            System.getProperty("sear.cliClasspath"), "org.SEAR.cli.SearCommand", script.toString(), "--headless", "--speed", "max", "--port",
-            "none"));
+        List<String> command = SearProcess.command("-Xmx512m");
+        command.addAll(List.of(script.toString(), "--headless", "--speed", "max", "--port", "none"));
         command.addAll(Arrays.asList(arguments));
         Path output = Files.createTempFile("script", ".txt");
         Process process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(output.toFile()).start();

@@ -12,17 +12,17 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.List;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import org.junit.Rule;
+import org.junit.rules.TemporaryFolder;
+import org.junit.Test;
 import org.SEAR.documents.DocBlock;
 import org.SEAR.project.bundle.Bundle;
-import org.junit.Rule;
-import org.junit.Test;
-import org.junit.rules.TemporaryFolder;
+import org.SEAR.SearProcess;
 
 /** The command {@code sear}, in a JVM of its own. */
 public class SearCommandTest {
@@ -34,8 +34,7 @@ public class SearCommandTest {
     private int sear(String... arguments) throws IOException, InterruptedException {
         File outFile = folder.newFile();
         File errFile = folder.newFile();
-        List<String> command = new ArrayList<>(Arrays.asList(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx256m",
-            "-Dfile.encoding=UTF-8", "-cp", System.getProperty("sear.cliClasspath"), "org.SEAR.cli.SearCommand"));
+        List<String> command = SearProcess.command("-Xmx256m", "-Dfile.encoding=UTF-8");
         command.addAll(Arrays.asList(arguments));
         Process process = new ProcessBuilder(command).directory(folder.getRoot()).redirectOutput(outFile).redirectError(errFile).start();
         assertTrue("sear hangs", process.waitFor(240, TimeUnit.SECONDS));

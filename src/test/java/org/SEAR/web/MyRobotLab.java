@@ -4,21 +4,21 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.File;
 import java.io.IOException;
-import java.net.ServerSocket;
-import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.net.ServerSocket;
+import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.SEAR.SearProcess;
 
 /**
  * The embedded MyRobotLab as users start it, {@code sear start.py --headless --keep}: a process of its own, in a folder of its own, with tabs on a
@@ -77,9 +77,9 @@ public final class MyRobotLab implements AutoCloseable {
 
     private void startProcess() throws IOException, InterruptedException {
         Files.deleteIfExists(folder.resolve(STARTED));
-        List<String> command = new ArrayList<>(List.of(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx384m",
-            "-XX:TieredStopAtLevel=1", "-Dfile.encoding=UTF-8", "-cp", System.getProperty("sear.cliClasspath") + moreClasses,
-            "org.SEAR.cli.SearCommand", "start.py", "--headless", "--keep", "--port", String.valueOf(port)));
+        List<String> command = SearProcess.command(System.getProperty("sear.cliClasspath") + moreClasses,
+            new String[] {"-Xmx384m", "-Dfile.encoding=UTF-8"});
+        command.addAll(List.of("start.py", "--headless", "--keep", "--port", String.valueOf(port)));
         command.addAll(options);
         process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(logFile().toFile()).start();
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(START_SECONDS);

@@ -141,7 +141,9 @@
                 panel.edit({'do': 'delete', object: $scope.selected}, function(answer) {
                     sayRefusal(answer)
                     if (answer.done) {
-                        panel.say('info', answer.words + ': Undo brings it back')
+                        if (!answer.note) {     // else that says what went with it
+                            panel.say('info', answer.words + ': Undo brings it back')
+                        }
                         panel.select(null)
                     }
                 })

@@ -19,7 +19,7 @@ public class Motor extends SearObject implements Wirable {
     private static final int COUNTS = 360;
 
     @Param(doc = "name of a driven wheel of the same robot, which it turns", element = "wheel", text = TextRule.NAME, names = Wheel.class,
-        maxEntries = MAX_WHEELS)
+        needed = true, maxEntries = MAX_WHEELS)
     private List<String> wheelNames = new ArrayList<>();
     @Param(doc = "torque of the motor's shaft when it stands still with full power", unit = "N m", min = 1e-6, max = 1e6)
     private double stallTorque = STALL_TORQUE;

@@ -45,8 +45,14 @@ public @interface Param {
     /** XML element, if it isn't named like the field (an entry of a list). */
     String element() default "";
 
-    /** Of what kind the thing of the same robot is whose name this text is, so that it follows when that gets another name; void for no such text. */
+    /**
+     * Of what kind the thing of the same robot is whose name this text is, so that it follows when that gets another name, and goes when that is
+     * deleted; void for no such text.
+     */
     Class<?> names() default void.class;
+
+    /** Whether what has such names is good for nothing without any, so that it is deleted with the last thing that it names. */
+    boolean needed() default false;
 
     /** Most entries of a list. */
     int maxEntries() default 1;

@@ -119,6 +119,11 @@ public final class Parameter {
         return param.names().isInstance(thing);
     }
 
+    /** Whether what has it can't be without any value of it, or is good for nothing then. */
+    public boolean isNeeded() {
+        return param.required() || param.needed();
+    }
+
     /** Whether 0 is legal, too, where the smallest number is above it. */
     public boolean isOrZero() {
         return param.orZero();

@@ -1,6 +1,7 @@
 package org.SEAR.project.edit;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -22,6 +23,8 @@ final class Operations {
     /** A robot's parts: other edits than {@code set} see to them. */
     private static final List<String> LINKS = List.of("component", "wheel");
     private static final List<String> PORTS = List.of("uartPort", "userPort", "export");
+
+    private static final String LEFT = " was deleted, since it can't be without ";
 
     private final Draft draft;
     private final Finder finder;
@@ -228,7 +231,7 @@ final class Operations {
             draft.write(ObjectFiles.path(place.path.startsWith(ProjectFolder.ROBOT + "/"), name), place.object);
         }
         if (place.robot != null) {
-            References.follow(draft, place.robot, place.object, old);
+            new References(draft, place.robot).follow(place.object, old);
         }
         return new Done("rename " + old + " to " + name, place.address());
     }
@@ -248,28 +251,47 @@ final class Operations {
         }
     }
 
-    /** {@code object}; a robot goes with all of its parts. */
+    /** {@code object}; a robot goes with all of its parts, a part with what can't be without it. */
     Done delete(Request edit) throws IOException, ProjectException {
         Place place = finder.find(edit.text("object"));
-        leave(place);
+        References others = leave(place);
         if (place.object instanceof SEARrobot) {
             ((SEARrobot) place.object).getComponentNames().forEach(file -> draft.delete(ObjectFiles.path(true, file)));
         }
-        return new Done("delete " + place.object.getName(), null);
+        int also = others.deleted().size();
+        String with = also == 0 ? "" : " with " + (also == 1 ? References.called(others.deleted().get(0)) : also + " more");
+        return new Done("delete " + place.object.getName() + with, null, besides(others, place, " was deleted with "));
+    }
+
+    /** What has become of others because an object left its robot. */
+    private static List<String> besides(References others, Place place, String why) {
+        List<String> besides = new ArrayList<>();
+        others.deleted().forEach(object -> besides.add(References.called(object) + why + References.called(place.object)));
+        besides.addAll(others.lost());
+        return besides;
+    }
+
+    /** Takes an object away from where it is, and its name from the other parts of its robot. */
+    private References leave(Place place) throws IOException, ProjectException {
+        takeAway(place);
+        References others = new References(draft, place.robot);
+        if (place.robot != null) {
+            others.forget(place.object);
+        }
+        return others;
     }
 
     /** Takes an object away from where it is. */
     @SuppressWarnings("unchecked")
-    private void leave(Place place) {
+    private void takeAway(Place place) throws IOException, ProjectException {
         if (place.isWheel()) {
             ((List<Object>) parameter(place.robot, "wheel").get(place.robot)).remove(place.object);
         } else {
             draft.delete(place.path);
-            if (place.robot != null) {
-                components(place.robot).remove(ObjectFiles.stem(place.path));
-            }
         }
         if (place.robot != null) {
+            String file = ObjectFiles.stem(place.path);
+            components(place.robot).removeIf(name -> !place.isWheel() && name.equals(file));
             draft.write(place.robotPath(), place.robot);
         }
     }
@@ -330,14 +352,19 @@ final class Operations {
         if (!Grammar.standsOnRobot(place.object.getClass())) {
             throw Request.refused("to", to, "nothing: a " + place.object.getClass().getSimpleName() + " can't be a part of a robot");
         }
-        leave(place);
+        List<String> besides = List.of();
+        if (place.robot != null && place.robot.getName().equals(to)) {
+            takeAway(place);
+        } else {
+            besides = besides(leave(place), place, LEFT);
+        }
         Place there = put(place.object, finder.robot(to), place.object.getName());
         if (place.object instanceof PlacedObject) {
             standWherePut(place.object, Map.of("y", ""));
         }
         set(there.path, place.object, edit.values("set"), Map.of());
         write(there);
-        return new Done("mount " + place.object.getName() + " on " + to, there.address());
+        return new Done("mount " + place.object.getName() + " on " + to, there.address(), besides);
     }
 
     /** {@code object}, {@code set} parameters, which count in the world then; only what may stand there by itself. */
@@ -350,10 +377,10 @@ final class Operations {
             throw Request.refused("object", place.address(), "a shape: a " + place.object.getClass().getSimpleName()
                 + " can't stand in the world without a robot; mount it on another one, or delete it");
         }
-        leave(place);
+        List<String> besides = besides(leave(place), place, LEFT);
         Place there = put(place.object, null, place.object.getName());
         set(there.path, place.object, edit.values("set"), Map.of());
         write(there);
-        return new Done("take " + place.object.getName() + " off " + place.robot.getName(), there.address());
+        return new Done("take " + place.object.getName() + " off " + place.robot.getName(), there.address(), besides);
     }
 }

@@ -76,7 +76,7 @@ public final class ProjectEditor {
             check(draft);
             noteOutside(journal);
             journal.add(new Step(done.words, changes));
-            return new Outcome(done.words, done.object, null, changes, journal);
+            return new Outcome(done.words, done.object, done.note(), changes, journal);
         });
     }
 
@@ -113,11 +113,14 @@ public final class ProjectEditor {
             throw Request.refused("edits", edits.size() + " edits", "1 to " + MOST_EDITS + " edits, none of them of this kind");
         }
         Done last = null;
+        List<String> besides = new ArrayList<>();
         for (Map<?, ?> one : edits) {
             last = perform(draft, new Request(one), depth + 1);
+            besides.addAll(last.besides);
         }
         String words = edit.textOrNull("words");
-        return new Done(words == null ? last.words + (edits.size() > 1 ? " and " + (edits.size() - 1) + " more" : "") : words, last.object);
+        return new Done(words == null ? last.words + (edits.size() > 1 ? " and " + (edits.size() - 1) + " more" : "") : words, last.object,
+            besides);
     }
 
     /** Refuses what makes problems that the project has not had before. */

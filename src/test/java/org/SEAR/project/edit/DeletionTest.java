@@ -1,0 +1,289 @@
+package org.SEAR.project.edit;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertThrows;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.SEAR.POJOs.Parameter;
+import org.SEAR.POJOs.ParameterTable;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.TextRule;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectRule;
+import org.SEAR.project.problems.ProjectException;
+import org.SEAR.project.xml.ObjectClasses;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** What others name can be deleted: what they have of it goes, too, and one undo brings back every byte. */
+public class DeletionTest {
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+    private ProjectEditor editor;
+
+    @Before
+    public void open() {
+        editor = new ProjectEditor(project.folder());
+    }
+
+    private Outcome edit(Object... pairs) throws IOException, ProjectException {
+        return editor.apply(map(pairs));
+    }
+
+    private static Map<String, Object> map(Object... pairs) {
+        Map<String, Object> map = new LinkedHashMap<>();
+        for (int i = 0; i < pairs.length; i += 2) {
+            map.put((String) pairs[i], pairs[i + 1]);
+        }
+        return map;
+    }
+
+    private void add(String type, String name, Object... set) throws Exception {
+        edit("do", "add", "type", type, "name", name, "to", "rover", "set", map(set));
+    }
+
+    private static Map<String, Object> wire(String pin, String part, String role) {
+        return map("pin", pin, "part", part, "role", role);
+    }
+
+    /** Files of objects. */
+    private Map<String, String> objects() throws IOException {
+        Map<String, String> files = project.files();
+        files.keySet().removeIf(file -> file.startsWith(".edits/"));
+        return files;
+    }
+
+    private Object value(String object, String parameter) throws Exception {
+        return ((Map<?, ?>) editor.object(object).get("values")).get(parameter);
+    }
+
+    // ---- every kind of reference -------------------------------------------------------------------------------------------
+
+    /** A robot in which something names something, what is deleted, and what is said then. */
+    private static final class Case {
+        final String object;
+        final String note;
+        final Making making;
+
+        Case(String object, String note, Making making) {
+            this.object = object;
+            this.note = note;
+            this.making = making;
+        }
+    }
+
+    private interface Making {
+        void make() throws Exception;
+    }
+
+    /** By class and parameter that names: {@code Arduino.wire.part}. */
+    private Map<String, Case> cases() {
+        Map<String, Case> cases = new TreeMap<>();
+        cases.put("SEARrobot.component", new Case("ping", null, () -> add("Distance", "ping", "beam", "laser")));
+        cases.put("Motor.wheel", new Case("left", "motor leftMotor was deleted with wheel left; Undo brings back both", () -> { }));
+        cases.put("Servo.part", new Case("ping", "servo pan lost its part ping; Undo brings back both", () -> {
+            add("Distance", "ping", "beam", "laser");
+            add("Compass", "north");
+            add("Servo", "pan", "part", List.of("ping", "north"));
+        }));
+        cases.put("Bumper.part", new Case("bar", "bumper touch lost its part bar; Undo brings back both", () -> {
+            add("Box", "bar", "length", 0.2, "width", 0.02, "height", 0.02);
+            add("Bumper", "touch", "part", "bar");
+        }));
+        cases.put("Arduino.wire.part", new Case("ping", "arduino uno lost its wire to ping; Undo brings back both", () -> {
+            add("Distance", "ping", "beam", "laser");
+            add("Led", "lamp");
+            add("Arduino", "uno", "wire", List.of(wire("7", "ping", "ping"), wire("8", "lamp", "light")));
+        }));
+        cases.put("SEARrobot.wheel.steeringServo", steering());
+        cases.put("Wheel.steeringServo", steering());
+        return cases;
+    }
+
+    private Case steering() {
+        return new Case("steer", "wheel left lost its steeringServo steer; Undo brings back both", () -> {
+            add("Servo", "steer");
+            add("Wheel", "back", "radius", 0.05, "width", 0.02, "type", 2, "x", 0.1, "z", -0.2);
+            edit("do", "delete", "object", "rover/leftMotor");
+            edit("do", "set", "object", "rover/left", "set", map("steeringServo", "steer", "type", 2, "z", 0.2));
+        });
+    }
+
+    /** The parameters that name parts, of an object or group. */
+    private static void addReferences(TreeSet<String> found, TreeSet<String> unknown, List<Object> all, Class<?> type, String path) {
+        for (Parameter parameter : ParameterTable.of(type).getParameters()) {
+            String name = path + "." + parameter.getName();
+            if (parameter.getKind() == Parameter.Kind.GROUP) {
+                addReferences(found, unknown, all, parameter.getType(), name);
+            } else if (parameter.getTextRule() == TextRule.COMPONENT || all.stream().anyMatch(parameter::isNameOf)) {
+                found.add(name);
+            } else if (parameter.getTextRule() == TextRule.NAME && !parameter.getName().equals("name")) {
+                unknown.add(name);
+            }
+        }
+    }
+
+    @Test
+    public void everyKindOfReferenceOfTheGrammarHasACase() {
+        List<Object> all = new ArrayList<>();
+        for (Class<? extends SearObject> type : ObjectClasses.find().all()) {
+            all.add(ParameterTable.of(type).newInstance());
+        }
+        TreeSet<String> found = new TreeSet<>();
+        TreeSet<String> unknown = new TreeSet<>();
+        for (Class<? extends SearObject> type : ObjectClasses.find().all()) {
+            addReferences(found, unknown, all, type, type.getSimpleName());
+        }
+        assertEquals("a beam is no object; any other parameter that is the name of something says so in its @Param", "[Distance.beam]",
+            unknown.toString());
+        assertEquals(new TreeSet<>(cases().keySet()), found);
+    }
+
+    @Test
+    public void whatIsNamedCanBeDeletedAndOneUndoBringsBackEveryByte() throws Exception {
+        for (Map.Entry<String, Case> entry : cases().entrySet()) {
+            Case one = entry.getValue();
+            edit("do", "robot", "template", "rover", "name", "rover");
+            one.making.make();
+            project.put("robot/rover.xml", project.text("robot/rover.xml") + "<!-- by hand -->\n");
+            Map<String, String> before = objects();
+            Outcome outcome = edit("do", "delete", "object", "rover/" + one.object);
+            Map<String, String> after = objects();
+            assertEquals(entry.getKey(), one.note, outcome.note);
+            assertEquals(entry.getKey(), 1, Project.read(project.folder()).getRobots().size());
+            after.forEach((file, text) -> assertFalse(entry.getKey() + " in " + file, text.contains(">" + one.object + "<")));
+            editor.undo();
+            assertEquals(entry.getKey(), before, objects());
+            editor.redo();
+            assertEquals(entry.getKey(), after, objects());
+            edit("do", "delete", "object", "rover");
+            assertEquals(entry.getKey(), Map.of(), objects());
+        }
+    }
+
+    // ---- what goes and what stays -------------------------------------------------------------------------------------------
+
+    @Test
+    public void aMotorStaysWhileItTurnsAnotherWheel() throws Exception {
+        edit("do", "robot", "template", "car", "name", "rover");
+        assertEquals("motor engine lost its wheel rearLeft; Undo brings back both", edit("do", "delete", "object", "rearLeft").note);
+        assertEquals(List.of("rearRight"), value("rover/engine", "wheel"));
+        String refused = assertThrows(ProjectException.class, () -> edit("do", "delete", "object", "rearRight")).getMessage();
+        assertTrue(refused, refused.contains("legal: a steered wheel before or behind the axle of those that aren't steered"));
+    }
+
+    @Test
+    public void whatIsDeletedWithAPartIsForgottenLikewise() throws Exception {
+        edit("do", "robot", "template", "rover", "name", "rover");
+        add("Distance", "ping", "beam", "laser");
+        add("Arduino", "uno", "wire", List.of(wire("5", "leftMotor", "pwm"), wire("6", "leftMotor", "reverse"), wire("7", "ping", "ping")));
+        Map<String, String> before = objects();
+        Outcome outcome = edit("do", "delete", "object", "left");
+        assertEquals("delete left with motor leftMotor", outcome.words);
+        assertEquals("motor leftMotor was deleted with wheel left; arduino uno lost its wire to leftMotor; Undo brings back all of it", outcome.note);
+        assertEquals(List.of(wire("7", "ping", "ping")), value("rover/uno", "wire"));
+        assertThrows(ProjectException.class, () -> editor.object("rover/leftMotor"));
+        editor.undo();
+        assertEquals(before, objects());
+    }
+
+    @Test
+    public void whatAServoCarriesStaysWhereItIs() throws Exception {
+        edit("do", "robot", "template", "rover", "name", "rover");
+        add("Distance", "ping", "beam", "laser", "y", 0.2);
+        add("Servo", "pan", "part", List.of("ping"));
+        String ping = project.text("robot/ping.xml");
+        assertNull("nobody names it", edit("do", "delete", "object", "pan").note);
+        assertEquals(ping, project.text("robot/ping.xml"));
+    }
+
+    @Test
+    public void aPartThatLeavesItsRobotIsForgottenThere() throws Exception {
+        edit("do", "robot", "template", "rover", "name", "rover");
+        add("Box", "bar", "length", 0.2, "width", 0.02, "height", 0.02);
+        add("Bumper", "touch", "part", "bar");
+        edit("do", "mount", "object", "bar", "to", "rover");
+        assertEquals("mounted where it is, it is the bumper's still", "bar", value("rover/touch", "part"));
+        Map<String, String> before = objects();
+        assertEquals("bumper touch lost its part bar; Undo brings back both", edit("do", "unmount", "object", "rover/bar").note);
+        assertNull(value("rover/touch", "part"));
+        editor.undo();
+        assertEquals(before, objects());
+        edit("do", "robot", "template", "fourWheeled", "name", "other");
+        assertEquals("motor leftMotor was deleted, since it can't be without wheel left; Undo brings back both",
+            edit("do", "mount", "object", "rover/left", "to", "other", "set", map("x", 0.3)).note);
+    }
+
+    @Test
+    public void aRobotOfTheSameNamesKeepsItsOwn() throws Exception {
+        edit("do", "robot", "template", "rover", "name", "rover");
+        edit("do", "duplicate", "object", "rover", "name", "twin", "set", map("x", 2));
+        Map<String, String> before = objects();
+        edit("do", "delete", "object", "twin/left");
+        assertEquals(List.of("left"), value("rover/leftMotor", "wheel"));
+        assertThrows(ProjectException.class, () -> editor.object("twin/leftMotor"));
+        editor.undo();
+        assertEquals(before, objects());
+    }
+
+    @Test
+    public void everyPartOfEveryTemplateCanBeDeleted() throws Exception {
+        for (String template : RobotTemplates.names()) {
+            edit("do", "robot", "template", template, "name", "rover");
+            SEARrobot robot = Project.read(project.folder()).getRobots().get(0);
+            List<SearObject> parts = new ArrayList<>(robot.getComponents());
+            parts.addAll(robot.getWheels());
+            assertTrue(template, parts.size() > 3);
+            Map<String, String> before = objects();
+            for (SearObject part : parts) {
+                edit("do", "delete", "object", "rover/" + part.getName());
+                Project.read(project.folder());
+                editor.undo();
+                assertEquals(template + " without " + part, before, objects());
+            }
+            edit("do", "delete", "object", "rover");
+        }
+    }
+
+    // ---- with others ---------------------------------------------------------------------------------------------------------
+
+    @Test
+    public void whatAnotherPageAndAHandChangeMeanwhileIsNotLost() throws Exception {
+        edit("do", "robot", "template", "rover", "name", "rover");
+        ProjectEditor other = new ProjectEditor(project.folder());
+        other.apply(map("do", "set", "object", "rover/leftMotor", "set", map("gearRatio", 3)));
+        project.put("robot/rightMotor.xml", project.text("robot/rightMotor.xml") + "<!-- by hand -->\n");
+        Map<String, String> before = objects();
+        edit("do", "delete", "object", "rover/left");
+        String refused = assertThrows(ProjectException.class, () -> other.apply(
+            map("do", "set", "object", "rover/leftMotor", "set", map("gearRatio", 4), "was", map("gearRatio", "3")))).getMessage();
+        assertTrue(refused, refused.contains("it may have been deleted or renamed meanwhile"));
+        other.apply(map("do", "set", "object", "rover/rightMotor", "set", map("gearRatio", 5)));
+        assertEquals("change gearRatio of rightMotor", other.undo().words);
+        assertEquals("delete left with motor leftMotor", editor.undo().words);
+        assertEquals(before, objects());
+        assertEquals("3", value("rover/leftMotor", "gearRatio"));
+    }
+
+    @Test
+    public void severalDeletionsAtOnceSayAllThatWentWithThem() throws Exception {
+        edit("do", "robot", "template", "rover", "name", "rover");
+        Map<String, String> before = objects();
+        Outcome outcome = edit("do", "all", "edits", List.of(map("do", "delete", "object", "rover/left"), map("do", "delete", "object", "rover/right")));
+        assertEquals("motor leftMotor was deleted with wheel left; motor rightMotor was deleted with wheel right; Undo brings back all of it",
+            outcome.note);
+        editor.undo();
+        assertEquals(before, objects());
+    }
+}

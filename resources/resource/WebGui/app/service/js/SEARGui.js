@@ -5,7 +5,7 @@
         'SEARProjects', 'SEARScript', 'SEAREdits', 'SEARInspector', 'SEARPalette', 'SEARPointing', 'SEARHandles', 'SEARBalance',
         'SEARBuilding', 'SEARRobots', 'SEARViews',
         'SEARPlot', 'SEARRecords', 'SEARWorkspace', 'SEARPanel']
-    var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'getProblems', 'getExamples',
+    var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'checkProject', 'getExamples',
         'getExampleScripts', 'getBundle', 'getTerrain', 'getLooks', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate',
         'startSimulation', 'stopSimulation', 'publishEdit', 'getEdits', 'getGrammar', 'getProjectObject', 'getScript', 'recordRun',
         'endRecord', 'getRecords', 'getRecordFrames', 'getRecordValues']

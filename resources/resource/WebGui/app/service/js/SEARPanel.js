@@ -73,12 +73,19 @@
         var checking = false
         $scope.check = function() {
             checking = true
-            msg.send('getProblems')
+            msg.send('checkProject')
         }
         function onProblems(problems) {
             $scope.problems = problems || []
-            if (checking && !$scope.problems.length) {
-                panel.say('info', 'the project has no problems')
+        }
+        /** Each page gets the answers to all pages. */
+        function onCheckProject(found) {
+            onProblems(found.problems)
+            if (checking && !found.problems.length) {
+                panel.say('info', 'the project has no problems' + (found.warnings.length ? ', but ' + words.count(found.warnings.length, 'warning') : ''))
+                found.warnings.forEach(function(warning) {
+                    panel.say('warn', warning)
+                })
             }
             checking = false
         }
@@ -140,6 +147,7 @@
             onStartSimulation: settle,
             onStopSimulation: settle,
             onProblems: onProblems,
+            onCheckProject: onCheckProject,
             onStatus: onStatus
         }, world, window.SEARPanel.projects(panel), window.SEARPanel.script(panel), window.SEARPanel.edits(panel),
         window.SEARPanel.inspector(panel), window.SEARPanel.palette(panel), window.SEARPanel.building(panel),

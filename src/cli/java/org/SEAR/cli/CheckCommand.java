@@ -12,7 +12,7 @@ import org.SEAR.project.bundle.PercentProgress;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.project.problems.Reasons;
-import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.ProjectCheck;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
@@ -42,8 +42,8 @@ final class CheckCommand implements Callable<Integer> {
             return PROBLEMS;
         }
         try {
-            List<String> warnings = Files.isDirectory(path) ? warnings(Project.read(project()))
-                : Bundle.check(path, new PercentProgress("checking", path, err::println), CheckCommand::warnings);
+            List<String> warnings = Files.isDirectory(path) ? ProjectCheck.warnings(Project.read(project()))
+                : Bundle.check(path, new PercentProgress("checking", path, err::println), ProjectCheck::warnings);
             warnings.forEach(warning -> out.println("warning: " + warning));
             out.println(path + ": no problems");
             return ExitCode.OK;
@@ -56,17 +56,6 @@ final class CheckCommand implements Callable<Integer> {
             err.println("sear check: " + path + " can't be read: " + Reasons.of(e));
         }
         return PROBLEMS;
-    }
-
-    /** Builds the world and takes a step in it: a model that can't be loaded and a robot without Dynamics are found only then. */
-    private static List<String> warnings(Project project) throws ProjectException {
-        try (Simulation world = Simulation.of(project, 0)) {
-            world.step();
-            return world.snapshot().warnings;
-        } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
-            throw new ProjectException(List.of(new Problem(project.getFolder().getFileName().toString(), 0, "", "its world can't be made (" + e + ")",
-                "objects that a world can be made of; take objects away until it starts, and tell SEAR's makers of the last one")));
-        }
     }
 
     private Path project() {

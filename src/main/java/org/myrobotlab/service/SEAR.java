@@ -720,6 +720,17 @@ public class SEAR extends Service<SEARConfig> {
     }
 
     /**
+     * Checks the project as {@code sear check} does: builds its world, and takes a step in it, apart from any simulation that runs.
+     *
+     * @return {@code problems} that keep it from starting, as {@link #getProblems} has them, and {@code warnings}, what the start would warn of: a
+     *         robot that tips over, one without ground below it
+     * @example for warning in sear.checkProject()["warnings"]: print warning
+     */
+    public Map<String, Object> checkProject() {
+        return calls.attempt(() -> parts.check());
+    }
+
+    /**
      * The Python script that makes the project's objects. Run in another project with the same assets and beams, or in this one, it gives the same
      * files to the byte.
      *

@@ -9,6 +9,7 @@ import org.SEAR.POJOs.Notices;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.simulator.ProjectCheck;
 import org.SEAR.simulator.Simulation;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.service.sear.Host;
@@ -164,6 +165,20 @@ final class SearParts {
         } catch (ProjectException e) {
             return e.getProblems();
         }
+    }
+
+    /** What keeps the project from starting, {@code problems}, and what its start would warn of, {@code warnings}. */
+    public Map<String, Object> check() {
+        return projects.undisturbed(() -> {
+            List<Problem> problems = Collections.emptyList();
+            List<String> warnings = Collections.emptyList();
+            try {
+                warnings = ProjectCheck.warnings(Project.read(Projects.folder()));
+            } catch (ProjectException e) {
+                problems = e.getProblems();
+            }
+            return Map.of("problems", problems, "warnings", warnings);
+        });
     }
 
     /**

@@ -248,6 +248,15 @@ public class SearCommandTest {
     }
 
     @Test
+    public void checkWarnsOfARobotThatTipsOver() throws Exception {
+        assertEquals(err, 0, sear(script("from org.SEAR.POJOs import Box, Floor, Robots\nFloor('floor', 9, 9)\nrover = Robots.rover('rover')\n"
+            + "mast = Box('mast', 0.1, 0.1, 0.1, 9)\nrover.addComponent(mast)\nmast.move(0, 0.5, 0.3)\n"), "--port", "none"));
+        assertEquals(out + err, 0, sear("check"));
+        assertTrue(out, out.contains("warning: robot rover falls over forwards where it stands: its centre of mass lies 0.")
+            && out.endsWith("SEARproject: no problems\n"));
+    }
+
+    @Test
     public void aLargeProjectShowsItsProgress() throws Exception {
         String code = "from org.SEAR.POJOs import Box\nfrom java.nio.file import Files, Paths\nBox('Box1', 1, 2, 3, 4)\n"
             + "f = open('SEARproject/assets/large.dat', 'wb') if Files.createDirectories(Paths.get('SEARproject/assets')) else None\n"

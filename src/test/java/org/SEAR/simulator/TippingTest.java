@@ -5,13 +5,18 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
+import java.util.List;
+import java.util.Map;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
+import org.SEAR.project.edit.ProjectEditor;
+import org.SEAR.project.edit.RobotTemplates;
 import org.SEAR.robot.Stability;
 import org.junit.Rule;
 import org.junit.Test;
@@ -95,12 +100,25 @@ public class TippingTest {
         tower(1, 3, 0, 0.9);
         assertEquals("[robot tower tips over to the left on a slope of 11 degrees, or when it brakes or turns with more than 2.0 m/s\u00b2;"
             + " put weight lower or farther inwards, or its wheels farther apart]", Worlds.start(project).snapshot().warnings.toString());
+        assertEquals("a check says the same", Worlds.start(project).snapshot().warnings, ProjectCheck.warnings(Project.read(project.folder())));
         tower(1, 3, 0.3, 0.1);
+        assertEquals(Worlds.start(project).snapshot().warnings, ProjectCheck.warnings(Project.read(project.folder())));
         Simulation simulation = Worlds.start(project);
         assertEquals("[robot tower falls over to the left where it stands: its centre of mass lies 0.075 m outside of its wheels; put weight lower or"
             + " farther inwards, or its wheels farther apart]", simulation.snapshot().warnings.toString());
         Worlds.run(simulation, 3);
         assertTrue("it lies on its side", simulation.getPose("tower").rotate(0, 1, 0)[1] < 0.9);
+    }
+
+    @Test
+    public void nothingIsSaidOfRobotsThatOneStartsFrom() throws Exception {
+        new Floor("floor", 10, 10);
+        ProjectEditor editor = new ProjectEditor(project.folder());
+        for (String template : RobotTemplates.names()) {
+            editor.apply(Map.of("do", "robot", "template", template, "name", "robot"));
+            assertEquals(template, List.of(), ProjectCheck.warnings(Project.read(project.folder())));
+            editor.undo();
+        }
     }
 
     /** A castor carries where it touches, behind its axis. */

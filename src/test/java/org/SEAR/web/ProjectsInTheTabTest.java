@@ -178,6 +178,12 @@ public class ProjectsInTheTabTest {
         browser.until("the project", () -> Files.exists(project("environment")));
         browser.click(".sear-check");
         browser.seeText(".sear-main .alert-info", "the project has no problems");
+        robotLab.run("sear.edit({'do': 'add', 'type': 'Box', 'name': 'mast', 'to': 'maze Roomba', 'set': {'y': 1, 'mass': 3, 'height': 0.3,"
+            + " 'length': 0.04, 'width': 0.04}})");
+        browser.click(".sear-check");
+        browser.seeText(".sear-main .alert-info", "the project has no problems, but 1 warning");
+        browser.seeText(".sear-main .alert-warning", "robot maze Roomba tips over");
+        robotLab.run("sear.undo()");
         Files.writeString(project("environment/bad.xml"), "<Box>\n<name>bad</name>\n<length>-1</length>\n<color>x</color>\n</Box>\n");
         browser.click(".sear-check");
         browser.seeText(".sear-problems tbody tr", "environment/bad.xml 3 length -1");

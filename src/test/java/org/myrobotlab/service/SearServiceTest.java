@@ -382,6 +382,7 @@ public class SearServiceTest {
             assertTrue(e.getMessage(), e.getMessage().contains("bad.xml"));
         }
         assertEquals(2, sear.getProblems().stream().map(problem -> problem.file).distinct().count());
+        assertEquals(sear.getProblems().toString(), sear.checkProject().get("problems").toString());
     }
 
     @Test

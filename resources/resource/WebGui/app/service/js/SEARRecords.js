@@ -248,6 +248,11 @@
             return replay && replay.world ? replay.path + ' at ' + replay.times[replay.index].toFixed(2) + ' s of '
                 + replay.times[replay.times.length - 1].toFixed(2) + ' s' + (replay.whole ? '' : ', where it was cut off') : liveNote()
         }
+        /** What sensors read, now or in the record: their places are not in it, so that the views show none there. */
+        $scope.sensors = function() {
+            var world = $scope.world()
+            return $scope.replay && $scope.replay.read || world && world.sensors || []
+        }
         function byName(list) {
             var found = {}
             list.forEach(function(one) {
@@ -261,7 +266,11 @@
                 panel.say('warn', sent.path + ' can\'t be shown in the view: there is no world; open the project that was recorded')
                 return
             }
-            world = angular.extend({}, world, {sensors: [], robots: angular.copy(world.robots), objects: world.objects.map(function(object) {
+            sent.known = angular.copy(world.sensors)
+            world = angular.extend({}, world, {sensors: [], robots: angular.copy(world.robots).map(function(robot) {
+                robot.devices = []      // of which the record knows only bytes
+                return robot
+            }), objects: world.objects.map(function(object) {
                 return angular.extend({}, object)
             })})
             sent.world = world
@@ -276,14 +285,8 @@
             replay.index = Math.max(0, Math.min(replay.times.length - 1, Math.round(Number(replay.index))))
             var robots = byName(replay.world.robots)
             var objects = byName(replay.world.objects)
-            replay.robots.forEach(function(name, i) {
-                if (robots[name]) {
-                    robots[name].pose = replay.robotPoses[replay.index][i]
-                    robots[name].path = replay.robotPoses.slice(0, replay.index + 1).map(function(poses) {
-                        return [poses[i][0], poses[i][2]]
-                    })
-                }
-            })
+            window.SEARPanel.replay.robotsAt(robots, replay, replay.index)
+            replay.read = window.SEARPanel.replay.sensorsAt(replay.known, replay, replay.index)
             replay.objects.forEach(function(name, i) {
                 if (objects[name]) {
                     objects[name].pose = replay.objectPoses[replay.index][i]

@@ -7,6 +7,12 @@
 
     /** A sensor's reading for people, with its unit and as many digits as it has sense in. */
     function readingText(sensor) {
+        if (sensor.unrecorded) {
+            return 'not in the record'
+        }
+        if (sensor.nearest !== undefined) {
+            return sensor.nearest === null ? 'nothing in range' : 'nearest ' + sensor.nearest.toFixed(3) + NO_BREAK + 'm'
+        }
         if (sensor.ranges) {
             var near = sensor.ranges.filter(function(metres) {
                 return metres !== null

@@ -13,6 +13,9 @@ final class Kind {
     static final int RESET = 9;
     static final int END = 10;
     static final int OPENED = 11;
+    static final int LIGHT = 12;
+    /** The last one. */
+    static final int MOST = LIGHT;
 
     private Kind() {
     }

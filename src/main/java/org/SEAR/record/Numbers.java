@@ -2,6 +2,7 @@ package org.SEAR.record;
 
 import java.util.Arrays;
 import java.util.List;
+import org.SEAR.sensors.ColorReading;
 import org.SEAR.sensors.DistanceReading;
 import org.SEAR.sensors.GpsFix;
 import org.SEAR.sensors.ImuReading;
@@ -46,6 +47,10 @@ final class Numbers {
         if (reading instanceof VectorReading) {
             VectorReading vector = (VectorReading) reading;
             return new double[] {vector.getX(), vector.getY(), vector.getZ()};
+        }
+        if (reading instanceof ColorReading) {
+            ColorReading color = (ColorReading) reading;
+            return new double[] {color.getRed(), color.getGreen(), color.getBlue()};
         }
         if (reading instanceof ImuReading) {
             ImuReading imu = (ImuReading) reading;

@@ -44,6 +44,8 @@ public final class Recorder implements RunTap {
     private final List<String> sensors;
     private final List<Integer> sizes = new ArrayList<>();
     private final Pose[] seen;
+    /** How bright the lights of each robot were at the last frame. */
+    private final List<List<Double>> lit = new ArrayList<>();
     private long steps;
     private boolean ended;
 
@@ -55,6 +57,7 @@ public final class Recorder implements RunTap {
         sensors = simulation.getSensorNames();
         sensors.forEach(name -> sizes.add(Numbers.of(simulation.read(name)).length));
         seen = new Pose[simulation.snapshot().environment.size()];
+        simulation.snapshot().robots.forEach(robot -> lit.add(List.of()));
         byte[] header = header();
         out = new LogBuffer(path);
         out.putBytes(header, header.length);
@@ -114,7 +117,21 @@ public final class Recorder implements RunTap {
         return bytes.toByteArray();
     }
 
+    private void lights(Snapshot snapshot) {
+        for (int i = 0; i < snapshot.robots.size(); i++) {
+            List<Double> now = snapshot.robots.get(i).lights;
+            List<Double> before = lit.get(i);
+            for (int k = 0; k < now.size(); k++) {
+                if (k >= before.size() || !now.get(k).equals(before.get(k))) {
+                    out.put(Kind.LIGHT).putShort(i).putShort(k).putDouble(now.get(k));
+                }
+            }
+            lit.set(i, now);
+        }
+    }
+
     private void frame(Snapshot snapshot) {
+        lights(snapshot);
         out.put(Kind.FRAME);
         for (Snapshot.RobotState robot : snapshot.robots) {
             put(robot.pose);

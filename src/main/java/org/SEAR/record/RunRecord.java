@@ -18,6 +18,8 @@ import org.SEAR.simulator.DriveCommand;
 public final class RunRecord {
     private static final int BUFFER = 1 << 16;
     private static final int POSE = 7;
+    /** Of one robot; it can't have more components. */
+    private static final int MOST_LIGHTS = 1000;
 
     private final Path path;
     private final RecordHeader header;
@@ -65,6 +67,15 @@ public final class RunRecord {
         }
 
         default void reset() {
+        }
+
+        /**
+         * A light is as bright as this from the next frame on.
+         *
+         * @param light its number among those of the robot
+         * @param brightness 0 to 1
+         */
+        default void light(int robot, int light, double brightness) {
         }
     }
 
@@ -190,11 +201,14 @@ public final class RunRecord {
                 case Kind.RESET:
                     visitor.reset();
                     return true;
+                case Kind.LIGHT:
+                    light();
+                    return true;
                 case Kind.END:
                     whole = in.readLong() == steps;
                     return false;
                 default:
-                    throw new RecordException("after " + steps + " steps comes an event " + kind + ", legal: 1 to " + Kind.OPENED);
+                    throw new RecordException("after " + steps + " steps comes an event " + kind + ", legal: 1 to " + Kind.MOST);
             }
         }
 
@@ -249,11 +263,29 @@ public final class RunRecord {
             return baud;
         }
 
-        private DriveCommand command() throws IOException {
+        private void light() throws IOException {
+            int robot = robot();
+            int light = in.readUnsignedShort();
+            if (light >= MOST_LIGHTS) {
+                throw illegal("light", light, MOST_LIGHTS);
+            }
+            double brightness = in.readDouble();
+            if (!(brightness >= 0 && brightness <= 1)) {
+                throw new RecordException("after " + steps + " steps a light has the brightness " + brightness + ", legal: 0 to 1");
+            }
+            visitor.light(robot, light, brightness);
+        }
+
+        private int robot() throws IOException {
             int robot = in.readUnsignedShort();
             if (robot >= header.robots.size()) {
                 throw illegal("robot", robot, header.robots.size());
             }
+            return robot;
+        }
+
+        private DriveCommand command() throws IOException {
+            int robot = robot();
             boolean wheels = in.readBoolean();
             double first = in.readDouble();
             double second = in.readDouble();

@@ -1,5 +1,6 @@
 package org.SEAR.record;
 
+import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertThrows;
@@ -15,12 +16,15 @@ import java.util.List;
 import java.util.Random;
 import org.SEAR.POJOs.Accelerometer;
 import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Bumper;
+import org.SEAR.POJOs.ColorSensor;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
@@ -185,6 +189,44 @@ public class RecordTest {
         assertTrue("" + frames.times.size(), frames.times.size() >= 25 && frames.times.size() <= 50);
         assertEquals(7, frames.robots.get(0).get(0).length);
         assertTrue(frames.whole);
+        Series series = Series.of(RunRecord.open(file()), List.of("ping", "compass", "rover.speed"), 50);
+        RecordHeader header = RunRecord.open(file()).getHeader();
+        int ping = header.sizes.subList(0, header.sensors.indexOf("ping")).stream().mapToInt(Integer::intValue).sum();
+        int compass = header.sizes.subList(0, header.sensors.indexOf("compass")).stream().mapToInt(Integer::intValue).sum();
+        for (int i = 0; i < series.times.length; i++) {
+            assertEquals(series.times[i], frames.times.get(i), 1e-9);
+            assertEquals(series.values[0][i], frames.readings.get(i)[ping], 0);
+            assertEquals(series.values[1][i], frames.readings.get(i)[compass], 0);
+            assertEquals(series.values[2][i], frames.speeds.get(i).get(0)[0], 0);
+        }
+    }
+
+    @Test
+    public void lightsAndBumpersAreInTheFrames() throws Exception {
+        new Floor("floor", 20, 20);
+        SEARrobot robot = Robots.create("rover");
+        robot.addComponent(new Led("red"));
+        robot.addComponent(new Led("blue"));
+        robot.addComponent(new Bumper("touch"));
+        robot.addComponent(new ColorSensor("color"));
+        try (Simulation world = Simulation.of(Project.read(project.folder()), 7)) {
+            world.getLight("red").setBrightness(1);
+            world.step();
+            Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
+            run(world, 10);
+            world.getLight("blue").setBrightness(0.5);
+            run(world, 10);
+            recorder.end();
+        }
+        Frames frames = Frames.of(RunRecord.open(file()), 50);
+        assertEquals(2, frames.lights.size());
+        assertArrayEquals(new int[] {0, 1}, frames.lights.get(1));
+        assertArrayEquals(new double[] {1, 0}, frames.brightness.get(0), 0);
+        assertArrayEquals(new double[] {1, 0}, frames.brightness.get(5), 0);
+        assertArrayEquals(new double[] {1, 0.5}, frames.brightness.get(6), 0);
+        Series series = Series.of(RunRecord.open(file()), List.of("touch", "color.z"), 50);
+        assertEquals("nothing presses it", 0, series.values[0][3], 0);
+        assertTrue("the floor's blue: " + series.values[1][3], series.values[1][3] >= 0 && series.values[1][3] <= 255);
     }
 
     @Test

@@ -5,6 +5,7 @@ import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.util.Locale;
 import org.junit.After;
 import org.junit.ClassRule;
 import org.junit.Rule;
@@ -16,12 +17,15 @@ public class RecordsTabTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
     private static final String WORLD = String.join("\n",
-        "from org.SEAR.POJOs import Box, Distance, Floor, Robots",
+        "from org.SEAR.POJOs import Box, Bumper, Distance, Floor, Led, LIDAR, Robots",
         "sear.newProject()",
         "Floor('floor', 8, 8)",
         "Box('wall', 4, 0.2, 0.5, 0).move(0, 0.25, 3)",
         "robot = Robots.create2('roomba')",
-        "robot.addComponent(Distance('ping', 'laser', 0, 0.1, 0, 0, 0, 0))");
+        "robot.addComponent(Distance('ping', 'laser', 0, 0.1, 0, 0, 0, 0))",
+        "robot.addComponent(Bumper('touch'))",
+        "robot.addComponent(LIDAR('scanner', 8, 180, 1, 0, 0.2, 0))",
+        "robot.addComponent(Led('lamp'))");
     /** Two runs of two simulated seconds in lock-step, each into a record. */
     private static final String RUNS = String.join("\n",
         "sear.setLockStep(True)",
@@ -29,7 +33,9 @@ public class RecordsTabTest {
         "    sear.recordRun('run%d' % (10 * speed))",
         "    sear.startSimulation()",
         "    sear.driveStraight(speed)",
-        "    sear.simSleep(2)",
+        "    sear.simSleep(1)",
+        "    sear.setLed('lamp', 1)",
+        "    sear.simSleep(1)",
         "    sear.stopSimulation()",
         "sear.setLockStep(False)");
 
@@ -65,10 +71,17 @@ public class RecordsTabTest {
         assertEquals(0.6, plot("lines[0].values[plot().lines[0].values.length - 1]"), 0.03);
         assertEquals(0.2, plot("lines[1].values[plot().lines[1].values.length - 1]"), 0.02);
         assertEquals(2, plot("scale.to"), 0.05);
-        browser.script("var s = document.querySelector('.sear-slider'); s.value = s.max; s.dispatchEvent(new Event('input', {bubbles: true}));"
-            + " s.dispatchEvent(new Event('change', {bubbles: true}))");
+        slideTo("max");
         browser.until("the robot at its end", () -> tab.number("world().robots[0].pose[2]") > 0.55);
         browser.seeText(".sear-note", "run3.searlog at 2.00 s of 2.00 s");
+        browser.seeText(".sear-readings-of", "run3.searlog at 2.00 s");
+        double read = plot("lines[2].values[plot().lines[2].values.length - 1]");
+        browser.seeText("[data-sensor='ping'] .sear-reading", String.format(Locale.ROOT, "%.3f", read));
+        browser.seeText("[data-sensor='touch'] .sear-reading", "not pressed");
+        browser.seeText("[data-sensor='scanner'] .sear-reading", "nearest ");
+        browser.seeText("[data-led='lamp']", "lamp: 100 %");
+        slideTo("min");
+        browser.seeText("[data-led='lamp']", "lamp: 0 %");
         browser.click(".sear-csv");
         String csv = Files.readString(browser.download("plot.csv"));
         assertTrue(csv, csv.startsWith("time (s) run3.searlog,roomba.z run3.searlog,"));
@@ -77,6 +90,11 @@ public class RecordsTabTest {
         browser.until("played to its end", () -> tab.isTrue("!replay.playing && replay.index === replay.times.length - 1"));
         browser.click(".sear-end-replay");
         browser.until("what is now", () -> tab.isTrue("replay === null && world().robots[0].pose[2] < 0.1"));
+    }
+
+    private void slideTo(String end) {
+        browser.script("var s = document.querySelector('.sear-slider'); s.value = s[arguments[0]]; s.dispatchEvent(new Event('input', {bubbles: true}));"
+            + " s.dispatchEvent(new Event('change', {bubbles: true}))", end);
     }
 
     @Test

@@ -27,8 +27,8 @@ public final class PanelFiles {
         example("sensors"), example("turret"),
         script("Gui"), script("Balance"), script("Beams"), script("Building"), script("Edits"), script("Geometry"), script("Ground"),
         script("Handles"), script("Inspector"), script("Item"), script("Looks"), script("Map"), script("Palette"), script("Panel"), script("Plot"),
-        script("Pointing"), script("Projects"), script("Records"), script("Robots"), script("Scene"), script("Script"), script("Terrain"),
-        script("Views"), script("Words"), script("Workspace"), script("World"));
+        script("Pointing"), script("Projects"), script("Records"), script("Replay"), script("Robots"), script("Scene"), script("Script"),
+        script("Terrain"), script("Views"), script("Words"), script("Workspace"), script("World"));
     /** Where the jar has them. */
     private static final String IN_JAR = "/resource/";
     /** Below the resource root: what was written, by file name, as SHA-256. */

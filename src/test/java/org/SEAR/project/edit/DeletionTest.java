@@ -280,7 +280,8 @@ public class DeletionTest {
     public void severalDeletionsAtOnceSayAllThatWentWithThem() throws Exception {
         edit("do", "robot", "template", "rover", "name", "rover");
         Map<String, String> before = objects();
-        Outcome outcome = edit("do", "all", "edits", List.of(map("do", "delete", "object", "rover/left"), map("do", "delete", "object", "rover/right")));
+        Outcome outcome = edit("do", "all", "edits",
+            List.of(map("do", "delete", "object", "rover/left"), map("do", "delete", "object", "rover/right")));
         assertEquals("motor leftMotor was deleted with wheel left; motor rightMotor was deleted with wheel right; Undo brings back all of it",
             outcome.note);
         editor.undo();

@@ -7,10 +7,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.SEAR.POJOs.ScriptText;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
@@ -30,6 +32,8 @@ public final class Records {
     private static final int MOST_POINTS = 4000;
     private static final int MOST_LISTED = 200;
     private static final double FINE = 1e4;
+    /** A centimetre on Earth has seven digits of a degree. */
+    private static final double FINEST = 1e8;
 
     private Records() {
     }
@@ -99,8 +103,14 @@ public final class Records {
     }
 
     /**
-     * {@code {"path", "whole", "names": [..], "robots": [name, ..], "objects": [name of one that moves, ..], "times": [..], "robotPoses":
-     * [[pose, ..], ..] by time, "objectPoses": likewise}}; poses are [x, y, z, rx, ry, rz].
+     * What panels show again.
+     *
+     * <pre>
+     * {"path", "whole", "names": [..], "robots": [name, ..], "objects": [name of one that moves, ..], "sensors": [name, ..],
+     *  "sizes": [how many numbers a reading of each has, ..], "lights": [[number of a robot, of its light], ..], "times": [..], and by time:
+     *  "robotPoses": [[[x, y, z, rx, ry, rz], ..], ..], "objectPoses": likewise, "speeds": [[[m/s, rad/s] of each robot, ..], ..],
+     *  "readings": [[the numbers of all sensors, null for none, ..], ..], "brightness": [[of each light, 0 to 1, ..], ..]}
+     * </pre>
      */
     public static Map<String, Object> frames(String path) throws IOException {
         RunRecord record = open(path);
@@ -113,7 +123,13 @@ public final class Records {
         answer.put("names", new ArrayList<>(Series.names(record.getHeader())));
         answer.put("robots", record.getHeader().robots);
         answer.put("objects", moved);
+        answer.put("sensors", record.getHeader().sensors);
+        answer.put("sizes", record.getHeader().sizes);
+        answer.put("lights", frames.lights);
         answer.put("times", frames.times);
+        answer.put("speeds", frames.speeds.stream().map(robots -> numbers(robots, FINE)).collect(Collectors.toList()));
+        answer.put("readings", numbers(frames.readings, FINEST));
+        answer.put("brightness", frames.brightness);
         answer.put("robotPoses", poses(frames.robots));
         answer.put("objectPoses", poses(frames.objects));
         return answer;
@@ -128,6 +144,15 @@ public final class Records {
                 poses.add(new double[] {rounded(n[0]), rounded(n[1]), rounded(n[2]), rounded(angles[0]), rounded(angles[1]), rounded(angles[2])});
             }
             all.add(poses);
+        }
+        return all;
+    }
+
+    private static List<List<Double>> numbers(List<double[]> exact, double per) {
+        List<List<Double>> all = new ArrayList<>();
+        for (double[] each : exact) {
+            all.add(Arrays.stream(each).mapToObj(n -> Double.isNaN(n) || Double.isInfinite(n) ? null : Double.valueOf(Math.rint(n * per) / per))
+                .collect(Collectors.toList()));
         }
         return all;
     }

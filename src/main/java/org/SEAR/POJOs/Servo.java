@@ -16,13 +16,18 @@ public class Servo extends SearObject implements Wirable {
     private static final int MAX_PARTS = 100;
     private static final double HALF_RANGE = 90;
     private static final double SPEED = 400;
+    /** Of a servo of the 9 g class at 4.8 V (Tower Pro SG90: 1.8 kgf cm). */
+    private static final double STALL_TORQUE = 0.18;
 
     @Param(doc = "smallest angle", unit = "deg", min = -360, max = 360)
     private double minAngle = -HALF_RANGE;
     @Param(doc = "greatest angle, + counter-clockwise seen from above", unit = "deg", min = -360, max = 360)
     private double maxAngle = HALF_RANGE;
-    @Param(doc = "how fast it turns", unit = "deg/s", min = 0.1, max = 36000)
+    @Param(doc = "how fast it turns without load", unit = "deg/s", min = 0.1, max = 36000)
     private double speed = SPEED;
+    @Param(doc = "torque with which it stalls; weights that it turns make it slower: torque = stallTorque (power - speed / no-load speed)",
+        unit = "N m", min = 1e-6, max = 1e6)
+    private double stallTorque = STALL_TORQUE;
     @Param(doc = "name of a component of the same robot that it turns: a shape, a distance sensor, a LIDAR, a compass or another servo",
         element = "part", text = TextRule.NAME, names = SearObject.class, maxEntries = MAX_PARTS)
     private List<String> partNames = new ArrayList<>();
@@ -31,7 +36,7 @@ public class Servo extends SearObject implements Wirable {
     protected Servo() {
     }
 
-    /** At the origin of the robot, its axis upright: -90 to 90 degrees, 400 degrees a second. */
+    /** At the origin of the robot, its axis upright: -90 to 90 degrees, 400 degrees a second, 0.18 N m. */
     public Servo(String name) {
         this(name, 0, 0, 0, 0, 0, 0);
     }
@@ -125,7 +130,7 @@ public class Servo extends SearObject implements Wirable {
         return maxAngle;
     }
 
-    /** Degrees a second. */
+    /** Degrees a second, without load. */
     public double getSpeed() {
         return speed;
     }
@@ -148,9 +153,20 @@ public class Servo extends SearObject implements Wirable {
         changed();
     }
 
-    /** @param newSpeed degrees a second */
+    /** @param newSpeed degrees a second, without load */
     public void setSpeed(double newSpeed) {
         speed = checked("speed", newSpeed);
+        changed();
+    }
+
+    /** N m. */
+    public double getStallTorque() {
+        return stallTorque;
+    }
+
+    /** @param newTorque N m */
+    public void setStallTorque(double newTorque) {
+        stallTorque = checked("stallTorque", newTorque);
         changed();
     }
 }

@@ -2,6 +2,7 @@ package org.SEAR.robot;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import javax.vecmath.Vector3f;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Motor;
@@ -53,7 +54,13 @@ public final class RobotModel implements Robot, RobotHardware {
     /** Whether it is steered as {@link #drive} wants, not by an order of its own. */
     private boolean steersToDrive;
 
-    public RobotModel(RobotBuilder from, int number, Scenes scenes, RobotTruth truth, VirtualWalls virtualWalls) {
+    /**
+     * Of a world.
+     *
+     * @param number its place among the robots
+     * @param told takes what the user should know during the run
+     */
+    public RobotModel(RobotBuilder from, int number, Scenes scenes, RobotTruth truth, VirtualWalls virtualWalls, Consumer<String> told) {
         this.object = from.object;
         this.dynamics = from.dynamics;
         this.body = from.body;
@@ -63,7 +70,7 @@ public final class RobotModel implements Robot, RobotHardware {
         this.scenes = scenes;
         this.truth = truth;
         this.virtualWalls = virtualWalls;
-        this.turrets = new Turrets(from);
+        this.turrets = new Turrets(from, told);
         this.lights = new LedLights(from);
         this.stability = from.stability;
         for (SearObject part : object.getComponents()) {
@@ -113,8 +120,8 @@ public final class RobotModel implements Robot, RobotHardware {
 
     /** Looks for ground, and wakes the body when its motors turn or its ground moves. Before the physics step. */
     public void prepare() {
-        boolean busy = train.isCommanded() || groundMoves() || turrets.isMoving();
-        turrets.step();
+        boolean busy = train.isCommanded() || groundMoves();
+        busy |= turrets.step();
         body.setDriven(busy);
         if (busy) {
             body.wake();

@@ -5,6 +5,7 @@ import java.util.stream.Collectors;
 import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.TimeStep;
+import org.SEAR.robot.servo.ServoDrive;
 
 /**
  * The steered wheels of one robot, by Ackermann's geometry: all axles point to the one point about which it turns, which lies on the line of the

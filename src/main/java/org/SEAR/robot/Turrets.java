@@ -3,11 +3,16 @@ package org.SEAR.robot;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Consumer;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Servo;
+import org.SEAR.POJOs.Shape;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
+import org.SEAR.physics.PhysicsWorld;
+import org.SEAR.physics.solid.Solid;
 import org.SEAR.project.ObjectPose;
+import org.SEAR.robot.servo.ServoDrive;
 import org.SEAR.sensors.Sensor;
 
 /**
@@ -29,7 +34,8 @@ final class Turrets {
     private final boolean any;
     private List<Pose> poses = List.of();
 
-    Turrets(RobotBuilder from) {
+    /** @param told takes what the user should know during the run */
+    Turrets(RobotBuilder from, Consumer<String> told) {
         shapes = from;
         parts = from.object.getComponents();
         body = from.body;
@@ -42,12 +48,13 @@ final class Turrets {
             homes[i] = ObjectPose.of(parts.get(i));
             carriers[i] = carrier(parts.get(i));
             if (parts.get(i) instanceof Servo) {
-                servos[i] = new ServoDrive((Servo) parts.get(i), from.object.getName());
+                servos[i] = new ServoDrive((Servo) parts.get(i), from.object.getName(), told);
                 found = true;
             }
         }
         any = found;
         if (any) {
+            weigh();
             body.setLeastReach(reach());
             place();
         }
@@ -60,6 +67,17 @@ final class Turrets {
             }
         }
         return NONE;
+    }
+
+    /** Tells servos which weights are on them. */
+    private void weigh() {
+        for (int i = 0; i < servos.length; i++) {
+            Solid solid = shapes.shapes.get(parts.get(i));
+            double mass = solid == null ? 0 : ((Shape) parts.get(i)).getMass();
+            for (int carrier = carriers[i]; mass > 0 && carrier != NONE; carrier = carriers[carrier]) {
+                servos[carrier].getLoad().add(i, mass, solid.offset, solid.convex().centre(), solid.convex().inertia());
+            }
+        }
     }
 
     /** Distance from the centre of mass of the farthest point that a turning part can come to, metres, or more. */
@@ -110,26 +128,20 @@ final class Turrets {
         }
     }
 
-    /** Whether a servo is on its way. */
-    boolean isMoving() {
+    /**
+     * Turns the servos for one step, and with them what is on them.
+     *
+     * @return whether one has turned
+     */
+    boolean step() {
+        boolean turned = false;
         for (int i = 0; any && i < servos.length; i++) {
-            if (servos[i] != null && servos[i].isMoving()) {
-                return true;
-            }
+            turned |= servos[i] != null && servos[i].step(body.getPose(), PhysicsWorld.GRAVITY);
         }
-        return false;
-    }
-
-    /** Turns the servos for one step, and with them what is on them. */
-    void step() {
-        if (isMoving()) {
-            for (ServoDrive servo : servos) {
-                if (servo != null) {
-                    servo.step();
-                }
-            }
+        if (turned) {
             place();
         }
+        return turned;
     }
 
     private void place() {
@@ -139,6 +151,11 @@ final class Turrets {
             now[i] = carriers[i] == NONE ? homes[i] : turned(carriers[i]).times(homes[i]);
             if (carriers[i] != NONE && shapes.shapes.containsKey(parts.get(i))) {
                 body.setPlace(shapes.solidOf(parts.get(i)), now[i].times(shapes.shapes.get(parts.get(i)).offset));
+            }
+        }
+        for (int i = 0; i < servos.length; i++) {
+            if (servos[i] != null) {
+                servos[i].getLoad().place(now, i);
             }
         }
         poses = List.of(now);

@@ -96,7 +96,7 @@ final class World implements PhysicsWorld.Touches {
             shapes.putAll(builder.shapes);
             builder.addTo(scenes, robots.size());
             RobotTruth truth = new RobotTruth(builder, scenes, colors, robots.size(), Earth.of(project, robot), epochMillis);
-            robots.add(new RobotModel(builder, robots.size(), scenes, truth, virtualWalls));
+            robots.add(new RobotModel(builder, robots.size(), scenes, truth, virtualWalls, told));
         }
         places.end();
         String crowd = StartPoses.crowd(physics.getBodies());

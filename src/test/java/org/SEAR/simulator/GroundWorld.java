@@ -49,7 +49,7 @@ final class GroundWorld {
             builder.addTo(scenes, 0);
             robot = new RobotModel(builder, 0, scenes,
                 new RobotTruth(builder, scenes, new SurfaceColors(project.getAssets(), warnings::add), 0, Earth.of(project, object), 0),
-                new VirtualWalls(scenes));
+                new VirtualWalls(scenes), warnings::add);
         }
         StartPoses.lift(physics.getBodies(), warnings);
         physics.restart();

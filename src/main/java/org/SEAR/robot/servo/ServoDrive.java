@@ -1,0 +1,181 @@
+package org.SEAR.robot.servo;
+
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.SEAR.POJOs.Parameter;
+import org.SEAR.POJOs.Servo;
+import org.SEAR.devices.ServoHardware;
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.Rotation;
+import org.SEAR.geometry.TimeStep;
+import org.SEAR.project.ObjectPose;
+
+/**
+ * A servo that turns to the angle that it was given. Its motor has the straight line of every small DC motor: torque = stallTorque (power - speed /
+ * no-load speed). It gives full power towards the angle, and brakes in time; a servo without load is as fast as its motor at once. Simulation thread.
+ */
+public final class ServoDrive implements ServoHardware {
+    /** A servo that is left with less than this share of its speed without load does not get on. */
+    private static final double STALLED = 0.01;
+    /** Share of its torque with which it brakes before it is there, so that some is left. */
+    private static final double BRAKING = 0.99;
+
+    private final Servo object;
+    private final String robot;
+    private final Consumer<String> told;
+    private final Pose axis;
+    private final ServoLoad load = new ServoLoad();
+    private final Rotation rotation = new Rotation();
+    private double wanted;
+    private double angle;
+    /** Of a servo with a load, rad/s. */
+    private double spin;
+    private boolean complained;
+
+    /** @param told takes, once a run, that the load is too heavy */
+    public ServoDrive(Servo object, String robot, Consumer<String> told) {
+        this.object = object;
+        this.robot = robot;
+        this.told = told;
+        this.axis = ObjectPose.of(object);
+        restart();
+    }
+
+    /** As at the start: at 0 degrees, or as near to it as it can be. */
+    public void restart() {
+        wanted = Math.max(object.getMinAngle(), Math.min(object.getMaxAngle(), 0));
+        angle = wanted;
+        spin = 0;
+        complained = false;
+    }
+
+    /** What it has to turn, to be filled and kept in its place. */
+    public ServoLoad getLoad() {
+        return load;
+    }
+
+    @Override
+    public String getName() {
+        return object.getName();
+    }
+
+    @Override
+    public void setAngle(double degrees) {
+        if (!(degrees >= object.getMinAngle() && degrees <= object.getMaxAngle())) {
+            throw new IllegalArgumentException("servo " + object.getName() + " of robot " + robot + ": angle is " + degrees + ", legal: "
+                + Parameter.format(object.getMinAngle()) + " to " + Parameter.format(object.getMaxAngle()) + " deg");
+        }
+        wanted = degrees;
+    }
+
+    /**
+     * Turns for one step.
+     *
+     * @param body pose of the robot in the world
+     * @param gravity m/s^2
+     * @return whether it is elsewhere now
+     */
+    public boolean step(Pose body, double gravity) {
+        double before = angle;
+        if (!load.isEmpty()) {
+            rotation.set(body);
+            turnLoad(rotation.inX(0, -gravity, 0), rotation.inY(0, -gravity, 0), rotation.inZ(0, -gravity, 0));
+        } else if (angle != wanted) {
+            double most = object.getSpeed() * TimeStep.SECONDS;
+            angle = Math.abs(wanted - angle) <= most ? wanted : angle + Math.copySign(most, wanted - angle);
+        }
+        return angle != before;
+    }
+
+    private void turnLoad(double gx, double gy, double gz) {
+        double moment = load.moment(gx, gy, gz);
+        double way = Math.toRadians(wanted - angle);
+        double ahead = Math.signum(way);
+        if (way != 0 && ahead * moment < (STALLED - 1) * object.getStallTorque()) {
+            complain(moment, load.greatest(gx, gy, gz));
+        }
+        double fastest = Math.toRadians(object.getSpeed());
+        double settling = load.inertia() * fastest / object.getStallTorque();
+        double decay = settling > 0 ? Math.exp(-TimeStep.SECONDS / settling) : 0;
+        double least = reached(-1, moment, decay);
+        double most = reached(1, moment, decay);
+        double loss = BRAKING * fastest * (1 - ahead * moment / object.getStallTorque()) * (1 - decay);
+        double allowed = ahead * Math.min(fastest, approach(Math.abs(way) / TimeStep.SECONDS, loss));
+        double next = Math.max(least, Math.min(most, allowed));
+        double turned = next * TimeStep.SECONDS;
+        if (next != allowed) {
+            double end = steady(next == most ? 1 : -1, moment);
+            turned = end * TimeStep.SECONDS + (spin - end) * settling * (1 - decay);
+        }
+        spin = next;
+        move(turned, next == allowed && Math.abs(way) <= Math.abs(turned));
+    }
+
+    private void move(double turned, boolean arrives) {
+        double to = arrives ? wanted : angle + Math.toDegrees(turned);
+        angle = Math.max(object.getMinAngle(), Math.min(object.getMaxAngle(), to));
+        if (angle != to) {
+            spin = 0;
+        }
+    }
+
+    /** The speed, rad/s, that it comes to in the end. */
+    private double steady(double power, double moment) {
+        return Math.toRadians(object.getSpeed()) * (power + moment / object.getStallTorque());
+    }
+
+    /** The speed, rad/s, that it has after a step. */
+    private double reached(double power, double moment, double decay) {
+        double end = steady(power, moment);
+        return end + (spin - end) * decay;
+    }
+
+    /**
+     * The greatest speed from which it can still stop.
+     *
+     * @param within the speed with which it would be there in one step, rad/s
+     * @param loss what its torque takes off its speed in a step, at least, rad/s
+     * @return rad/s; in the fewest steps that each lose as much it ends there
+     */
+    private static double approach(double within, double loss) {
+        if (loss <= 0) {
+            return 0;
+        }
+        double steps = Math.max(1, Math.ceil((Math.sqrt(1 + 8 * within / loss) - 1) / 2));
+        return within / steps + loss * (steps - 1) / 2;
+    }
+
+    private void complain(double moment, double greatest) {
+        if (!complained) {
+            complained = true;
+            told.accept(String.format(Locale.ROOT, "servo %s of robot %s is too weak to turn what is on it to %.1f deg: at %.1f deg the weight pulls"
+                + " with %.3g N m, and its stallTorque is %s N m; give it more than the %.3g N m that it takes at most (%s.setStallTorque(...)), or"
+                + " mount less, nearer to its axis", object.getName(), robot, wanted, angle, Math.abs(moment),
+                Parameter.format(object.getStallTorque()), greatest, object.getName()));
+        }
+    }
+
+    /** What it does to what is on it, in the frame of what it is on itself: a turn about its axis. */
+    public Pose turn() {
+        double half = Math.toRadians(angle) / 2;
+        double[] along = axis.rotate(0, Math.sin(half), 0);
+        Pose turned = new Pose(0, 0, 0, along[0], along[1], along[2], Math.cos(half));
+        double[] moved = turned.rotate(axis.x, axis.y, axis.z);
+        return new Pose(axis.x - moved[0], axis.y - moved[1], axis.z - moved[2], turned.qx, turned.qy, turned.qz, turned.qw);
+    }
+
+    @Override
+    public double getAngle() {
+        return angle;
+    }
+
+    @Override
+    public double getMinAngle() {
+        return object.getMinAngle();
+    }
+
+    @Override
+    public double getMaxAngle() {
+        return object.getMaxAngle();
+    }
+}

@@ -162,22 +162,21 @@
             item.parts[i].goTo(part.type === 'Wheel' && robot.wheels ? robot.wheels[wheel++] : robot.turned ? robot.turned[i] : part.pose, now)
             this.dress(item.parts[i], part)
         }, this)
-        this.showLights(item, robot)
+        this.showLights(item, robot, now)
         this.showPath(item, robot)
     }
 
     /** Lights, lit or dark. */
-    Scene.prototype.showLights = function(item, robot) {
+    Scene.prototype.showLights = function(item, robot, now) {
         var THREE = window.THREE
         item.lights = item.lights || (robot.leds || []).map(function(led) {
             var light = new Item(item.holder, led)
             light.bulb = new THREE.Mesh(new THREE.SphereGeometry(led.size / 2, 12, 8), new THREE.MeshBasicMaterial())
             light.holder.add(light.bulb)
-            light.goTo(led.pose, 0)
-            light.move(0, 1)
             return light
         })
         item.lights.forEach(function(light, i) {
+            light.goTo(robot.turnedLeds ? robot.turnedLeds[i] : light.source.pose, now)
             light.bulb.material.color.set(light.source.color).multiplyScalar(DARK + (1 - DARK) * (robot.lights[i] || 0))
         })
     }
@@ -292,6 +291,7 @@
         this.robots.forEach(function(robot) {
             move(robot)
             robot.parts.forEach(move)
+            robot.lights.forEach(move)
         })
         this.follow(followed)
         this.aim(sensor)

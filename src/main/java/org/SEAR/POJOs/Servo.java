@@ -12,6 +12,8 @@ import org.SEAR.protocol.arduino.WireRole;
 @Described("a servo motor, which turns what is mounted on it about the servo's own y axis; what is mounted is written where it is with the servo at"
     + " 0 degrees")
 public class Servo extends SearObject implements Wirable {
+    /** What it can turn, in words. */
+    public static final String TURNABLE = "a shape, a light, a distance sensor, a LIDAR, a compass or another servo";
     /** Most parts on a servo. */
     private static final int MAX_PARTS = 100;
     private static final double HALF_RANGE = 90;
@@ -28,7 +30,7 @@ public class Servo extends SearObject implements Wirable {
     @Param(doc = "torque with which it stalls; weights that it turns make it slower: torque = stallTorque (power - speed / no-load speed)",
         unit = "N m", min = 1e-6, max = 1e6)
     private double stallTorque = STALL_TORQUE;
-    @Param(doc = "name of a component of the same robot that it turns: a shape, a distance sensor, a LIDAR, a compass or another servo",
+    @Param(doc = "name of a component of the same robot that it turns: " + TURNABLE,
         element = "part", text = TextRule.NAME, names = SearObject.class, maxEntries = MAX_PARTS)
     private List<String> partNames = new ArrayList<>();
 
@@ -78,14 +80,14 @@ public class Servo extends SearObject implements Wirable {
     /**
      * Has it turn a component of its robot.
      *
-     * @param part a shape, a distance sensor, a LIDAR, a compass or another servo
+     * @param part a shape, a light, a distance sensor, a LIDAR, a compass or another servo
      * @throws IllegalArgumentException if that can't be turned, or another servo turns it, or it is on another robot
      */
     public void mount(SearObject part) {
         checkChangeable();
         if (part == null || !canTurn(part) || part == this) {
             throw new IllegalArgumentException(label() + ": " + (part == null ? "part is missing (None)" : part.label() + " can't be mounted")
-                + ", legal: a shape, a distance sensor, a LIDAR, a compass or another servo");
+                + ", legal: " + TURNABLE);
         }
         if (part.getMover() != null) {
             throw new IllegalArgumentException(label() + ": " + part.label() + " is mounted on " + part.getMover().label()
@@ -112,7 +114,7 @@ public class Servo extends SearObject implements Wirable {
     public static boolean canTurn(SearObject part) {
         boolean still = part instanceof Accelerometer || part instanceof Gyroscope || part instanceof IMU || part instanceof GPS
             || part instanceof Odometer || part instanceof Wheel;
-        return !still && (part instanceof Shape || part instanceof SensorObject || part instanceof Servo);
+        return !still && (part instanceof Shape || part instanceof SensorObject || part instanceof Servo || part instanceof Led);
     }
 
     /** Names of the components that it turns, a view. */

@@ -99,8 +99,8 @@ final class VehicleCheck {
             SearObject part = robot.getComponents().stream().filter(one -> one.getName().equals(name)).findFirst().orElse(null);
             String other = turned.putIfAbsent(robot.getName() + "/" + name, parsed.file);
             if (part == null || !Servo.canTurn(part)) {
-                problems.add(parsed.file, line, "part", name, "the name of a component of the servo's robot " + robot.getName() + ": a shape, a"
-                    + " distance sensor, a LIDAR, a compass or another servo");
+                problems.add(parsed.file, line, "part", name, "the name of a component of the servo's robot " + robot.getName() + ": "
+                    + Servo.TURNABLE);
             } else if (other != null) {
                 problems.add(parsed.file, line, "part", name, "a part that nothing turns yet; " + other + " turns it");
             } else if (turnsItself(servo, robot)) {

@@ -14,8 +14,9 @@ final class Kind {
     static final int END = 10;
     static final int OPENED = 11;
     static final int LIGHT = 12;
+    static final int ORDER = 13;
     /** The last one. */
-    static final int MOST = LIGHT;
+    static final int MOST = ORDER;
 
     private Kind() {
     }

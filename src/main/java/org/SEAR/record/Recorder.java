@@ -19,6 +19,7 @@ import org.SEAR.devices.SerialLine;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
 import org.SEAR.project.xml.Xml;
+import org.SEAR.simulator.ActuatorOrder;
 import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.RunTap;
 import org.SEAR.simulator.Simulation;
@@ -220,9 +221,18 @@ public final class Recorder implements RunTap {
     }
 
     @Override
+    public void order(ActuatorOrder order) {
+        text(out.put(Kind.ORDER).put(order.kind.ordinal()).putDouble(order.value), order.name);
+    }
+
+    @Override
     public void power(String device, boolean on) {
-        byte[] name = device.getBytes(StandardCharsets.UTF_8);
-        out.put(Kind.POWER).put(on ? 1 : 0).putShort(name.length).putBytes(name, name.length);
+        text(out.put(Kind.POWER).put(on ? 1 : 0), device);
+    }
+
+    private static void text(LogBuffer out, String text) {
+        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+        out.putShort(bytes.length).putBytes(bytes, bytes.length);
     }
 
     @Override

@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.simulator.ActuatorOrder;
 import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.RunTap;
 import org.SEAR.simulator.Simulation;
@@ -154,6 +155,11 @@ public final class Rerun implements RunRecord.Visitor {
     }
 
     @Override
+    public void order(ActuatorOrder order) {
+        commands.add(run -> run.order(order));
+    }
+
+    @Override
     public void power(String device, boolean on) {
         commands.add(run -> run.power(device, on));
     }
@@ -192,6 +198,11 @@ public final class Rerun implements RunRecord.Visitor {
 
         @Override
         public void drive(DriveCommand command) {
+            // the record has it
+        }
+
+        @Override
+        public void order(ActuatorOrder order) {
             // the record has it
         }
 

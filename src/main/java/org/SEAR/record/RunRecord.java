@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.Arrays;
+import org.SEAR.simulator.ActuatorOrder;
 import org.SEAR.simulator.DriveCommand;
 
 /**
@@ -20,6 +21,7 @@ public final class RunRecord {
     private static final int POSE = 7;
     /** Of one robot; it can't have more components. */
     private static final int MOST_LIGHTS = 1000;
+    private static final ActuatorOrder.Kind[] ORDERS = ActuatorOrder.Kind.values();
 
     private final Path path;
     private final RecordHeader header;
@@ -61,6 +63,9 @@ public final class RunRecord {
         }
 
         default void drive(DriveCommand command) {
+        }
+
+        default void order(ActuatorOrder order) {
         }
 
         default void power(String device, boolean on) {
@@ -194,6 +199,9 @@ public final class RunRecord {
                 case Kind.DRIVE:
                     visitor.drive(command());
                     return true;
+                case Kind.ORDER:
+                    visitor.order(order());
+                    return true;
                 case Kind.POWER:
                     boolean on = in.readBoolean();
                     visitor.power(RecordHeader.readText(in), on);
@@ -290,6 +298,15 @@ public final class RunRecord {
             double first = in.readDouble();
             double second = in.readDouble();
             return wheels ? DriveCommand.wheels(robot, first, second) : DriveCommand.circle(robot, first, second);
+        }
+
+        private ActuatorOrder order() throws IOException {
+            int kind = in.readUnsignedByte();
+            if (kind >= ORDERS.length) {
+                throw illegal("order", kind, ORDERS.length);
+            }
+            double value = in.readDouble();
+            return new ActuatorOrder(ORDERS[kind], RecordHeader.readText(in), value);
         }
 
         private RecordException illegal(String what, int number, int count) {

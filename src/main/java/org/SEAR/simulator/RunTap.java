@@ -7,6 +7,9 @@ public interface RunTap extends LineTap {
     /** A command is obeyed in this step. */
     void drive(DriveCommand command);
 
+    /** Between two steps a motor, servo, light or steering was told to do something. */
+    void order(ActuatorOrder order);
+
     /** Between two steps a device was switched on or off. */
     void power(String device, boolean on);
 

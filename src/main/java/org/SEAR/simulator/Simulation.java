@@ -54,6 +54,9 @@ public final class Simulation implements AutoCloseable {
     private long step;
     private final RunOrigin origin;
     private RunTap tap;
+    /** What comes after a step while its outputs still belong to it. */
+    private final List<Consumer<RunTap>> late = new ArrayList<>();
+    private boolean delivering;
 
     private Simulation(Project project, long seed, long epochMillis, boolean groundVisible) throws ProjectException {
         this.project = project;
@@ -129,11 +132,24 @@ public final class Simulation implements AutoCloseable {
 
     /** The outputs of a step: who gets bytes and asks for the time reads that of this step. Simulation thread. */
     void deliver() {
+        delivering = true;
         instruments.deliver(getTime());
+        delivering = false;
         if (tap != null) {
             tap.stepped(this);
         }
+        late.forEach(this::tell);
+        late.clear();
         serve();
+    }
+
+    /** Tells the tap what happens between two steps. */
+    private void tell(Consumer<RunTap> event) {
+        if (delivering) {
+            late.add(event);
+        } else if (tap != null) {
+            event.accept(tap);
+        }
     }
 
     private void obey() {
@@ -390,6 +406,16 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
+     * Tells a motor, servo, light or steering what to do from the next step on. Simulation thread.
+     *
+     * @throws IllegalArgumentException that names what there is, or the legal range
+     */
+    public void order(ActuatorOrder order) {
+        order.giveTo(this);
+        tell(who -> who.order(order));
+    }
+
+    /**
      * Switches the power of a serial device; what is on its line is gone. Simulation thread.
      *
      * @param name of the object with its ports, as {@link #getSensor} takes it
@@ -397,9 +423,7 @@ public final class Simulation implements AutoCloseable {
      */
     public void power(String name, boolean on) {
         instruments.power(name, on, getTime());
-        if (tap != null) {
-            tap.power(name, on);
-        }
+        tell(who -> who.power(name, on));
         snapshot = observer.lookClosely(step);
     }
 

@@ -18,6 +18,7 @@ import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Gyroscope;
 import org.SEAR.POJOs.IMU;
 import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.LineSensor;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.Noise;
@@ -25,6 +26,7 @@ import org.SEAR.POJOs.Odometer;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SensorObject;
+import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Sphere;
 import org.SEAR.POJOs.Wheel;
@@ -136,6 +138,27 @@ public final class RandomProjects {
             place(wheel);
             robot.addWheel(wheel);
         }
+        if (random.nextBoolean()) {
+            robot.addComponent(servo(robot));
+        }
+    }
+
+    /** Turns some of the robot's parts, and a light. */
+    private Servo servo(SEARrobot robot) {
+        Led led = new Led(name(), random.nextBoolean() ? null : String.format("#%06x", random.nextInt(1 << 24)), 0, 0, 0);
+        led.setSize(number(0.001, 1));
+        place(led);
+        Servo servo = new Servo(name());
+        place(servo);
+        servo.setRange(number(-360, -1), number(0, 360));
+        servo.setSpeed(number(0.1, 36000));
+        servo.setStallTorque(number(1e-6, 1e6));
+        robot.getComponents().stream().filter(part -> Servo.canTurn(part) && random.nextBoolean()).forEach(servo::mount);
+        robot.addComponent(led);
+        if (random.nextBoolean()) {
+            servo.mount(led);
+        }
+        return servo;
     }
 
     private SensorObject sensor() {

@@ -11,6 +11,8 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.Servo;
+import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
@@ -60,6 +62,27 @@ public class LedTest {
             assertEquals(List.of(0.5, 0.0), lights(simulation));
             assertNotSame(before, simulation.snapshot().robots.get(0));
             assertEquals("and stays asleep", 0, simulation.getWorld().getPhysics().getBusyBodies());
+        }
+    }
+
+    /** What a servo turns shines elsewhere. */
+    @Test
+    public void aLightOnAServoTurnsWithIt() throws Exception {
+        new Floor("floor", 9, 9);
+        SEARrobot rover = Worlds.roomba("rover", 0, 0, 0);
+        Servo mast = new Servo("mast", 0, 0.1, 0.1);
+        Led lamp = new Led("lamp", 0, 0.2, 0.3);
+        mast.mount(lamp);
+        rover.addComponent(mast);
+        rover.addComponent(lamp);
+        try (Simulation simulation = Worlds.start(project)) {
+            simulation.getServo("mast").setAngle(90);
+            Worlds.run(simulation, 1);
+            double[] expected = simulation.getPose("rover").transform(0.2, 0.2, 0.1);
+            Pose is = simulation.getPose("lamp");
+            assertEquals(expected[0], is.x, 1e-9);
+            assertEquals(expected[1], is.y, 1e-9);
+            assertEquals(expected[2], is.z, 1e-9);
         }
     }
 

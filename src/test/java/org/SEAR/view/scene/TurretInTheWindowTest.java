@@ -36,11 +36,14 @@ public class TurretInTheWindowTest {
         Box head = new Box("head", 0.1, 0.1, 0.1, 0);
         head.move(0, 0.1, 0.2);
         Distance ping = new Distance("ping", "laser", 0, 0.1, 0.3, 0, 0, 0);
+        Led eye = new Led("eye", 0, 0.1, 0.25);
+        neck.mount(eye);
         neck.mount(head);
         neck.mount(ping);
         robot.addComponent(neck);
         robot.addComponent(head);
         robot.addComponent(ping);
+        robot.addComponent(eye);
         robot.addWheel(new Wheel("rear", 0.05, 0.03, 1, 0, 0, -0.2));
         Wheel front = new Wheel("front", 0.05, 0.03, 2, 0, 0, 0.2);
         front.setSteering(40);
@@ -62,6 +65,7 @@ public class TurretInTheWindowTest {
             interpolator.advance(link.sceneState(), 0, 0);
             view.update(interpolator);
             near(new Vector3f(0.2f, 0.1f, 0), view.robot(0).getChild("head").getLocalTranslation());
+            near(new Vector3f(0.25f, 0.1f, 0), view.robot(0).getChild("eye").getLocalTranslation());
             near(new Vector3f(0.3f, 0.1f, 0), view.beams().get(0).node().getLocalTranslation());
             near(new Vector3f(1, 0, 0), view.beams().get(0).node().getLocalRotation().mult(Vector3f.UNIT_Z));
             near(new Vector3f((float) Math.cos(Math.toRadians(30)), 0, (float) -Math.sin(Math.toRadians(30))),

@@ -47,6 +47,7 @@ import org.myrobotlab.service.sear.readings.ScriptReadings;
  *              "parts": [{"name", "type", "corners", "look", "picture", "color", "colored", "pose" (in the body)}], "wheels": [pose, ..],
  *              "turned": [pose, ..] (of the other parts, if the robot has servos),
  *              "leds": [{"name", "color", "size", "pose" (in the body)}], "lights": [0.5, ..] (how bright each is; both if the robot has leds),
+ *              "turnedLeds": [pose, ..] (of the leds, if the robot has servos, too),
  *              "balance": {"centre": [x, y, z] (of mass, in the body), "support": [[x, y, z], ..] (the corners of what it stands on),
  *                          "critical": false (whether it tips over easily), "words": "tips over .."}}],
  *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "hit": [x, y, z] or null,
@@ -187,10 +188,13 @@ public final class WorldJson {
             map.put("devices", devices(robot));
             map.put("wheels", wheels(robot.wheels));
             if (!robot.parts.isEmpty()) {
-                map.put("turned", turned(world.getRobots().get(list.size()).getObject(), robot.parts));
+                map.put("turned", turned(world.getRobots().get(list.size()).getObject(), robot.parts, Shape.class));
             }
             if (!robot.lights.isEmpty()) {
                 map.put("lights", robot.lights);
+                if (!robot.parts.isEmpty()) {
+                    map.put("turnedLeds", turned(world.getRobots().get(list.size()).getObject(), robot.parts, Led.class));
+                }
             }
             extendPath(robot);
             list.add(map);
@@ -207,11 +211,11 @@ public final class WorldJson {
         return all;
     }
 
-    /** The poses in the body of the parts that are no wheels, as servos have turned them. */
-    private static double[][] turned(SEARrobot robot, List<Pose> poses) {
+    /** The poses in the body of the parts of one kind, as servos have turned them. */
+    private static double[][] turned(SEARrobot robot, List<Pose> poses, Class<? extends SearObject> kind) {
         List<double[]> list = new ArrayList<>();
         for (int i = 0; i < poses.size(); i++) {
-            if (robot.getComponents().get(i) instanceof Shape) {
+            if (kind.isInstance(robot.getComponents().get(i))) {
                 list.add(numbers(poses.get(i)));
             }
         }

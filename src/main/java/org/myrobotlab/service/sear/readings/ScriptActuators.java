@@ -1,10 +1,10 @@
 package org.myrobotlab.service.sear.readings;
 
-import java.util.function.Consumer;
 import org.SEAR.POJOs.ScriptText;
 import org.SEAR.devices.LightHardware;
 import org.SEAR.devices.MotorHardware;
 import org.SEAR.devices.ServoHardware;
+import org.SEAR.simulator.ActuatorOrder;
 import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
@@ -19,13 +19,13 @@ public final class ScriptActuators {
     /** @param power share of the full voltage, -1 to 1 */
     public void power(String name, double power) throws InterruptedException {
         control.session().scriptDrives();
-        ask(name, motor -> motor.setPower(power));
+        order(ActuatorOrder.Kind.POWER, name, "motor", power);
     }
 
     /** @param speed of the wheels, rad/s */
     public void speed(String name, double speed) throws InterruptedException {
         control.session().scriptDrives();
-        ask(name, motor -> motor.setSpeed(speed));
+        order(ActuatorOrder.Kind.SPEED, name, "motor", speed);
     }
 
     /** Mean speed of its wheels, rad/s. */
@@ -40,10 +40,7 @@ public final class ScriptActuators {
 
     /** @param degrees + counter-clockwise seen from above */
     public void angle(String name, double degrees) throws InterruptedException {
-        control.session().ask(world -> {
-            servo(world, name).setAngle(degrees);
-            return true;
-        });
+        order(ActuatorOrder.Kind.ANGLE, name, "servo", degrees);
     }
 
     /** Degrees. */
@@ -53,10 +50,7 @@ public final class ScriptActuators {
 
     /** @param share of its full brightness, 0 to 1 */
     public void brightness(String name, double share) throws InterruptedException {
-        control.session().ask(world -> {
-            led(world, name).setBrightness(share);
-            return true;
-        });
+        order(ActuatorOrder.Kind.BRIGHTNESS, name, "led", share);
     }
 
     /** 0 to 1. */
@@ -79,9 +73,9 @@ public final class ScriptActuators {
         return ScriptText.of(name);
     }
 
-    private void ask(String name, Consumer<MotorHardware> order) throws InterruptedException {
+    private void order(ActuatorOrder.Kind kind, String name, String called, double value) throws InterruptedException {
         control.session().ask(world -> {
-            order.accept(motor(world, name));
+            world.order(new ActuatorOrder(kind, given(name, called), value));
             return true;
         });
     }

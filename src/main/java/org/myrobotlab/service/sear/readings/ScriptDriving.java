@@ -2,6 +2,7 @@ package org.myrobotlab.service.sear.readings;
 
 import java.util.function.BiFunction;
 import org.SEAR.robot.Robot;
+import org.SEAR.simulator.ActuatorOrder;
 import org.SEAR.simulator.DriveCommand;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
@@ -58,7 +59,7 @@ public final class ScriptDriving {
     public void steer(String robot, double degrees) throws InterruptedException {
         control.session().scriptDrives();
         control.session().ask(world -> {
-            ScriptReadings.robot(world, robot).steer(degrees);
+            world.order(new ActuatorOrder(ActuatorOrder.Kind.STEERING, ScriptReadings.robot(world, robot).getObject().getName(), degrees));
             return true;
         });
     }

@@ -119,9 +119,10 @@ public class WorldFeedTest {
         Path folder = temporary.newFolder().toPath();
         Path robot = Files.createDirectories(folder.resolve("robot"));
         Files.writeString(robot.resolve("r.xml"), "<SEARrobot><name>r</name><component>d</component><component>s</component>"
-            + "<component>head</component><wheel><name>w</name><radius>0.1</radius><width>0.1</width></wheel></SEARrobot>");
+            + "<component>head</component><component>lamp</component><wheel><name>w</name><radius>0.1</radius><width>0.1</width></wheel></SEARrobot>");
         Files.writeString(robot.resolve("d.xml"), "<Dynamics><name>d</name><mass>1</mass></Dynamics>");
-        Files.writeString(robot.resolve("s.xml"), "<Servo><name>s</name><part>head</part></Servo>");
+        Files.writeString(robot.resolve("s.xml"), "<Servo><name>s</name><part>head</part><part>lamp</part></Servo>");
+        Files.writeString(robot.resolve("lamp.xml"), "<Led><name>lamp</name><y>0.5</y><z>0.4</z></Led>");
         Files.writeString(robot.resolve("head.xml"), box("head", 0.1, 0, 0.2, 0.3, 0));
         try (Simulation world = Simulation.load(folder, 1)) {
             Map<?, ?> first = (Map<?, ?>) ((List<?>) feed.next(world).get("robots")).get(0);
@@ -130,9 +131,11 @@ public class WorldFeedTest {
             step(world, 60);
             Map<?, ?> changed = (Map<?, ?>) ((Map<?, ?>) ((Map<?, ?>) feed.next(world).get("changes")).get("robots")).get(0);
             assertArrayEquals(new double[] {0.3, 0.2, 0, 0, 90, 0}, ((double[][]) changed.get("turned"))[0], 1e-4);
+            assertArrayEquals(new double[] {0.4, 0.5, 0, 0, 90, 0}, ((double[][]) changed.get("turnedLeds"))[0], 1e-4);
             step(world, STEPS_BETWEEN);
             Map<?, ?> still = (Map<?, ?>) ((Map<?, ?>) ((Map<?, ?>) feed.next(world).get("changes")).get("robots")).get(0);
             assertFalse(still.containsKey("turned"));
+            assertFalse(still.containsKey("turnedLeds"));
         }
     }
 

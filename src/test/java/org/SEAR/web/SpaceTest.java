@@ -26,7 +26,7 @@ public class SpaceTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
     private static final String WORLD = String.join("\n",
-        "from org.SEAR.POJOs import Box, Bumper, Cylinder, Distance, Floor, Led, LIDAR, Robots, Sphere",
+        "from org.SEAR.POJOs import Box, Bumper, Cylinder, Distance, Floor, Led, LIDAR, Robots, Servo, Sphere",
         "sear.newProject()",
         "Floor('floor', 8, 8).setColor('#808080')",
         "box = Box('box', 1, 1, 1, 0)",
@@ -41,7 +41,11 @@ public class SpaceTest {
         "robot.addComponent(scanner)",
         "robot.addComponent(Distance('ping', 'PING)))'))",
         "robot.addComponent(Bumper('bumper'))",
-        "robot.addComponent(Led('lamp', '#00ff00', 0, 0.2, 0))");
+        "lamp = Led('lamp', '#00ff00', 0, 0.2, 0.1)",
+        "neck = Servo('neck')",
+        "neck.mount(lamp)",
+        "robot.addComponent(lamp)",
+        "robot.addComponent(neck)");
 
     @Rule
     public final TestRule page = TABS.page("sear");
@@ -132,6 +136,8 @@ public class SpaceTest {
         browser.seeText("[data-led=lamp]", "lamp: 50 %");
         browser.until("lit", () -> Math.abs(((Number) inScene("scene.robots[0].lights[0].bulb.material.color.g")).doubleValue() - 0.6) < 1e-6);
         assertEquals(0.2, ((Number) inScene("scene.robots[0].lights[0].holder.position.y")).doubleValue(), 1e-6);
+        TABS.robotLab().run("sear.setServo('neck', 90)");
+        browser.until("turned to the left", () -> Math.abs(((Number) inScene("scene.robots[0].lights[0].holder.position.x")).doubleValue() - 0.1) < 1e-3);
         browser.seeText("[data-sensor=bumper] .sear-reading", "not pressed");
     }
 

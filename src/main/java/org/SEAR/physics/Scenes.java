@@ -25,6 +25,7 @@ public final class Scenes {
     /** What wheels stand on. */
     public final BeamScene ground;
     private final List<Body> owners = new ArrayList<>();
+    private final List<Solid> solids = new ArrayList<>();
     private final Set<Body> grounds = Collections.newSetFromMap(new IdentityHashMap<>());
 
     /** @param invisible whether there is anything that beams don't see */
@@ -44,6 +45,7 @@ public final class Scenes {
             beams.setVisible(shape, visible);
         }
         owners.add(body);
+        solids.add(solid);
         return shape;
     }
 
@@ -82,6 +84,11 @@ public final class Scenes {
     /** The body a shape belongs to. */
     public Body body(int shape) {
         return owners.get(shape);
+    }
+
+    /** What a shape is in the frame in which it was placed. */
+    public Solid solid(int shape) {
+        return solids.get(shape);
     }
 
     public void setPose(int shape, Frame pose) {

@@ -142,6 +142,28 @@ public final class BeamScene {
         changeCount = 0;
     }
 
+    /**
+     * Brings a point of the world into the frame of a shape, as it was placed last. Simulation thread.
+     *
+     * @param point {x, y, z}, metres, which is changed
+     */
+    public void toFrame(int shape, double[] point) {
+        int at = check(shape) * POSE;
+        double qx = -poses[at + 3];
+        double qy = -poses[at + 4];
+        double qz = -poses[at + 5];
+        double qw = poses[at + 6];
+        double x = point[0] - poses[at];
+        double y = point[1] - poses[at + 1];
+        double z = point[2] - poses[at + 2];
+        double tx = 2 * (qy * z - qz * y);
+        double ty = 2 * (qz * x - qx * z);
+        double tz = 2 * (qx * y - qy * x);
+        point[0] = x + qw * tx + qy * tz - qz * ty;
+        point[1] = y + qw * ty + qz * tx - qx * tz;
+        point[2] = z + qw * tz + qx * ty - qy * tx;
+    }
+
     /** How many shapes {@link #commit} has taken over since the scene was made: the work it has done. Simulation thread. */
     public long getMoves() {
         return moves;

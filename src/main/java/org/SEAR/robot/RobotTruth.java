@@ -27,6 +27,7 @@ public final class RobotTruth implements Truth {
     private final long epochMillis;
     private final double[] velocity = new double[3];
     private final double[] angular = new double[3];
+    private final double[] point = new double[3];
     private long step;
     private double path;
     private double turned;
@@ -182,7 +183,11 @@ public final class RobotTruth implements Truth {
 
     @Override
     public int color(int shape, double x, double y, double z) {
-        return colors.at(scenes.body(shape), x, y, z);
+        point[0] = x;
+        point[1] = y;
+        point[2] = z;
+        scenes.beams.toFrame(shape, point);
+        return colors.at(scenes.solid(shape), point);
     }
 
     @Override

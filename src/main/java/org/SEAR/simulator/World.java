@@ -12,6 +12,7 @@ import org.SEAR.POJOs.PlacedObject;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
+import org.SEAR.POJOs.Terrain;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.physics.Body;
@@ -69,7 +70,11 @@ final class World implements PhysicsWorld.Touches {
                 shapes.put(object, body.solids.get(0));
                 physics.add(body);
                 Shape shape = (Shape) object;
-                colors.add(body, shape, body.solids.get(0));
+                if (shape instanceof Terrain) {
+                    colors.addTerrain((Terrain) shape, body.solids.get(0), project.getGround());
+                } else {
+                    colors.add(shape, body.solids.get(0));
+                }
                 body.addTo(scenes, Collections.singletonList(shape.isVisibleToSensors() && (groundVisible || !shape.isGround())), -1, 1);
                 if (shape.isGround()) {
                     scenes.addGround(body);
@@ -94,6 +99,7 @@ final class World implements PhysicsWorld.Touches {
             places.setDownRobot(robot, builder.body, builder.feet());
             physics.add(builder.body);
             shapes.putAll(builder.shapes);
+            builder.shapes.forEach((part, solid) -> colors.add((Shape) part, solid));
             builder.addTo(scenes, robots.size());
             RobotTruth truth = new RobotTruth(builder, scenes, colors, robots.size(), Earth.of(project, robot), epochMillis);
             robots.add(new RobotModel(builder, robots.size(), scenes, truth, virtualWalls, told));

@@ -62,21 +62,24 @@ public final class TerrainColors {
 
     /** A picture over all of a field. */
     static GroundPicture.Colors filling(BufferedImage image, HeightField field) {
-        double perX = image.getHeight() / ((field.rows - 1) * field.spacingX);
-        double perZ = image.getWidth() / ((field.columns - 1) * field.spacingZ);
-        return (x, z) -> at(image, (z - field.lowZ) * perZ - 0.5, image.getHeight() - (x - field.lowX) * perX - 0.5);
+        int width = image.getWidth();
+        int height = image.getHeight();
+        int[] pixels = image.getRGB(0, 0, width, height, null, 0, width);
+        double perX = height / ((field.rows - 1) * field.spacingX);
+        double perZ = width / ((field.columns - 1) * field.spacingZ);
+        return (x, z) -> at(pixels, width, (z - field.lowZ) * perZ - 0.5, height - (x - field.lowX) * perX - 0.5);
     }
 
     /** The colour between the centres of four pixels. */
-    private static int at(BufferedImage image, double across, double down) {
+    private static int at(int[] pixels, int width, double across, double down) {
         int left = (int) Math.floor(across);
         int top = (int) Math.floor(down);
         double u = across - left;
         double v = down - top;
-        int northWest = pixel(image, left, top);
-        int northEast = pixel(image, left + 1, top);
-        int southWest = pixel(image, left, top + 1);
-        int southEast = pixel(image, left + 1, top + 1);
+        int northWest = pixel(pixels, width, left, top);
+        int northEast = pixel(pixels, width, left + 1, top);
+        int southWest = pixel(pixels, width, left, top + 1);
+        int southEast = pixel(pixels, width, left + 1, top + 1);
         int mixed = 0;
         for (int shift = 24; shift >= 0; shift -= 8) {
             double above = (northWest >>> shift & 0xff) * (1 - u) + (northEast >>> shift & 0xff) * u;
@@ -86,7 +89,7 @@ public final class TerrainColors {
         return mixed >>> 24 > 127 ? mixed : 0;
     }
 
-    private static int pixel(BufferedImage image, int x, int y) {
-        return image.getRGB(Math.max(0, Math.min(image.getWidth() - 1, x)), Math.max(0, Math.min(image.getHeight() - 1, y)));
+    private static int pixel(int[] pixels, int width, int x, int y) {
+        return pixels[Math.max(0, Math.min(pixels.length / width - 1, y)) * width + Math.max(0, Math.min(width - 1, x))];
     }
 }

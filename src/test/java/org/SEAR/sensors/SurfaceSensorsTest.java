@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.ColorSensor;
@@ -17,8 +18,11 @@ import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.LineSensor;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SensorObject;
+import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.SurfaceSensor;
+import org.SEAR.POJOs.Terrain;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
@@ -157,6 +161,90 @@ public class SurfaceSensorsTest {
             assertColor("ahead", RED, world.read("ahead"));
             assertColor("left", 0x102030, world.read("left"));
             assertColor("right", BLACK, world.read("right"));
+        }
+    }
+
+    /** The picture over a terrain fills its area, north up: its upper edge at +x, its right edge at +z. */
+    @Test
+    public void thePictureOverATerrainIsSeen() throws Exception {
+        int[] heights = new int[64];
+        Arrays.fill(heights, 0x808080);
+        Terrain terrain = new Terrain("land", picture("flat.png", 8, heights));
+        terrain.setSize(2, 2, -1, 1.008);
+        terrain.setImage(picture("four.png", 2, RED, GREEN, BLUE, WHITE));
+        plate(new ColorSensor("north west", 0.3, 0, -0.3), new ColorSensor("north east", 0.3, 0, 0.3), new ColorSensor("south west", -0.3, 0, -0.3),
+            new ColorSensor("south east", -0.3, 0, 0.3));
+        try (Simulation world = settled()) {
+            assertColor("north west", RED, mostly(world.read("north west")));
+            assertColor("north east", GREEN, mostly(world.read("north east")));
+            assertColor("south west", BLUE, mostly(world.read("south west")));
+            assertColor("south east", WHITE, mostly(world.read("south east")));
+            assertEquals(List.of(), world.snapshot().warnings.stream().filter(text -> text.contains("picture")).collect(Collectors.toList()));
+        }
+    }
+
+    /** What is more than half there, of a colour that is mixed between the centres of four pixels. */
+    private static ColorReading mostly(Object reading) {
+        ColorReading color = (ColorReading) reading;
+        return new ColorReading(Math.round(color.getRed() / 255) * 255, Math.round(color.getGreen() / 255) * 255,
+            Math.round(color.getBlue() / 255) * 255);
+    }
+
+    @Test
+    public void aTerrainOfOneColourHasIt() throws Exception {
+        int[] heights = new int[64];
+        Arrays.fill(heights, 0x808080);
+        Terrain terrain = new Terrain("land", picture("flat.png", 8, heights));
+        terrain.setSize(2, 2, -1, 1.008);
+        terrain.setColor("#204060");
+        plate(new ColorSensor("below"));
+        try (Simulation world = settled()) {
+            assertColor("below", 0x204060, world.read("below"));
+        }
+    }
+
+    /** Another robot's parts: a plain one, one with a picture, one that a servo turns away, and a wheel. */
+    @Test
+    public void partsOfOtherRobotsAreSeenWhereTheyAre() throws Exception {
+        new Floor("floor", 9, 9).setColor("black");
+        ColorSensor ahead = new ColorSensor("ahead", 0, 0.3, 0, 0, 0, 0);
+        ahead.setRange(3);
+        ColorSensor picture = new ColorSensor("picture", 0.3, 0.3, 0, 0, 0, 0);
+        picture.setRange(3);
+        ColorSensor turned = new ColorSensor("turned", -0.3, 0.3, 0, 0, 0, 0);
+        turned.setRange(3);
+        plate(ahead, picture, turned);
+        SEARrobot other = new SEARrobot("other");
+        other.addComponent(new Dynamics("other dynamics", 4, 0, 0.05, 1, 0, 0, 0));
+        Box base = new Box("base", 0.8, 0.4, 0.1, 4);
+        base.setColor("blue");
+        Box plain = new Box("plain", 0.2, 0.1, 0.6, 0);
+        plain.setColor("#204060");
+        plain.move(0, 0.3, 0);
+        Box poster = new Box("poster", 0.2, 0.1, 0.6, 0, picture("two.png", 2, RED, RED));
+        poster.move(0.3, 0.3, 0);
+        Box flag = new Box("flag", 0.2, 0.1, 0.2, 0);
+        flag.setColor("green");
+        flag.move(-0.3, 0.3, 0);
+        Servo mast = new Servo("mast", -0.3, 0.3, -0.05);
+        mast.setRange(-180, 180);
+        Box back = new Box("back", 0.2, 0.1, 0.2, 0);
+        back.setColor("red");
+        back.move(-0.3, 0.3, -0.2);
+        mast.mount(flag);
+        mast.mount(back);
+        for (SearObject part : List.of(base, plain, poster, flag, back, mast)) {
+            other.addComponent(part);
+        }
+        try (Simulation world = settled()) {
+            assertColor("plain", 0x204060, world.read("ahead"));
+            assertColor("picture", RED, world.read("picture"));
+            assertColor("before it turns", RED, world.read("turned"));
+            world.getServo("mast").setAngle(180);
+            for (int i = 0; i < 60; i++) {
+                world.step();
+            }
+            assertColor("after it has turned", 0x008000, world.read("turned"));
         }
     }
 

@@ -9,28 +9,24 @@ import java.util.Map;
 import java.util.function.Consumer;
 import javax.imageio.ImageIO;
 import org.SEAR.POJOs.Shape;
-import org.SEAR.geometry.Pose;
-import org.SEAR.geometry.SurfaceMesh;
-import org.SEAR.physics.Body;
+import org.SEAR.POJOs.Terrain;
 import org.SEAR.physics.solid.Solid;
-import org.SEAR.physics.solid.Solids;
 import org.SEAR.project.models.Assets;
+import org.SEAR.terrain.Ground;
 
 /**
- * The colour of things at a point of their surface: that of their picture, as the window shows it, else their own. A model's own textures and the
- * pictures of a terrain are not looked into: these have the colour of their object. Simulation thread.
+ * The colour of things and of robots' parts at a point of their surface: that of their picture, as the window shows it, else their own. A model's own
+ * textures are not looked into: it has the colour of its object. Once a picture is read, looking allocates nothing. Simulation thread.
  */
 public final class SurfaceColors {
-    /** Of what has no object of its own: a robot's body. */
+    /** Of what has no object of its own: the body of a robot without parts. */
     private static final int GREY = 0x999999;
-    private static final int RGB = 0xFFFFFF;
     private static final int HEX = 16;
-    private static final int CORNERS = 3;
 
     private final Assets assets;
     private final Consumer<String> told;
-    private final Map<Body, Paint> paints = new IdentityHashMap<>();
-    private final Map<String, BufferedImage> pictures = new HashMap<>();
+    private final Map<Solid, Paint> paints = new IdentityHashMap<>();
+    private final Map<String, Picture> pictures = new HashMap<>();
 
     /** @param told hears what the user should know of pictures that can't be read, when a sensor looks at them first */
     public SurfaceColors(Assets assets, Consumer<String> told) {
@@ -38,109 +34,48 @@ public final class SurfaceColors {
         this.told = told;
     }
 
-    /** A thing of the environment, of one solid. */
-    public void add(Body body, Shape shape, Solid solid) {
-        paints.put(body, new Paint(shape, solid));
+    /** A thing of the environment, or a part or wheel of a robot. */
+    public void add(Shape shape, Solid solid) {
+        paints.put(solid, new ShapePaint(shape, solid, this::picture));
+    }
+
+    /** The terrain. */
+    public void addTerrain(Terrain terrain, Solid solid, Ground ground) {
+        paints.put(solid, new GroundPaint(terrain, ground, assets, told));
     }
 
     /**
-     * The colour at a point of the world that lies on a thing's surface.
+     * The colour at a point of a thing's surface.
      *
+     * @param point {x, y, z} in the solid's frame, metres
      * @return 0xRRGGBB
      */
-    public int at(Body body, double x, double y, double z) {
-        Paint paint = paints.get(body);
-        if (paint == null) {
-            return GREY;
-        }
-        Pose pose = body.getPose();
-        double[] inside = pose.rotateBack(x - pose.x, y - pose.y, z - pose.z);
-        return paint.at(inside);
+    public int at(Solid solid, double[] point) {
+        Paint paint = paints.get(solid);
+        return paint == null ? GREY : paint.at(point);
     }
 
-    private BufferedImage picture(String path) {
+    static int plain(Shape shape) {
+        return Integer.parseInt(shape.getColor().substring(1), HEX);
+    }
+
+    private Picture picture(String path) {
         if (!pictures.containsKey(path)) {
             pictures.put(path, read(path));
         }
         return pictures.get(path);
     }
 
-    private BufferedImage read(String path) {
+    private Picture read(String path) {
         try {
             BufferedImage image = ImageIO.read(new ByteArrayInputStream(assets.readPicture(path)));
             if (image == null) {
                 told.accept("colour and line sensors can't look at the picture " + path + ", legal: .png, .jpg, .gif or .bmp");
             }
-            return image;
+            return image == null ? null : new Picture(image);
         } catch (IOException e) {
             told.accept("colour and line sensors can't look at a picture: " + e.getMessage());
             return null;
-        }
-    }
-
-    /** What is on one thing. */
-    private final class Paint {
-        private final Shape shape;
-        private final Solid solid;
-        private final int plain;
-        private boolean known;
-        private BufferedImage image;
-        private float[] positions;
-        private float[] places;
-        private int[] indices;
-
-        Paint(Shape shape, Solid solid) {
-            this.shape = shape;
-            this.solid = solid;
-            this.plain = Integer.parseInt(shape.getColor().substring(1), HEX);
-        }
-
-        private void learn() {
-            known = true;
-            SurfaceMesh look = shape.getPicture() == null ? null : Solids.look(solid, shape);
-            image = look == null ? null : picture(shape.getPicture());
-            if (image != null) {
-                SurfaceMesh mesh = look.placed(solid.offset);
-                positions = mesh.getPositions();
-                places = mesh.getPictures();
-                indices = mesh.getIndices();
-            }
-        }
-
-        int at(double[] point) {
-            if (!known) {
-                learn();
-            }
-            if (image == null) {
-                return plain;
-            }
-            double nearest = Double.POSITIVE_INFINITY;
-            double u = 0;
-            double v = 0;
-            double[] weights = new double[CORNERS];
-            for (int i = 0; i < indices.length; i += CORNERS) {
-                double distance = Barycentric.of(positions, indices, i, point, weights);
-                if (distance < nearest) {
-                    nearest = distance;
-                    u = mean(i, 0, weights);
-                    v = mean(i, 1, weights);
-                }
-            }
-            return pixel(u, v);
-        }
-
-        private double mean(int triangle, int coordinate, double[] weights) {
-            double sum = 0;
-            for (int corner = 0; corner < CORNERS; corner++) {
-                sum += weights[corner] * places[2 * indices[triangle + corner] + coordinate];
-            }
-            return sum;
-        }
-
-        private int pixel(double u, double v) {
-            int column = (int) Math.min(image.getWidth() - 1, (u - Math.floor(u)) * image.getWidth());
-            int row = (int) Math.min(image.getHeight() - 1, (1 - (v - Math.floor(v))) * image.getHeight());
-            return image.getRGB(column, row) & RGB;
         }
     }
 }

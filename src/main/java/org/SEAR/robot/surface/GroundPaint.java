@@ -1,0 +1,50 @@
+package org.SEAR.robot.surface;
+
+import java.io.IOException;
+import java.util.function.Consumer;
+import org.SEAR.POJOs.Terrain;
+import org.SEAR.project.models.Assets;
+import org.SEAR.terrain.Ground;
+import org.SEAR.terrain.TerrainColors;
+import org.SEAR.terrain.relief.GroundPicture;
+
+/** The picture over a terrain, without the sun that window and tab show on it; where it has none, the terrain's colour. */
+final class GroundPaint implements Paint {
+    private static final int RGB = 0xFFFFFF;
+    private static final int OPAQUE = 255;
+
+    private final Terrain terrain;
+    private final Ground ground;
+    private final Assets assets;
+    private final Consumer<String> told;
+    private final int plain;
+    private boolean known;
+    private GroundPicture.Colors colors;
+
+    /** @param told hears, when a sensor looks first, of a picture that can't be read */
+    GroundPaint(Terrain terrain, Ground ground, Assets assets, Consumer<String> told) {
+        this.terrain = terrain;
+        this.ground = ground;
+        this.assets = assets;
+        this.told = told;
+        this.plain = SurfaceColors.plain(terrain);
+    }
+
+    private void learn() {
+        known = true;
+        try {
+            colors = TerrainColors.of(terrain, assets, ground);
+        } catch (IOException e) {
+            told.accept("colour and line sensors can't look at the picture over the terrain: " + e.getMessage());
+        }
+    }
+
+    @Override
+    public int at(double[] point) {
+        if (!known) {
+            learn();
+        }
+        int color = colors == null ? 0 : colors.at(point[0], point[2]);
+        return color >>> 24 == OPAQUE ? color & RGB : plain;
+    }
+}

@@ -2,11 +2,13 @@
 (function() {
     var geometry = window.SEARPanel.geometry
     var pointing = window.SEARPanel.pointing
+    var places = window.SEARPanel.places
     var handles = window.SEARPanel.handles
     var CLICK = 4               // pixels: a mouse that moves less than this clicks
     var STEP = 0.05             // metres of an arrow key; a fifth of it with the alt key
     var TURN = 15               // degrees
     var SMALLEST = 0.05         // metres that a size snaps to, at least
+    var NEAR = 10               // pixels of the map: what is selected and has no shape, or is below others, can be taken so near
     var PAUSE_MILLIS = 400      // several keys within this time are one edit
     var ARROWS = {ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 0, 1], ArrowDown: [0, 0, -1], PageUp: [0, 1, 0], PageDown: [0, -1, 0]}
     var AXES = ['x', 'y', 'z']
@@ -17,6 +19,7 @@
         var drag = null             // what the mouse does with the selected object
         var grip = null             // where the mouse went down
         var nudged = null           // what the keys have done that is not sent yet
+        var held = null             // where what is selected is shown until the service answers, whatever a running simulation tells meanwhile
 
         function found() {
             return pointing.find($scope.world(), $scope.selected)
@@ -31,9 +34,19 @@
             if (scene) {
                 return pointing.inSpace(scene, world, x, y, without)
             }
+            var point = onMap(x, y)
+            return pointing.onMap(world, point[0], point[1])
+        }
+        /** The point of the ground, [x, z], of a pixel of the map. */
+        function onMap(x, y) {
             var shown = panel.canvas()
-            return pointing.onMap(world, $scope.view.x - (y - shown.clientHeight / 2) / $scope.view.scale,
-                $scope.view.z + (x - shown.clientWidth / 2) / $scope.view.scale)
+            return [$scope.view.x - (y - shown.clientHeight / 2) / $scope.view.scale, $scope.view.z + (x - shown.clientWidth / 2) / $scope.view.scale]
+        }
+        /** The ray of a pixel while something is dragged. */
+        function ray(x, y) {
+            var scene = inSpace()
+            var point = scene ? null : onMap(x, y)
+            return scene ? pointing.ray(scene, x, y) : pointing.down(point[0], point[1], drag.from[1] + 1)
         }
         /** What is under the mouse. */
         panel.under = function(event) {
@@ -50,37 +63,35 @@
             var selected = found()
             handles.showAids(scene, world, $scope.building)
             window.SEARPanel.balance.show(scene, selected)
-            handles.show(scene, selected, selected ? drag && drag.extent || pointing.extent(selected.object) : null,
-                selected && selected.object.type ? handles.sizesOf(panel.typeOf(selected.object.type)) : {})
+            handles.show(scene, selected, selected && extent(selected), selected && spots(selected))
         }
         panel.decorateMap = function(shown) {
             var selected = found()
             if (selected) {
                 var pen = shown.getContext('2d')
-                var extent = pointing.extent(selected.object)
-                pen.beginPath()
-                ;[[0, 0], [1, 0], [1, 1], [0, 1]].forEach(function(corner) {
-                    var point = geometry.onGround(selected.pose, [extent[corner[0]][0], 0, extent[corner[1]][2]])
-                    var pixel = $scope.toScreen(point[0], point[1])
-                    pen.lineTo(pixel.x, pixel.y)
-                })
-                pen.closePath()
-                pen.strokeStyle = '#ff7f0e'
-                pen.lineWidth = 2
-                pen.stroke()
-                pen.lineWidth = 1
+                handles.draw(pen, selected, extent(selected), spots(selected), $scope.toScreen)
                 window.SEARPanel.balance.draw(pen, selected, $scope.toScreen)
             }
         }
+        /** With the size that the mouse gives it. */
+        function extent(selected) {
+            return drag && drag.extent || pointing.extent(selected.object)
+        }
+        function spots(selected) {
+            var scene = inSpace()
+            return handles.spots(selected, extent(selected), selected.object.type ? handles.sizesOf(panel.typeOf(selected.object.type)) : {},
+                scene ? handles.inSpace(scene, selected) : handles.above($scope.view.scale))
+        }
+        /** Where the handle of what is selected is in the world; null if it has none of that name. */
+        $scope.handle = function(name) {
+            var selected = found()
+            var spot = selected && spots(selected)[name]
+            return spot ? handles.placed(selected, spot) : null
+        }
 
         // ---- moving ------------------------------------------------------------------------------------------------------------------------
-        /** Where it stands in the frame that its values count in: its file's numbers, or where it is seen if those don't say. */
-        function base(selected) {
-            var values = $scope.object.values
-            var live = panel.isSimulating() && !selected.robot && selected.object.corners
-            return live || values.placeLatitude !== undefined ? selected.object.pose.slice(0, 3) : AXES.map(function(axis) {
-                return Number(values[axis])
-            })
+        function place(selected) {
+            return places.of(selected, $scope.object.values, panel.isSimulating() && $scope.world() === $scope.state)
         }
         /** Shows it elsewhere until the service answers. @param shift in its parent's frame @param degrees that it is turned about y */
         function showMoved(start, shift, degrees) {
@@ -95,24 +106,27 @@
                 pose[i] += way[i]
             }
             pose[4] += degrees
-            selected.object.pose = pose
+            held = {object: $scope.selected, pose: pose}
             panel.repaint()
         }
-        /** Sends the new place. What was shown meanwhile goes back if it is refused. */
-        function sendMoved(was, set) {
-            panel.edit({'do': 'set', object: $scope.selected, set: set}, function(answer) {
-                if (!answer.done) {
-                    showMoved(was, [0, 0, 0], 0)
-                    panel.say('error', panel.refusal(answer))
-                }
-            })
-        }
-        function canMove(selected) {
-            if (panel.isSimulating() && selected.object.parts) {
-                panel.say('warn', 'while a simulation runs a robot is put elsewhere by the fields of the inspector: they are where it starts')
-                return false
+        /** Comes before the views are drawn. */
+        panel.hold = function() {
+            var selected = held && pointing.find($scope.world(), held.object)
+            if (selected) {
+                selected.object.pose = held.pose
             }
-            return true
+        }
+        /** Sends what was changed. What was shown meanwhile goes back if it is refused. @param done start: its pose before, place: see places.of */
+        function send(done, set) {
+            panel.edit({'do': 'set', object: $scope.selected, set: places.edit(done.place, set), stand: done.place.stands && set.y === undefined},
+                function(answer) {
+                    if (!answer.done) {
+                        showMoved(done.start, [0, 0, 0], 0)
+                        panel.say('error', panel.refusal(answer))
+                    }
+                    panel.hold()
+                    held = null
+                })
         }
 
         function startDrag(event, x, y) {
@@ -121,14 +135,22 @@
             if (!selected || !$scope.object || $scope.armed) {
                 return null
             }
-            var kind = scene ? handles.pick(scene, x, y) : null
+            var kind = scene ? handles.pick(scene, x, y) : handles.pickOnMap(selected, spots(selected), $scope.toScreen, x, y)
             var under = kind ? null : at(x, y)
-            if (!kind && !(under && under.who && (under.who.address === $scope.selected || under.who.robot === $scope.selected)) || !canMove(selected)) {
+            if (!kind && !isAt(selected, under, x, y)) {
                 return null
             }
-            return {kind: kind || 'move', start: selected.object.pose.slice(), base: base(selected), pose: selected.pose, parent: selected.parent,
-                from: kind ? handles.place(scene, kind) : under.point, up: event.shiftKey && Boolean(scene), set: null,
-                extent: kind && kind !== 'turn' ? pointing.extent(selected.object) : null, ry: Number($scope.object.values.ry)}
+            return {kind: kind || 'move', start: selected.object.pose.slice(), place: place(selected), pose: selected.pose, parent: selected.parent,
+                from: kind ? $scope.handle(kind) : under.point, up: event.shiftKey && Boolean(scene), set: null,
+                extent: kind && kind !== 'turn' ? pointing.extent(selected.object) : null}
+        }
+        /** Whether what is selected is what was met at a pixel. */
+        function isAt(selected, under, x, y) {
+            if (under && under.who && (under.who.address === $scope.selected || under.who.robot === $scope.selected)) {
+                return true
+            }
+            var pixel = inSpace() || !selected.robot ? null : $scope.toScreen(selected.pose[0], selected.pose[2])
+            return Boolean(pixel) && Math.abs(pixel.x - x) < NEAR && Math.abs(pixel.y - y) < NEAR
         }
         function continueDrag(event, x, y) {
             var free = event.altKey
@@ -142,8 +164,7 @@
             panel.repaint()
         }
         function groundPoint(x, y) {
-            var scene = inSpace()
-            return scene ? pointing.onPlane(pointing.ray(scene, x, y), drag.from, [0, 1, 0]) : at(x, y).point
+            return pointing.onPlane(ray(x, y), drag.from, [0, 1, 0])
         }
         function move(x, y, free) {
             var shift
@@ -151,7 +172,7 @@
                 return
             }
             if (drag.up) {
-                shift = [0, pointing.alongAxis(pointing.ray(inSpace(), x, y), drag.from, [0, 1, 0]), 0]
+                shift = [0, pointing.alongAxis(ray(x, y), drag.from, [0, 1, 0]), 0]
             } else {
                 var point = groundPoint(x, y)
                 if (!point) {
@@ -163,8 +184,8 @@
             drag.set = {}
             AXES.forEach(function(axis, i) {
                 if (Math.abs(shift[i]) > 1e-6 && (drag.up || axis !== 'y')) {
-                    var value = panel.snapped(drag.base[i] + shift[i], free)
-                    shift[i] = value - drag.base[i]
+                    var value = panel.snapped(drag.place.at[i] + shift[i], free)
+                    shift[i] = value - drag.place.at[i]
                     drag.set[axis] = panel.plain(value)
                 }
             })
@@ -180,8 +201,8 @@
             }
             drag.set = panel.mounted(under, panel.typeOf($scope.object.type), free)
             showMoved(drag.start, AXES.map(function(axis, i) {
-                return Number(drag.set[axis]) - drag.base[i]
-            }), drag.set.ry === undefined ? 0 : Number(drag.set.ry) - drag.ry)
+                return Number(drag.set[axis]) - drag.place.at[i]
+            }), drag.set.ry === undefined ? 0 : Number(drag.set.ry) - drag.place.ry)
             return true
         }
         function turn(x, y, free) {
@@ -193,11 +214,10 @@
                 var v = pointing.back(drag.parent, [of[0] - drag.pose[0], 0, of[2] - drag.pose[2]])
                 return Math.atan2(v[0], v[2]) * 180 / Math.PI
             }
-            var ry = drag.ry + angle(point) - angle(drag.from)
-            ry = $scope.snap && !free ? Math.round(ry / TURN) * TURN : ry
-            ry -= 360 * Math.round(ry / 360)
+            var ry = drag.place.ry + angle(point) - angle(drag.from)
+            ry = places.wrapped($scope.snap && !free ? Math.round(ry / TURN) * TURN : ry)
             drag.set = {ry: panel.plain(ry)}
-            showMoved(drag.start, [0, 0, 0], ry - drag.ry)
+            showMoved(drag.start, [0, 0, 0], ry - drag.place.ry)
         }
         /** The side opposite to the handle stays where it is. */
         function size(x, y, free) {
@@ -207,27 +227,26 @@
             var scale = Number(values['scale' + 'XYZ'[i]]) || 1
             var unit = [0, 0, 0]
             unit[i] = 1
-            var along = pointing.alongAxis(pointing.ray(inSpace(), x, y), drag.from, geometry.rotate(drag.pose, unit))
+            var along = pointing.alongAxis(ray(x, y), drag.from, geometry.rotate(drag.pose, unit))
             var old = Number(values[what.name])
             var wanted = old + along / scale
             var value = $scope.snap && !free ? Math.max(SMALLEST, panel.snapped(wanted, false)) : Math.max(1e-3, wanted)
             var grown = (value - old) * scale
             drag.set = {}
             drag.set[what.name] = panel.plain(value)
-            var extent = pointing.extent(found().object)
-            extent[1][i] += grown
+            drag.extent = pointing.extent(found().object)
+            drag.extent[1][i] += grown
             if (what.share !== 1) {
-                extent[0][i] -= grown
+                drag.extent[0][i] -= grown
             } else {
                 keepOpposite(geometry.rotate(geometry.frame(drag.start), unit), grown / 2)
             }
-            drag.extent = extent
         }
         function keepOpposite(axis, shift) {
             AXES.forEach(function(name, i) {
                 var stands = name === 'y' && $scope.object.values.onGround === 'true'
                 if (Math.abs(axis[i] * shift) > 1e-6 && !stands) {
-                    drag.set[name] = panel.plain(drag.base[i] + axis[i] * shift)
+                    drag.set[name] = panel.plain(drag.place.at[i] + axis[i] * shift)
                 }
             })
         }
@@ -235,7 +254,9 @@
             var done = drag
             drag = null
             if (done.set && Object.keys(done.set).length) {
-                sendMoved(done.start, done.set)
+                send(done, done.set)
+            } else {
+                held = null
             }
             panel.repaint()
         }
@@ -324,11 +345,11 @@
         }
         function nudge(arrow, fine) {
             var selected = found()
-            if (!selected || !$scope.object || !canMove(selected)) {
+            if (!selected || !$scope.object) {
                 return
             }
             if (!nudged) {
-                nudged = {start: selected.object.pose.slice(), base: base(selected), shift: [0, 0, 0], object: $scope.selected}
+                nudged = {start: selected.object.pose.slice(), place: place(selected), shift: [0, 0, 0], object: $scope.selected}
             } else {
                 clearTimeout(nudged.timer)
             }
@@ -345,16 +366,20 @@
             var set = {}
             AXES.forEach(function(axis, i) {
                 if (Math.abs(done.shift[i]) > 1e-6) {
-                    set[axis] = panel.plain(done.base[i] + done.shift[i])
+                    set[axis] = panel.plain(done.place.at[i] + done.shift[i])
                 }
             })
             if (done.object === $scope.selected && Object.keys(set).length) {
-                sendMoved(done.start, set)
+                send(done, set)
+            } else {
+                held = null
             }
         }
         function turnBy(degrees) {
             if ($scope.object && $scope.object.values.ry !== undefined) {
-                panel.edit({'do': 'set', object: $scope.selected, set: {ry: panel.plain(Number($scope.object.values.ry) + degrees)}})
+                var selected = found()
+                var now = place(selected)
+                send({start: selected && selected.object.pose.slice(), place: now}, {ry: panel.plain(places.wrapped(now.ry + degrees))})
             }
         }
         /** @return whether it was a key of building */

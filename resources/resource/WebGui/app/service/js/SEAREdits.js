@@ -1,7 +1,5 @@
 // What the SEAR panel has the service do to the project, and which object is selected.
 (function() {
-    var FINEST = 1e4            // a tenth of a millimetre
-
     /** Adds it to a panel. @return what it does with messages */
     window.SEARPanel.edits = function(panel) {
         var $scope = panel.scope
@@ -16,10 +14,7 @@
         $scope.selected = null      // what edits call it: box1, rover, rover/ping
         $scope.object = null        // as its file has it; null until it is known
 
-        /** A number as it stands in files, without the last digits of a sum. */
-        panel.plain = function(number) {
-            return String(Math.round(number * FINEST) / FINEST)
-        }
+        panel.plain = window.SEARPanel.places.plain
 
         /** Has the service do an edit. @param then takes its answer; else this page says what was wrong */
         panel.edit = function(edit, then) {

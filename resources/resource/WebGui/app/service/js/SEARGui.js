@@ -2,7 +2,7 @@
 (function() {
     // In this order: each uses some of those before it.
     var FILES = ['SEARTerrain', 'SEARGeometry', 'SEARWords', 'SEARMap', 'SEARLooks', 'SEARItem', 'SEARBeams', 'SEARGround', 'SEARScene', 'SEARWorld',
-        'SEARProjects', 'SEARScript', 'SEAREdits', 'SEARInspector', 'SEARPalette', 'SEARPointing', 'SEARHandles', 'SEARBalance',
+        'SEARProjects', 'SEARScript', 'SEAREdits', 'SEARInspector', 'SEARPalette', 'SEARPointing', 'SEARPlaces', 'SEARHandles', 'SEARBalance',
         'SEARBuilding', 'SEARRobots', 'SEARViews',
         'SEARPlot', 'SEARReplay', 'SEARRecords', 'SEARWorkspace', 'SEARPanel']
     var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'checkProject', 'getExamples',

@@ -1,4 +1,4 @@
-// What shows which object is selected in the view in space of the SEAR panel: a frame around it, and handles that turn it and change its size.
+// What shows which object is selected in the views of the SEAR panel: a frame around it, and handles that turn it and change its size.
 (function() {
     var geometry = window.SEARPanel.geometry
     var pointing = window.SEARPanel.pointing
@@ -8,6 +8,11 @@
     var HANDLES = [['x', 0xd9534f], ['y', 0x5cb85c], ['z', 0x337ab7], ['turn', 0xf0ad4e]]
     var SIZE = 0.012            // of a handle, as a share of the camera's distance
     var GAP = 0.06              // between the frame and the handle that turns, likewise
+    var CUBE = 1.6              // sizes: side of a handle that changes a size
+    var DISC = 1.3              // sizes: radius of the one that turns
+    var ABOVE = 520             // pixels: the map shows handles as large as a camera at this distance does
+    var NEAR = 3                // pixels beside a handle of the map that still count
+    var ALONG = 0.95            // cosine: what one looks along that much can't be dragged
     var GROUND = 20             // metres that the grid is wide, to either side
     var MARKER = 0.02           // radius in metres of what stands for a sensor, which has no shape
 
@@ -35,6 +40,103 @@
         return sizes
     }
 
+    /**
+     * Where the handles are in the frame of what is selected, by their names; those of sizes only where there is one that can be seen.
+     * @param found see pointing.find @param extent its corners @param sizes see sizesOf @param eye away: its distance, metres, along: where it looks
+     */
+    function spots(found, extent, sizes, eye) {
+        var middle = [0, 1, 2].map(function(i) {
+            return (extent[0][i] + extent[1][i]) / 2
+        })
+        var all = {}
+        HANDLES.forEach(function(one, i) {
+            var name = one[0]
+            var at = middle.slice()
+            if (name === 'turn') {
+                at[2] = extent[1][2] + GAP * eye.away
+                all[name] = at
+            } else if (sizes[name] && Math.abs(pointing.back(found.pose, eye.along)[i]) < ALONG) {
+                at[i] = extent[1][i]
+                all[name] = at
+            }
+        })
+        return all
+    }
+    /** A spot in the world. */
+    function placed(found, spot) {
+        var at = geometry.rotate(found.pose, spot)
+        return [found.pose[0] + at[0], found.pose[1] + at[1], found.pose[2] + at[2]]
+    }
+
+    // ---- on the map ------------------------------------------------------------------------------------------------------------------------
+    /** The eye of a map that shows so many pixels a metre. */
+    function above(scale) {
+        return {away: ABOVE / scale, along: [0, -1, 0]}
+    }
+    function css(color) {
+        return '#' + ('00000' + color.toString(16)).slice(-6)
+    }
+    /** Draws frame and handles on the map. @param all see spots @param at where a point of the ground lies there, in pixels */
+    function draw(pen, found, extent, all, at) {
+        function pixel(spot) {
+            var point = geometry.onGround(found.pose, spot)
+            return at(point[0], point[1])
+        }
+        pen.beginPath()
+        ;[[0, 0], [1, 0], [1, 1], [0, 1]].forEach(function(corner) {
+            var point = pixel([extent[corner[0]][0], 0, extent[corner[1]][2]])
+            pen.lineTo(point.x, point.y)
+        })
+        pen.closePath()
+        pen.strokeStyle = css(FRAME)
+        pen.lineWidth = 2
+        pen.stroke()
+        pen.lineWidth = 1
+        HANDLES.forEach(function(one) {
+            if (all[one[0]]) {
+                var point = pixel(all[one[0]])
+                var half = CUBE / 2 * SIZE * ABOVE
+                pen.beginPath()
+                if (one[0] === 'turn') {
+                    pen.arc(point.x, point.y, DISC * SIZE * ABOVE, 0, 2 * Math.PI)
+                } else {
+                    pen.rect(point.x - half, point.y - half, 2 * half, 2 * half)
+                }
+                pen.fillStyle = css(one[1])
+                pen.fill()
+                pen.strokeStyle = '#ffffff'
+                pen.stroke()
+            }
+        })
+    }
+    /** The handle under a pixel of the map; null for none. */
+    function pickOnMap(found, all, at, x, y) {
+        var nearest = null
+        var least = DISC * SIZE * ABOVE + NEAR
+        HANDLES.forEach(function(one) {
+            if (all[one[0]]) {
+                var point = geometry.onGround(found.pose, all[one[0]])
+                var pixel = at(point[0], point[1])
+                var away = Math.sqrt(Math.pow(pixel.x - x, 2) + Math.pow(pixel.y - y, 2))
+                if (away < least) {
+                    least = away
+                    nearest = one[0]
+                }
+            }
+        })
+        return nearest
+    }
+
+    // ---- in space --------------------------------------------------------------------------------------------------------------------------
+    /** The eye of the view in space. */
+    function inSpace(scene, found) {
+        var from = scene.camera.position
+        var way = [found.pose[0] - from.x, found.pose[1] - from.y, found.pose[2] - from.z]
+        var away = Math.sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2])
+        return {away: away, along: way.map(function(metres) {
+            return metres / away
+        })}
+    }
     function lines(points, color) {
         var THREE = window.THREE
         var shape = new THREE.Geometry()
@@ -80,7 +182,7 @@
         group.add(group.eye)
         group.knobs = {}
         HANDLES.forEach(function(one) {
-            var shape = one[0] === 'turn' ? new THREE.CylinderGeometry(1.3, 1.3, 0.5, 20) : new THREE.BoxGeometry(1.6, 1.6, 1.6)
+            var shape = one[0] === 'turn' ? new THREE.CylinderGeometry(DISC, DISC, 0.5, 20) : new THREE.BoxGeometry(CUBE, CUBE, CUBE)
             var knob = new THREE.Mesh(shape, new THREE.MeshBasicMaterial({color: one[1], depthTest: false, transparent: true}))
             knob.renderOrder = 10
             knob.handle = one[0]
@@ -91,8 +193,8 @@
         return group
     }
 
-    /** Shows what is selected. @param found see pointing.find, null for nothing @param extent its corners @param sizes see sizesOf */
-    function show(scene, found, extent, sizes) {
+    /** Shows what is selected. @param found see pointing.find, null for nothing @param extent its corners @param all see spots */
+    function show(scene, found, extent, all) {
         if (!scene.handles) {
             if (!found) {
                 return
@@ -109,24 +211,16 @@
         group.quaternion.set(pose[3], pose[4], pose[5], pose[6])
         var low = extent[0]
         var high = extent[1]
-        var middle = [0, 1, 2].map(function(i) {
-            return (low[i] + high[i]) / 2
-        })
-        group.frame.position.fromArray(middle)
+        group.frame.position.set((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2)
         group.frame.scale.set(high[0] - low[0], Math.max(1e-3, high[1] - low[1]), high[2] - low[2])
-        var from = scene.camera.position
-        var away = Math.sqrt(Math.pow(from.x - pose[0], 2) + Math.pow(from.y - pose[1], 2) + Math.pow(from.z - pose[2], 2))
-        HANDLES.forEach(function(one, i) {
+        var size = SIZE * inSpace(scene, found).away
+        HANDLES.forEach(function(one) {
             var knob = group.knobs[one[0]]
-            var at = middle.slice()
-            if (one[0] === 'turn') {
-                at[2] = high[2] + GAP * away
-            } else {
-                at[i] = high[i]
+            knob.visible = Boolean(all[one[0]])
+            if (knob.visible) {
+                knob.position.fromArray(all[one[0]])
+                knob.scale.set(size, size, size)
             }
-            knob.visible = one[0] === 'turn' || Boolean(sizes[one[0]])
-            knob.position.fromArray(at)
-            knob.scale.set(SIZE * away, SIZE * away, SIZE * away)
         })
         showEye(scene, group.eye, found)
         group.updateMatrixWorld(true)
@@ -150,10 +244,6 @@
         })
         var hit = pointing.ray(scene, x, y).caster.intersectObjects(knobs, false)[0]
         return hit ? hit.object.handle : null
-    }
-    /** Where a handle is in the world. */
-    function place(scene, handle) {
-        return scene.handles ? new window.THREE.Vector3().setFromMatrixPosition(scene.handles.knobs[handle].matrixWorld).toArray() : null
     }
 
     /** While one builds: a grid on the ground, and something to click on for each sensor. */
@@ -189,5 +279,6 @@
         })
     }
 
-    window.SEARPanel.handles = {show: show, pick: pick, place: place, showAids: showAids, sizesOf: sizesOf}
+    window.SEARPanel.handles = {sizesOf: sizesOf, spots: spots, placed: placed, above: above, draw: draw, pickOnMap: pickOnMap, inSpace: inSpace, show: show,
+        pick: pick, showAids: showAids}
 })()

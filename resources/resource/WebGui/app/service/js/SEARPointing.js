@@ -98,14 +98,18 @@
         caster.setFromCamera(new THREE.Vector2(2 * x / scene.canvas.clientWidth - 1, 1 - 2 * y / scene.canvas.clientHeight), scene.camera)
         return {from: caster.ray.origin.toArray(), along: caster.ray.direction.toArray(), caster: caster}
     }
+    /** The ray of a point of the map, from a height down. */
+    function down(x, z, height) {
+        return {from: [x, height, z], along: [0, -1, 0]}
+    }
     /** Where a ray meets a plane through a point; null where that is too far or behind. */
     function onPlane(line, point, normal) {
-        var down = line.along[0] * normal[0] + line.along[1] * normal[1] + line.along[2] * normal[2]
+        var nearer = line.along[0] * normal[0] + line.along[1] * normal[1] + line.along[2] * normal[2]
         var far = 0
         for (var i = 0; i < 3; i++) {
             far += (point[i] - line.from[i]) * normal[i]
         }
-        far /= down
+        far /= nearer
         return far > 0 && far < FAR ? line.from.map(function(from, k) {
             return from + far * line.along[k]
         }) : null
@@ -184,6 +188,6 @@
         return below ? met(world, whose(world, below), [x, top(below), z], Boolean(below.ground)) : met(world, null, [x, 0, z], false)
     }
 
-    window.SEARPanel.pointing = {find: find, extent: extent, ray: ray, onPlane: onPlane, alongAxis: alongAxis, inSpace: inSpace, onMap: onMap, back: back,
+    window.SEARPanel.pointing = {find: find, extent: extent, ray: ray, down: down, onPlane: onPlane, alongAxis: alongAxis, inSpace: inSpace, onMap: onMap, back: back,
         local: local}
 })()

@@ -150,6 +150,7 @@
             if ($scope.building && (!world || !world.objects.length && !world.robots.length)) {
                 fitted = {space: true, map: true}       // what is made first does not fill the view
             }
+            panel.hold()
             if ($scope.mode === 'space') {
                 drawScene(shown, world)
             } else {

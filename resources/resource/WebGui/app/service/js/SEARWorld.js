@@ -79,9 +79,11 @@
             angular.forEach(message.changes, function(changed, list) {
                 angular.forEach(changed, function(values, index) {
                     angular.extend(state[list][index], values)
+                    if (list === 'robots' && values.pose) {
+                        extendPath(state.robots[index])
+                    }
                 })
             })
-            state.robots.forEach(extendPath)
             angular.extend(state, message)
             delete state.changes
         }

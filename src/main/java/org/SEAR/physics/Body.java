@@ -170,9 +170,10 @@ public final class Body {
         rigid.setActivationState(mass > 0 ? CollisionObject.ACTIVE_TAG : CollisionObject.ISLAND_SLEEPING);
     }
 
-    /** Puts it elsewhere at once, at rest; the next start of the world is there, too. */
-    void moveTo(Pose to) {
-        setStart(to);
+    /** Puts it elsewhere at once, at rest, and says where the next start of the world finds it. */
+    void moveTo(Pose newStart, Pose to) {
+        start = newStart;
+        pose = to;
         anchor = to;
         still = 0;
         toTransform(centred(to), home);
@@ -464,7 +465,7 @@ public final class Body {
         return pose;
     }
 
-    Pose getStart() {
+    public Pose getStart() {
         return start;
     }
 

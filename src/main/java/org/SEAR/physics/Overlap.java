@@ -5,7 +5,7 @@ import org.SEAR.collision.GjkDistance;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.solid.Solid;
 
-/** Whether bodies overlap at poses they may be given, computed in double precision from the shapes themselves. For the time before the first step. */
+/** Whether bodies overlap at poses they may be given, computed in double precision from the shapes themselves. Not for each step. */
 final class Overlap {
     /** Ways to lean, metres a metre along x and z. */
     private static final double[][] LEANS = {{0, 0}, {0.1, 0.1}, {0.1, -0.1}, {-0.1, 0.1}, {-0.1, -0.1}, {0.2, 0}, {-0.2, 0}, {0, 0.2}, {0, -0.2}};
@@ -52,11 +52,16 @@ final class Overlap {
 
     /** Whether the body at a pose overlaps another at its start by more than {@code allowed} metres. */
     boolean overlaps(Pose pose, Overlap other, double allowed) {
+        return overlaps(pose, other, other.body.getStart(), allowed);
+    }
+
+    /** The same with the other one at another pose. */
+    boolean overlaps(Pose pose, Overlap other, Pose otherPose, double allowed) {
         for (int i = 0; i < body.solids.size(); i++) {
             Placed mine = new Placed(body.solids.get(i), pose.times(body.places[i]));
             for (int k = 0; k < other.body.solids.size(); k++) {
                 Solid solid = other.body.solids.get(k);
-                Pose place = other.body.getStart().times(other.body.places[k]);
+                Pose place = otherPose.times(other.body.places[k]);
                 if (solid.isMesh() ? meets(mine, bounds(pose), solid, place, allowed) : isDeeper(mine, new Placed(solid, place), allowed)) {
                     return true;
                 }

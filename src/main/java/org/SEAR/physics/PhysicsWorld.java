@@ -116,13 +116,17 @@ public final class PhysicsWorld {
         world.addConstraint(new DriveConstraint(body, drive));
     }
 
-    /** Puts a body elsewhere at once, at rest, where the next start finds it, too; what slept beside it or sleeps where it comes wakes. */
-    public void move(Body body, Pose to) {
+    /**
+     * Puts a body elsewhere at once, at rest; what slept beside it or sleeps where it comes wakes.
+     *
+     * @param start where the next start finds it
+     */
+    public void move(Body body, Pose start, Pose to) {
         wakeBeside(body);
         if (inside[body.number]) {
             leave(body);
         }
-        body.moveTo(to);
+        body.moveTo(start, to);
         body.bounds(bounds[body.number]);
         wakeBeside(body);
         redraw = true;

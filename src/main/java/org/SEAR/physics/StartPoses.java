@@ -27,19 +27,29 @@ public final class StartPoses {
 
     /** Lifts everything with mass out of everything fixed. */
     public static void lift(List<Body> bodies, List<String> warnings) {
+        List<Body> fixed = bodies.stream().filter(Body::isFixed).collect(Collectors.toList());
         for (Body body : bodies) {
             if (!body.isFixed()) {
-                double before = body.getStart().y;
-                int round = 0;
-                while (round < ROUNDS && liftOnce(body, bodies)) {
-                    round++;
-                }
-                double lifted = body.getStart().y - before;
+                double lifted = liftOut(body, fixed);
                 if (lifted > 0) {
                     warnings.add(String.format(Locale.ROOT, "%s started inside something fixed; it was lifted by %.3f m", body.name, lifted));
                 }
             }
         }
+    }
+
+    /**
+     * Lifts the start of a body out of others where they are now.
+     *
+     * @return by how much, metres
+     */
+    public static double liftOut(Body body, List<Body> others) {
+        double before = body.getStart().y;
+        int round = 0;
+        while (round < ROUNDS && liftOnce(body, others)) {
+            round++;
+        }
+        return body.getStart().y - before;
     }
 
     /**
@@ -139,24 +149,22 @@ public final class StartPoses {
         return false;
     }
 
-    private static boolean liftOnce(Body body, List<Body> bodies) {
+    private static boolean liftOnce(Body body, List<Body> others) {
         Overlap mine = new Overlap(body);
         double[] box = mine.bounds(body.getStart());
         boolean lifted = false;
-        for (Body fixed : bodies) {
-            if (!fixed.isFixed()) {
-                continue;
-            }
-            Overlap other = new Overlap(fixed);
-            double[] around = other.bounds(fixed.getStart());
-            if (mine.isApart(box, around) || !mine.overlaps(body.getStart(), other, ALLOWED)) {
+        for (Body obstacle : others) {
+            Overlap other = new Overlap(obstacle);
+            Pose there = obstacle.getPose();
+            double[] around = other.bounds(there);
+            if (mine.isApart(box, around) || !mine.overlaps(body.getStart(), other, there, ALLOWED)) {
                 continue;
             }
             double in = 0;
             double out = around[4] - box[1] + ALLOWED;
             for (int i = 0; i < HALVINGS; i++) {
                 double middle = (in + out) / 2;
-                if (mine.overlaps(up(body.getStart(), middle), other, 0)) {
+                if (mine.overlaps(up(body.getStart(), middle), other, there, 0)) {
                     in = middle;
                 } else {
                     out = middle;

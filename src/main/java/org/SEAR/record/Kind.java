@@ -15,8 +15,9 @@ final class Kind {
     static final int OPENED = 11;
     static final int LIGHT = 12;
     static final int ORDER = 13;
+    static final int MOVED = 14;
     /** The last one. */
-    static final int MOST = ORDER;
+    static final int MOST = MOVED;
 
     private Kind() {
     }

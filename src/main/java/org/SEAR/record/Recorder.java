@@ -236,6 +236,14 @@ public final class Recorder implements RunTap {
     }
 
     @Override
+    public void moved(String name, Pose start, Pose to) {
+        byte[] bytes = name.getBytes(StandardCharsets.UTF_8);
+        out.put(Kind.MOVED).putShort(bytes.length).putBytes(bytes, bytes.length);
+        put(start);
+        put(to);
+    }
+
+    @Override
     public void reset() {
         out.put(Kind.RESET);
     }

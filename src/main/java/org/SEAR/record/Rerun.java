@@ -11,6 +11,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
 import org.SEAR.devices.SerialLine;
+import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.ActuatorOrder;
@@ -165,6 +166,11 @@ public final class Rerun implements RunRecord.Visitor {
     }
 
     @Override
+    public void moved(String name, Pose start, Pose to) {
+        commands.add(run -> run.move(name, start, to));
+    }
+
+    @Override
     public void reset() {
         commands.add(Simulation::reset);
     }
@@ -208,6 +214,11 @@ public final class Rerun implements RunRecord.Visitor {
 
         @Override
         public void power(String device, boolean on) {
+            // the record has it
+        }
+
+        @Override
+        public void moved(String name, Pose start, Pose to) {
             // the record has it
         }
 

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.Arrays;
+import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.ActuatorOrder;
 import org.SEAR.simulator.DriveCommand;
 
@@ -69,6 +70,9 @@ public final class RunRecord {
         }
 
         default void power(String device, boolean on) {
+        }
+
+        default void moved(String name, Pose start, Pose to) {
         }
 
         default void reset() {
@@ -206,6 +210,14 @@ public final class RunRecord {
                     boolean on = in.readBoolean();
                     visitor.power(RecordHeader.readText(in), on);
                     return true;
+                case Kind.MOVED:
+                    String name = RecordHeader.readText(in);
+                    if (!header.robots.contains(name) && !header.objects.contains(name)) {
+                        throw new RecordException("after " + steps + " steps \"" + name
+                            + "\" is moved, legal: a robot or thing that its beginning names");
+                    }
+                    visitor.moved(name, pose(), pose());
+                    return true;
                 case Kind.RESET:
                     visitor.reset();
                     return true;
@@ -251,6 +263,17 @@ public final class RunRecord {
                 throw illegal("port", line, header.lines.size());
             }
             return line;
+        }
+
+        private Pose pose() throws IOException {
+            double[] numbers = new double[POSE];
+            read(numbers, 0, POSE);
+            for (double number : numbers) {
+                if (!Double.isFinite(number)) {
+                    throw new RecordException("after " + steps + " steps something is moved to " + number + ", legal: a finite number");
+                }
+            }
+            return new Pose(numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5], numbers[6]);
         }
 
         private byte[] bytes() throws IOException {

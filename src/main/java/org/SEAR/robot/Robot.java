@@ -17,6 +17,12 @@ public interface Robot {
 
     Pose getPose();
 
+    /** Where it is after a start or reset. */
+    Pose getStart();
+
+    /** Its object as its file said where it starts: {@link #getObject} until it was moved. Only its place counts. Immutable. */
+    SEARrobot getWritten();
+
     Truth getTruth();
 
     RobotHardware getHardware();

@@ -41,12 +41,14 @@ public final class RobotModel implements Robot, RobotHardware {
     private final List<Sensor<?>> sensors = new ArrayList<>();
     private final List<Solid> wheelSolids;
     private final int[] wheelShapes;
+    private final double[][] feet;
     private final double bodyRadius;
     private final List<MotorDrive> motors = new ArrayList<>();
     private final Turrets turrets;
     private final LedLights lights;
     private final Stability stability;
     private DriveTrain train;
+    private SEARrobot written;
     private final Frame frame = new Frame();
     private boolean bumpedLeft;
     private boolean bumpedRight;
@@ -62,10 +64,12 @@ public final class RobotModel implements Robot, RobotHardware {
      */
     public RobotModel(RobotBuilder from, int number, Scenes scenes, RobotTruth truth, VirtualWalls virtualWalls, Consumer<String> told) {
         this.object = from.object;
+        this.written = from.object;
         this.dynamics = from.dynamics;
         this.body = from.body;
         this.wheelSolids = from.wheelSolids;
         this.bodyRadius = from.radius;
+        this.feet = from.feet();
         this.number = number;
         this.scenes = scenes;
         this.truth = truth;
@@ -109,9 +113,13 @@ public final class RobotModel implements Robot, RobotHardware {
         truth.restart();
     }
 
-    /** Puts it elsewhere at once, at rest; its motors go on. */
-    public void move(PhysicsWorld physics, Pose to) {
-        physics.move(body, to);
+    /**
+     * Puts it elsewhere at once, at rest; its motors go on.
+     *
+     * @param start where the next start finds it
+     */
+    public void move(PhysicsWorld physics, Pose start, Pose to) {
+        physics.move(body, start, to);
         truth.touches().clear();
         truth.moved();
         unsettled = SETTLING;
@@ -184,6 +192,23 @@ public final class RobotModel implements Robot, RobotHardware {
         bumpedRight |= angle <= BUMPER_OVERLAP && angle >= -Math.PI / 2;
     }
 
+    /**
+     * How high it stands on what is below it somewhere.
+     *
+     * @param at its pose there; what is higher above it than {@code climb} metres is not below it
+     * @return the height of its frame; NaN if nothing is below
+     */
+    public double standing(Pose at, double climb) {
+        double height = Double.NEGATIVE_INFINITY;
+        double[][] lowest = feet.length > 0 ? feet : new double[][] {{0, body.lowest() - body.getPose().y, 0}};
+        for (double[] foot : lowest) {
+            double[] point = at.transform(foot[0], foot[1], foot[2]);
+            double down = scenes.ground.cast(point[0], point[1] + climb, point[2], 0, -1, 0, Double.MAX_VALUE, number, null);
+            height = down < Double.POSITIVE_INFINITY ? Math.max(height, at.y + climb - down) : height;
+        }
+        return height == Double.NEGATIVE_INFINITY ? Double.NaN : height;
+    }
+
     public Body getBody() {
         return body;
     }
@@ -213,6 +238,21 @@ public final class RobotModel implements Robot, RobotHardware {
     @Override
     public Pose getPose() {
         return body.getPose();
+    }
+
+    @Override
+    public Pose getStart() {
+        return body.getStart();
+    }
+
+    @Override
+    public SEARrobot getWritten() {
+        return written;
+    }
+
+    /** @param newWritten what its file says now */
+    public void setWritten(SEARrobot newWritten) {
+        written = newWritten;
     }
 
     @Override

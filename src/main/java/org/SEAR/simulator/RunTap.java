@@ -1,6 +1,7 @@
 package org.SEAR.simulator;
 
 import org.SEAR.devices.LineTap;
+import org.SEAR.geometry.Pose;
 
 /** Looks at everything that goes into a run and comes out of it, in its order, without changing anything. Simulation thread. */
 public interface RunTap extends LineTap {
@@ -12,6 +13,13 @@ public interface RunTap extends LineTap {
 
     /** Between two steps a device was switched on or off. */
     void power(String device, boolean on);
+
+    /**
+     * Between two steps something was put elsewhere, at rest.
+     *
+     * @param start where a reset finds it
+     */
+    void moved(String name, Pose start, Pose to);
 
     /** Between two steps everything went back to the start. */
     void reset();

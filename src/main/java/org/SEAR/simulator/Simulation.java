@@ -433,20 +433,57 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Puts a thing of the environment or a robot, at rest, to where it starts in a newer state of the project; a reset finds it there, too. All else
-     * stays as it was at the start. Simulation thread.
+     * Puts a thing of the environment or a robot, at rest, to where it starts in a newer state of the project, on top of what is there; a reset finds
+     * it there, too. All else stays as it was at the start. Simulation thread.
      *
+     * @param back whether an edit was taken back: it goes to where it stood before that, if it was moved since the last start or reset
      * @return whether this world has it
      * @throws IllegalArgumentException if it has no place there
      */
-    public boolean place(String name, Project now) {
+    public boolean place(String name, Project now, boolean back) {
         try {
-            boolean found = world.place(name, now);
-            snapshot = observer.lookClosely(step);
-            return found;
+            Moves moves = world.getMoves();
+            Pose start = moves.start(name, now);
+            if (start == null) {
+                return false;
+            }
+            if (!back) {
+                moves.remember(name);
+            }
+            moves.write(name, now);
+            move(name, start, back ? moves.takeBack(name, start) : start);
+            return true;
         } catch (ProjectException e) {
             throw new IllegalArgumentException(e.getMessage(), e);
         }
+    }
+
+    /**
+     * Puts a thing of the environment or a robot elsewhere, at rest. Simulation thread.
+     *
+     * @param start where a reset finds it
+     * @param to where it is now
+     * @throws IllegalArgumentException if there is none of that name
+     */
+    public void move(String name, Pose start, Pose to) {
+        if (!world.getMoves().has(name)) {
+            throw new IllegalArgumentException("nothing that can be moved is named \"" + name + "\"");
+        }
+        world.move(name, start, to);
+        if (tap != null) {
+            tap.moved(name, start, to);
+        }
+        snapshot = observer.lookClosely(step);
+    }
+
+    /**
+     * How much higher, in metres, a robot's start has to be than it is to stand on what is there, when it is moved. Simulation thread.
+     *
+     * @param by what its start is moved by, in the world
+     * @return 0 for what is no robot; where nothing is below, as much as keeps it at its present height
+     */
+    public double rise(String robot, Pose by) {
+        return world.getMoves().rise(robot, by);
     }
 
     World getWorld() {

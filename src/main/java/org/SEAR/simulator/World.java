@@ -52,6 +52,7 @@ final class World implements PhysicsWorld.Touches {
     private boolean wantsContacts;
 
     private final Fallen fallen;
+    private final Moves moves;
 
     /**
      * Builds the world of a project.
@@ -112,6 +113,7 @@ final class World implements PhysicsWorld.Touches {
         StartPoses.lift(physics.getBodies(), warnings);
         StartPoses.tellOverlaps(physics.getBodies(), warnings);
         fallen = new Fallen(physics.getBodies(), told);
+        moves = new Moves(this);
         restart();
         robots.forEach(robot -> StartChecks.check(robot, scenes, warnings));
     }
@@ -158,7 +160,7 @@ final class World implements PhysicsWorld.Touches {
         return all.stream().anyMatch(object -> object instanceof Shape && !((Shape) object).isVisibleToSensors());
     }
 
-    private static Body body(SearObject object, Project project) throws ProjectException {
+    static Body body(SearObject object, Project project) throws ProjectException {
         Solid solid = Solids.of(object, project);
         if (solid == null) {
             return null;
@@ -175,6 +177,7 @@ final class World implements PhysicsWorld.Touches {
         robots.forEach(RobotModel::rewind);
         physics.restart();
         fallen.restart();
+        moves.restart();
         for (Body body : environment) {
             if (body != null) {
                 body.mirror(scenes);
@@ -189,44 +192,25 @@ final class World implements PhysicsWorld.Touches {
         poses = poses();
     }
 
-    /**
-     * Puts a thing of the environment or a robot to where it starts in a newer state of the project.
-     *
-     * @return whether this world has it
-     * @throws ProjectException if it has no place there
-     */
-    boolean place(String name, Project now) throws ProjectException {
-        GroundPlaces places = new GroundPlaces(now.getOrigin(), scenes);
-        boolean found = false;
-        for (Body body : environment) {
-            SearObject object = body != null && body.name.equals(name) ? named(now.getEnvironment(), name) : null;
-            if (object != null) {
-                Body fresh = body(object, now);
-                places.setDown((PlacedObject) object, fresh);
-                places.end();
-                physics.move(body, fresh.getPose());
-                body.mirror(scenes);
-                found = true;
-            }
-        }
-        for (RobotModel robot : robots) {
-            SearObject object = robot.getObject().getName().equals(name) ? named(now.getRobots(), name) : null;
-            if (object != null) {
-                RobotBuilder fresh = RobotBuilder.of((SEARrobot) object, now, new ArrayList<>());
-                places.setDownRobot((SEARrobot) object, fresh.body, fresh.feet());
-                places.end();
-                robot.move(physics, fresh.body.getPose());
-                found = true;
-            }
-        }
+    /** Puts something elsewhere, see {@link Moves}. */
+    void move(String name, Pose start, Pose to) {
+        moves.move(name, start, to);
         fallen.restart();
         scenes.commit();
         poses = poses();
-        return found;
     }
 
-    private static SearObject named(List<? extends SearObject> objects, String name) {
-        return objects.stream().filter(object -> object.getName().equals(name)).findFirst().orElse(null);
+    Moves getMoves() {
+        return moves;
+    }
+
+    Scenes getScenes() {
+        return scenes;
+    }
+
+    /** Of the environment, in the project's order; null for what has no shape. */
+    List<Body> getEnvironment() {
+        return environment;
     }
 
     /** The physics of a step: wheels find their ground, jbullet moves the bodies, wheels turn, beams' geometry follows. */

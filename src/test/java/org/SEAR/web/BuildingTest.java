@@ -46,7 +46,7 @@ public class BuildingTest {
         "lidar.move(0, 0.1, 0.1)",
         "robot.addComponent(lidar)",
         "eye = Distance('eye', 'PING)))')",
-        "eye.move(0, 0.1, 0)",
+        "eye.move(0.1, 0.0365, 0)",
         "robot.addComponent(eye)");
 
     @Rule
@@ -132,6 +132,9 @@ public class BuildingTest {
         Map<String, String> wanted = files();
         beginWithAnEmptyProject();
         build(".sear-map");
+        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope();"
+            + "angular.extend(scope.view, {x: 0, z: 0, scale: 60, chosen: true}); scope.redraw()");
+        browser.until("all places in the view", () -> Math.abs(tab.toScreen(1, 0)[1] - tab.toScreen(0, 0)[1] + 60) < 0.1);
         placeOnMap("Floor", 0, 0, "floor1");
         int box = 1;
         for (double[] at : new double[][] {{2, 2}, {2, -2}, {-2, 2}, {-2, -2}}) {
@@ -151,7 +154,11 @@ public class BuildingTest {
         placeOnMap("create2", 0, 1, "create2");
         for (String type : List.of("Compass", "LIDAR", "Distance")) {
             arm(type);
-            browser.click(".sear-middle");
+            if (type.equals("Distance")) {
+                onMap(0.1, 1).click().perform();
+            } else {
+                browser.click(".sear-middle");
+            }
             waitForSelected("create2/" + type.toLowerCase(Locale.ROOT) + "1");
             if (type.equals("Compass")) {
                 set("y", "0");
@@ -166,8 +173,10 @@ public class BuildingTest {
         browser.until("a sensor of the list", () -> tab.isTrue("object && object.robot == 'create2'"));
         TABS.robotLab().run("sear.edit({'do': 'set', 'object': 'lidar1', 'set': {'z': 0.1}})");
         assertEquals(wanted, files());
+        handlesOfTheMapSizeAndTurn();
         tab.start();
         browser.until("readings of all three sensors", () -> tab.number("world().sensors.length") == 3);
+        aRobotIsDraggedWhileItRuns();
         TABS.robotLab().call("sear", "stopSimulation");
         browser.until("no simulation", () -> tab.isTrue("service && !service.simulating"));
         while (tab.isTrue("undoable !== null")) {
@@ -177,6 +186,47 @@ public class BuildingTest {
         }
         assertEquals(Map.of(), files());
         browser.until("an empty view", () -> tab.isTrue("!world().objects.length && !world().robots.length && selected === null"));
+    }
+
+    /** Handles of 0.5 m of box4 in the south-west. */
+    private void handlesOfTheMapSizeAndTurn() throws IOException {
+        onMap(-2, -2).click().perform();
+        waitForSelected("box4");
+        WebElement view = browser.see(".sear-view");
+        picture("map");
+        drag(view, onMapOf("x"), tab.toScreen(-1.25, -2));
+        browser.until("it is longer", () -> tab.isTrue("object.values.length == '1' && object.values.x == '-1.75'"));
+        browser.until("in the view, too", () -> Math.abs(place("x").get(0).doubleValue() + 1.25) < 1e-3);
+        drag(view, onMapOf("turn"), tab.toScreen(-1, -2.02));
+        browser.until("it looks north", () -> tab.isTrue("object.values.ry == '90'"));
+        assertTrue("what one looks along has no handle", tab.isTrue("handle('y') === null"));
+        onMap(0, 1).click().perform();
+        waitForSelected("create2");
+        assertTrue("a robot can be turned, its parts have sizes", tab.isTrue("handle('x') === null && handle('turn') !== null"));
+    }
+
+    /** By mouse and by a key, back by undo; its sensors go with it. */
+    private void aRobotIsDraggedWhileItRuns() {
+        waitForSelected("create2");
+        double x = tab.number("state.robots[0].pose[0]");
+        drag(browser.see(".sear-view"), tab.toScreen(x, 1), tab.toScreen(x - 1, -1));
+        browser.until("its new place in its file",
+            () -> tab.isTrue("object.object == 'create2' && object.values.z == '-1' && object.values.x != '0'"));
+        double put = tab.number("1 * object.values.x");
+        assertEquals(x - 1, put, 0.03);
+        browser.until("it stands there", () -> Math.abs(tab.number("state.robots[0].pose[2]") + 1) < 0.01
+            && Math.abs(tab.number("state.robots[0].pose[0]") - put) < 0.01);
+        browser.until("its sensors with it", () -> tab.number("state.sensors[0].pose[2]") < -0.5);
+        browser.see(".sear-view").sendKeys(Keys.ARROW_RIGHT);
+        browser.until("5 cm to the east", () -> tab.isTrue("object.values.z == '-0.95'")
+            && Math.abs(tab.number("state.robots[0].pose[2]") + 0.95) < 0.01);
+        browser.see(".sear-view").sendKeys("[");
+        browser.until("turned", () -> tab.isTrue("object.values.ry == '15'") && Math.abs(tab.number("state.robots[0].pose[4]") - 15) < 1);
+        String said = String.valueOf(browser.scope(SearTab.ROOT, "messages"));
+        assertFalse("nothing waits: " + said, said.contains("next start"));
+        browser.see(".sear-view").sendKeys(Keys.chord(Keys.CONTROL, "z"), Keys.chord(Keys.CONTROL, "z"), Keys.chord(Keys.CONTROL, "z"));
+        browser.until("back where it was", () -> tab.isTrue("object.values.z == '1' && object.values.x == '0'")
+            && Math.abs(tab.number("state.robots[0].pose[2]") - 1) < 0.01);
     }
 
     @Test
@@ -235,11 +285,8 @@ public class BuildingTest {
     @Test
     public void aRobotIsMadeFromATemplateAndDriven() throws IOException {
         build(".sear-space");
-        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); var orbit = scope.scene().orbit;"
-            + "orbit.target.set(0, 0, 0); orbit.distance = 0.9; orbit.azimuth = Math.PI; orbit.elevation = 0.6; scope.redraw()");
         WebElement view = browser.see(".sear-scene");
-        browser.until("a near view of the middle", () -> inSpace(0, 0, 0.1)[0] - inSpace(0, 0, 0)[0] > 25
-            && Math.abs(inSpace(0, 0, 0)[0] - view.getSize().getWidth() / 2.0) < 2);
+        lookAt(view, 0);
         arm("rover");
         moveTo(view, inSpace(0, 0, 0)).click().perform();
         waitForSelected("rover1");
@@ -262,12 +309,32 @@ public class BuildingTest {
         browser.until("keys for the view", () -> view.equals(browser.driver().switchTo().activeElement()));
         view.sendKeys("u");
         browser.until("it drives", () -> tab.number("world().robots[0].pose[2]") > 0.2);
+        view.sendKeys(";", Keys.ESCAPE);
+        browser.until("it stands", () -> tab.isTrue("selected === null && state.robots[0].speed == 0"));
+        double there = tab.number("state.robots[0].pose[2]");
+        lookAt(view, there);
+        moveTo(view, inSpace(0, 0.05, there)).click().perform();
+        waitForSelected("rover1");
+        drag(inSpace(0, 0.05, there), inSpace(0.2, 0.05, there - 0.3));
+        browser.until("it was put elsewhere", () -> tab.isTrue("object.object == 'rover1' && object.values.z != '0'"));
+        double put = tab.number("1 * object.values.z");
+        assertEquals(there - 0.3, put, 0.06);
+        assertEquals("it stands on the ground", 0, tab.number("1 * object.values.y"), 0.001);
+        browser.until("in the running world", () -> Math.abs(tab.number("state.robots[0].pose[2]") - put) < 0.01);
         browser.click(".sear-test-drive");
         browser.until("no simulation", () -> tab.isTrue("service && !service.simulating"));
         TABS.robotLab().run("sear.edit({'do': 'add', 'type': 'Box', 'name': 'mast', 'to': 'rover1', 'set': {'length': 0.04, 'width': 0.04,"
             + " 'height': 0.3, 'y': 0.2, 'z': -0.05, 'mass': 3}})");
         browser.seeText(".sear-balance .sear-wrong", "Warning: centre of mass at");
         picture("robot");
+    }
+
+    /** From near, at a point so far to the east. */
+    private void lookAt(WebElement view, double z) {
+        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); var orbit = scope.scene().orbit;"
+            + "orbit.target.set(0, 0, arguments[0]); orbit.distance = 0.9; orbit.azimuth = Math.PI; orbit.elevation = 0.6; scope.redraw()", z);
+        browser.until("a near view", () -> inSpace(0, 0, z + 0.1)[0] - inSpace(0, 0, z)[0] > 25
+            && Math.abs(inSpace(0, 0, z)[0] - view.getSize().getWidth() / 2.0) < 2);
     }
 
     /** For whoever looks at it. */
@@ -277,8 +344,12 @@ public class BuildingTest {
 
     @SuppressWarnings("unchecked")
     private List<Number> place(String handle) {
-        return (List<Number>) browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope();"
-            + "return window.SEARPanel.handles.place(scope.scene(), arguments[0])", handle);
+        return (List<Number>) browser.scope(SearTab.ROOT, "handle('" + handle + "')");
+    }
+
+    private double[] onMapOf(String handle) {
+        List<Number> at = place(handle);
+        return tab.toScreen(at.get(0).doubleValue(), at.get(2).doubleValue());
     }
 
     private double[] handle(String name) {
@@ -287,7 +358,10 @@ public class BuildingTest {
     }
 
     private void drag(double[] from, double[] to) {
-        WebElement view = browser.see(".sear-scene");
+        drag(browser.see(".sear-scene"), from, to);
+    }
+
+    private void drag(WebElement view, double[] from, double[] to) {
         Dimension size = view.getSize();
         moveTo(view, from).clickAndHold().moveToElement(view, (int) Math.round((from[0] + to[0]) / 2) - size.getWidth() / 2,
             (int) Math.round((from[1] + to[1]) / 2) - size.getHeight() / 2).moveToElement(view, (int) Math.round(to[0]) - size.getWidth() / 2,

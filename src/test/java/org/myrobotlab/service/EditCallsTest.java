@@ -103,4 +103,36 @@ public class EditCallsTest {
             sear.edit(Map.of("do", "set", "object", "wall", "set", Map.of("height", 3))).get("note"));
         assertEquals(0.1, sear.getPose("wall")[2] - TestWorld.WALL, 1e-6);
     }
+
+    /** As the tab drags it: onto a step, and back by undo, to where it had driven. */
+    @Test
+    public void aRobotThatIsMovedWhileItRunsStandsOnWhatIsThereAndUndoPutsItBack() throws Exception {
+        sear.edit(Map.of("do", "add", "type", "Box", "name", "step",
+            "set", Map.of("x", 3, "y", 0.15, "z", -3, "length", 2, "width", 2, "height", 0.3)));
+        sear.startSimulation();
+        sear.simSleep(0.5);
+        assertNull(sear.edit(Map.of("do", "set", "object", "roomba/drive", "set", Map.of("ry", 90))).get("note"));
+        sear.simSleep(0.5);
+        double height = sear.getPose("roomba")[1];
+        double start = Double.parseDouble(String.valueOf(((Map<?, ?>) sear.getProjectObject("roomba").get("values")).get("y")));
+        assertNull(sear.edit(Map.of("do", "set", "object", "roomba", "stand", true, "set", Map.of("x", 1))).get("note"));
+        sear.simSleep(0.5);
+        assertEquals(1, sear.getPose("roomba")[0], 0.01);
+        assertEquals(height, sear.getPose("roomba")[1], 0.01);
+        Map<?, ?> values = (Map<?, ?>) sear.getProjectObject("roomba").get("values");
+        assertEquals("it has the height that it had", start, Double.parseDouble(String.valueOf(values.get("y"))), 0);
+        assertNull(sear.edit(Map.of("do", "set", "object", "roomba", "stand", true, "set", Map.of("x", "3", "z", "-3"))).get("note"));
+        sear.simSleep(0.5);
+        assertEquals(-3, sear.getPose("roomba")[2], 0.01);
+        assertEquals("on the step", height + 0.3, sear.getPose("roomba")[1], 0.01);
+        values = (Map<?, ?>) sear.getProjectObject("roomba").get("values");
+        assertEquals("also at the next start", start + 0.3, Double.parseDouble(String.valueOf(values.get("y"))), 0.01);
+        sear.undo();
+        sear.simSleep(0.5);
+        assertEquals(1, sear.getPose("roomba")[0], 0.01);
+        assertEquals(height, sear.getPose("roomba")[1], 0.01);
+        sear.redo();
+        sear.simSleep(0.5);
+        assertEquals(-3, sear.getPose("roomba")[2], 0.01);
+    }
 }

@@ -26,8 +26,9 @@ public final class PanelFiles {
         example("car"), example("line"), example("maze"), example("mountain"), example("office"), example("ramps"), example("rover"),
         example("sensors"), example("turret"),
         script("Gui"), script("Balance"), script("Beams"), script("Building"), script("Edits"), script("Geometry"), script("Ground"),
-        script("Handles"), script("Inspector"), script("Item"), script("Looks"), script("Map"), script("Palette"), script("Panel"), script("Plot"),
-        script("Pointing"), script("Projects"), script("Records"), script("Replay"), script("Robots"), script("Scene"), script("Script"),
+        script("Handles"), script("Inspector"), script("Item"), script("Looks"), script("Map"), script("Palette"), script("Panel"), script("Places"),
+        script("Plot"), script("Pointing"), script("Projects"), script("Records"), script("Replay"), script("Robots"), script("Scene"),
+        script("Script"),
         script("Terrain"), script("Views"), script("Words"), script("Workspace"), script("World"));
     /** Where the jar has them. */
     private static final String IN_JAR = "/resource/";

@@ -91,8 +91,10 @@ public final class Edits {
      */
     public Map<String, Object> apply(Map<?, ?> edit) throws IOException, ProjectException, InterruptedException {
         Object kind = edit.get("do");
-        Outcome outcome = UNDO.equals(kind) ? editor().undo() : REDO.equals(kind) ? editor().redo() : editor().apply(edit);
-        return answer(outcome, edit.get("page"), note(outcome));
+        SimulationSession session = control.sessionOrNull();
+        Outcome outcome = UNDO.equals(kind) ? editor().undo() : REDO.equals(kind) ? editor().redo()
+            : editor().apply(session == null ? edit : Standing.of(edit, session));
+        return answer(outcome, edit.get("page"), note(outcome, session, UNDO.equals(kind)));
     }
 
     /** Does an edit for a panel: what is wrong stands in the answer. */
@@ -130,8 +132,7 @@ public final class Edits {
     }
 
     /** Moves what was moved where a simulation runs. What else there is to say of an edit; null for nothing. */
-    private String note(Outcome outcome) throws InterruptedException {
-        SimulationSession session = control.sessionOrNull();
+    private static String note(Outcome outcome, SimulationSession session, boolean back) throws InterruptedException {
         if (session == null || outcome.files.isEmpty()) {
             return outcome.note;
         }
@@ -139,7 +140,7 @@ public final class Edits {
         try {
             Project now = outcome.moved.isEmpty() ? null : Project.read(Projects.folder());
             for (String name : outcome.moved) {
-                all &= session.place(whole(now, name), now);
+                all &= session.place(whole(now, name), now, back);
             }
         } catch (ProjectException | IllegalArgumentException e) {
             all = false;

@@ -41,7 +41,8 @@ import org.myrobotlab.service.sear.readings.ScriptReadings;
  *               "pose": [..]},
  *              {"name": "Tree1", "type": "Model", "terrain": false, ..},
  *              {"name": "Land", "type": "Terrain", "ground": "1f-2e" (its stamp: see {@link TerrainMap}), ..}],
- *  "robots": [{"name": "myRoomba", "pose": [..], "speed": 0.2, "turnRate": 0, "radius": 0.17, "path": [[x, z], ..],
+ *  "robots": [{"name": "myRoomba", "pose": [..], "start": [..] (its pose after a reset), "written": [..] (what its file
+ *               says of that), "speed": 0.2, "turnRate": 0, "radius": 0.17, "path": [[x, z], ..],
  *              "devices": [{"name", "on" (whether it has power), "status" (what it is doing),
  *                           "pins": [{"pin", "wired", "mode", "value"}] (texts; only of a board)}],
  *              "parts": [{"name", "type", "corners", "look", "picture", "color", "colored", "pose" (in the body)}], "wheels": [pose, ..],
@@ -183,6 +184,7 @@ public final class WorldJson {
         List<Object> list = new ArrayList<>();
         for (Snapshot.RobotState robot : snapshot.robots) {
             Map<String, Object> map = posed(robot.pose);
+            addStart(map, world.getRobots().get(list.size()));
             map.put("speed", rounded(robot.speed, FINE));
             map.put("turnRate", rounded(robot.turnRate, FINE));
             map.put("devices", devices(robot));
@@ -200,6 +202,12 @@ public final class WorldJson {
             list.add(map);
         }
         return list;
+    }
+
+    private static void addStart(Map<String, Object> map, Robot robot) {
+        SEARrobot written = robot.getWritten();
+        map.put("start", numbers(robot.getStart()));
+        map.put("written", new double[] {written.getX(), written.getY(), written.getZ(), written.getRx(), written.getRy(), written.getRz()});
     }
 
     /** Their poses in the body, as they have turned, in the order of the wheels among the parts. */

@@ -17,6 +17,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.SEAR.devices.SerialLine;
+import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
@@ -461,16 +462,22 @@ public final class SimulationSession {
     /**
      * Puts a thing or a robot to where it starts in a newer state of the project, see {@link Simulation#place}.
      *
+     * @param back whether an edit was taken back
      * @return whether this world has it
      */
-    public boolean place(String name, Project now) throws InterruptedException {
+    public boolean place(String name, Project now, boolean back) throws InterruptedException {
         boolean[] found = new boolean[1];
         sleepers.whileSleeping(SleepingThreads.NOW, () -> {
             synchronized (stepping) {
-                found[0] = ask(world -> world.place(name, now));
+                found[0] = ask(world -> world.place(name, now, back));
             }
         });
         return found[0];
+    }
+
+    /** How much higher a robot's start has to be to stand where it is moved, metres, see {@link Simulation#rise}. */
+    public double rise(String robot, Pose by) throws InterruptedException {
+        return ask(world -> world.rise(robot, by));
     }
 
     /** Everything back to the start. */

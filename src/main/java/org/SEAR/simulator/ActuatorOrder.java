@@ -2,7 +2,10 @@ package org.SEAR.simulator;
 
 import org.SEAR.robot.Robot;
 
-/** What a motor, a servo, a light or the steering of a robot is told to do, by {@link Simulation#order}; a record knows it again. Immutable, any thread. */
+/**
+ * What a motor, a servo, a light or the steering of a robot is told to do, by {@link Simulation#order}; a record knows it again. Immutable, any
+ * thread.
+ */
 public final class ActuatorOrder {
     /** What the value is, and of what. A record has their places in this list. */
     public enum Kind {

@@ -93,7 +93,8 @@ public class RecordsTabTest {
     }
 
     private void slideTo(String end) {
-        browser.script("var s = document.querySelector('.sear-slider'); s.value = s[arguments[0]]; s.dispatchEvent(new Event('input', {bubbles: true}));"
+        browser.script("var s = document.querySelector('.sear-slider'); s.value = s[arguments[0]];"
+            + "s.dispatchEvent(new Event('input', {bubbles: true}));"
             + " s.dispatchEvent(new Event('change', {bubbles: true}))", end);
     }
 

@@ -137,7 +137,8 @@ public class SpaceTest {
         browser.until("lit", () -> Math.abs(((Number) inScene("scene.robots[0].lights[0].bulb.material.color.g")).doubleValue() - 0.6) < 1e-6);
         assertEquals(0.2, ((Number) inScene("scene.robots[0].lights[0].holder.position.y")).doubleValue(), 1e-6);
         TABS.robotLab().run("sear.setServo('neck', 90)");
-        browser.until("turned to the left", () -> Math.abs(((Number) inScene("scene.robots[0].lights[0].holder.position.x")).doubleValue() - 0.1) < 1e-3);
+        browser.until("turned to the left",
+            () -> Math.abs(((Number) inScene("scene.robots[0].lights[0].holder.position.x")).doubleValue() - 0.1) < 1e-3);
         browser.seeText("[data-sensor=bumper] .sear-reading", "not pressed");
     }
 

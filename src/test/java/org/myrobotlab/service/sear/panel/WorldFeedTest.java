@@ -119,7 +119,8 @@ public class WorldFeedTest {
         Path folder = temporary.newFolder().toPath();
         Path robot = Files.createDirectories(folder.resolve("robot"));
         Files.writeString(robot.resolve("r.xml"), "<SEARrobot><name>r</name><component>d</component><component>s</component>"
-            + "<component>head</component><component>lamp</component><wheel><name>w</name><radius>0.1</radius><width>0.1</width></wheel></SEARrobot>");
+            + "<component>head</component><component>lamp</component>"
+            + "<wheel><name>w</name><radius>0.1</radius><width>0.1</width></wheel></SEARrobot>");
         Files.writeString(robot.resolve("d.xml"), "<Dynamics><name>d</name><mass>1</mass></Dynamics>");
         Files.writeString(robot.resolve("s.xml"), "<Servo><name>s</name><part>head</part><part>lamp</part></Servo>");
         Files.writeString(robot.resolve("lamp.xml"), "<Led><name>lamp</name><y>0.5</y><z>0.4</z></Led>");

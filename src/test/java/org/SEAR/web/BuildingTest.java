@@ -327,6 +327,14 @@ public class BuildingTest {
             + " 'height': 0.3, 'y': 0.2, 'z': -0.05, 'mass': 3}})");
         browser.seeText(".sear-balance .sear-wrong", "Warning: centre of mass at");
         picture("robot");
+        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); scope.select('rover1/left'); scope.$apply()");
+        browser.until("the wheel", () -> tab.isTrue("object && object.object == 'rover1/left'"));
+        view.sendKeys(Keys.DELETE);
+        browser.seeText(".sear-last", "motor leftMotor was deleted with wheel left; Undo brings back both");
+        assertFalse(files().containsKey("robot/leftMotor.xml"));
+        view.sendKeys(Keys.chord(Keys.CONTROL, "z"));
+        browser.until("both are back", () -> tab.isTrue("redoable == 'delete left with motor leftMotor'"));
+        assertTrue(files().containsKey("robot/leftMotor.xml"));
     }
 
     /** From near, at a point so far to the east. */

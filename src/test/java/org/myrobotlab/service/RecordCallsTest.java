@@ -65,7 +65,11 @@ public class RecordCallsTest {
         Path csv = temporary.getRoot().toPath().resolve("run.csv");
         sear.saveRecordCsv(file, List.of("roomba.z", "ping"), csv.toString());
         assertEquals("time (s),roomba.z,ping", Files.readAllLines(csv).get(0));
-        assertEquals(List.of("roomba"), sear.getRecordFrames(file).get("robots"));
+        Map<String, Object> frames = sear.getRecordFrames(file);
+        assertEquals(List.of("roomba"), frames.get("robots"));
+        assertEquals(((List<?>) frames.get("times")).size(), ((List<?>) frames.get("readings")).size());
+        assertEquals(((List<?>) frames.get("sizes")).stream().mapToInt(size -> (Integer) size).sum(),
+            ((List<?>) ((List<?>) frames.get("readings")).get(0)).size());
     }
 
     @Test

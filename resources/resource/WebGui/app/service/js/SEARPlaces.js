@@ -40,14 +40,14 @@
      * Where something stands.
      * @param selected see pointing.find @param values of its file @param live whether it is seen as a running simulation moves it
      * @return at [x, y, z] and ry, degrees, as its file has them or should; strayed: what its file has to say, too, if it is put elsewhere;
-     * onGround, onEarth, headed: how its file says where it is; stands: whether its height is to come from what is below it
+     * onGround, onEarth, headed: how its file says where it is; moves: whether it is seen as a running simulation moves it; stands: whether its height is to come from what is below it
      */
     function of(selected, values, live) {
         var headed = values.placeHeading !== undefined
         var onEarth = values.placeLatitude !== undefined
         var place = {at: numbers(values, AXES), ry: headed ? NORTH - Number(values.placeHeading) : Number(values.ry) || 0, strayed: {}, headed: headed,
-            onEarth: onEarth, onGround: onEarth || values.onGround === 'true', stands: false}
-        if (selected && !selected.robot && live) {
+            onEarth: onEarth, onGround: onEarth || values.onGround === 'true', moves: Boolean(selected && !selected.robot && live), stands: false}
+        if (place.moves) {
             (selected.object.parts ? robot : thing)(place, selected.object, values)
         } else if (selected && onEarth) {
             stray(place, selected.object.pose)
@@ -95,7 +95,10 @@
 
     /** What an edit sets. @param place see of @param set what the user has changed: x, y, z, ry, sizes */
     function edit(place, set) {
-        var all = angular.extend({}, place.strayed, set)
+        var stays = !place.moves && AXES.every(function(axis) {
+            return set[axis] === undefined
+        })
+        var all = angular.extend({}, stays ? {} : place.strayed, set)
         if (set.ry !== undefined && place.headed) {
             delete all.ry
             all.placeHeading = plain(wrapped(NORTH - Number(set.ry)))

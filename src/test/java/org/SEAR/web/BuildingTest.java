@@ -200,9 +200,24 @@ public class BuildingTest {
         drag(view, onMapOf("turn"), tab.toScreen(-1, -2.02));
         browser.until("it looks north", () -> tab.isTrue("object.values.ry == '90'"));
         assertTrue("what one looks along has no handle", tab.isTrue("handle('y') === null"));
+        String onEarth = "{x: '0', y: '0', z: '0', ry: '0', placeLatitude: '5', placeLongitude: '6', placeHeading: '30'}";
+        String thing = "{robot: null, object: {pose: [1, 2, 3, 0, 60, 0]}}";
+        assertEquals("{\"placeHeading\":\"0\"}", written(thing, onEarth, false, "{ry: '90'}"));
+        assertEquals("{\"x\":\"4\",\"z\":\"3\",\"onGround\":\"true\"}", written(thing, onEarth, false, "{x: '4'}"));
+        assertEquals("a crate that was tipped over and pushed", "{\"rx\":\"0\",\"ry\":\"0\",\"rz\":\"90\",\"z\":\"3\",\"x\":\"4\"}",
+            written("{robot: null, object: {pose: [1, 2, 3, 0, 0, 90]}}", "{x: '1', y: '2', z: '0', ry: '0'}", true, "{x: '4'}"));
+        assertEquals("a robot whose Dynamics is 2 m ahead of it", "{\"x\":\"3\",\"z\":\"6\",\"ry\":\"90\"}",
+            written("{robot: null, object: {parts: [], pose: [5, 0, 5, 0, 90, 0], start: [1, 0, 2, 0, 0, 0], written: [1, 0, 0, 0, 0, 0]}}",
+                "{x: '1', y: '0', z: '0', ry: '0'}", true, "{z: '6'}"));
         onMap(0, 1).click().perform();
         waitForSelected("create2");
         assertTrue("a robot can be turned, its parts have sizes", tab.isTrue("handle('x') === null && handle('turn') !== null"));
+    }
+
+    /** What an edit sets in a file with such values. */
+    private Object written(String selected, String values, boolean live, String set) {
+        return browser.script("var places = window.SEARPanel.places; return JSON.stringify(places.edit(places.of(" + selected + ", " + values + ", "
+            + live + "), " + set + "))");
     }
 
     /** By mouse and by a key, back by undo; its sensors go with it. */

@@ -133,8 +133,8 @@ public class BuildingTest {
         beginWithAnEmptyProject();
         build(".sear-map");
         browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope();"
-            + "angular.extend(scope.view, {x: 0, z: 0, scale: 60, chosen: true}); scope.redraw()");
-        browser.until("all places in the view", () -> Math.abs(tab.toScreen(1, 0)[1] - tab.toScreen(0, 0)[1] + 60) < 0.1);
+            + "angular.extend(scope.view, {x: 0, z: 0, scale: 50, chosen: true}); scope.redraw()");
+        browser.until("all places in the view", () -> Math.abs(tab.toScreen(1, 0)[1] - tab.toScreen(0, 0)[1] + 50) < 0.1);
         placeOnMap("Floor", 0, 0, "floor1");
         int box = 1;
         for (double[] at : new double[][] {{2, 2}, {2, -2}, {-2, 2}, {-2, -2}}) {

@@ -37,10 +37,11 @@ public class DrivingExamplesInTheTabsTest {
         }
     }
 
+    /** In lock-step, so that the robot's program is as quick as its robot on a busy machine, too. */
     @Test
     public void theSearTabRunsOneAndShowsTheRobotDrive() {
         tab.stopAll();
-        robotLab.call("sear", "setSpeed", 20);
+        robotLab.call("sear", "setLockStep", true);
         browser.until("the list of examples", () -> browser.texts(".sear-script option").contains("obstacle avoidance"));
         browser.choose(".sear-script", "obstacle avoidance");
         browser.click(".sear-run-script");

@@ -45,7 +45,7 @@ final class Xvfb implements AutoCloseable {
     static ProcessBuilder java(String display, List<String> options, String main, String... arguments) {
         List<String> command = new ArrayList<>();
         command.add(System.getProperty("java.home") + File.separator + "bin" + File.separator + "java");
-        command.addAll(Arrays.asList("-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"),
+        command.addAll(Arrays.asList("-cp", System.getProperty("java.class.path"),
             "-Dsear.root=" + System.getProperty("sear.root", "."), "-Dsear.cliClasspath=" + System.getProperty("sear.cliClasspath", "")));
         command.addAll(options);
         command.add(main);

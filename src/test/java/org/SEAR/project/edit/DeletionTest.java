@@ -6,9 +6,7 @@ import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
-import java.io.IOException;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -19,53 +17,18 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.TextRule;
 import org.SEAR.project.Project;
-import org.SEAR.project.ProjectRule;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.project.xml.ObjectClasses;
-import org.junit.Before;
-import org.junit.Rule;
 import org.junit.Test;
 
 /** What others name can be deleted: what they have of it goes, too, and one undo brings back every byte. */
-public class DeletionTest {
-    @Rule
-    public final ProjectRule project = new ProjectRule();
-    private ProjectEditor editor;
-
-    @Before
-    public void open() {
-        editor = new ProjectEditor(project.folder());
-    }
-
-    private Outcome edit(Object... pairs) throws IOException, ProjectException {
-        return editor.apply(map(pairs));
-    }
-
-    private static Map<String, Object> map(Object... pairs) {
-        Map<String, Object> map = new LinkedHashMap<>();
-        for (int i = 0; i < pairs.length; i += 2) {
-            map.put((String) pairs[i], pairs[i + 1]);
-        }
-        return map;
-    }
-
+public class DeletionTest extends EditedProject {
     private void add(String type, String name, Object... set) throws Exception {
         edit("do", "add", "type", type, "name", name, "to", "rover", "set", map(set));
     }
 
     private static Map<String, Object> wire(String pin, String part, String role) {
         return map("pin", pin, "part", part, "role", role);
-    }
-
-    /** Files of objects. */
-    private Map<String, String> objects() throws IOException {
-        Map<String, String> files = project.files();
-        files.keySet().removeIf(file -> file.startsWith(".edits/"));
-        return files;
-    }
-
-    private Object value(String object, String parameter) throws Exception {
-        return ((Map<?, ?>) editor.object(object).get("values")).get(parameter);
     }
 
     // ---- every kind of reference -------------------------------------------------------------------------------------------

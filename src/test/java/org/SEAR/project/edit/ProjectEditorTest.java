@@ -10,7 +10,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -20,49 +19,14 @@ import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.project.Project;
-import org.SEAR.project.ProjectRule;
 import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.ProjectException;
-import org.junit.Before;
-import org.junit.Rule;
 import org.junit.Test;
 
 /** Edits do what scripts do, refuse what files refuse, and all of them can be taken back. */
-public class ProjectEditorTest {
-    @Rule
-    public final ProjectRule project = new ProjectRule();
-    private ProjectEditor editor;
-
-    @Before
-    public void open() {
-        editor = new ProjectEditor(project.folder());
-    }
-
-    private Outcome edit(Object... pairs) throws IOException, ProjectException {
-        return editor.apply(map(pairs));
-    }
-
-    private static Map<String, Object> map(Object... pairs) {
-        Map<String, Object> map = new LinkedHashMap<>();
-        for (int i = 0; i < pairs.length; i += 2) {
-            map.put((String) pairs[i], pairs[i + 1]);
-        }
-        return map;
-    }
-
-    /** Files of objects. */
-    private Map<String, String> objects() throws IOException {
-        Map<String, String> files = project.files();
-        files.keySet().removeIf(file -> file.startsWith(".edits/"));
-        return files;
-    }
-
+public class ProjectEditorTest extends EditedProject {
     private String refusal(Object... pairs) {
         return assertThrows(ProjectException.class, () -> edit(pairs)).getMessage();
-    }
-
-    private Object value(String object, String parameter) throws Exception {
-        return ((Map<?, ?>) editor.object(object).get("values")).get(parameter);
     }
 
     // ---- like scripts ------------------------------------------------------------------------------------------------------

@@ -133,13 +133,18 @@ public final class Simulation implements AutoCloseable {
     /** The outputs of a step: who gets bytes and asks for the time reads that of this step. Simulation thread. */
     void deliver() {
         delivering = true;
-        instruments.deliver(getTime());
-        delivering = false;
+        try {
+            instruments.deliver(getTime());
+        } finally {
+            delivering = false;
+        }
         if (tap != null) {
             tap.stepped(this);
         }
-        late.forEach(this::tell);
-        late.clear();
+        if (!late.isEmpty()) {
+            late.forEach(this::tell);
+            late.clear();
+        }
         serve();
     }
 
@@ -470,9 +475,7 @@ public final class Simulation implements AutoCloseable {
             throw new IllegalArgumentException("nothing that can be moved is named \"" + name + "\"");
         }
         world.move(name, start, to);
-        if (tap != null) {
-            tap.moved(name, start, to);
-        }
+        tell(who -> who.moved(name, start, to));
         snapshot = observer.lookClosely(step);
     }
 

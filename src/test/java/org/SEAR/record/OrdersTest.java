@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
@@ -22,6 +23,7 @@ import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Servo;
 import org.SEAR.devices.SerialLine;
+import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.simulator.ActuatorOrder;
@@ -153,12 +155,11 @@ public class OrdersTest {
     }
 
     /** What a callback says while the outputs of a step are delivered comes after that step. */
-    @Test
-    public void anOrderWhileOutputsAreDeliveredBelongsToTheNextStep() throws Exception {
+    private void comesAfterItsStep(Consumer<Simulation> callback) throws Exception {
         try (Simulation world = world()) {
             Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
             world.getLines().stream().filter(line -> line.getObjectName().equals("gps")).findFirst().orElseThrow(AssertionError::new)
-                .setSink(bytes -> world.order(new ActuatorOrder(Kind.ANGLE, "neck", world.getStep() % 90)));
+                .setSink(bytes -> callback.accept(world));
             for (int i = 0; i < 60; i++) {
                 run(world, 10);
                 lidar(world).write(SCAN);
@@ -166,5 +167,18 @@ public class OrdersTest {
             recorder.end();
         }
         assertTrue(again().same);
+    }
+
+    @Test
+    public void anOrderWhileOutputsAreDeliveredBelongsToTheNextStep() throws Exception {
+        comesAfterItsStep(world -> world.order(new ActuatorOrder(Kind.ANGLE, "neck", world.getStep() % 90)));
+    }
+
+    @Test
+    public void aMoveWhileOutputsAreDeliveredBelongsToTheNextStep() throws Exception {
+        comesAfterItsStep(world -> {
+            Pose to = Pose.ofDegrees(world.getStep() * 1e-3, 0.1, 0, 0, 0, 0);
+            world.move("car", to, to);
+        });
     }
 }

@@ -3,6 +3,7 @@ package org.SEAR.raycast;
 import java.util.Arrays;
 import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.Rotation;
 import org.SEAR.geometry.Triangles;
 import org.SEAR.raycast.solid.RaySolid;
 
@@ -24,6 +25,7 @@ public final class BeamScene {
 
     private final Shapes shapes = new Shapes();
     private final ShapeBvh tree = new ShapeBvh(shapes);
+    private final Rotation rotation = new Rotation();
     private double[] poses = new double[16 * POSE];
     private boolean[] seen = new boolean[16];
     private boolean[] changed = new boolean[16];
@@ -149,19 +151,13 @@ public final class BeamScene {
      */
     public void toFrame(int shape, double[] point) {
         int at = check(shape) * POSE;
-        double qx = -poses[at + 3];
-        double qy = -poses[at + 4];
-        double qz = -poses[at + 5];
-        double qw = poses[at + 6];
         double x = point[0] - poses[at];
         double y = point[1] - poses[at + 1];
         double z = point[2] - poses[at + 2];
-        double tx = 2 * (qy * z - qz * y);
-        double ty = 2 * (qz * x - qx * z);
-        double tz = 2 * (qx * y - qy * x);
-        point[0] = x + qw * tx + qy * tz - qz * ty;
-        point[1] = y + qw * ty + qz * tx - qx * tz;
-        point[2] = z + qw * tz + qx * ty - qy * tx;
+        rotation.set(poses[at + 3], poses[at + 4], poses[at + 5], poses[at + 6]);
+        point[0] = rotation.inX(x, y, z);
+        point[1] = rotation.inY(x, y, z);
+        point[2] = rotation.inZ(x, y, z);
     }
 
     /** How many shapes {@link #commit} has taken over since the scene was made: the work it has done. Simulation thread. */

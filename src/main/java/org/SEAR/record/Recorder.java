@@ -237,8 +237,7 @@ public final class Recorder implements RunTap {
 
     @Override
     public void moved(String name, Pose start, Pose to) {
-        byte[] bytes = name.getBytes(StandardCharsets.UTF_8);
-        out.put(Kind.MOVED).putShort(bytes.length).putBytes(bytes, bytes.length);
+        text(out.put(Kind.MOVED), name);
         put(start);
         put(to);
     }

@@ -21,7 +21,7 @@ public class Arduino extends SearObject implements SerialObject {
     @Param(doc = "program that runs on it: MyRobotLab's own, or Firmata 2.5 with encoders and echoes", values = {MRL_COMM, FIRMATA})
     private String firmware = MRL_COMM;
     @Included
-    private final SerialParameters serial = new SerialParameters(MRL_COMM_BAUD);
+    private final SerialParameters serial = new SerialParameters(this, MRL_COMM_BAUD);
     @Param(doc = "a wire from a pin to a component", element = "wire", maxEntries = MAX_WIRES)
     private List<BoardWire> wires = new ArrayList<>();
 
@@ -183,7 +183,7 @@ public class Arduino extends SearObject implements SerialObject {
         int old = deliveredBaud();
         firmware = checked("firmware", newFirmware);
         if (getBaud() == old && old != deliveredBaud()) {
-            serial.setBaud(this, deliveredBaud());
+            setBaud(deliveredBaud());
         }
         changed();
     }
@@ -193,50 +193,7 @@ public class Arduino extends SearObject implements SerialObject {
     }
 
     @Override
-    public String getUartPort() {
-        return serial.getUartPort();
-    }
-
-    @Override
-    public String getUserPort() {
-        return serial.getUserPort();
-    }
-
-    @Override
-    public int getBaud() {
-        return serial.getBaud();
-    }
-
-    @Override
-    public String getExport() {
-        return serial.getExport();
-    }
-
-    /**
-     * @param uart the device's end
-     * @param user the end that the user opens
-     */
-    public void setPorts(String uart, String user) {
-        serial.setPorts(this, uart, user);
-    }
-
-    /**
-     * Has every start of a simulation export the user's port; the export stays while the simulation is stopped.
-     *
-     * @param target the name of a link in the folder SEARports; or {@code tcp:5001} or {@code rfc2217:5001}, a port of this computer; null for
-     *     nowhere
-     */
-    public void setExport(String target) {
-        serial.setExport(this, target);
-    }
-
-    /** @param port raw bytes at this TCP port of this computer, 1024 to 65535 */
-    public void setExport(int port) {
-        serial.setExport(this, "tcp:" + port);
-    }
-
-    /** @param newBaud speed of its line, 300 to 100000000 */
-    public void setBaud(int newBaud) {
-        serial.setBaud(this, newBaud);
+    public SerialParameters getSerial() {
+        return serial;
     }
 }

@@ -12,7 +12,7 @@ public class Compass extends SensorObject implements SerialObject {
     @Param(doc = "a point that lies in the north: z", unit = "m", min = -1e7, max = 1e7)
     private double northZ;
     @Included
-    private final SerialParameters serial = new SerialParameters(9600);
+    private final SerialParameters serial = new SerialParameters(this, 9600);
 
     /** For reading from a file. */
     protected Compass() {
@@ -70,51 +70,8 @@ public class Compass extends SensorObject implements SerialObject {
     }
 
     @Override
-    public String getUartPort() {
-        return serial.getUartPort();
-    }
-
-    @Override
-    public String getUserPort() {
-        return serial.getUserPort();
-    }
-
-    @Override
-    public int getBaud() {
-        return serial.getBaud();
-    }
-
-    @Override
-    public String getExport() {
-        return serial.getExport();
-    }
-
-    /**
-     * @param uart the device's end
-     * @param user the end that the user opens
-     */
-    public void setPorts(String uart, String user) {
-        serial.setPorts(this, uart, user);
-    }
-
-    /**
-     * Has every start of a simulation export the user's port; the export stays while the simulation is stopped.
-     *
-     * @param target the name of a link in the folder SEARports; or {@code tcp:5001} or {@code rfc2217:5001}, a port of this computer; null for
-     *     nowhere
-     */
-    public void setExport(String target) {
-        serial.setExport(this, target);
-    }
-
-    /** @param port raw bytes at this TCP port of this computer, 1024 to 65535 */
-    public void setExport(int port) {
-        serial.setExport(this, "tcp:" + port);
-    }
-
-    /** @param newBaud speed of the bridge, 300 to 100000000 */
-    public void setBaud(int newBaud) {
-        serial.setBaud(this, newBaud);
+    public SerialParameters getSerial() {
+        return serial;
     }
 
     /** @param newNorthX metres, a point of the world that lies in the north; not straight above or below the origin */

@@ -23,7 +23,7 @@ public class Dynamics extends SearObject implements SerialObject {
     @Param(doc = "length of the suspension at rest", unit = "m", max = 100)
     private double restLength = REST_LENGTH;
     @Included
-    private final SerialParameters serial = new SerialParameters(57600);
+    private final SerialParameters serial = new SerialParameters(this, 57600);
     @Param(doc = "whose firmware answers at the port", values = {"roomba400", "create", "create2"})
     private String model = "create";
     @Param(doc = "whether the checksum of a sensor stream covers the header byte 19: true as in the Create 2 document, false as in the Create's")
@@ -107,56 +107,13 @@ public class Dynamics extends SearObject implements SerialObject {
     }
 
     @Override
-    public String getUartPort() {
-        return serial.getUartPort();
-    }
-
-    @Override
-    public String getUserPort() {
-        return serial.getUserPort();
-    }
-
-    @Override
-    public int getBaud() {
-        return serial.getBaud();
+    public SerialParameters getSerial() {
+        return serial;
     }
 
     /** roomba400, create or create2. */
     public String getModel() {
         return model;
-    }
-
-    /**
-     * @param uart the device's end
-     * @param user the end that the user opens
-     */
-    public void setPorts(String uart, String user) {
-        serial.setPorts(this, uart, user);
-    }
-
-    @Override
-    public String getExport() {
-        return serial.getExport();
-    }
-
-    /**
-     * Has every start of a simulation export the user's port; the export stays while the simulation is stopped.
-     *
-     * @param target the name of a link in the folder SEARports, for example {@code ttySICK}; or {@code tcp:5001} or {@code rfc2217:5001}, a port of
-     *     this computer; null for nowhere
-     */
-    public void setExport(String target) {
-        serial.setExport(this, target);
-    }
-
-    /** @param port raw bytes at this TCP port of this computer, 1024 to 65535 */
-    public void setExport(int port) {
-        serial.setExport(this, "tcp:" + port);
-    }
-
-    /** @param newBaud speed at power-on, 300 to 100000000 */
-    public void setBaud(int newBaud) {
-        serial.setBaud(this, newBaud);
     }
 
     /** @param newModel roomba400, create or create2 */

@@ -17,7 +17,7 @@ public class GPS extends SensorObject implements SerialObject {
     @Param(doc = "longitude of the world's centre, east positive", unit = "deg", min = -180, max = 180, initial = "0")
     private Double longitude;
     @Included
-    private final SerialParameters serial = new SerialParameters(MEDIATEK_BAUD);
+    private final SerialParameters serial = new SerialParameters(this, MEDIATEK_BAUD);
     @Param(doc = "receiver behind the ports", text = TextRule.GPS_MODEL)
     private String model = "MT3301";
     @Param(doc = "fixes a second", unit = "Hz", min = 0.1, max = 5)
@@ -43,7 +43,7 @@ public class GPS extends SensorObject implements SerialObject {
      */
     public GPS(String name, String uart, String user) {
         super(name);
-        serial.setPorts(this, uart, user);
+        setPorts(uart, user);
         created(GPS.class);
     }
 
@@ -67,7 +67,7 @@ public class GPS extends SensorObject implements SerialObject {
         this.latitude = latitude + 0.0;
         this.altitude = altitude + 0.0;
         this.longitude = longitude + 0.0;
-        serial.setPorts(this, uart, user);
+        setPorts(uart, user);
         created(GPS.class);
     }
 
@@ -115,18 +115,8 @@ public class GPS extends SensorObject implements SerialObject {
     }
 
     @Override
-    public String getUartPort() {
-        return serial.getUartPort();
-    }
-
-    @Override
-    public String getUserPort() {
-        return serial.getUserPort();
-    }
-
-    @Override
-    public int getBaud() {
-        return serial.getBaud();
+    public SerialParameters getSerial() {
+        return serial;
     }
 
     /** Name of the receiver. */
@@ -140,39 +130,6 @@ public class GPS extends SensorObject implements SerialObject {
     }
 
     /**
-     * @param uart the device's end
-     * @param user the end that the user opens
-     */
-    public void setPorts(String uart, String user) {
-        serial.setPorts(this, uart, user);
-    }
-
-    @Override
-    public String getExport() {
-        return serial.getExport();
-    }
-
-    /**
-     * Has every start of a simulation export the user's port; the export stays while the simulation is stopped.
-     *
-     * @param target the name of a link in the folder SEARports, for example {@code ttySICK}; or {@code tcp:5001} or {@code rfc2217:5001}, a port of
-     *     this computer; null for nowhere
-     */
-    public void setExport(String target) {
-        serial.setExport(this, target);
-    }
-
-    /** @param port raw bytes at this TCP port of this computer, 1024 to 65535 */
-    public void setExport(int port) {
-        serial.setExport(this, "tcp:" + port);
-    }
-
-    /** @param newBaud speed at power-on, 300 to 100000000 */
-    public void setBaud(int newBaud) {
-        serial.setBaud(this, newBaud);
-    }
-
-    /**
      * The receiver. If the line's speed is the one with which the present receiver is delivered, it becomes the one with which the new receiver is:
      * 38400 of an MT3301 or MT3329, 9600 of a NEO-M8N.
      *
@@ -182,7 +139,7 @@ public class GPS extends SensorObject implements SerialObject {
         int old = deliveredBaud(model);
         model = checked("model", newModel);
         if (getBaud() == old && old != deliveredBaud(newModel)) {
-            serial.setBaud(this, deliveredBaud(newModel));
+            setBaud(deliveredBaud(newModel));
         }
         changed();
     }

@@ -4,7 +4,7 @@ package org.SEAR.POJOs;
 @Described("yaw, pitch and roll, accelerations, rates of turn, magnetic field; behind its ports a Razor 9DOF")
 public class IMU extends SensorObject implements SerialObject {
     @Included
-    private final SerialParameters serial = new SerialParameters(57600);
+    private final SerialParameters serial = new SerialParameters(this, 57600);
 
     /** For reading from a file. */
     protected IMU() {
@@ -23,7 +23,7 @@ public class IMU extends SensorObject implements SerialObject {
      */
     public IMU(String name, String uart, String user) {
         super(name);
-        serial.setPorts(this, uart, user);
+        setPorts(uart, user);
         created(IMU.class);
     }
 
@@ -35,50 +35,7 @@ public class IMU extends SensorObject implements SerialObject {
     }
 
     @Override
-    public String getUartPort() {
-        return serial.getUartPort();
-    }
-
-    @Override
-    public String getUserPort() {
-        return serial.getUserPort();
-    }
-
-    @Override
-    public int getBaud() {
-        return serial.getBaud();
-    }
-
-    @Override
-    public String getExport() {
-        return serial.getExport();
-    }
-
-    /**
-     * @param uart the device's end
-     * @param user the end that the user opens
-     */
-    public void setPorts(String uart, String user) {
-        serial.setPorts(this, uart, user);
-    }
-
-    /**
-     * Has every start of a simulation export the user's port; the export stays while the simulation is stopped.
-     *
-     * @param target the name of a link in the folder SEARports; or {@code tcp:5001} or {@code rfc2217:5001}, a port of this computer; null for
-     *     nowhere
-     */
-    public void setExport(String target) {
-        serial.setExport(this, target);
-    }
-
-    /** @param port raw bytes at this TCP port of this computer, 1024 to 65535 */
-    public void setExport(int port) {
-        serial.setExport(this, "tcp:" + port);
-    }
-
-    /** @param newBaud speed of its line, 300 to 100000000 */
-    public void setBaud(int newBaud) {
-        serial.setBaud(this, newBaud);
+    public SerialParameters getSerial() {
+        return serial;
     }
 }

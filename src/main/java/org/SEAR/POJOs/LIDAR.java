@@ -14,7 +14,7 @@ public class LIDAR extends SensorObject implements SerialObject {
     @Param(doc = "angle between two beams", unit = "deg", min = 0.01, max = 360)
     private double resolution = 1;
     @Included
-    private final SerialParameters serial = new SerialParameters(9600);
+    private final SerialParameters serial = new SerialParameters(this, 9600);
     @Param(doc = "device behind the ports", text = TextRule.LIDAR_MODEL)
     private String model = LidarModel.LMS200.getName();
     @Param(doc = "whether there is a device behind the ports: 1 its model, 0 none", values = {"0", "1"}, max = 1)
@@ -83,18 +83,8 @@ public class LIDAR extends SensorObject implements SerialObject {
     }
 
     @Override
-    public String getUartPort() {
-        return serial.getUartPort();
-    }
-
-    @Override
-    public String getUserPort() {
-        return serial.getUserPort();
-    }
-
-    @Override
-    public int getBaud() {
-        return serial.getBaud();
+    public SerialParameters getSerial() {
+        return serial;
     }
 
     /** 1 for a device of the {@link #getModel model} behind the ports, 0 for none. */
@@ -124,7 +114,7 @@ public class LIDAR extends SensorObject implements SerialObject {
         range = wanted.getRange();
         spread = wanted.getSpread();
         resolution = wanted.getResolution();
-        serial.setBaud(this, wanted.getBaud());
+        setBaud(wanted.getBaud());
     }
 
     /**
@@ -135,11 +125,12 @@ public class LIDAR extends SensorObject implements SerialObject {
      * @param user the end that the user opens
      * @throws IllegalArgumentException if the model doesn't have the fan; without ports every fan is legal
      */
+    @Override
     public void setPorts(String uart, String user) {
         if (uart != null) {
             checkFan(lms);
         }
-        serial.setPorts(this, uart, user);
+        SerialObject.super.setPorts(uart, user);
     }
 
     private LidarModel device() {
@@ -164,7 +155,7 @@ public class LIDAR extends SensorObject implements SerialObject {
     }
 
     private boolean hasDevice() {
-        return serial.getUartPort() != null && lms == 1;
+        return getUartPort() != null && lms == 1;
     }
 
     /** The fan has changed. What is wrong now may be right when the other half of it is changed, too, so this is no error. */
@@ -209,35 +200,10 @@ public class LIDAR extends SensorObject implements SerialObject {
         fanChanged();
     }
 
-    @Override
-    public String getExport() {
-        return serial.getExport();
-    }
-
-    /**
-     * Has every start of a simulation export the user's port; the export stays while the simulation is stopped.
-     *
-     * @param target the name of a link in the folder SEARports, for example {@code ttySICK}; or {@code tcp:5001} or {@code rfc2217:5001}, a port of
-     *     this computer; null for nowhere
-     */
-    public void setExport(String target) {
-        serial.setExport(this, target);
-    }
-
-    /** @param port raw bytes at this TCP port of this computer, 1024 to 65535 */
-    public void setExport(int port) {
-        serial.setExport(this, "tcp:" + port);
-    }
-
-    /** @param newBaud speed at power-on, 300 to 100000000 */
-    public void setBaud(int newBaud) {
-        serial.setBaud(this, newBaud);
-    }
-
     /** @param newLms 1 for a device of its {@link #setModel model} behind the ports, 0 for none */
     public void LMS(int newLms) {
         int wanted = checked("lms", newLms);
-        if (serial.getUartPort() != null) {
+        if (getUartPort() != null) {
             checkFan(wanted);
         }
         lms = wanted;

@@ -2,6 +2,7 @@ package org.SEAR.POJOs;
 
 /** The ports of a simulated device and the speed of its line, as {@link Included} parameters of a {@link SerialObject}. One thread at a time. */
 public final class SerialParameters {
+    private final SearObject owner;
     @Param(doc = "port of the simulated device's end")
     private String uartPort;
     @Param(doc = "port that the user opens")
@@ -14,9 +15,11 @@ public final class SerialParameters {
     /**
      * Without ports.
      *
+     * @param owner the object whose parameters these are
      * @param baud bits a second at power-on until another is set
      */
-    public SerialParameters(int baud) {
+    SerialParameters(SearObject owner, int baud) {
+        this.owner = owner;
         this.baud = baud;
     }
 
@@ -38,11 +41,10 @@ public final class SerialParameters {
     /**
      * Names both ports and writes the object's file.
      *
-     * @param owner the object whose parameters these are
      * @param uart the device's end; null, as the user's, for none
      * @throws IllegalArgumentException unless both are names of two ports, or both null
      */
-    public void setPorts(SearObject owner, String uart, String user) {
+    public void setPorts(String uart, String user) {
         if (uart == null && user == null) {
             owner.checkChangeable();
         } else if (uart == null || user == null || uart.trim().isEmpty() || user.trim().isEmpty() || uart.equals(user)) {
@@ -65,10 +67,9 @@ public final class SerialParameters {
     /**
      * Says where programs outside find the user's end, and writes the object's file.
      *
-     * @param owner the object whose parameters these are
      * @param target see {@link ExportTarget}; null for nowhere
      */
-    public void setExport(SearObject owner, String target) {
+    public void setExport(String target) {
         if (target == null) {
             owner.checkChangeable();
         } else {
@@ -81,10 +82,9 @@ public final class SerialParameters {
     /**
      * Sets the speed at power-on and writes the object's file.
      *
-     * @param owner the object whose parameters these are
      * @param newBaud 300 to 100000000
      */
-    public void setBaud(SearObject owner, int newBaud) {
+    public void setBaud(int newBaud) {
         baud = owner.checked("baud", newBaud);
         owner.changed();
     }

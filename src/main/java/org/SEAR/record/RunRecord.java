@@ -23,6 +23,8 @@ public final class RunRecord {
     /** Of one robot; it can't have more components. */
     private static final int MOST_LIGHTS = 1000;
     private static final ActuatorOrder.Kind[] ORDERS = ActuatorOrder.Kind.values();
+    /** How far from 1 the length of a quaternion may be. */
+    private static final double ROUNDED = 1e-3;
 
     private final Path path;
     private final RecordHeader header;
@@ -272,6 +274,10 @@ public final class RunRecord {
                 if (!Double.isFinite(number)) {
                     throw new RecordException("after " + steps + " steps something is moved to " + number + ", legal: a finite number");
                 }
+            }
+            double length = Math.sqrt(numbers[3] * numbers[3] + numbers[4] * numbers[4] + numbers[5] * numbers[5] + numbers[6] * numbers[6]);
+            if (!(Math.abs(length - 1) < ROUNDED)) {
+                throw new RecordException("after " + steps + " steps something is turned by a quaternion of length " + length + ", legal: 1");
             }
             return new Pose(numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5], numbers[6]);
         }

@@ -7,6 +7,7 @@ import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -180,5 +181,34 @@ public class OrdersTest {
             Pose to = Pose.ofDegrees(world.getStep() * 1e-3, 0.1, 0, 0, 0, 0);
             world.move("car", to, to);
         });
+    }
+
+    /** What comes of a move that somebody else wrote into the file: its first letter or one of the numbers of where it goes is another. */
+    private String saidOfMove(int letter, int number, double value) throws Exception {
+        byte[] bytes = Files.readAllBytes(file());
+        byte[] event = ByteBuffer.allocate(6).put((byte) org.SEAR.record.Kind.MOVED).putShort((short) 3).put("car".getBytes()).array();
+        int at = new String(bytes, StandardCharsets.ISO_8859_1).indexOf(new String(event, StandardCharsets.ISO_8859_1));
+        assertTrue("the move", at > 0);
+        bytes[at + 3] = (byte) letter;
+        ByteBuffer.wrap(bytes).putDouble(at + event.length + (7 + number) * Double.BYTES, value);
+        Path copy = file().resolveSibling("changed.record");
+        Files.write(copy, bytes);
+        String said = assertThrows(IOException.class, () -> Rerun.of(RunRecord.open(copy), Project.read(project.folder()))).getMessage();
+        return said.substring(said.indexOf("after"));
+    }
+
+    @Test
+    public void aMoveThatCantBeIsRefused() throws Exception {
+        try (Simulation world = world()) {
+            Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
+            run(world, 3);
+            Pose to = Pose.ofDegrees(1, 0.1, 0, 0, 0, 0);
+            world.move("car", to, to);
+            run(world, 3);
+            recorder.end();
+        }
+        assertEquals("after 3 steps \"bar\" is moved, legal: a robot or thing that its beginning names", saidOfMove('b', 0, 1));
+        assertEquals("after 3 steps something is moved to NaN, legal: a finite number", saidOfMove('c', 0, Double.NaN));
+        assertEquals("after 3 steps something is turned by a quaternion of length 0.0, legal: 1", saidOfMove('c', 6, 0));
     }
 }

@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
-import org.myrobotlab.embedded.PythonEngine;
+import org.myrobotlab.embedded.python.PythonEngine;
 import org.myrobotlab.embedded.Shutdown;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.service.Python;

@@ -1,4 +1,4 @@
-package org.myrobotlab.embedded;
+package org.myrobotlab.embedded.serial;
 
 import java.io.FileNotFoundException;
 import java.io.FileOutputStream;

@@ -1,4 +1,4 @@
-package org.myrobotlab.embedded;
+package org.myrobotlab.embedded.python;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;

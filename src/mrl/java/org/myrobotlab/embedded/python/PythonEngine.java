@@ -1,4 +1,4 @@
-package org.myrobotlab.embedded;
+package org.myrobotlab.embedded.python;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Properties;
 import java.util.concurrent.ConcurrentHashMap;
+import org.myrobotlab.embedded.OutOfMemory;
 import org.python.core.CompileMode;
 import org.python.core.CompilerFlags;
 import org.python.core.Options;

@@ -1,4 +1,4 @@
-package org.myrobotlab.embedded;
+package org.myrobotlab.embedded.python;
 
 import java.io.IOException;
 import java.net.JarURLConnection;

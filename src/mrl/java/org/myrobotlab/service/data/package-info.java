@@ -1,0 +1,2 @@
+/** MyRobotLab's own: what services keep and show. */
+package org.myrobotlab.service.data;

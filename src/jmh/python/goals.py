@@ -12,8 +12,7 @@ NAMES = {"mesh seconds": "seconds to build the hierarchy of a million triangles"
 # By the start of the goal's name, the longest that fits; what was counted, not guessed
 REASONS = {
     "fan hills": "The plane of a scan cuts about 290 triangles and opens 570 nodes for its 361 beams, so that nearly every beam meets a triangle of "
-                 "its own; in `room-1000` it is 23 boxes and 77 nodes. From 100 places in turn they come from outside the cache: from one place it "
-                 "made 7.1.",
+                 "its own; in `room-1000` it is 23 boxes and 77 nodes. From 100 places in turn they come from outside the cache.",
     "fan field": "The plane of a scan cuts about 420 triangles and opens 150 blocks of the pyramid for its 361 beams, so that nearly every beam meets "
                  "a triangle of its own.",
     "fan room-1000": "So full a room makes a scan open 77 nodes and cut 23 boxes; in `room-20` it is 26 and 10.",

@@ -27,7 +27,9 @@ import org.junit.Test;
 /** A process that saves and loads without end is killed at random moments: what is there then is the old or the new project, whole. */
 public class CrashTest {
     private static final int KILLS = 50;
-    private static final int LONGEST_MS = 120;
+    /** A process is killed while it does one of so many things from its start on: the first and the third load, the others save. */
+    private static final int STEPS = 5;
+    private static final long FIRST_GUESS_NS = 20_000_000;
     /** Processes at a time, each with a folder of its own. */
     private static final int LANES = 2;
     private static final Pattern NEEDED = Pattern.compile("xstream|xmlpull|mxparser|jme3-core|jbullet|vecmath|junit|hamcrest");
@@ -35,18 +37,24 @@ public class CrashTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    /** Loads a and b in turn and saves c, until it is killed. Says "ready" when it is quick. */
+    /** Loads a and b in turn and saves c, until it is killed. Writes a letter when it is quick, and one after each of these. */
     public static void main(String[] places) throws Exception {
         Path root = Paths.get(places[0]);
         for (int warmUp = 0; warmUp < 3; warmUp++) {
             Bundle.check(root.resolve("a.sear"));
         }
-        System.out.println("ready");
-        System.out.flush();
+        say('r');
         for (int i = 0; i < 100000; i++) {
             Bundle.load(root.resolve(i % 2 == 0 ? "a.sear" : "b.sear"), root.resolve("SEARproject"));
+            say('l');
             Bundle.save(root.resolve("SEARproject"), root.resolve("c.sear"));
+            say('s');
         }
+    }
+
+    private static void say(char letter) {
+        System.out.write(letter);
+        System.out.flush();
     }
 
     private Map<String, String> create(String which, int boxes) throws IOException {
@@ -72,8 +80,7 @@ public class CrashTest {
         Process process = new ProcessBuilder(System.getProperty("java.home") + File.separator + "bin" + File.separator + "java", "-Xshare:auto",
             "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp", classPath(), CrashTest.class.getName(), root.toString())
             .redirectErrorStream(true).start();
-        int ready = process.getInputStream().read();
-        assertEquals('r', ready);
+        assertEquals('r', process.getInputStream().read());
         return process;
     }
 
@@ -86,9 +93,17 @@ public class CrashTest {
         Path folder = root.resolve("SEARproject");
         Random random = new Random(seed);
         int seenA = 0;
+        long each = FIRST_GUESS_NS;
         for (int kill = 0; kill < KILLS / LANES; kill++) {
             Process process = start(root);
-            boolean ended = process.waitFor(1 + random.nextInt(LONGEST_MS), TimeUnit.MILLISECONDS);
+            int whole = random.nextInt(STEPS);
+            long began = System.nanoTime();
+            for (int step = 0; step < whole; step++) {
+                assertEquals(step % 2 == 0 ? 'l' : 's', process.getInputStream().read());
+            }
+            // How long one takes is this machine's matter: the moment lies anywhere in the next.
+            each = whole == 0 ? each : (System.nanoTime() - began) / whole;
+            boolean ended = process.waitFor((long) (random.nextDouble() * each), TimeUnit.NANOSECONDS);
             process.destroyForcibly().waitFor();
             assertTrue("it ended by itself", !ended);
             Project.read(folder);

@@ -29,12 +29,20 @@ public class NoDisplayTest {
         private Opener() {
         }
 
-        /** @param arguments none */
+        /** @param arguments none, or the process of an X server to kill while the window is between an update and its picture */
         public static void main(String[] arguments) throws Exception {
             RunningWorld world = new RunningWorld(ViewProjects.room());
             SimulatorWindow window = SimulatorWindow.open(world.runner, new WindowOptions().setSize(320, 200)
                 .setWarnings(warning -> System.out.println("warning: " + warning)));
             System.out.println("opened: " + window.isOpen() + ", headless: " + window.isHeadless());
+            if (arguments.length > 0) {
+                WindowApplication application = (WindowApplication) window.body();
+                application.enqueue(() -> {
+                    ProcessHandle server = ProcessHandle.of(Long.parseLong(arguments[0])).orElseThrow();
+                    server.destroyForcibly();
+                    server.onExit().join();
+                });
+            }
             int end = System.in.read();
             Views.until("it notices", () -> end == -1 && !window.isOpen());
             window.close();
@@ -158,11 +166,29 @@ public class NoDisplayTest {
             String first = lines.lines().filter(line -> line.startsWith("opened")).findFirst().orElse("it ended");
             assertEquals("opened: true, headless: false", first);
             server.kill();
-            process.getOutputStream().close();
-            String rest = lines.lines().collect(Collectors.joining("\n"));
-            assertTrue(rest, rest.contains("warning: the display of the simulator window is lost"));
-            assertTrue(rest, rest.contains("still alive"));
-            assertEquals(0, process.waitFor());
+            onlyTheWindowIsLost(process, lines);
+        }
+    }
+
+    private static void onlyTheWindowIsLost(Process process, BufferedReader lines) throws Exception {
+        process.getOutputStream().close();
+        String rest = lines.lines().collect(Collectors.joining("\n"));
+        assertTrue(rest, rest.contains("warning: the display of the simulator window is lost"));
+        assertTrue(rest, rest.contains("still alive"));
+        assertEquals(0, process.waitFor());
+    }
+
+    /**
+     * Mesa asks it for the window's size before it draws, and draws on with what it finds in its memory if there is no answer. That ended about
+     * half of the processes.
+     */
+    @Test
+    public void anXServerThatDiesBeforeAPictureTakesOnlyTheWindowAway() throws Exception {
+        for (int i = 0; i < 3; i++) {
+            try (Xvfb server = new Xvfb()) {
+                Process process = Xvfb.java(server.display(), List.of(), Opener.class.getName(), String.valueOf(server.pid())).start();
+                onlyTheWindowIsLost(process, new BufferedReader(new InputStreamReader(process.getInputStream())));
+            }
         }
     }
 

@@ -59,6 +59,11 @@ final class Xvfb implements AutoCloseable {
         return builder;
     }
 
+    /** Number of the server's process. */
+    long pid() {
+        return server.pid();
+    }
+
     /** Kills the server, as a crash or a broken connection would. */
     void kill() throws InterruptedException {
         server.destroyForcibly().waitFor();

@@ -23,6 +23,7 @@ public final class X11Guard {
     private static final ExitHandler LOST = X11Guard::lost;
     private static final AtomicBoolean INSTALLED = new AtomicBoolean();
     private static volatile long display;
+    private static volatile boolean gone;
     private static volatile Runnable onLost;
     private static volatile Pointer refusedBefore;
     private static volatile Pointer brokenBefore;
@@ -51,6 +52,8 @@ public final class X11Guard {
      * @param lost called when the connection is lost
      */
     public static void install(Runnable lost) {
+        display = 0;
+        gone = false;
         if (!Platform.isX11()) {
             return;
         }
@@ -72,6 +75,20 @@ public final class X11Guard {
         }
     }
 
+    /**
+     * Asks the X server for an answer, and waits for it. To be called before each picture: Mesa asks the server how large the window is, and draws
+     * into a picture of whatever size its stack held before if there is no answer, which ends the process. Window thread, while the window that was
+     * installed last is there.
+     *
+     * @return whether it answered; true where there is no X11
+     */
+    public static boolean answers() {
+        if (display != 0 && !gone) {
+            NativeLibrary.getInstance(LIBRARY).getFunction("XSync").invokeVoid(new Object[] {new Pointer(display), 0});
+        }
+        return !gone;
+    }
+
     private static int refused(Pointer where, Pointer event) {
         if (Pointer.nativeValue(where) == display || refusedBefore == null) {
             LOG.log(Level.WARNING, "the X server refused a request of the simulator window");
@@ -88,6 +105,7 @@ public final class X11Guard {
     }
 
     private static void lost(Pointer where, Pointer data) {
+        gone = true;
         Runnable action = onLost;
         if (action != null) {
             action.run();

@@ -130,11 +130,7 @@ final class WindowApplication extends SimpleApplication implements WindowHandle 
 
     @Override
     public void simpleInitApp() {
-        if (display != null) {
-            display.guard(this::displayLost);
-        } else {
-            X11Guard.install(this::displayLost);
-        }
+        X11Guard.install(this::displayLost);
         inputManager.deleteMapping(INPUT_MAPPING_EXIT);
         ModelLoader.prepare(assetManager, link.project().getAssets());
         context.getSettings().setFrameRate(isSoftware() ? SOFTWARE_FRAMES : HARDWARE_FRAMES);

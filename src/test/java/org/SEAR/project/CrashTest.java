@@ -27,7 +27,7 @@ import org.junit.Test;
 /** A process that saves and loads without end is killed at random moments: what is there then is the old or the new project, whole. */
 public class CrashTest {
     private static final int KILLS = 50;
-    /** A process is killed while it does one of so many things from its start on: the first and the third load, the others save. */
+    /** A process is killed while it does one of so many things from its start on: it loads and saves in turn. */
     private static final int STEPS = 5;
     private static final long FIRST_GUESS_NS = 20_000_000;
     /** Processes at a time, each with a folder of its own. */

@@ -29,7 +29,7 @@ public class NoDisplayTest {
         private Opener() {
         }
 
-        /** @param arguments none, or the process of an X server to kill while the window is between an update and its picture */
+        /** @param arguments none, or the process of an X server to kill when the window begins an update, before its picture */
         public static void main(String[] arguments) throws Exception {
             RunningWorld world = new RunningWorld(ViewProjects.room());
             SimulatorWindow window = SimulatorWindow.open(world.runner, new WindowOptions().setSize(320, 200)

@@ -5,27 +5,15 @@ import org.lwjgl.glfw.GLFW;
 
 /** A window of jMonkeyEngine's that is shown when it has its first picture, and not black before. */
 public final class LateDisplay extends LwjglDisplay {
-    private boolean guarded;
-
     @Override
     protected void showWindow() {
         // shown later, by show
     }
 
-    /**
-     * Guards the window, which is open now, see {@link X11Guard}. Window thread.
-     *
-     * @param lost called when the X server went away
-     */
-    public void guard(Runnable lost) {
-        X11Guard.install(lost);
-        guarded = true;
-    }
-
     /** Asked before each picture: nothing is drawn for an X server that went away. Window thread. */
     @Override
     public boolean isRenderable() {
-        return super.isRenderable() && (!guarded || X11Guard.answers());
+        return super.isRenderable() && X11Guard.answers();
     }
 
     /** Shows the window. Window thread. */

@@ -77,13 +77,15 @@ public final class X11Guard {
 
     /**
      * Asks the X server for an answer, and waits for it. To be called before each picture: Mesa asks the server how large the window is, and draws
-     * into a picture of whatever size its stack held before if there is no answer, which ends the process. Window thread, while the window that was
-     * installed last is there.
+     * into a picture of whatever size its stack held before if there is no answer, which ends the process. Window thread.
      *
-     * @return whether it answered; true where there is no X11
+     * @return whether it answered; true where there is no X11, and for a window that is not guarded yet
      */
     public static boolean answers() {
-        if (display != 0 && !gone) {
+        if (display == 0 || display != GLFWNativeX11.glfwGetX11Display()) {
+            return true; // nothing to ask, or what is known is the display of a window that was closed
+        }
+        if (!gone) {
             NativeLibrary.getInstance(LIBRARY).getFunction("XSync").invokeVoid(new Object[] {new Pointer(display), 0});
         }
         return !gone;

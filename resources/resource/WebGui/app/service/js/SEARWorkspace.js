@@ -17,10 +17,19 @@
         return top
     }
 
-    /** Pixels of what the page has below an element. */
-    function below(element) {
+    /** What an element scrolls in: MyRobotLab's own frame around panels, or the page. */
+    function frameOf(element) {
+        var e = element.parentElement
+        while (e !== document.body && !/auto|scroll/.test(window.getComputedStyle(e).overflowY)) {
+            e = e.parentElement
+        }
+        return e
+    }
+
+    /** Pixels of what a frame has below an element. */
+    function below(element, frame) {
         var sum = 0
-        for (var e = element; e !== document.body && e.parentElement; e = e.parentElement) {
+        for (var e = element; e !== frame; e = e.parentElement) {
             var bottom = e.getBoundingClientRect().bottom
             var style = window.getComputedStyle(e.parentElement)
             sum += parseFloat(style.paddingBottom) + parseFloat(style.borderBottomWidth) + parseFloat(style.marginBottom)
@@ -30,6 +39,13 @@
             }
         }
         return Math.min(MOST_BELOW, Math.ceil(sum))
+    }
+
+    /** Pixels from where an element begins to where its frame, or the window, ends, without what stands below it. */
+    function roomFor(element) {
+        var frame = frameOf(element)
+        var end = frame === document.body ? window.innerHeight : Math.min(window.innerHeight, topOf(frame) + frame.clientHeight)
+        return end - topOf(element) - below(element, frame)
     }
 
     /** Adds it to a panel. */
@@ -83,7 +99,7 @@
                 return ''
             }
             $scope.room = roomOf(whole.clientWidth)
-            var height = $scope.room === 'narrow' ? '' : Math.max(LEAST, window.innerHeight - topOf(whole) - below(whole)) + 'px'
+            var height = $scope.room === 'narrow' ? '' : Math.max(LEAST, roomFor(whole)) + 'px'
             if (whole.style.height !== height) {
                 whole.style.height = height
             }

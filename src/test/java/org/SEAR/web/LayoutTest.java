@@ -45,6 +45,13 @@ public class LayoutTest {
         "})");
     /** Of each element: left, top, right and bottom in the window, pixels. */
     private static final String BOX = "var box = arguments[0].getBoundingClientRect(); return [box.left, box.top, box.right, box.bottom]";
+    /** How far a panel's box is from what it should fill, its service's area below the header: left, right, and to the header, pixels. */
+    private static final String GAPS = String.join("\n",
+        "var panel = document.querySelector(arguments[0]), box = panel.getBoundingClientRect(), area = panel.parentElement.getBoundingClientRect()",
+        "var header = panel.parentElement.querySelector('.tab-header').getBoundingClientRect()",
+        "return [Math.abs(box.left - area.left), Math.abs(box.right - area.right), Math.max(0, header.bottom - box.top)]");
+    /** Of windows, pixels; MyRobotLab's header floats from 992 on. */
+    private static final int[] WIDTHS = {800, 1024, 1366, 1920};
     private static final int LAPTOP_WIDTH = 1280;
     private static final int LAPTOP_HEIGHT = 720;
     private static final int PHONE_WIDTH = 390;
@@ -83,13 +90,31 @@ public class LayoutTest {
     public void besideMyRobotLabsListOfServicesNoRowWrapsAndNothingIsCutOff() {
         open(1400, "layout=myrobotlab");
         double width = ((Number) browser.script("return document.querySelector(arguments[0]).clientWidth", panel("sear"))).doubleValue();
-        assertEquals("as wide as there", 900, width, 20);
-        assertTrue("below a header", browser.texts(".shell-header").contains("sear SEAR"));
+        assertEquals("as wide as there", 1088, width, 1);
+        assertTrue("below a header", browser.texts(".tab-name").contains("SEAR sear"));
         checkAll(true);
         assertEquals("view and readings are side by side", true, browser.script("var view = document.querySelector('.sear-view')"
             + ".getBoundingClientRect(), table = document.querySelector('.sear-sensors').getBoundingClientRect();"
             + "return table.left > view.right && table.top < view.bottom"));
         browser.seeText(".sear-tree", "body Cylinder");
+    }
+
+    @Test
+    public void belowTheFloatingHeaderEachPanelFillsItsServicesArea() {
+        for (String query : new String[] {"layout=myrobotlab", ""}) {
+            open(WIDTHS[0], query);
+            for (int width : WIDTHS) {
+                browser.setPageSize(width, 900);
+                for (String service : new String[] {"sear", "lidar", "gps", "python"}) {
+                    String panel = service.equals("python") ? ".mrl-python" : panel(service);
+                    String what = service + " at " + width + " " + query;
+                    browser.click("#tab-" + service);
+                    browser.see(panel);
+                    assertEquals(what, List.of(0L, 0L, 0L), browser.script(GAPS, panel));
+                    assertEquals(what, List.of(), browser.script(CUT, panel));
+                }
+            }
+        }
     }
 
     @Test

@@ -65,16 +65,16 @@ final class Payload {
         }
     }
 
-    /** {@code jme3-core-3.6.1-stable.jar} is version {@code 3.6.1-stable}, {@code three.js-r71.jar} is {@code r71}; empty where the name has none. */
+    /** {@code jme3-core-3.6.1-stable.jar} is version {@code 3.6.1-stable}; empty where the name has none. */
     static String version(String fileName) {
-        return fileName.replaceAll("\\.jar$", "").replaceAll("-natives-.*$", "").replaceAll("^.*?-(?=r?\\d)|^\\D*$", "");
+        return fileName.replaceAll("\\.jar$", "").replaceAll("-natives-.*$", "").replaceAll("^.*?-(?=\\d)|^\\D*$", "");
     }
 
     /** {@code jme3-core-3.6.1-stable.jar} is artifact {@code jme3-core}; a natives classifier belongs to the artifact. */
     static String artifact(String fileName) {
         String base = fileName.replaceAll("\\.jar$", "");
         String natives = base.replaceAll("^.*?(-natives-.*)$", "$1");
-        String name = base.replaceAll("-natives-.*$", "").replaceAll("-r?\\d.*$", "");
+        String name = base.replaceAll("-natives-.*$", "").replaceAll("-\\d.*$", "");
         return name + (natives.equals(base) ? "" : natives);
     }
 }

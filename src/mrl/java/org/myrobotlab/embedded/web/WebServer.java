@@ -31,7 +31,7 @@ public final class WebServer {
     private static final String PAGES = "org/myrobotlab/embedded/web";
     private static final String WEB_JARS = "META-INF/resources/webjars/";
     private static final String WEB_JAR_POM = "META-INF/maven/org.webjars/";
-    private static final List<String> LIBRARIES = List.of("angularjs", "bootstrap", "jquery", "three.js");
+    private static final List<String> LIBRARIES = List.of("angularjs", "bootstrap", "jquery");
     private static final int IO_THREADS = 1;
     private static final int WORKERS = 8;
     /** Connections that are open at the same time; more wait until one is closed. */

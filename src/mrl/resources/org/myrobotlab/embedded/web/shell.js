@@ -25,7 +25,7 @@
         shell.form = {name: '', type: ''}
         var wanted = null       // the tab that the user wants, shown whenever its service is there
         shell.shown = null
-        // as MyRobotLab shows panels: beside the list of services, each below a header
+        // as MyRobotLab shows panels: beside the list of services, as far from the window's edges
         shell.beside = /[?&]layout=myrobotlab\b/.test(window.location.search)
 
         Object.defineProperty(shell, 'connected', {get: function() {
@@ -217,7 +217,7 @@
         }
     }
 
-    app.directive('mrlPanel', ['$compile', '$controller', 'mrl', 'panels', function($compile, $controller, mrl, panels) {
+    app.directive('mrlPanel', ['$compile', '$controller', '$templateCache', 'mrl', 'panels', function($compile, $controller, $templateCache, mrl, panels) {
         return {
             restrict: 'E',
             scope: true,
@@ -233,7 +233,7 @@
                     make.instance.msg = msg
                     controller = make()
                     addMembers(scope, msg)
-                    element.html(panel.view)
+                    element.html($templateCache.get('tab-header.html') + panel.view)
                     $compile(element.contents())(scope)
                 })
                 scope.$on('$destroy', function() {

@@ -1,8 +1,9 @@
 package org.SEAR.real;
 
+import static org.junit.Assert.assertEquals;
+
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
 import org.junit.After;
 import org.junit.Before;
 
@@ -11,23 +12,27 @@ abstract class InRealMrl {
     /** The sources of SEAR. */
     static final Path ROOT = Path.of(System.getProperty("sear.root")).toAbsolutePath();
     RealMrl mrl;
-    private List<String> before;
 
     @Before
     public final void findMyRobotLab() throws IOException, InterruptedException {
         mrl = RealMrl.shared();
-        before = mrl.services();
     }
 
     @After
     public final void leaveItAsItWas() throws IOException, InterruptedException {
-        StringBuilder script = new StringBuilder("_sear = Runtime.start('sear', 'SEAR')\n_sear.stopSimulation()\n_sear.setLockStep(False)\n"
-            + "_sear.setSpeed(1)\n_sear.newProject()\n");
+        release(mrl);
+    }
+
+    /** Releases what was started, puts the project away, and forgets what scripts had defined. */
+    static void release(RealMrl mrl) throws IOException, InterruptedException {
+        StringBuilder script = new StringBuilder();
         for (String name : mrl.services()) {
-            if (!before.contains(name)) {
+            if (!mrl.firstServices().contains(name)) {
                 script.append("Runtime.release('").append(name).append("')\n");
             }
         }
-        mrl.python(script + "Runtime.release('sear')");
+        script.append("_sear = Runtime.start('sear', 'SEAR')\n_kept = _sear.newProject()\n");
+        assertEquals("", mrl.python(script + "Runtime.release('sear')"));
+        assertEquals(mrl.firstServices(), mrl.services());
     }
 }

@@ -45,6 +45,7 @@ final class RealMrl {
     private final Path log;
     private final int port;
     private final Process process;
+    private final List<String> firstServices;
 
     /**
      * Starts it as its own start script does, without a browser, and waits until it answers.
@@ -68,6 +69,7 @@ final class RealMrl {
             "-s", "webgui", "WebGui", "python", "Python").directory(folder.toFile()).redirectErrorStream(true).redirectOutput(log.toFile()).start();
         try {
             await("MyRobotLab's Python", () -> "true".equals(get("/api/service/python/isRunning")) && python("print 'ready'").equals("ready\n"));
+            firstServices = services();
         } catch (IOException | InterruptedException | AssertionError e) {
             process.destroyForcibly();
             throw e;
@@ -78,7 +80,7 @@ final class RealMrl {
     static synchronized RealMrl shared() throws IOException, InterruptedException {
         if (shared == null || !shared.process.isAlive()) {
             RealMrlCopy copy = new RealMrlCopy("mrl");
-            RealMrlCopy.sear("install", copy.folder().toString());
+            RealMrlCopy.sear(copy.folder(), "install", copy.folder().toString());
             share(new RealMrl(copy.folder(), "tests"));
         }
         return shared;
@@ -180,6 +182,11 @@ final class RealMrl {
             names.add(name.replaceAll("@.*", ""));
         }
         return names;
+    }
+
+    /** Those that came with it. */
+    List<String> firstServices() {
+        return firstServices;
     }
 
     /** Ends it as its shut-down button does. */

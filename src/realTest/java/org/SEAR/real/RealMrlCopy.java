@@ -61,27 +61,29 @@ final class RealMrlCopy {
         return folder;
     }
 
-    /** Runs SEAR's own program, {@code sear install} for example, which has to end well. */
-    static String sear(String... arguments) throws IOException, InterruptedException {
+    /** Runs SEAR's own program, {@code sear install} for example, which has to end well. @return what it printed */
+    static String sear(Path folder, String... arguments) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of(SEAR.toString()));
         command.addAll(Arrays.asList(arguments));
-        return output(BUILD, command);
+        return output(folder, command);
     }
 
     /** @return what a program printed that has to end well */
     static String output(Path folder, List<String> command) throws IOException, InterruptedException {
         File output = File.createTempFile("output", ".txt", BUILD.toFile());
-        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(output);
+        File errors = File.createTempFile("errors", ".txt", BUILD.toFile());
+        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectError(errors).redirectOutput(output);
         builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
         Process process = builder.start();
         try {
             boolean ended = process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
             String text = Files.readString(output.toPath());
-            assertEquals(command + "\n" + text, ended ? 0 : -1, ended ? process.exitValue() : 1);
+            assertEquals(command + "\n" + text + Files.readString(errors.toPath()), "0", ended ? "" + process.exitValue() : "it hangs");
             return text;
         } finally {
             process.destroyForcibly();
             Files.delete(output.toPath());
+            Files.delete(errors.toPath());
         }
     }
 }

@@ -1,0 +1,203 @@
+package org.SEAR.real;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.net.ConnectException;
+import java.net.ServerSocket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.net.http.HttpTimeoutException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+
+/** A running MyRobotLab with WebGui and Python, and SEAR installed: told over its WebGui's HTTP what to do. */
+final class RealMrl {
+    private static final long PATIENCE_SECONDS = 240;
+    /** Runs a script as the Python tab does, and leaves what it and its callbacks print in a file that is whole when it has its name. */
+    private static final String WRAPPER = "import os, sys, traceback\n"
+        + "_console = sys.stdout, sys.stderr\n"
+        + "sys.stdout = sys.stderr = open(%1$s, 'w', 0)\n"
+        + "try:\n"
+        + "    try:\n"
+        + "        execfile(%2$s, globals())\n"
+        + "    except:\n"
+        + "        traceback.print_exc(None, sys.stdout)\n"
+        + "finally:\n"
+        + "    sys.stdout.close()\n"
+        + "    sys.stdout, sys.stderr = _console\n"
+        + "    os.rename(%1$s, %3$s)\n";
+    private static RealMrl shared;
+    private static int runs;
+
+    /** Of HTTP 1: an offer of HTTP 2 is a request for a web socket to this WebGui, which it refuses. */
+    private final HttpClient client = HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
+    private final Path folder;
+    private final Path log;
+    private final int port;
+    private final Process process;
+    private final List<String> firstServices;
+
+    /**
+     * Starts it as its own start script does, without a browser, and waits until it answers.
+     *
+     * @param folder of the copy
+     * @param config the configuration's name
+     */
+    RealMrl(Path folder, String config) throws IOException, InterruptedException {
+        this.folder = folder;
+        log = RealMrlCopy.BUILD.resolve("logs").resolve(folder.getFileName() + "-" + config + "-" + ++runs + ".log");
+        Files.createDirectories(log.getParent());
+        try (ServerSocket free = new ServerSocket(0)) {
+            port = free.getLocalPort();
+        }
+        Path web = folder.resolve("data/config").resolve(config).resolve("webgui.yml");
+        Files.createDirectories(web.getParent());
+        Files.writeString(web, "!!org.myrobotlab.service.config.WebGuiConfig\nautoStartBrowser: false\nport: " + port + "\ntype: WebGui\n");
+        process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx1200m",
+            "-Djava.library.path=libraries/native", "-Djna.library.path=libraries/native", "-Dfile.encoding=UTF-8", "-Dsear.headless=true",
+            "-cp", "libraries/jar/*:myrobotlab.jar", "org.myrobotlab.service.Runtime", "--log-level", "warn", "-c", config,
+            "-s", "webgui", "WebGui", "python", "Python").directory(folder.toFile()).redirectErrorStream(true).redirectOutput(log.toFile()).start();
+        try {
+            await("MyRobotLab's Python", () -> "true".equals(get("/api/service/python/isRunning")) && python("print 'ready'").equals("ready\n"));
+            firstServices = services();
+        } catch (IOException | InterruptedException | AssertionError e) {
+            process.destroyForcibly();
+            throw e;
+        }
+    }
+
+    /** The one that all tests use, started by the first and again if it was closed. */
+    static synchronized RealMrl shared() throws IOException, InterruptedException {
+        if (shared == null || !shared.process.isAlive()) {
+            RealMrlCopy copy = new RealMrlCopy("mrl");
+            RealMrlCopy.sear(copy.folder(), "install", copy.folder().toString());
+            share(new RealMrl(copy.folder(), "tests"));
+        }
+        return shared;
+    }
+
+    /** Makes one that runs the one for all tests. */
+    static synchronized void share(RealMrl running) {
+        if (shared == null) {
+            Runtime.getRuntime().addShutdownHook(new Thread(() -> shared.process.destroyForcibly()));
+        }
+        shared = running;
+    }
+
+    Path folder() {
+        return folder;
+    }
+
+    /** Of its WebGui. */
+    int port() {
+        return port;
+    }
+
+    String log() throws IOException {
+        return Files.readString(log);
+    }
+
+    /** Something that comes true in time. */
+    interface Condition {
+        boolean holds() throws IOException, InterruptedException;
+    }
+
+    void await(String what, Condition condition) throws IOException, InterruptedException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (true) {
+            try {
+                if (condition.holds()) {
+                    return;
+                }
+            } catch (ConnectException | HttpTimeoutException e) {
+                assertTrue("MyRobotLab ended\n" + tail(), process.isAlive());
+            }
+            assertTrue("waited in vain for " + what + "\n" + tail(), System.nanoTime() < end);
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(50));
+        }
+    }
+
+    /** The log's last lines. */
+    String tail() throws IOException {
+        List<String> lines = Files.readAllLines(log);
+        return log + ":\n" + String.join("\n", lines.subList(Math.max(0, lines.size() - 30), lines.size()));
+    }
+
+    String get(String path) throws IOException, InterruptedException {
+        return client.send(request(path).build(), HttpResponse.BodyHandlers.ofString()).body();
+    }
+
+    private HttpRequest.Builder request(String path) {
+        return HttpRequest.newBuilder(URI.create("http://localhost:" + port + path)).timeout(Duration.ofSeconds(PATIENCE_SECONDS));
+    }
+
+    /** Calls a method of a service; {@code json} is the list of its arguments. */
+    String call(String serviceAndMethod, String json) throws IOException, InterruptedException {
+        HttpResponse<String> answer = client.send(request("/api/service/" + serviceAndMethod).header("Content-Type", "application/json")
+            .POST(HttpRequest.BodyPublishers.ofString(json)).build(), HttpResponse.BodyHandlers.ofString());
+        assertEquals(serviceAndMethod + " " + answer.body() + "\n" + tail(), 200, answer.statusCode());
+        return answer.body();
+    }
+
+    /** Runs lines of Python. @return what they printed, with the traceback if they raised */
+    String python(String... lines) throws IOException, InterruptedException {
+        return run(write("lines", String.join("\n", Arrays.asList(lines)) + "\n"));
+    }
+
+    private static Path write(String name, String text) throws IOException {
+        Path file = RealMrlCopy.BUILD.resolve("scripts").resolve(++runs + "-" + name + ".py");
+        Files.createDirectories(file.getParent());
+        return Files.writeString(file, text);
+    }
+
+    /** Runs a script file in the Python service. @return what it printed, with the traceback if it raised */
+    String run(Path script) throws IOException, InterruptedException {
+        Path wrapper = write("run", "");
+        Path output = Path.of(wrapper + ".out");
+        Files.writeString(wrapper, String.format(WRAPPER, literal(output + ".part"), literal(script.toString()), literal(output.toString())));
+        call("python/execFile", "[\"" + wrapper + "\"]");
+        await("the end of " + script, () -> Files.exists(output));
+        return Files.readString(output);
+    }
+
+    /** A text as Python writes it. */
+    static String literal(String text) {
+        return "'" + text.replace("\\", "\\\\").replace("'", "\\'").replace("\n", "\\n") + "'";
+    }
+
+    /** Names of all services, as the registry has them, without MyRobotLab's id. */
+    List<String> services() throws IOException, InterruptedException {
+        List<String> names = new ArrayList<>();
+        for (String name : python("for name in sorted(Runtime.getServiceNames()): print name").split("\n")) {
+            names.add(name.replaceAll("@.*", ""));
+        }
+        return names;
+    }
+
+    /** Those that came with it. */
+    List<String> firstServices() {
+        return firstServices;
+    }
+
+    /** Ends it as its shut-down button does. */
+    void close() throws IOException, InterruptedException {
+        try {
+            client.send(request("/api/service/runtime/shutdown").build(), HttpResponse.BodyHandlers.ofString());
+        } catch (IOException e) {
+            assertTrue("it may be gone before it answers: " + e, true);
+        }
+        boolean ended = process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        process.destroyForcibly();
+        assertTrue("MyRobotLab does not end\n" + tail(), ended);
+    }
+}

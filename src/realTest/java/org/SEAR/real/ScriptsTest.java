@@ -1,0 +1,111 @@
+package org.SEAR.real;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.AfterClass;
+import org.junit.BeforeClass;
+import org.junit.Test;
+import org.junit.runner.RunWith;
+import org.junit.runners.Parameterized;
+
+/**
+ * Every script that comes with SEAR, twice in one session of the real MyRobotLab, prints what it prints alone in the embedded one: the same to the
+ * letter in lock-step, nearly the same numbers where a script waits by the clock.
+ */
+@RunWith(Parameterized.class)
+public class ScriptsTest {
+    private static final Pattern NUMBER = Pattern.compile("(?<![\\w.])-?\\d+(?:\\.\\d+)?");
+    private static final double SHARE = 0.05;
+    private static final double ABSOLUTE = 0.12;
+    private static ExecutorService others;
+    private static Map<String, Future<String>> alone;
+
+    private final Job job;
+
+    public ScriptsTest(Job job) {
+        this.job = job;
+    }
+
+    @Parameterized.Parameters(name = "{0}")
+    public static List<Job> jobs() throws Exception {
+        return Job.all();
+    }
+
+    /** While the real MyRobotLab runs one script, the embedded one runs another. */
+    @BeforeClass
+    public static void startTheEmbeddedOnes() throws Exception {
+        others = Executors.newSingleThreadExecutor();
+        alone = new TreeMap<>();
+        for (Job job : Job.all()) {
+            Path folder = Files.createDirectories(RealMrlCopy.BUILD.resolve("embedded").resolve(job.toString().replaceAll("\\W+", "_")));
+            Path script = Files.writeString(folder.resolve("job.py"), job.alone());
+            alone.put(job.toString(), others.submit(() ->
+                RealMrlCopy.sear(folder, script.toString(), "--headless", "--speed", "max", "--port", "none")));
+        }
+    }
+
+    @AfterClass
+    public static void end() throws Exception {
+        others.shutdownNow();
+        InRealMrl.release(RealMrl.shared());
+    }
+
+    @Test
+    public void itPrintsTheSameAsAlone() throws Exception {
+        Path script = Files.writeString(Files.createDirectories(RealMrlCopy.BUILD.resolve("scripts"))
+            .resolve(job.toString().replaceAll("\\W+", "_") + ".py"), job.inSession());
+        List<String> outputs = List.of(RealMrl.shared().run(script), RealMrl.shared().run(script));
+        String expected = alone.get(job.toString()).get();
+        if (job.isByTheClock()) {
+            outputs.forEach(output -> assertNear(expected, output));
+        } else {
+            assertEquals("alone and twice in the session", List.of(expected, expected, expected), List.of(expected, outputs.get(0), outputs.get(1)));
+        }
+    }
+
+    /** The same kinds of lines, with numbers from the same ranges: by the clock, a receiver has a fix more or less. */
+    private static void assertNear(String expected, String output) {
+        Map<String, List<double[]>> one = ranges(expected);
+        Map<String, List<double[]>> other = ranges(output);
+        assertEquals(output, one.keySet(), other.keySet());
+        one.forEach((line, ranges) -> {
+            for (int i = 0; i < ranges.size(); i++) {
+                for (int end = 0; end < 2; end++) {
+                    double value = ranges.get(i)[end];
+                    assertEquals(line + "\n" + expected + "\n" + output, value, other.get(line).get(i)[end], ABSOLUTE + SHARE * Math.abs(value));
+                }
+            }
+        });
+    }
+
+    /** Least and greatest of each number in all lines that are the same but for their numbers. */
+    private static Map<String, List<double[]>> ranges(String text) {
+        Map<String, List<double[]>> ranges = new TreeMap<>();
+        for (String line : text.split("\n")) {
+            List<double[]> here = ranges.computeIfAbsent(NUMBER.matcher(line).replaceAll("#"), key -> new ArrayList<>());
+            Matcher number = NUMBER.matcher(line);
+            for (int i = 0; number.find(); i++) {
+                double value = Double.parseDouble(number.group());
+                if (i == here.size()) {
+                    here.add(new double[] {value, value});
+                }
+                here.get(i)[0] = Math.min(here.get(i)[0], value);
+                here.get(i)[1] = Math.max(here.get(i)[1], value);
+            }
+        }
+        assertTrue(text, !ranges.isEmpty());
+        return ranges;
+    }
+}

@@ -48,6 +48,7 @@ class Firmata:
         self.values = {}
         self.message = []
         sear.simSleep(4)                            # boot loader, and blinks of its LED
+        while self.serial.available(): self.serial.read()    # version and name, and what a run before has left
 
     def write(self, *values):
         for value in values: self.serial.write(value)

@@ -140,11 +140,13 @@ public class ScriptsTest {
         temporary.newFile("nothing");
         File script = temporary.newFile("rover.py");
         Files.writeString(script.toPath(), String.join("\n", "sear = Runtime.start('sear', 'SEAR')",
-            "sear.copyTemplate('arduino.py', 'SEARproject')", "python.execFile('SEARproject/arduino.py')",
-            "x, y, z = sear.getPose('rover')[:3]", "print 'in the room:', abs(x) < 1.9 and abs(z) < 1.9", ""));
+            "for run in range(2):", "    kept = sear.newProject()",
+            "    sear.copyTemplate('arduino.py', 'SEARproject')", "    python.execFile('SEARproject/arduino.py')",
+            "    x, y, z = sear.getPose('rover')[:3]", "    print 'in the room:', abs(x) < 1.9 and abs(z) < 1.9", "    sear.stopSimulation()", ""));
         String text = run(script.toString());
-        assertTrue(text, number(text, "(\\d+) turns in 30 s") >= 3);
-        assertTrue(text, text.contains("in the room: True"));
+        double turns = number(text, "(\\d+) turns in 30 s");
+        assertTrue(text, turns >= 3);
+        assertEquals("the same again in one session", 2, count(text, Math.round(turns) + " turns in 30 s\nin the room: True\n"));
     }
 
     @Test

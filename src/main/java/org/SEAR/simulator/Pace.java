@@ -50,7 +50,7 @@ final class Pace {
     }
 
     /** How long to wait for a part of the time until the next step, or for that step, ns. */
-    long wait(int part, long now) {
+    long waitFor(int part, long now) {
         long left = deadline - now;
         long parts = (long) Math.ceil((Simulation.PARTS - part) * (length / (double) Simulation.PARTS));
         return Math.min(left, Math.max(SHORTEST_WAIT, left - parts));

@@ -86,7 +86,7 @@ public final class SimulationRunner implements Runnable {
             return true;
         }
         int next = simulation.attend(pace.part(now));
-        LockSupport.parkNanos(this, pace.wait(next, System.nanoTime()));
+        LockSupport.parkNanos(this, pace.waitFor(next, System.nanoTime()));
         return false;
     }
 

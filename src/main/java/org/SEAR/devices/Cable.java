@@ -16,6 +16,10 @@ public final class Cable implements SerialLine {
     /** What a byte looks like at the wrong speed. */
     private static final int GARBLE = 0xA5;
     private static final int FIRST_SIZE = 256;
+    /** So long after the user's last byte an answer is not kept for the end of a step, s. */
+    private static final double CONVERSATION = 0.1;
+    /** Meanwhile the device's timers run so often, s. */
+    private static final double LOOK = 0.001;
 
     private final String objectName;
     private final String objectType;
@@ -29,6 +33,9 @@ public final class Cable implements SerialLine {
     private byte[] incoming = new byte[FIRST_SIZE];
     private int incomingCount;
     private volatile boolean hasIncoming;
+    private volatile Runnable bell = () -> { };
+    private volatile boolean answering;
+    private double heardAt = Double.NEGATIVE_INFINITY;
     private volatile int hostBaud;
     private volatile boolean pickedUp;
     /** {@link #hostBaud} as it was at the beginning of the step. */
@@ -82,6 +89,7 @@ public final class Cable implements SerialLine {
         toDeviceFrom = 0;
         toDeviceEnd = 0;
         toDeviceTime = 0;
+        heardAt = Double.NEGATIVE_INFINITY;
         waiting = 0;
         clearOutput();
     }
@@ -149,6 +157,7 @@ public final class Cable implements SerialLine {
         if (!hasIncoming) {
             return;
         }
+        heardAt = time;
         synchronized (lock) {
             if (toDeviceFrom == toDeviceEnd) {
                 toDeviceFrom = 0;
@@ -195,9 +204,14 @@ public final class Cable implements SerialLine {
 
     /** Devices phase: bytes arrive and the device's timers run, up to {@code end}. */
     public void run(double end) {
+        run(end, 1);
+    }
+
+    /** @param slowness 1, or 0 for a line on which bytes take no time */
+    private void run(double end, int slowness) {
         while (toDeviceFrom < toDeviceEnd) {
             int speed = speedOfHost();
-            double arrival = toDeviceTime + Uart.seconds(1, speed);
+            double arrival = toDeviceTime + slowness * Uart.seconds(1, speed);
             if (arrival > end) {
                 break;
             }
@@ -220,6 +234,49 @@ public final class Cable implements SerialLine {
             device.advance(end);
         }
         deviceBaud = device.getBaud();
+    }
+
+    /**
+     * Between two steps: bytes go to and fro as in a step, if there are any or the user has written lately. Simulation thread.
+     *
+     * @param time simulated seconds, never less than before
+     * @return when to look again; infinity if nothing was to be done
+     */
+    public double attend(double time) {
+        if (!hasIncoming && toDeviceFrom == toDeviceEnd && time >= heardAt + CONVERSATION) {
+            return Double.POSITIVE_INFINITY;
+        }
+        accept(time);
+        run(time);
+        deliver(time);
+        double next = time + LOOK;
+        if (toDeviceFrom < toDeviceEnd) {
+            next = Math.min(next, toDeviceTime + Uart.seconds(toDeviceEnd - toDeviceFrom, speedOfHost()));
+        }
+        return toHostFrom < toHostEnd ? Math.min(next, toHostTimes[toHostEnd - 1]) : next;
+    }
+
+    /** Whether the device, which answers at once, has something to answer, or is about to. Any thread. */
+    public boolean isAsked() {
+        return device.answersAtOnce() && (hasIncoming || answering);
+    }
+
+    /** Time stands still: what was written arrives, and all that the device has said leaves the line. Simulation thread. */
+    public void answer(double time) {
+        answering = true;
+        try {
+            accept(time);
+            run(time, 0);
+            deliver(Double.POSITIVE_INFINITY);
+            freeAt = Math.min(freeAt, time);
+        } finally {
+            answering = false;
+        }
+    }
+
+    /** Who is told that something was written. */
+    public void setBell(Runnable newBell) {
+        bell = newBell;
     }
 
     private int speedOfHost() {
@@ -384,6 +441,7 @@ public final class Cable implements SerialLine {
             written += taken;
             hasIncoming = incomingCount > 0;
         }
+        bell.run();
     }
 
     @Override

@@ -1,19 +1,19 @@
 package org.SEAR.devices;
 
-/** Looks at what goes over a line, without changing anything. Simulation thread. */
+/** Looks at what goes over a line, in a step or between two, without changing anything. Simulation thread. */
 public interface LineTap {
-    /** Bytes of the user's end are on their way to the device from this step on; the array is the line's. */
+    /** Bytes of the user's end are on their way to the device from now on; the array is the line's. */
     void heard(SerialLine line, byte[] bytes, int count);
 
-    /** Bytes have left the device in this step, whether somebody reads them or not; the array is the reader's. */
+    /** Bytes have left the device, whether somebody reads them or not; the array is the reader's. */
     void said(SerialLine line, byte[] bytes);
 
-    /** From this step on the user's end has this speed, 0 for the device's own. */
+    /** From now on the user's end has this speed, 0 for the device's own. */
     void baud(SerialLine line, int baud);
 
-    /** The device notices in this step that a program has opened the user's end. */
+    /** The device notices that a program has opened the user's end. */
     void opened(SerialLine line);
 
-    /** The device notices in this step that the last program has left the user's end. */
+    /** The device notices that the last program has left the user's end. */
     void hungUp(SerialLine line);
 }

@@ -16,6 +16,14 @@ public interface SerialDevice {
     }
 
     /**
+     * Whether it hears and answers in no time while time stands still, in lock-step or a pause: who talks to it waits for the answer by the
+     * computer's clock, and may be the one who makes time pass. Any thread; never changes.
+     */
+    default boolean answersAtOnce() {
+        return false;
+    }
+
+    /**
      * A byte has arrived whole.
      *
      * @param value 0 to 255

@@ -42,10 +42,13 @@ public interface SerialLine {
     /** Speed of the user's end; the device takes and gives garbage while it is another than its own. 0 (default): the device's own, always. */
     void setHostBaud(int baud);
 
-    /** Hands bytes from the user's end to the line; they are on their way from the next step on. Any thread. */
+    /**
+     * Hands bytes from the user's end to the line. They are on their way from the next step on, or from now on if the simulation goes by the clock;
+     * while time stands still, a device that {@link SerialDevice#answersAtOnce} gets them now. Any thread.
+     */
     void write(byte[] bytes);
 
-    /** Where bytes from the device go; called in the outputs phase of a step. */
+    /** Where bytes from the device go; called in the outputs phase of a step, and between steps. */
     void setSink(Sink sink);
 
     /** Bytes from the user's end that have not reached the device yet. */

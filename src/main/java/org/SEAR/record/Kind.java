@@ -16,8 +16,9 @@ final class Kind {
     static final int LIGHT = 12;
     static final int ORDER = 13;
     static final int MOVED = 14;
+    static final int ATTENDED = 15;
     /** The last one. */
-    static final int MOST = MOVED;
+    static final int MOST = ATTENDED;
 
     private Kind() {
     }

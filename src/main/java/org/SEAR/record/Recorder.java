@@ -164,6 +164,11 @@ public final class Recorder implements RunTap {
     }
 
     @Override
+    public void attended(int part) {
+        out.put(Kind.ATTENDED).put(part);
+    }
+
+    @Override
     public void stepped(Simulation stepping) {
         steps++;
         if (steps % INTERVAL == 0) {

@@ -112,10 +112,24 @@ public final class Rerun implements RunRecord.Visitor {
 
     @Override
     public void step() {
-        commands.forEach(command -> command.accept(world));
-        commands.clear();
+        obey();
         world.step();
         steps++;
+    }
+
+    @Override
+    public void attended(int part) {
+        obey();
+        if (part == 0) {
+            world.answer();
+        } else {
+            world.attend(part);
+        }
+    }
+
+    private void obey() {
+        commands.forEach(command -> command.accept(world));
+        commands.clear();
     }
 
     private SerialLine line(int number) {
@@ -224,6 +238,11 @@ public final class Rerun implements RunRecord.Visitor {
 
         @Override
         public void reset() {
+            // the record has it
+        }
+
+        @Override
+        public void attended(int part) {
             // the record has it
         }
 

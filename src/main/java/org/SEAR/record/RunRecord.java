@@ -65,6 +65,10 @@ public final class RunRecord {
         default void opened(int line) {
         }
 
+        /** See {@link org.SEAR.simulator.RunTap#attended}. */
+        default void attended(int part) {
+        }
+
         default void drive(DriveCommand command) {
         }
 
@@ -201,6 +205,9 @@ public final class RunRecord {
                     return true;
                 case Kind.OPENED:
                     visitor.opened(line());
+                    return true;
+                case Kind.ATTENDED:
+                    visitor.attended(in.readUnsignedByte());
                     return true;
                 case Kind.DRIVE:
                     visitor.drive(command());

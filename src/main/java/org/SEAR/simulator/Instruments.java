@@ -146,6 +146,39 @@ final class Instruments {
         }
     }
 
+    /**
+     * Between two steps: what lies on the lines goes on.
+     *
+     * @param time simulated seconds
+     * @return when to look again; infinity if nothing was to be done
+     */
+    double attend(double time) {
+        double next = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < ports.size(); i++) {
+            next = Math.min(next, ports.get(i).getCable().attend(time));
+        }
+        return next;
+    }
+
+    /** Whether a device that answers at once has been asked. Any thread. */
+    boolean areAsked() {
+        for (int i = 0; i < ports.size(); i++) {
+            if (ports.get(i).getCable().isAsked()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Time stands still: devices that answer at once do. */
+    void answer(double time) {
+        for (int i = 0; i < ports.size(); i++) {
+            if (ports.get(i).getCable().isAsked()) {
+                ports.get(i).getCable().answer(time);
+            }
+        }
+    }
+
     Sensor<?> sensor(String name) {
         Sensor<?> sensor = sensors.find(name);
         if (sensor == null) {

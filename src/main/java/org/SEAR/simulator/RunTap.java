@@ -24,6 +24,13 @@ public interface RunTap extends LineTap {
     /** Between two steps everything went back to the start. */
     void reset();
 
+    /**
+     * Between two steps bytes went over the lines, as far as was told before.
+     *
+     * @param part of the step, as {@link Simulation#attend} has it; 0 if time stands still, as {@link Simulation#answer} has it
+     */
+    void attended(int part);
+
     /** A step has ended: its snapshot and outputs are there. */
     void stepped(Simulation simulation);
 }

@@ -33,6 +33,8 @@ import org.SEAR.sensors.Sensor;
 public final class Simulation implements AutoCloseable {
     /** Length of a step, simulated seconds. */
     public static final double STEP = TimeStep.SECONDS;
+    /** So fine is time for devices that are attended between two steps. */
+    public static final int PARTS = 256;
     /** UTC of simulated time 0 unless set, milliseconds since 1970. */
     public static final long EPOCH = Instant.parse("2026-01-01T12:00:00Z").toEpochMilli();
 
@@ -52,6 +54,8 @@ public final class Simulation implements AutoCloseable {
     private volatile Thread thread;
     private volatile boolean closed;
     private long step;
+    /** How much of the next step the devices have seen, of {@link #PARTS}. */
+    private int part;
     private final RunOrigin origin;
     private RunTap tap;
     /** What comes after a step while its outputs still belong to it. */
@@ -106,6 +110,7 @@ public final class Simulation implements AutoCloseable {
 
     private void start() {
         step = 0;
+        part = 0;
         warnings.restart(project.getWarnings(), world.getWarnings(), deviceWarnings);
         instruments.warn();
         snapshot = observer.look(step);
@@ -121,9 +126,10 @@ public final class Simulation implements AutoCloseable {
     void advance() {
         thread = Thread.currentThread();
         obey();
-        instruments.accept(getTime());
+        instruments.accept(getDeviceTime());
         world.step();
         step++;
+        part = 0;
         world.observe(step);
         instruments.track();
         instruments.run(getTime());
@@ -141,11 +147,67 @@ public final class Simulation implements AutoCloseable {
         if (tap != null) {
             tap.stepped(this);
         }
+        tellLate();
+        serve();
+    }
+
+    /**
+     * Between two steps, by the clock: bytes go over the lines and devices deal with them, from the truth of the last step. Simulation thread.
+     *
+     * @param newPart how much of the next step's time has passed, 1 to 255 of {@link #PARTS}; what is less than before counts as before
+     * @return at which part to look again; {@link #PARTS} if the next step is early enough, or nothing was to be done
+     */
+    public int attend(int newPart) {
+        thread = Thread.currentThread();
+        int before = part;
+        part = Math.max(part, newPart);
+        double next;
+        delivering = true;
+        try {
+            next = instruments.attend(getDeviceTime());
+        } finally {
+            delivering = false;
+        }
+        if (next == Double.POSITIVE_INFINITY) {
+            part = before;
+            return PARTS;
+        }
+        attended(part);
+        return (int) Math.min(PARTS, Math.max(part + 1, Math.ceil((next - getTime()) / STEP * PARTS)));
+    }
+
+    /** Whether {@link #answer} has something to do, or does it. Any thread. */
+    public boolean isAsked() {
+        return instruments.areAsked();
+    }
+
+    /** While time stands still: devices that {@link org.SEAR.devices.SerialDevice#answersAtOnce} deal with what was written. Simulation thread. */
+    public void answer() {
+        if (!isAsked()) {
+            return;
+        }
+        thread = Thread.currentThread();
+        delivering = true;
+        try {
+            instruments.answer(getDeviceTime());
+        } finally {
+            delivering = false;
+        }
+        attended(0);
+    }
+
+    private void attended(int what) {
+        if (tap != null) {
+            tap.attended(what);
+        }
+        tellLate();
+    }
+
+    private void tellLate() {
         if (!late.isEmpty()) {
             late.forEach(this::tell);
             late.clear();
         }
-        serve();
     }
 
     /** Tells the tap what happens between two steps. */
@@ -237,9 +299,10 @@ public final class Simulation implements AutoCloseable {
         return answer;
     }
 
-    /** Who is to be told that there is a question. */
+    /** Who is to be told that there is a question, or something on a line. */
     void setBell(Runnable newBell) {
         bell = newBell;
+        instruments.getPorts().forEach(port -> port.getCable().setBell(newBell));
     }
 
     /** The state after the last step. Any thread. */
@@ -255,6 +318,11 @@ public final class Simulation implements AutoCloseable {
     /** Simulated seconds. Simulation thread; others look at the snapshot. */
     public double getTime() {
         return step * STEP;
+    }
+
+    /** The time up to which devices have been run. */
+    private double getDeviceTime() {
+        return part == 0 ? getTime() : (step + part / (double) PARTS) * STEP;
     }
 
     /** Steps since start or reset. Simulation thread. */
@@ -427,7 +495,7 @@ public final class Simulation implements AutoCloseable {
      * @throws IllegalArgumentException that names the devices there are
      */
     public void power(String name, boolean on) {
-        instruments.power(name, on, getTime());
+        instruments.power(name, on, getDeviceTime());
         tell(who -> who.power(name, on));
         snapshot = observer.lookClosely(step);
     }

@@ -7,14 +7,10 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BooleanSupplier;
 
 /**
- * The body of the simulation thread: paces steps to real time, a factor of it, or as fast as possible; pauses; serves questions meanwhile. Whoever
- * runs it gives it a thread. Every method but {@link #run} may be called from any thread.
- *
- * <p>Pacing keeps to the clock, not to the last step, so short delays are caught up; after a long one (the machine slept) time goes on from there.
+ * The body of the simulation thread: paces steps to real time, a factor of it, or as fast as possible; pauses; serves questions and
+ * the lines of devices meanwhile. Whoever runs it gives it a thread. Every method but {@link #run} may be called from any thread.
  */
 public final class SimulationRunner implements Runnable {
-    /** A delay longer than this is not caught up, ns. */
-    private static final long LONGEST_DELAY = 250_000_000L;
     private static final double NANOS = 1e9;
     /** By which sums of steps may miss the time that was asked for, s. */
     private static final double ROUNDING = Simulation.STEP / 1000;
@@ -44,7 +40,7 @@ public final class SimulationRunner implements Runnable {
     private volatile long done;
     private volatile long ordered;
     private volatile boolean newPace;
-    private long deadline;
+    private final Pace pace = new Pace();
 
     public SimulationRunner(Simulation simulation) {
         this.simulation = simulation;
@@ -60,6 +56,7 @@ public final class SimulationRunner implements Runnable {
             while (!stopped) {
                 simulation.serve();
                 if (paused && done >= ordered) {
+                    simulation.answer();
                     measured = 0;
                     samples = 0;
                     newPace = true;
@@ -78,25 +75,19 @@ public final class SimulationRunner implements Runnable {
         }
     }
 
-    /** Whether the next step's time has come; waits a while if not. */
+    /** Whether the next step's time has come; attends to the lines and waits a while if not. */
     private boolean isDue() {
-        double factor = speed;
-        if (Double.isInfinite(factor)) {
-            newPace = true;
-            return true;
+        if (newPace) {
+            newPace = false;
+            pace.restart();
         }
         long now = System.nanoTime();
-        long length = (long) (Simulation.STEP * NANOS / factor);
-        if (newPace || now - deadline > Math.max(LONGEST_DELAY, 2 * length)) {
-            newPace = false;
-            deadline = now;
+        if (pace.isDue(now, speed)) {
+            return true;
         }
-        if (deadline - now > 0) {
-            LockSupport.parkNanos(this, deadline - now);
-            return false;
-        }
-        deadline += length;
-        return true;
+        int next = simulation.attend(pace.part(now));
+        LockSupport.parkNanos(this, pace.waitFor(next, System.nanoTime()));
+        return false;
     }
 
     private void advanceOne() {

@@ -15,6 +15,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import org.SEAR.POJOs.Accelerometer;
+import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Bumper;
 import org.SEAR.POJOs.ColorSensor;
@@ -28,6 +29,7 @@ import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
@@ -43,6 +45,8 @@ public class RecordTest {
     private static final byte[] AHEAD = {(byte) 0x89, 0, (byte) 0xC8, (byte) 0x80, 0};
     private static final byte[] SENSORS = {(byte) 0x8E, 0};
     private static final byte[] STREAM = {(byte) 0x94, 3, 7, 19, 20};
+    private static final byte[] DIGITAL_WRITE = {(byte) 0xAA, 3, 0x1B, 13, 1};
+    private static final byte[] READ_PIN = {(byte) 0xAA, 5, 4, 14, 1, 0, 0};
     private static final byte[] SCAN = {2, 0, 2, 0, 0x30, 1, 0x31, 0x18};
 
     @Rule
@@ -52,7 +56,7 @@ public class RecordTest {
         return project.getRoot().toPath().resolve("run.searlog");
     }
 
-    private Simulation world() throws Exception {
+    private Simulation world(SearObject... more) throws Exception {
         new Floor("floor", 20, 20);
         new Box("wall", 0.1, 6, 0.5).move(3, 0.25, 0);
         new Cylinder("can", 0.05, 0.1, 0.3).move(1, 0.05, 0);
@@ -70,6 +74,9 @@ public class RecordTest {
         robot.addComponent(gps);
         robot.addComponent(new Compass("compass"));
         robot.addComponent(new Accelerometer("accel"));
+        for (SearObject each : more) {
+            robot.addComponent(each);
+        }
         return Simulation.of(Project.read(project.folder()), 7);
     }
 
@@ -129,6 +136,42 @@ public class RecordTest {
         assertTrue(result.toString(), result.same);
         assertEquals(390 / 60.0, result.seconds, 1e-9);
         assertEquals(3, result.ports.size());
+        result.ports.forEach((port, text) -> assertTrue(port + ": " + text, text.matches("[1-9][0-9]{2,} bytes, the same")));
+    }
+
+    /** As by the clock, where the simulation thread attends to lines whenever something comes. */
+    @Test
+    public void whatCameBetweenTwoStepsComesThereAgain() throws Exception {
+        long seed = System.nanoTime();
+        System.out.println("seed " + seed);
+        Random random = new Random(seed);
+        Arduino board = new Arduino("uno");
+        board.setPorts("/dev/unoUart", "/dev/unoUser");
+        try (Simulation world = world(board)) {
+            Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
+            byte[][] said = {FULL_MODE, AHEAD, SENSORS, STREAM, SCAN, DIGITAL_WRITE, READ_PIN};
+            for (int i = 0; i < 3000; i++) {
+                byte[] bytes = said[random.nextInt(said.length)];
+                String object = bytes == SCAN ? "lidar" : bytes == DIGITAL_WRITE || bytes == READ_PIN ? "uno" : "drive";
+                if (random.nextInt(3) == 0) {
+                    line(world, object).write(bytes);
+                }
+                if (random.nextInt(40) == 0) {
+                    line(world, "drive").setHostBaud(random.nextBoolean() ? 57600 : 19200);
+                    world.power("lidar", random.nextInt(4) > 0);
+                }
+                if (random.nextInt(4) == 0) {
+                    world.answer();
+                } else if (random.nextInt(4) > 0) {
+                    world.attend(1 + random.nextInt(255));
+                } else {
+                    world.step();
+                }
+            }
+            recorder.end();
+        }
+        Rerun.Result result = Rerun.of(RunRecord.open(file()), Project.read(project.folder()));
+        assertTrue(result.toString(), result.same);
         result.ports.forEach((port, text) -> assertTrue(port + ": " + text, text.matches("[1-9][0-9]{2,} bytes, the same")));
     }
 

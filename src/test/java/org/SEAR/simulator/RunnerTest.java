@@ -4,11 +4,16 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.SEAR.Bytes;
+import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.devices.SerialLine;
 import org.SEAR.project.ProjectRule;
 import org.junit.After;
 import org.junit.Before;
@@ -25,7 +30,9 @@ public class RunnerTest {
     @Before
     public void start() throws Exception {
         new Floor("floor", 10, 10);
-        Worlds.roomba("roomba", 0, 0, 0);
+        Arduino board = new Arduino("uno");
+        board.setPorts("uart", "user");
+        Worlds.roomba("roomba", 0, 0, 0).addComponent(board);
         runner = new SimulationRunner(Worlds.start(project));
         thread = new Thread(runner, "simulation under test");
     }
@@ -50,6 +57,26 @@ public class RunnerTest {
         assertEquals(120, heard.get());
         runner.advance(1);
         assertEquals(121, runner.getSimulation().snapshot().step);
+    }
+
+    @Test(timeout = 120_000)
+    public void whileItIsPausedMrlCommAnswersBytesThatCome() throws Exception {
+        SerialLine line = runner.getSimulation().getLines().get(0);
+        BlockingQueue<Byte> heard = new LinkedBlockingQueue<>();
+        line.setSink(bytes -> {
+            for (byte each : bytes) {
+                heard.add(each);
+            }
+        });
+        runner.setPaused(true);
+        thread.start();
+        for (int i = 0; i < 100; i++) {
+            line.write(Bytes.bytes("AA 03 1B 0D 01"));
+            for (int value : Bytes.ints("AA 02 09 1B")) {
+                assertEquals(value, heard.take() & 0xFF);
+            }
+        }
+        assertEquals(0, runner.getSimulation().snapshot().step);
     }
 
     @Test(timeout = 120_000)

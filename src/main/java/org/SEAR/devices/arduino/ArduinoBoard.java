@@ -48,6 +48,11 @@ public final class ArduinoBoard implements SerialDevice, Firmware.Host {
     }
 
     @Override
+    public boolean answersAtOnce() {
+        return firmware.answersAtOnce();
+    }
+
+    @Override
     public void reset() {
         halt();
         startsAt = Double.NaN;

@@ -15,6 +15,11 @@ interface Firmware {
     /** Its loop, up to a time. */
     void advance(double time);
 
+    /** See {@link org.SEAR.devices.SerialDevice#answersAtOnce}. */
+    default boolean answersAtOnce() {
+        return false;
+    }
+
     /** What it is doing, in words for people. */
     String status();
 

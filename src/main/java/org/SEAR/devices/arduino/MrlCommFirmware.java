@@ -80,6 +80,12 @@ final class MrlCommFirmware implements Firmware {
         now = time;
     }
 
+    /** MyRobotLab's service waits for each acknowledgement in the thread of the script that makes time pass. */
+    @Override
+    public boolean answersAtOnce() {
+        return true;
+    }
+
     private void send(MrlMessage.Builder message) {
         host.send(message.end().toBytes(), now);
     }

@@ -30,15 +30,14 @@ final class MrlDevices {
         return devices.size();
     }
 
-    /** Number and kind of each; as many as a message holds. */
+    /** The number of each; as many as fit in a message. */
     byte[] summary() {
-        byte[] pairs = new byte[2 * devices.size()];
+        byte[] numbers = new byte[devices.size()];
         int at = 0;
-        for (Map.Entry<Integer, MrlDevice> entry : devices.entrySet()) {
-            pairs[at++] = entry.getKey().byteValue();
-            pairs[at++] = (byte) entry.getValue().type();
+        for (Integer number : devices.keySet()) {
+            numbers[at++] = number.byteValue();
         }
-        return pairs;
+        return numbers;
     }
 
     void loop(double time) {

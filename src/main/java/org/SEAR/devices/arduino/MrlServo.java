@@ -8,7 +8,6 @@ import org.SEAR.protocol.mrlcomm.MrlMessage;
  * and fro by steps of a loop.
  */
 final class MrlServo implements MrlDevice {
-    private static final int TYPE = 5;
     private static final int STARTED = 0;
     private static final int STOPPED = 1;
     /** From this target on a speed in degrees a second is one in microseconds a second. */
@@ -44,11 +43,6 @@ final class MrlServo implements MrlDevice {
         this.target = position;
         this.velocity = velocity;
         attach(pin);
-    }
-
-    @Override
-    public int type() {
-        return TYPE;
     }
 
     void attach(int newPin) {

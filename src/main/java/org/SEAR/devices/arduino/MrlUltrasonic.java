@@ -5,7 +5,6 @@ import org.SEAR.protocol.mrlcomm.MrlMessage;
 
 /** An ultrasonic sensor of MrlComm: pings one after another, and tells whole centimetres when they change; 0 for nothing within 500. */
 final class MrlUltrasonic implements MrlDevice {
-    private static final int TYPE = 2;
     /** Microseconds of echo for a centimetre, as its library reckons. */
     private static final int MICROS_A_CENTIMETRE = 57;
     private static final int MOST_CENTIMETRES = 500;
@@ -29,11 +28,6 @@ final class MrlUltrasonic implements MrlDevice {
         if (trigger != listened) {
             host.pins().setMode(trigger, Pins.Mode.OUTPUT);
         }
-    }
-
-    @Override
-    public int type() {
-        return TYPE;
     }
 
     void setRanging(boolean on) {

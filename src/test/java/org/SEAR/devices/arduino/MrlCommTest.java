@@ -117,7 +117,7 @@ public class MrlCommTest {
         uno.line.take();
         uno.line.pass(0.5);
         assertEquals(0, taken(MrlFunction.PUBLISH_ULTRASONIC).size());
-        assertEquals("AA 0B 03 44 02 03 E8 04 00 00 02 01 02 AA 02 09 02", uno.answer("AA 01 02"));
+        assertEquals("AA 0A 03 44 02 03 E8 04 00 00 01 01 AA 02 09 02", uno.answer("AA 01 02"));
     }
 
     /** The Servo service: attached at 1472 us, 90 degrees, then to 2400 with 45 degrees a second, which takes two seconds. */

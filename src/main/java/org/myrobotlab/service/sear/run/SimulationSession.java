@@ -329,7 +329,7 @@ public final class SimulationSession {
         throttle.begin(start);
         sleepers.whileSleeping(target - ROUNDING, () -> {
             synchronized (stepping) {
-                quiescence.settle();
+                settle();
             }
             while (runner.getAdvancedTime() < target - ROUNDING) {
                 awaitResume(target - ROUNDING);
@@ -362,7 +362,7 @@ public final class SimulationSession {
     private void oneStep() throws InterruptedException {
         rest();
         runner.advance(1);
-        quiescence.settle();
+        settle();
         clock.tick();
         if (stepListener.getAsBoolean()) {
             quiescence.disturb();
@@ -370,17 +370,29 @@ public final class SimulationSession {
         rest();
     }
 
+    /** Until ports and callbacks rest, and devices have answered who waits for them by the computer's clock. */
+    private void settle() throws InterruptedException {
+        quiescence.settle();
+        while (simulation.isAsked()) {
+            ask(world -> {
+                world.answer();
+                return true;
+            });
+            quiescence.settle();
+        }
+    }
+
     /**
      * Until all who can go on at this moment, callbacks that have slept until now among them, have done so and wait again or have ended. Whoever
      * sleeps no time at all again and again is not waited for without end.
      */
     private void rest() throws InterruptedException {
-        quiescence.settle();
+        settle();
         for (int look = 0; look < LOOKS_AFTER_SLEEPERS && !ended; look++) {
             if (sleepers.othersAreDue(runner.getAdvancedTime())) {
                 stepping.wait(LOOK_AFTER_SLEEPERS);
             } else if (quiescence.isDisturbed()) {
-                quiescence.settle();
+                settle();
             } else {
                 return;
             }
@@ -449,7 +461,7 @@ public final class SimulationSession {
         sleepers.whileSleeping(SleepingThreads.NOW, () -> {
             synchronized (stepping) {
                 if (lockStep) {
-                    quiescence.settle();
+                    settle();
                 }
                 ask(world -> {
                     world.power(name, on);
@@ -487,7 +499,7 @@ public final class SimulationSession {
 
     private void toTheStart() throws InterruptedException {
         synchronized (stepping) {
-            quiescence.settle();
+            settle();
             ask(world -> {
                 world.reset();
                 return true;
@@ -500,7 +512,7 @@ public final class SimulationSession {
             fresh.install();
             clock.wake();
             clock = fresh;
-            quiescence.settle();
+            settle();
         }
     }
 

@@ -1,0 +1,145 @@
+package org.SEAR.simulator;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import org.SEAR.Bytes;
+import org.SEAR.POJOs.Arduino;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Robots;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.devices.SerialLine;
+import org.SEAR.project.ProjectRule;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** What lines and devices do between two steps: by the clock, and while time stands still. */
+public class BetweenStepsTest {
+    /** Start; the mode that it is in then. */
+    private static final String QUERY = "80 8E 23";
+    /** Of three bytes there and one back at 115200 baud, of 1/256 of a step. */
+    private static final int PARTS_TO_DEVICE = 4;
+    private static final int PARTS_TO_AND_FRO = 6;
+    private static final String DIGITAL_WRITE = "AA 03 1B 0D 01";
+    private static final String ACK = "AA 02 09 1B";
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+    private final ByteArrayOutputStream heard = new ByteArrayOutputStream();
+    private Simulation world;
+    private SerialLine create;
+    private SerialLine uno;
+
+    @Before
+    public void start() throws Exception {
+        new Floor("floor", 10, 10);
+        SEARrobot robot = Robots.create2("rover", "createUart", "createUser");
+        Arduino board = new Arduino("uno");
+        board.setPorts("unoUart", "unoUser");
+        board.setFirmware("MrlComm");
+        robot.addComponent(board);
+        world = Worlds.start(project);
+        uno = line("Arduino");
+        create = line("Dynamics");
+        world.getLines().forEach(each -> each.setSink(bytes -> heard.write(bytes, 0, bytes.length)));
+        Worlds.run(world, 0.5);
+    }
+
+    private SerialLine line(String type) {
+        return world.getLines().stream().filter(each -> each.getObjectType().equals(type)).findFirst().orElseThrow(AssertionError::new);
+    }
+
+    private String heard() {
+        String hex = Bytes.hex(heard.toByteArray());
+        heard.reset();
+        return hex;
+    }
+
+    @Test
+    public void byTheClockAnAnswerComesBeforeTheNextStepAndTakesTheTimeOfItsBytes() {
+        long step = world.getStep();
+        create.write(Bytes.bytes(QUERY));
+        int next = world.attend(100);
+        assertEquals("the question is on the line", 100 + PARTS_TO_DEVICE + 1, next, 1);
+        assertEquals("", heard());
+        world.attend(100 + PARTS_TO_DEVICE - 1);
+        assertEquals("", heard());
+        next = world.attend(next);
+        assertEquals("the answer is on the line", 100 + PARTS_TO_AND_FRO, next, 1);
+        assertEquals("", heard());
+        world.attend(next);
+        assertEquals("01", heard());
+        assertEquals(step, world.getStep());
+        world.step();
+        assertEquals("", heard());
+    }
+
+    @Test
+    public void longAfterTheLastByteNothingIsToBeDone() {
+        assertEquals(Simulation.PARTS, world.attend(10));
+        create.write(Bytes.bytes(QUERY));
+        assertTrue(world.attend(20) < Simulation.PARTS);
+        Worlds.run(world, 0.2);
+        assertEquals(Simulation.PARTS, world.attend(10));
+    }
+
+    @Test
+    public void timeOfDevicesNeverRunsBackwards() {
+        create.write(Bytes.bytes(QUERY));
+        world.attend(200);
+        create.write(Bytes.bytes("8E 23"));
+        int next = world.attend(50);
+        assertTrue("from part 200 on: " + next, next > 200);
+        world.step();
+        assertEquals("01 01", heard());
+        create.write(Bytes.bytes(QUERY));
+        world.attend(200);
+        world.reset();
+        create.write(Bytes.bytes("80 8E 07"));
+        world.step();
+        assertEquals("00", heard());
+    }
+
+    @Test
+    public void whileTimeStandsStillMrlCommAnswersAtOnceAndOthersWait() {
+        long step = world.getStep();
+        create.write(Bytes.bytes(QUERY));
+        assertFalse(world.isAsked());
+        for (int i = 0; i < 2000; i++) {
+            uno.write(Bytes.bytes(DIGITAL_WRITE));
+            assertTrue(world.isAsked());
+            world.answer();
+            assertFalse(world.isAsked());
+            assertEquals("command " + i, ACK, heard());
+        }
+        assertEquals(step, world.getStep());
+        world.step();
+        assertEquals("01", heard());
+    }
+
+    @Test
+    public void inPiecesACommandHasTheSameAnswer() {
+        uno.write(Bytes.bytes("AA 03"));
+        world.answer();
+        assertEquals("", heard());
+        uno.write(Bytes.bytes("1B 0D 01 " + DIGITAL_WRITE));
+        world.answer();
+        assertEquals(ACK + " " + ACK, heard());
+    }
+
+    @Test
+    public void whatTheBoardHasSaidBeforeLeavesTheLineFirst() {
+        uno.write(Bytes.bytes("AA 05 04 0E 01 00 00"));
+        Worlds.run(world, 0.1);
+        heard();
+        uno.write(Bytes.bytes(DIGITAL_WRITE));
+        world.answer();
+        String told = heard();
+        assertTrue(told, told.matches("(([0-9A-F]{2} )+)?" + ACK));
+        Worlds.run(world, 0.1);
+        assertTrue("whole messages", (told + " " + heard()).contains(ACK + " AA 05 20 03 0E"));
+    }
+}

@@ -29,13 +29,9 @@ public abstract class ReportingService extends MessagedService implements QueueR
         if (status.isError()) {
             lastError = status;
             lastErrorTs = lastStatusTs;
-            LOG.error("{}:{}", status.name, spaced(status));
             invoke("publishError", status);
         } else if (status.isWarn()) {
-            LOG.warn("{}:{}", status.name, spaced(status));
             invoke("publishWarn", status);
-        } else {
-            LOG.info("{}:{}", status.name, spaced(status));
         }
         invoke("publishStatus", status);
     }
@@ -45,7 +41,15 @@ public abstract class ReportingService extends MessagedService implements QueueR
         return (status.key.indexOf('\n') < 0 ? " " : System.lineSeparator()) + status.key;
     }
 
+    /** Only what is published by these methods stands in the log, too, as in the real one: who broadcasts a status himself, logs it himself. */
     private Status broadcasted(Status status) {
+        if (status.isError()) {
+            LOG.error("{}:{}", getName(), spaced(status));
+        } else if (status.isWarn()) {
+            LOG.warn("{}:{}", getName(), spaced(status));
+        } else {
+            LOG.info("{}:{}", getName(), spaced(status));
+        }
         broadcastStatus(status);
         return status;
     }

@@ -2,20 +2,27 @@ package org.myrobotlab.service.link;
 
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.framework.Status;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
-/** Publishes warnings. MyRobotLab's own {@code Service.warn} makes errors of them: its {@code Status.warn(String)} does. Any thread. */
+/**
+ * Publishes and logs warnings. MyRobotLab's own {@code Service.warn} makes errors of them: its {@code Status.warn(String)} does. Any thread.
+ */
 public final class Warnings {
+    private static final Logger log = LoggerFactory.getLogger(Warnings.class);
+
     private Warnings() {
     }
 
     /**
-     * Publishes a warning status of a service.
+     * Publishes a warning status of a service, and writes it to the log.
      *
      * @param format as of {@link String#format}
      */
     public static void publish(Service<?> service, String format, Object... args) {
         Status status = Status.warn(format, args);
         status.name = service.getName();
+        log.warn("{}: {}", status.name, status.detail);
         service.broadcastStatus(status);
     }
 }

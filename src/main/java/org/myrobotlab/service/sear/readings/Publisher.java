@@ -9,6 +9,7 @@ import org.SEAR.POJOs.ScriptText;
 import org.myrobotlab.serial.PortClock;
 import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.SensorReading;
+import org.myrobotlab.service.sear.lockstep.SleepingThreads;
 import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
@@ -85,31 +86,33 @@ public final class Publisher {
 
     private void look() {
         if (!PortClock.current().isLockStep()) {
-            publishDue();
+            try {
+                publishDue(() -> { });
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
         }
     }
 
     /**
-     * Publishes the readings whose time has come; the stepping thread calls it in lock-step.
+     * Publishes the readings whose time has come, in the order of the sensors' names; the stepping thread calls it in lock-step.
      *
-     * @return whether there were any
+     * @param published run after each
      */
-    public boolean publishDue() {
+    public void publishDue(SleepingThreads.Work published) throws InterruptedException {
         SimulationSession session = subscriptions.isEmpty() ? null : control.sessionOrNull();
         if (session == null) {
-            return false;
+            return;
         }
         double now = session.time();
-        boolean published = false;
         for (Map.Entry<String, Subscription> entry : subscriptions.entrySet()) {
             Subscription subscription = entry.getValue();
             if (now >= subscription.next || now < subscription.next - subscription.period) {
                 subscription.next = now + subscription.period;
                 publish(entry.getKey(), now);
-                published = true;
+                published.run();
             }
         }
-        return published;
     }
 
     private void publish(String sensor, double now) {

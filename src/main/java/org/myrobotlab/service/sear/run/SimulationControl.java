@@ -5,7 +5,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.SEAR.POJOs.Notices;
@@ -24,7 +23,7 @@ public final class SimulationControl {
     private Double speed;
     private Boolean lockStep;
     private volatile boolean groundVisible = true;
-    private BooleanSupplier stepListener = () -> false;
+    private SimulationSession.StepListener stepListener = published -> { };
     private Consumer<Simulation> startListener = world -> { };
 
     /** @param folder of the project, asked for each time */
@@ -76,8 +75,8 @@ public final class SimulationControl {
         return new RunSettings(fromSystem.headless, speed == null ? defaultSpeed : speed, stepped, fromSystem.seed, groundVisible);
     }
 
-    /** Called after each step of lock-step, on the thread that advances time; answers whether it has published something. Before the first start. */
-    public void setStepListener(BooleanSupplier listener) {
+    /** Called after each step of lock-step, on the thread that advances time. Before the first start. */
+    public void setStepListener(SimulationSession.StepListener listener) {
         stepListener = listener;
     }
 

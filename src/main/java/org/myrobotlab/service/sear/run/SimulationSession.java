@@ -13,7 +13,6 @@ import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
-import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.SEAR.devices.SerialLine;
@@ -43,7 +42,7 @@ public final class SimulationSession {
     private static final long THREAD_END = TimeUnit.SECONDS.toMillis(10);
 
     private final Host host;
-    private final BooleanSupplier stepListener;
+    private final StepListener stepListener;
     private final Simulation simulation;
     private final SimulationRunner runner;
     private final Thread thread;
@@ -73,7 +72,13 @@ public final class SimulationSession {
     private volatile boolean driven;
     private volatile long lastDriven;
 
-    private SimulationSession(Simulation simulation, RunSettings settings, Host host, BooleanSupplier stepListener) {
+    /** Publishes what is due after a step of lock-step. */
+    public interface StepListener {
+        /** @param published run after each thing that was published: waits for its callbacks */
+        void stepped(SleepingThreads.Work published) throws InterruptedException;
+    }
+
+    private SimulationSession(Simulation simulation, RunSettings settings, Host host, StepListener stepListener) {
         this.host = host;
         this.stepListener = stepListener;
         this.simulation = simulation;
@@ -91,12 +96,12 @@ public final class SimulationSession {
     /**
      * Reads the project and starts its world.
      *
-     * @param stepListener called after each step of lock-step, on the thread that advances time; answers whether it has published something
+     * @param stepListener called after each step of lock-step, on the thread that advances time
      * @throws ProjectException with every problem of the project
      * @throws IOException if a port can't be had; nothing is left behind
      */
     public static SimulationSession start(Path folder, RunSettings settings, boolean debugShapes, Host host,
-            BooleanSupplier stepListener, Consumer<Simulation> startListener) throws ProjectException, IOException {
+            StepListener stepListener, Consumer<Simulation> startListener) throws ProjectException, IOException {
         Simulation world = Simulation.load(folder, settings.seed, settings.groundVisible);
         SimulationSession session = new SimulationSession(world, settings, host, stepListener);
         try {
@@ -358,15 +363,28 @@ public final class SimulationSession {
         }
     }
 
-    /** One step of lock-step: what was sent before it has arrived, and what it sends is handed over. */
+    /**
+     * One step of lock-step: what was sent before it has arrived. What it brings is handed over in one order always: port after port as the project
+     * has them, then the readings that are due; each when the callbacks of the one before have returned.
+     */
     private void oneStep() throws InterruptedException {
         rest();
-        runner.advance(1);
-        settle();
-        clock.tick();
-        if (stepListener.getAsBoolean()) {
-            quiescence.disturb();
+        lines.forEach(line -> line.setStepping(true));
+        try {
+            runner.advance(1);
+        } finally {
+            lines.forEach(line -> line.setStepping(false));
         }
+        for (UartLine line : lines) {
+            if (line.handOver()) {
+                settle();
+            }
+        }
+        clock.tick();
+        stepListener.stepped(() -> {
+            quiescence.disturb();
+            settle();
+        });
         rest();
     }
 

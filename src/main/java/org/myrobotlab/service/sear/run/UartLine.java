@@ -42,6 +42,7 @@ final class UartLine implements OutsideLine {
     private final VirtualSerialPort uart;
     private final VirtualSerialPort user;
     private final RepeatedWarnings repeats = new RepeatedWarnings();
+    private final HeldBytes held = new HeldBytes();
     private Serial serial;
     private long given;
     private volatile SerialLine.Sink reader;
@@ -147,18 +148,51 @@ final class UartLine implements OutsideLine {
         }
     }
 
-    /** The simulation thread brings bytes from the device. Whoever has closed the UART, as MyRobotLab does when it ends, wants none of them. */
+    /** The simulation thread brings bytes from the device: those of a step of lock-step wait for the port's turn. */
     private void toUser(byte[] bytes) {
         SerialLine.Sink outside = reader;
-        try {
-            if (outside != null) {
-                outside.receive(bytes);
-                return;
-            }
+        if (outside != null) {
+            guarded(() -> outside.receive(bytes));
+        } else if (!held.keep(bytes)) {
+            handOver();
+            send(bytes);
+        }
+    }
+
+    /** @param on whether a step of lock-step is being made: what the device sends meanwhile waits for {@link #handOver} */
+    void setStepping(boolean on) {
+        held.setStepping(on);
+    }
+
+    /**
+     * It is this port's turn: sends what the device has sent in a step of lock-step. The thread that makes time pass.
+     *
+     * @return whether there was anything
+     */
+    boolean handOver() {
+        byte[] bytes = held.take();
+        send(bytes);
+        return bytes.length > 0;
+    }
+
+    private void send(byte[] bytes) {
+        guarded(() -> {
             for (int at = 0; at < bytes.length && uart.isOpen(); at += Backlog.PIECE) {
                 Backlog.await(serial, OUTBOX_PATIENCE);
                 serial.write(Arrays.copyOfRange(bytes, at, Math.min(bytes.length, at + Backlog.PIECE)));
             }
+        });
+    }
+
+    /** Something that MyRobotLab's ports may throw at. */
+    private interface Sending {
+        void run() throws Exception;
+    }
+
+    /** Whoever has closed the UART, as MyRobotLab does when it ends, wants nothing of it. */
+    private void guarded(Sending sending) {
+        try {
+            sending.run();
         } catch (Exception e) {
             if (uart.isOpen()) {
                 complain("bytes from " + line.getObjectName() + " did not reach port " + user.getName() + ": " + e);

@@ -43,6 +43,16 @@ final class PseudoTerminal implements ExternalEndpoint {
     /** Linux's TCGETS2, whose termios2 has the rate as a number, those without a code (14400, 28800) too. */
     private static final long GET_TERMIOS_2 = 0x802C542AL;
     private static final int OUTPUT_SPEED = 40;
+    /** Linux's TIOCPKT: before what is read there stands a byte, 0 for bytes of a program, or what it did to the terminal. */
+    private static final long PACKETS = 0x5420;
+    private static final byte HAS_SET = 0x40;
+    private static final int PACKET_HEADER = 1;
+    /** Linux's EXTPROC among a terminal's local flags: whatever a program sets is then told, even if it is what was set already. */
+    private static final int TELL_SETTING = 0x10000;
+    private static final int LOCAL_FLAGS = 12;
+    /** ISIG, ICANON, ECHO; INLCR, IGNCR, ICRNL, IXON: what the system leaves to others while {@link #TELL_SETTING}. */
+    private static final int LOCAL_PROCESSING = 0xB;
+    private static final int INPUT_PROCESSING = 0x5C0;
 
     private final String port;
     private final C c;
@@ -54,7 +64,9 @@ final class PseudoTerminal implements ExternalEndpoint {
     private final Memory writeDescriptor = new Memory(Long.BYTES);
     private volatile boolean open = true;
     private boolean unread;
-    /** What the terminal was set to here: as long as it has this rate no program has set one. */
+    /** Bytes before those of a program in what is read. */
+    private final int header;
+    /** What the terminal was set to here; where the system doesn't tell that a program sets it, one that sets this rate has set none. */
     private int ownBaud = UNKNOWN_BAUD;
     private LineEnd end;
     private Thread reader;
@@ -103,6 +115,7 @@ final class PseudoTerminal implements ExternalEndpoint {
         this.slave = slave;
         this.path = path;
         this.link = link;
+        this.header = tellSettings(true) ? PACKET_HEADER : 0;
     }
 
     /** @param link symbolic link to make, or null */
@@ -152,6 +165,9 @@ final class PseudoTerminal implements ExternalEndpoint {
         Memory termios = new Memory(TERMIOS_SIZE);
         c.tcgetattr(slave, termios);
         c.cfmakeraw(termios);
+        if (Platform.isLinux()) {
+            termios.setInt(LOCAL_FLAGS, termios.getInt(LOCAL_FLAGS) | TELL_SETTING);
+        }
         c.cfsetspeed(termios, new NativeLong(codeOf(UNKNOWN_BAUD)));
         c.tcsetattr(slave, NOW, termios);
     }
@@ -174,15 +190,31 @@ final class PseudoTerminal implements ExternalEndpoint {
     @Override
     public synchronized void deviceAt(int baud) {
         Memory termios = new Memory(TERMIOS_SIZE);
-        boolean free = open && baud > 0 && codeOf(baud) > 0 && currentBaud(termios) == ownBaud;
-        int side = free ? c.open(path, READ_WRITE | NO_CONTROLLING_TERMINAL) : NONE;
-        if (side >= 0) {
-            c.tcgetattr(side, termios);
+        boolean free = open && baud > 0 && codeOf(baud) > 0 && (end == null || end.getBaud() == 0) && currentBaud(termios) == ownBaud;
+        if (free) {
+            tellSettings(false);
+            c.tcgetattr(side(), termios);
             c.cfsetspeed(termios, new NativeLong(codeOf(baud)));
-            c.tcsetattr(side, NOW, termios);
+            c.tcsetattr(side(), NOW, termios);
+            tellSettings(true);
             ownBaud = currentBaud(termios);
-            c.close(side);
         }
+    }
+
+    /** Where settings are read and made. */
+    private int side() {
+        return Platform.isMac() ? slave : master;
+    }
+
+    /**
+     * Linux: has the system tell at the master what programs set. What is set here is not to be told.
+     *
+     * @return whether it does
+     */
+    private boolean tellSettings(boolean on) {
+        Memory wanted = new Memory(Integer.BYTES);
+        wanted.setInt(0, on ? 1 : 0);
+        return Platform.isLinux() && c.ioctl(master, new NativeLong(PACKETS, true), wanted) == 0;
     }
 
     @Override
@@ -205,12 +237,13 @@ final class PseudoTerminal implements ExternalEndpoint {
                 end.opened();
                 inUse = true;
             }
-            inUse |= tellBaud(termios);
-            int count = (found & POLL_IN) != 0 && open ? c.read(master, buffer, new NativeLong(buffer.length)).intValue() : 0;
-            if (count > 0) {
-                end.send(Arrays.copyOf(buffer, count));
+            int count = (found & POLL_IN) != 0 ? take(buffer) : 0;
+            boolean set = header > 0 && count > 0 && (buffer[0] & HAS_SET) != 0;
+            inUse |= tellBaud(set, termios);
+            if (count > header) {
+                end.send(Arrays.copyOfRange(buffer, header, count));
                 inUse = true;
-            } else if (hungUp && open) {
+            } else if (count <= 0 && hungUp && open) {
                 if (inUse) {
                     end.closed();
                     inUse = false;
@@ -221,14 +254,37 @@ final class PseudoTerminal implements ExternalEndpoint {
         }
     }
 
-    /** @return whether a program has set another rate */
-    private synchronized boolean tellBaud(Memory termios) {
+    /** Never together with {@link #deviceAt}, which changes for a moment what is read. */
+    private synchronized int take(byte[] buffer) {
+        return open ? c.read(master, buffer, new NativeLong(buffer.length)).intValue() : 0;
+    }
+
+    /**
+     * Looks at the terminal's rate.
+     *
+     * @param set whether the system has told that a program sets something
+     * @return whether a program has set a rate, be it the one that was there
+     */
+    private synchronized boolean tellBaud(boolean set, Memory termios) {
         int baud = open ? currentBaud(termios) : 0;
-        boolean changed = baud > 0 && baud != (end.getBaud() > 0 ? end.getBaud() : ownBaud);
+        boolean changed = baud > 0 && (set || baud != (end.getBaud() > 0 ? end.getBaud() : ownBaud));
         if (changed) {
             end.setBaud(baud);
         }
+        if (set && open) {
+            leaveProcessing(termios);
+        }
         return changed;
+    }
+
+    /** A program that wants whole lines, or other input than the bytes as they are, gets it from the system; its rate is known already. */
+    private void leaveProcessing(Memory termios) {
+        c.tcgetattr(side(), termios);
+        int local = termios.getInt(LOCAL_FLAGS);
+        if ((local & TELL_SETTING) != 0 && ((local & LOCAL_PROCESSING) != 0 || (termios.getInt(0) & INPUT_PROCESSING) != 0)) {
+            termios.setInt(LOCAL_FLAGS, local & ~TELL_SETTING);
+            c.tcsetattr(side(), NOW, termios);
+        }
     }
 
     /** What there is at the master, {@link #POLL_IN} and {@link #POLL_HANG_UP}; the latter while no program has the terminal open. */
@@ -254,7 +310,7 @@ final class PseudoTerminal implements ExternalEndpoint {
         if (Platform.isLinux() && c.ioctl(master, new NativeLong(GET_TERMIOS_2, true), termios) == 0) {
             return termios.getInt(OUTPUT_SPEED);
         }
-        c.tcgetattr(Platform.isMac() ? slave : master, termios);
+        c.tcgetattr(side(), termios);
         int code = c.cfgetospeed(termios).intValue();
         return Platform.isMac() ? code : translated(code, 1, 0);
     }

@@ -474,6 +474,44 @@ public class ExportsTest {
         }
     }
 
+    /** As a driver that begins with the device's own rate, has the device change it and forgets to follow: on the robot nothing answers then. */
+    @Test
+    public void aProgramThatSetsTheRateThatIsThereHasSetIt() throws Exception {
+        Assume.assumeTrue("macOS doesn't tell it", System.getProperty("os.name").equals("Linux"));
+        int[] baud = {-1};
+        user.setBaudListener(rate -> {
+            synchronized (baud) {
+                baud[0] = rate;
+                baud.notifyAll();
+            }
+        });
+        String path = exports.terminal("/dev/test_user", null);
+        assertEquals("50", speed(path));
+        try (RandomAccessFile client = new RandomAccessFile(path, "rw")) {
+            client.write(1);
+            awaitDevice(1);
+            assertEquals("who sets nothing has set nothing", -1, baud[0]);
+            assertEquals(0, new ProcessBuilder("stty", "-F", path, "50").inheritIO().start().waitFor());
+            awaitBaud(50, baud);
+        }
+    }
+
+    @Test
+    public void aProgramThatWantsLinesGetsThem() throws Exception {
+        Assume.assumeTrue("macOS does nothing of it", System.getProperty("os.name").equals("Linux"));
+        String path = exports.terminal("/dev/test_user", null);
+        assertEquals(0, new ProcessBuilder("stty", "-F", path, "9600", "icanon").inheritIO().start().waitFor());
+        try (RandomAccessFile client = new RandomAccessFile(path, "rw")) {
+            client.write(1);
+            awaitDevice(1);
+            device.write("$GP".getBytes(StandardCharsets.US_ASCII));
+            assertTrue(user.awaitHanded(TimeUnit.SECONDS.toMillis(20)));
+            device.write("GGA\n$GPR".getBytes(StandardCharsets.US_ASCII));
+            byte[] read = new byte[256];
+            assertEquals("$GPGGA\n", new String(read, 0, client.read(read), StandardCharsets.US_ASCII));
+        }
+    }
+
     private static String speed(String path) throws Exception {
         Process told = new ProcessBuilder("stty", "-F", path, "speed").start();
         return new String(told.getInputStream().readAllBytes(), StandardCharsets.US_ASCII).trim();

@@ -34,7 +34,8 @@ import org.xnio.channels.AcceptingChannel;
 public final class WebServer {
     private static final String API = "/api";
     private static final String ADDRESS = "127.0.0.1";
-    private static final String PAGES = "org/myrobotlab/embedded/web";
+    /** A folder with nothing in it that is not served: no classes. */
+    private static final String PAGES = "org/myrobotlab/embedded/pages";
     private static final String WEB_JARS = "META-INF/resources/webjars/";
     private static final String WEB_JAR_POM = "META-INF/maven/org.webjars/";
     private static final List<String> LIBRARIES = List.of("angularjs", "bootstrap", "jquery", "three.js");

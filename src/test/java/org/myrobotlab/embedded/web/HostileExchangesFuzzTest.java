@@ -23,11 +23,12 @@ public class HostileExchangesFuzzTest {
     private static final int SHORT = 300;
     private static final int LONG = 70_000;
     private static final String[] METHODS = {"GET", "POST", "PUT", "get", "OPTIONS", "CONNECT", "\0", "G ET"};
-    private static final String[] PATHS = {"/", "/api/service/talker/tick", "/api/messages", "/api/service", "//", "/..%2f..%2fetc/passwd", "/%00", "*",
-        "http://localhost/", "/webjars/three.js/../", "/service/js/SEARGui.js"};
-    private static final String[] HEADERS = {"Content-Type: application/json", "Content-Length: 3", "Content-Length: -1", "Content-Length: 99999999999",
-        "Transfer-Encoding: chunked", "Expect: 100-continue", "Connection: Upgrade", "Upgrade: websocket", "Upgrade: h2c", "Sec-WebSocket-Version: 13",
-        "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==", "Origin: null", "Host: evil.example", ": nothing", "Range: bytes=0-0,5-1", "Cookie: " + "c".repeat(9000)};
+    private static final String[] PATHS = {"/", "/api/service/talker/tick", "/api/messages", "/api/service", "//", "/..%2f..%2fetc/passwd", "/%00",
+        "*", "http://localhost/", "/webjars/three.js/../", "/service/js/SEARGui.js"};
+    private static final String[] HEADERS = {"Content-Type: application/json", "Content-Length: 3", "Content-Length: -1",
+        "Content-Length: 99999999999", "Transfer-Encoding: chunked", "Expect: 100-continue", "Connection: Upgrade", "Upgrade: websocket",
+        "Upgrade: h2c", "Sec-WebSocket-Version: 13", "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==", "Origin: null", "Host: evil.example",
+        ": nothing", "Range: bytes=0-0,5-1", "Cookie: " + "c".repeat(9000)};
 
     @Rule
     public final Server server = new Server(false);

@@ -23,6 +23,17 @@ case "$missing" in *" wine"*) missing="$missing wine64" ;; esac
 can_install() { command -v apt-get >/dev/null 2>&1 && { [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; }; }
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo -n "$@"; fi; }
 
+# Waits up to ten minutes while another program, as a fresh Ubuntu's own update, uses apt. apt itself waits for one of its locks only.
+apt() {
+    patience=120
+    until as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600 "$@" >"$log" 2>&1; do
+        grep -qi "could not get lock" "$log" && [ $patience -gt 0 ] || return 1
+        [ $patience = 120 ] && echo "gradlew: another program is installing or updating packages: waiting for it, ten minutes at most"
+        patience=$((patience - 1))
+        sleep 5
+    done
+}
+
 if [ -n "$missing" ]; then
     if ! can_install; then
         echo "gradlew: these are missing, install them and call again (on Debian: sudo apt-get install$missing)" >&2
@@ -30,8 +41,7 @@ if [ -n "$missing" ]; then
     fi
     echo "gradlew: installing$missing (once)"
     log=$(mktemp)
-    if as_root apt-get update >"$log" 2>&1 &&
-        as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing >>"$log" 2>&1; then
+    if apt update && apt install -y --no-install-recommends $missing; then
         rm -f "$log"
     else
         cat "$log"; echo "gradlew: could not install$missing" >&2; exit 1

@@ -20,6 +20,8 @@ final class MrlRun {
     static final int NO_PORT = -1;
     static final int HIGHEST_PORT = 65535;
 
+    /** So long may a callback go on after the end of the script. */
+    private static final int CALLBACK_MILLIS = 5000;
     private static final String PYTHON = "python";
     private static final String SEAR_NAME = "sear";
     private static final String PROJECT = "SEARproject";
@@ -77,6 +79,8 @@ final class MrlRun {
         int status = PythonEngine.of(PYTHON) == null ? ExitCode.OK : engine.getLastResult().getExitCode();
         if (keep) {
             shutdown.await();
+        } else {
+            engine.finishCallbacks(CALLBACK_MILLIS);    // what is wrong with them is told
         }
         release();
         return status == ExitCode.OK && engine.hasCallFailed() ? ExitCode.SOFTWARE : status;

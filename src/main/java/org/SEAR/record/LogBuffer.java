@@ -73,6 +73,13 @@ final class LogBuffer {
         return present;
     }
 
+    /** Has written what there is, unless the disk is behind anyway. Does not wait. */
+    void flush() {
+        if (present.position() > 0 && !free.isEmpty()) {
+            next();
+        }
+    }
+
     private void next() {
         try {
             ByteBuffer fresh = failure == null && full.offer(present) ? free.poll(PATIENCE_SECONDS, TimeUnit.SECONDS) : null;

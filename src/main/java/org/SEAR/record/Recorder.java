@@ -34,6 +34,8 @@ public final class Recorder implements RunTap {
     public static final long LIMIT = 1L << 29;
     /** Steps from one frame to the next. */
     private static final int INTERVAL = 2;
+    /** Computer time after which what there is goes to the disk, ns. */
+    private static final long FLUSH_NANOS = 1_000_000_000L;
     /** A piece of bytes on a line; longer ones are several. */
     static final int LONGEST_BYTES = 1 << 16;
 
@@ -48,6 +50,7 @@ public final class Recorder implements RunTap {
     /** How bright the lights of each robot were at the last frame. */
     private final List<List<Double>> lit = new ArrayList<>();
     private long steps;
+    private long flushed;
     private boolean ended;
 
     private Recorder(Simulation simulation, Path path, long limit, Consumer<String> told) throws IOException {
@@ -76,6 +79,7 @@ public final class Recorder implements RunTap {
         check(path);
         Recorder recorder = new Recorder(simulation, path, limit, told);
         recorder.frame(simulation.snapshot());
+        recorder.flush();
         simulation.setTap(recorder);
         return recorder;
     }
@@ -176,11 +180,20 @@ public final class Recorder implements RunTap {
         } else {
             out.put(Kind.STEP);
         }
+        if (System.nanoTime() - flushed > FLUSH_NANOS) {
+            flush();
+        }
         if (out.size() >= limit || out.failure() != null) {
             leave();
             told.accept("the record " + path + " has ended at " + getSeconds() + " s: " + (out.failure() == null ? "it has its largest size, "
                 + limit + " bytes" : out.failure()));
         }
+    }
+
+    /** Whole events only: whoever is killed has lost no more than came since. */
+    private void flush() {
+        out.flush();
+        flushed = System.nanoTime();
     }
 
     private void bytes(int kind, SerialLine line, byte[] bytes, int count) {

@@ -202,9 +202,17 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
         return config;
     }
 
-    /** Takes a configuration over, and the listeners that stand in it. */
+    /**
+     * Takes a configuration over, and the listeners that stand in it.
+     *
+     * @throws IllegalArgumentException if it is one of another type of services
+     */
     @Override
     public T apply(T newConfig) {
+        if (newConfig == null || !config.getClass().isInstance(newConfig)) {
+            throw new IllegalArgumentException("the configuration of " + getName() + " is a "
+                + (newConfig == null ? null : newConfig.getClass().getSimpleName()) + ", legal: " + config.getClass().getSimpleName());
+        }
         config = newConfig;
         addConfigListeners(newConfig);
         return newConfig;

@@ -18,6 +18,7 @@ import org.myrobotlab.codec.CodecUtils;
 import org.myrobotlab.embedded.Methods;
 import org.myrobotlab.embedded.python.ConsoleStream;
 import org.myrobotlab.embedded.python.PythonEngine;
+import org.myrobotlab.embedded.python.RepeatedErrors;
 import org.myrobotlab.embedded.python.ScriptResult;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Platform;
@@ -69,6 +70,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
     Map<String, Script> openedScripts = new ConcurrentHashMap<>();
     protected boolean openOnExecute;
     private transient volatile PythonEngine engine;
+    private final transient RepeatedErrors callbackErrors = new RepeatedErrors();
     private final transient BlockingQueue<Message> callbacks = new LinkedBlockingQueue<>();
     private transient volatile Thread callbackThread;
     /** Whether a script runs now; the editor shows it. */
@@ -143,6 +145,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         if (isRunning()) {
             config.stopScripts.forEach(this::runConfigured);
         }
+        tellRepeated();
         super.releaseService();
         PythonEngine old = engine;
         engine = null;
@@ -208,6 +211,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
     }
 
     private void begun() {
+        tellRepeated();
         scripts.incrementAndGet();
         executing = true;
         broadcastState();
@@ -246,6 +250,17 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
             error(result.getTraceback());
         }
         return result.getExitCode() == 0 && !result.isStopped();
+    }
+
+    private void reportOnce(ScriptResult result) {
+        if (result.getTraceback() == null || callbackErrors.isNew(result.getTraceback())) {
+            report(result);
+        }
+    }
+
+    /** How often errors of callbacks came, of which each was told once. */
+    private void tellRepeated() {
+        callbackErrors.take().forEach(this::error);
     }
 
     /**
@@ -292,7 +307,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
             return;
         }
         String publisher = "msg_" + CodecUtils.getSafeReferenceName(msg.sender) + "_" + msg.sendingMethod;
-        report(current.callBack(publisher, msg.method, msg.data == null ? new Object[0] : msg.data));
+        current.occupied(() -> reportOnce(current.callBack(publisher, msg.method, msg.data == null ? new Object[0] : msg.data)));
     }
 
     @Override

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.myrobotlab.codec.CodecUtils;
 import org.myrobotlab.embedded.Configs;
@@ -341,12 +342,21 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
     public static void releaseAll(boolean releaseRuntime, boolean block) {
         for (ServiceInterface service : REGISTRY.newestFirst()) {
             if (!service.isRuntime() && REGISTRY.get(service.getFullName()) == service) {
-                service.releaseService();
+                attempt(service, ServiceInterface::releaseService);
             }
         }
         Runtime runtime = instance;
         if (releaseRuntime && runtime != null) {
             runtime.releaseService();
+        }
+    }
+
+    /** Part of an end: a service that fails keeps no other from ending. */
+    private static void attempt(ServiceInterface service, Consumer<ServiceInterface> part) {
+        try {
+            part.accept(service);
+        } catch (RuntimeException e) {
+            log.error("{} did not end as it should: {}", service.getName(), Reasons.of(e), e);
         }
     }
 
@@ -364,7 +374,7 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
     /** Releases everything and ends the program. */
     public static void shutdown() {
         for (ServiceInterface service : REGISTRY.newestFirst()) {
-            service.preShutdown();
+            attempt(service, ServiceInterface::preShutdown);
         }
         releaseAll();
         Shutdown.run();

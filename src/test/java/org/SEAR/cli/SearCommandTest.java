@@ -169,6 +169,25 @@ public class SearCommandTest {
     }
 
     @Test
+    public void anErrorInACallbackIsToldAlthoughTheScriptEnds() throws Exception {
+        String code = "Runtime.getInstance().addListener('started', python.name, 'go')\nbegun = []\n"
+            + "def go(name):\n  begun.append(1)\n  sleep(0.3)\n  raise NameError(\"name 'beguhn' is not defined\")\nRuntime.start('s', 'Serial')\n"
+            + "while not begun: sleep(0.01)";
+        assertEquals(1, sear(script(code), "--port", "none"));
+        assertTrue(err, err.contains("did you mean begun?") && !err.contains("KeyboardInterrupt"));
+    }
+
+    @Test
+    public void anErrorThatComesAgainIsToldOnceWithItsNumber() throws Exception {
+        String code = "Runtime.getInstance().addListener('started', python.name, 'go')\ndone = []\n"
+            + "def go(name):\n  done.append(1)\n  raise ValueError('again')\nfor i in range(5): Runtime.start('s%d' % i, 'Serial')\n"
+            + "while len(done) < 5: sleep(0.01)";
+        assertEquals(1, sear(script(code), "--port", "none"));
+        assertEquals(err, 3, err.split("ValueError: again", -1).length);
+        assertTrue(err, err.contains("this error came 5 times:"));
+    }
+
+    @Test
     public void shellsGetTheirCompletion() throws Exception {
         assertEquals(0, sear("generate-completion"));
         assertTrue(out, out.contains("complete -F _complete_sear") && out.contains("--headless"));

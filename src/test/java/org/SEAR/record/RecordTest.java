@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.TimeUnit;
 import org.SEAR.POJOs.Accelerometer;
 import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.Box;
@@ -125,6 +126,38 @@ public class RecordTest {
         drive(world);
         recorder.end();
         return recorder;
+    }
+
+    /** Steps that can be read from the file as it is now. */
+    private int stepsOnDisk() throws IOException {
+        if (Files.size(file()) == 0) {
+            return -1;
+        }
+        int[] steps = {0};
+        RunRecord.open(file()).read(new RunRecord.Visitor() {
+            @Override
+            public void step() {
+                steps[0]++;
+            }
+        });
+        return steps[0];
+    }
+
+    @Test
+    public void whileItIsWrittenWhatHappenedIsOnTheDisk() throws Exception {
+        try (Simulation world = world()) {
+            Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
+            long patience = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);
+            while (stepsOnDisk() < 0 && System.nanoTime() < patience) {
+                Thread.yield();
+            }
+            assertEquals("its header, at once", 0, stepsOnDisk());
+            while (stepsOnDisk() < 60 && System.nanoTime() < patience) {
+                run(world, 10);
+            }
+            assertTrue("steps on the disk: " + stepsOnDisk(), stepsOnDisk() >= 60);
+            recorder.end();
+        }
     }
 
     @Test

@@ -16,7 +16,7 @@ import org.junit.Test;
 public class PanelNamesTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", "."));
     private static final List<Path> FOLDERS = List.of(ROOT.resolve("resources/resource/WebGui/app/service"),
-        ROOT.resolve("src/mrl/resources/org/myrobotlab/embedded/web/service"));
+        ROOT.resolve("src/mrl/resources/org/myrobotlab/embedded/pages/service"));
     private static final String TAKEN = "(?:save|release|apply|peer|showPeers|saveDefault|startPeer|releasePeer|toggleVirtual|updateServiceData"
         + "|servicedatajson|parentPanel)";
     private static final Pattern IN_SCRIPT = Pattern.compile("\\$scope(?:\\.|\\[')" + TAKEN + "\\b");

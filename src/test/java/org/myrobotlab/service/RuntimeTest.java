@@ -9,7 +9,9 @@ import static org.junit.Assert.assertSame;
 import static org.junit.Assert.assertTrue;
 import static org.junit.Assert.fail;
 
+import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.After;
@@ -41,6 +43,26 @@ public class RuntimeTest {
         }
     }
 
+    /** A service that can't be released. */
+    public static class Clinging extends Service<ServiceConfig> {
+        private static final long serialVersionUID = 1L;
+
+        public Clinging(String name, String id) {
+            super(name, id);
+        }
+
+        @Override
+        public void preShutdown() {
+            throw new IllegalStateException("not now");
+        }
+
+        @Override
+        public synchronized void releaseService() {
+            super.releaseService();
+            throw new ClassCastException("not of that type");
+        }
+    }
+
     /** A service whose constructor needs a library that is not there. */
     public static class Bare extends Service<ServiceConfig> {
         private static final long serialVersionUID = 1L;
@@ -54,6 +76,47 @@ public class RuntimeTest {
     @After
     public void release() {
         Runtime.releaseAll();
+    }
+
+    @Test
+    public void aServiceThatCannotBeReleasedKeepsNoOtherFromIt() {
+        ServiceInterface first = Runtime.start("first", TALKER);
+        Runtime.start("clinging", Clinging.class.getName());
+        ServiceInterface last = Runtime.start("last", TALKER);
+        AtomicBoolean hasEnded = new AtomicBoolean();
+        Shutdown.then(() -> hasEnded.set(true));
+        try {
+            Runtime.shutdown();
+        } finally {
+            Shutdown.then(() -> { });
+        }
+        assertTrue(hasEnded.get());
+        assertFalse(first.isRunning());
+        assertFalse(last.isRunning());
+        assertNull(Runtime.getService("first"));
+    }
+
+    /** As a call by name does. */
+    @SuppressWarnings("unchecked")
+    private static <C extends ServiceConfig> void applyUnchecked(Service<C> service, ServiceConfig config) {
+        service.apply((C) config);
+    }
+
+    @Test
+    public void aConfigurationOfAnotherTypeIsRefused() {
+        Serial serial = (Serial) Runtime.start("line", "Serial");
+        SerialConfig before = serial.getConfig();
+        List<String> told = new ArrayList<>();
+        for (ServiceConfig wrong : new ServiceConfig[] {new ServiceConfig(), null}) {
+            try {
+                applyUnchecked(serial, wrong);
+            } catch (IllegalArgumentException e) {
+                told.add(e.getMessage());
+            }
+        }
+        assertEquals(List.of("the configuration of line is a ServiceConfig, legal: SerialConfig",
+            "the configuration of line is a null, legal: SerialConfig"), told);
+        assertSame(before, serial.getConfig());
     }
 
     @Test

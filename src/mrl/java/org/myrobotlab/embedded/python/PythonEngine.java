@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Properties;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
 import org.myrobotlab.embedded.OutOfMemory;
 import org.python.core.CompileMode;
 import org.python.core.CompilerFlags;
@@ -44,6 +45,7 @@ public final class PythonEngine {
     private volatile ScriptResult last = ScriptResult.GOOD;
     private volatile List<String> arguments = List.of();
     private volatile boolean callFailed;
+    private volatile boolean finishing;
     private final Map<Thread, Run> running = new HashMap<>();
     /** Calls of the script's functions, compiled when they came first, by bare name. */
     private final Map<String, PyCode> calls = new ConcurrentHashMap<>();
@@ -145,6 +147,9 @@ public final class PythonEngine {
      * @param publisher the beginning of the variables' names
      */
     public ScriptResult callBack(String publisher, String function, Object... arguments) {
+        if (finishing) {
+            return ScriptResult.GOOD;
+        }
         ScriptResult result = guarded(() -> {
             StringBuilder call = new StringBuilder(function).append('(');
             for (int i = 0; i < arguments.length; i++) {
@@ -172,34 +177,72 @@ public final class PythonEngine {
     }
 
     private ScriptResult guarded(Runnable work) {
-        Thread thread = Thread.currentThread();
-        Run run = new Run();
-        boolean outermost;
-        synchronized (running) {
-            outermost = running.putIfAbsent(thread, run) == null;
-        }
+        Run run = enter();
         try {
             work.run();
             return ScriptResult.GOOD;
         } catch (PyException e) {
             OutOfMemory.tell(e);
-            return run.isStopped ? ScriptResult.STOPPED : ScriptResult.of(e);
+            return run.isStopped ? ScriptResult.STOPPED : run.ended(e);
         } catch (StackOverflowError e) {
             return ScriptResult.failed("RuntimeError: maximum recursion depth exceeded");
         } finally {
-            if (outermost) {
-                end(thread, run);
-            }
+            leave(run);
         }
     }
 
-    private void end(Thread thread, Run run) {
+    /** Does work that counts as running until its end, with all that it calls here. */
+    public void occupied(Runnable work) {
+        Run run = enter();
+        try {
+            work.run();
+        } finally {
+            leave(run);
+        }
+    }
+
+    private Run enter() {
         synchronized (running) {
-            running.remove(thread);
+            Run run = running.computeIfAbsent(Thread.currentThread(), thread -> new Run());
+            run.depth++;
+            return run;
+        }
+    }
+
+    private void leave(Run run) {
+        synchronized (running) {
+            run.depth--;
+            if (run.depth > 0) {
+                return;
+            }
+            running.remove(Thread.currentThread());
+            running.notifyAll();
             if (run.isStopped) {
                 Thread.interrupted();
             }
         }
+    }
+
+    /**
+     * Lets the callbacks that run now come to their end, and no more begin.
+     *
+     * @return whether they have ended within that time
+     */
+    public boolean finishCallbacks(long millis) throws InterruptedException {
+        finishing = true;
+        long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(millis);
+        synchronized (running) {
+            long left = millis;
+            while (othersRun() && left > 0) {
+                running.wait(left);
+                left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
+            }
+            return !othersRun();
+        }
+    }
+
+    private boolean othersRun() {
+        return running.keySet().stream().anyMatch(thread -> thread != Thread.currentThread());
     }
 
     /**
@@ -210,7 +253,7 @@ public final class PythonEngine {
     public boolean interrupt() {
         synchronized (running) {
             running.forEach((thread, run) -> {
-                if (thread != Thread.currentThread()) {
+                if (thread != Thread.currentThread() && !run.hasRaised) {
                     run.stop();
                     thread.interrupt();
                 }
@@ -270,6 +313,18 @@ public final class PythonEngine {
     private static final class Run {
         private final ThreadState state = Py.getThreadState();
         private volatile boolean isStopped;
+        /** It has come to its end by an error, which is being put into words. */
+        private volatile boolean hasRaised;
+        private int depth;
+
+        ScriptResult ended(PyException e) {
+            hasRaised = true;
+            try {
+                return ScriptResult.of(e);
+            } finally {
+                hasRaised = false;
+            }
+        }
 
         /** Raises a KeyboardInterrupt at the next line that is carried out. */
         void stop() {

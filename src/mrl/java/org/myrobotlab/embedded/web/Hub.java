@@ -2,6 +2,7 @@ package org.myrobotlab.embedded.web;
 
 import io.undertow.websockets.core.AbstractReceiveListener;
 import io.undertow.websockets.core.StreamSourceFrameChannel;
+import io.undertow.websockets.core.WebSocketCallback;
 import io.undertow.websockets.core.WebSocketChannel;
 import io.undertow.websockets.core.WebSockets;
 import java.util.ArrayList;
@@ -53,7 +54,7 @@ public final class Hub {
     void connect(WebSocketChannel channel, Calls calls) {
         Client client = new Client(channel);
         if (clients.size() >= MOST_PAGES) {
-            WebSockets.sendClose(TRY_AGAIN_LATER, MOST_PAGES + " pages are open, the most that may", channel, null);
+            refuse(channel);
             return;
         }
         clients.add(client);
@@ -72,6 +73,21 @@ public final class Hub {
             }
         });
         channel.resumeReceives();
+    }
+
+    /** Nobody reads from the channel any more, so nobody would see that its page has gone: it is closed at once when the reason is sent. */
+    private static void refuse(WebSocketChannel channel) {
+        WebSockets.sendClose(TRY_AGAIN_LATER, MOST_PAGES + " pages are open, the most that may", channel, new WebSocketCallback<Void>() {
+            @Override
+            public void complete(WebSocketChannel sent, Void nothing) {
+                IoUtils.safeClose(sent);
+            }
+
+            @Override
+            public void onError(WebSocketChannel failed, Void nothing, Throwable error) {
+                IoUtils.safeClose(failed);
+            }
+        });
     }
 
     private void receive(Client client, Calls calls, String text) {

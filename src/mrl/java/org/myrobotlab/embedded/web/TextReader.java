@@ -20,7 +20,8 @@ final class TextReader implements ChannelListener<StreamSourceFrameChannel> {
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     private final int longest;
     private final Consumer<String> taker;
-    private boolean isWhole;
+    /** Nothing more is read: the text is whole, or the web socket is closed. */
+    private boolean isDone;
 
     private TextReader(int longest, Consumer<String> taker) {
         this.longest = longest;
@@ -36,14 +37,15 @@ final class TextReader implements ChannelListener<StreamSourceFrameChannel> {
         TextReader reader = new TextReader(longest, taker);
         text.getReadSetter().set(reader);
         reader.handleEvent(text);
-        if (!reader.isWhole) {
+        if (!reader.isDone) {
             text.resumeReads();
         }
     }
 
     @Override
     public void handleEvent(StreamSourceFrameChannel text) {
-        if (isWhole) {
+        if (isDone) {
+            text.suspendReads();
             return;
         }
         try {
@@ -54,13 +56,20 @@ final class TextReader implements ChannelListener<StreamSourceFrameChannel> {
                 length = text.read(piece);
             }
             if (length > 0) {
-                IoUtils.safeClose(text.getWebSocketChannel());
+                close(text);
             } else if (length < 0) {
-                isWhole = true;
+                isDone = true;
                 taker.accept(bytes.toString(StandardCharsets.UTF_8));
             }
         } catch (IOException e) {
-            IoUtils.safeClose(text.getWebSocketChannel());
+            close(text);
         }
+    }
+
+    /** While bytes of a text that nobody reads are left, Undertow calls its reader again and again, also after its web socket is closed. */
+    private void close(StreamSourceFrameChannel text) {
+        isDone = true;
+        text.suspendReads();
+        IoUtils.safeClose(text.getWebSocketChannel());
     }
 }

@@ -1,48 +1,60 @@
 package org.myrobotlab.embedded.web;
 
 import io.undertow.Handlers;
-import io.undertow.Undertow;
 import io.undertow.UndertowOptions;
+import io.undertow.server.DefaultByteBufferPool;
 import io.undertow.server.HttpHandler;
 import io.undertow.server.HttpServerExchange;
 import io.undertow.server.handlers.PathHandler;
 import io.undertow.server.handlers.resource.ClassPathResourceManager;
 import io.undertow.server.handlers.resource.ResourceHandler;
 import io.undertow.server.handlers.resource.ResourceManager;
+import io.undertow.server.protocol.http.HttpOpenListener;
 import io.undertow.util.Headers;
 import io.undertow.util.StatusCodes;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.BindException;
+import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Properties;
 import java.util.concurrent.TimeUnit;
+import org.xnio.ChannelListeners;
+import org.xnio.IoUtils;
 import org.xnio.OptionMap;
 import org.xnio.Options;
+import org.xnio.StreamConnection;
 import org.xnio.Xnio;
 import org.xnio.XnioWorker;
+import org.xnio.channels.AcceptingChannel;
 
 /** Serves pages, panels and calls to browsers on this machine, and to nobody else. Any thread. */
 public final class WebServer {
     private static final String API = "/api";
     private static final String ADDRESS = "127.0.0.1";
-    private static final String PAGES = "org/myrobotlab/embedded/web";
+    /** A folder with nothing in it that is not served: no classes. */
+    private static final String PAGES = "org/myrobotlab/embedded/pages";
     private static final String WEB_JARS = "META-INF/resources/webjars/";
     private static final String WEB_JAR_POM = "META-INF/maven/org.webjars/";
     private static final List<String> LIBRARIES = List.of("angularjs", "bootstrap", "jquery");
-    private static final int IO_THREADS = 1;
+    /** More than one, so that what keeps one of them from its work does not stop the server. */
+    private static final int IO_THREADS = 2;
     private static final int WORKERS = 8;
-    /** Connections that are open at the same time; more wait until one is closed. */
-    private static final int MOST_CONNECTIONS = 256;
+    /** Connections that are open at the same time when all have a request; more wait until one is closed. */
+    private static final int MOST_CONNECTIONS = 2 * Connections.MOST;
+    private static final int BUFFER = 1 << 14;
+    /** Connections that wait for their turn. */
+    private static final int BACKLOG = 1000;
     private static final int HEADERS_MILLIS = 30_000;
     private static final int IDLE_MILLIS = 60_000;
     private static final int STOP_SECONDS = 5;
 
     private final Calls calls;
     private final XnioWorker worker;
-    private final Undertow server;
+    private final HttpOpenListener http;
+    private final AcceptingChannel<StreamConnection> server;
     private final int port;
 
     /**
@@ -64,14 +76,16 @@ public final class WebServer {
         for (String name : LIBRARIES) {
             paths.addPrefixPath("/webjars/" + name, Guard.reading(library(name)));
         }
-        worker = Xnio.getInstance(Undertow.class.getClassLoader()).createWorker(OptionMap.builder().set(Options.WORKER_IO_THREADS, IO_THREADS)
+        worker = Xnio.getInstance(HttpOpenListener.class.getClassLoader()).createWorker(OptionMap.builder().set(Options.WORKER_IO_THREADS, IO_THREADS)
             .set(Options.WORKER_TASK_CORE_THREADS, WORKERS).set(Options.WORKER_TASK_MAX_THREADS, WORKERS).set(Options.TCP_NODELAY, true)
             .set(Options.WORKER_NAME, "web server " + port).getMap());
-        server = Undertow.builder().addHttpListener(port, ADDRESS, new Guard(paths, port)).setWorker(worker)
-            .setServerOption(UndertowOptions.MAX_ENTITY_SIZE, (long) RequestBody.LONGEST)
-            .setServerOption(UndertowOptions.REQUEST_PARSE_TIMEOUT, HEADERS_MILLIS).setServerOption(UndertowOptions.NO_REQUEST_TIMEOUT, IDLE_MILLIS)
-            .setSocketOption(Options.CONNECTION_HIGH_WATER, MOST_CONNECTIONS).setSocketOption(Options.CONNECTION_LOW_WATER, MOST_CONNECTIONS).build();
-        start();
+        http = new HttpOpenListener(new DefaultByteBufferPool(true, BUFFER), OptionMap.builder()
+            .set(UndertowOptions.BUFFER_PIPELINED_DATA, true).set(UndertowOptions.MAX_ENTITY_SIZE, (long) RequestBody.LONGEST)
+            .set(UndertowOptions.REQUEST_PARSE_TIMEOUT, HEADERS_MILLIS).set(UndertowOptions.NO_REQUEST_TIMEOUT, IDLE_MILLIS).getMap());
+        Connections connections = new Connections(http);
+        http.setRootHandler(connections.watching(new Guard(paths, port)));
+        server = listen(connections);
+        server.resumeAccepts();
     }
 
     /** A library of the pages, whatever its version. */
@@ -112,23 +126,25 @@ public final class WebServer {
         };
     }
 
-    private void start() throws IOException {
+    private AcceptingChannel<StreamConnection> listen(Connections connections) throws IOException {
         try {
-            server.start();
-        } catch (RuntimeException e) {
+            return worker.createStreamConnectionServer(new InetSocketAddress(ADDRESS, port),
+                ChannelListeners.openListenerAdapter(connections), OptionMap.builder().set(Options.TCP_NODELAY, true)
+                    .set(Options.REUSE_ADDRESSES, true).set(Options.BACKLOG, BACKLOG).set(Options.CONNECTION_HIGH_WATER, MOST_CONNECTIONS)
+                    .set(Options.CONNECTION_LOW_WATER, MOST_CONNECTIONS).getMap());
+        } catch (BindException e) {
             worker.shutdownNow();
-            for (Throwable at = e; at != null; at = at.getCause()) {
-                if (at instanceof BindException) {
-                    throw new IOException("port " + port + " is in use by another program: choose another one", e);
-                }
-            }
+            throw new IOException("port " + port + " is in use by another program: choose another one", e);
+        } catch (IOException e) {
+            worker.shutdownNow();
             throw e;
         }
     }
 
     /** Closes all connections and ends all threads; the one that a page's own call of this comes on ends after that call. */
     public void stop() {
-        server.stop();
+        IoUtils.safeClose(server);
+        http.closeConnections();
         calls.stop();
         worker.shutdownNow();
         try {

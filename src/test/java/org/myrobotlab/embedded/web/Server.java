@@ -136,9 +136,10 @@ final class Server extends ExternalResource {
     static byte[] frame(int first, byte... data) {
         ByteArrayOutputStream frame = new ByteArrayOutputStream();
         frame.write(first);
-        frame.write(0x80 | 127);
-        for (int shift = 56; shift >= 0; shift -= 8) {
-            frame.write((int) ((long) data.length >> shift));
+        int bytesOfLength = data.length < 126 ? 0 : Long.BYTES;
+        frame.write(0x80 | (bytesOfLength == 0 ? data.length : 127));
+        for (int i = bytesOfLength - 1; i >= 0; i--) {
+            frame.write((int) ((long) data.length >> Byte.SIZE * i));
         }
         frame.writeBytes(new byte[4]);
         frame.writeBytes(data);

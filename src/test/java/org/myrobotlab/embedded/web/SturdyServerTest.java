@@ -5,6 +5,7 @@ import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
 import java.net.Socket;
+import java.net.SocketException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -24,6 +25,10 @@ public class SturdyServerTest {
     private static final int BYTES_FRAGMENT = 0x02;
     private static final int MORE = 0x00;
     private static final int TEXT = 0x81;
+    private static final int LAST = 0x80;
+    private static final int PONG = 0x8A;
+    /** Of the server. */
+    private static final int MOST_CONNECTIONS = Connections.MOST;
 
     @Rule
     public final Server server = new Server(false);
@@ -128,6 +133,73 @@ public class SturdyServerTest {
         assertTrue(texts + " MB of text", texts > 0 && texts < 32);
         int bytes = megabytesTaken(BYTES_FRAGMENT);
         assertTrue(bytes + " MB of bytes", bytes < 32);
+        othersAreServed();
+    }
+
+    @Test
+    public void aMessageThatIsTooLongEndsItsOwnConnectionOnly() throws Exception {
+        for (int i = 0; i < 3; i++) {
+            Socket page = server.webSocket();
+            open.add(page);
+            try {
+                page.getOutputStream().write(Server.frame(TEXT, new byte[17 * MEGABYTE]));
+                page.getInputStream().readAllBytes();
+            } catch (SocketException e) {
+                assertTrue(e.getMessage(), e.getMessage().contains("reset") || e.getMessage().contains("Broken pipe"));    // closed amid the message
+            }
+            othersAreServed();
+        }
+    }
+
+    @Test
+    public void whoIsRefusedAsAPageTakesNoPlace() throws Exception {
+        for (int i = 0; i < 2 * MOST_CONNECTIONS + MANY; i++) {
+            open.add(server.webSocket());
+        }
+        othersAreServed();
+        assertEquals("closed after the reason", -1, lastByte(open.get(open.size() - 1)));
+    }
+
+    private static int lastByte(Socket socket) throws IOException {
+        socket.getInputStream().readAllBytes();
+        return socket.getInputStream().read();
+    }
+
+    @Test
+    public void connectionsThatAskNothingMakeRoomForOthers() throws Exception {
+        for (int i = 0; i < 2 * MOST_CONNECTIONS + MANY; i++) {
+            Socket idle = server.connect();
+            open.add(idle);
+            if (i % 2 == 0) {
+                Server.send(idle, "GET / HTTP/1.1\r\nHost: localh");
+            }
+        }
+        othersAreServed();
+        assertEquals("the one that came first is closed", -1, lastByte(open.get(0)));
+    }
+
+    @Test
+    public void aPageThatIsOpenOutlastsConnectionsThatAskNothing() throws Exception {
+        Socket page = server.webSocket();
+        open.add(page);
+        for (int i = 0; i < 2 * MOST_CONNECTIONS; i++) {
+            open.add(server.connect());
+        }
+        othersAreServed();
+        page.getOutputStream().write(Server.frame(TEXT, "{\"id\":1,\"name\":\"talker\",\"method\":\"getName\"}".getBytes(StandardCharsets.UTF_8)));
+        assertEquals("{\"id\":1,\"answer\":\"talker\"}", answer(page));
+    }
+
+    @Test
+    public void controlFramesMayComeAmidAMessageAndItsEndMayNeverCome() throws Exception {
+        Socket page = server.webSocket();
+        open.add(page);
+        page.getOutputStream().write(Server.frame(FRAGMENT, "{\"id\":1,\"name\":\"talker\",".getBytes(StandardCharsets.UTF_8)));
+        page.getOutputStream().write(Server.frame(PONG));
+        page.getOutputStream().write(Server.frame(LAST, "\"method\":\"getName\"}".getBytes(StandardCharsets.UTF_8)));
+        assertEquals("{\"id\":1,\"answer\":\"talker\"}", answer(page));
+        page.getOutputStream().write(Server.frame(FRAGMENT, new byte[MEGABYTE]));
+        page.shutdownOutput();
         othersAreServed();
     }
 

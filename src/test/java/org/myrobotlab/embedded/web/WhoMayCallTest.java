@@ -83,6 +83,15 @@ public class WhoMayCallTest {
     }
 
     @Test
+    public void onlyPagesAreServedAndNoClasses() throws Exception {
+        for (String file : new String[] {"Guard.class", "package-info.class", "embedded/web/Guard.class",
+            "org/myrobotlab/embedded/web/Guard.class"}) {
+            assertEquals(file, 404, server.status("GET /" + file, ""));
+        }
+        assertEquals(200, server.status("GET /mrl.js", ""));
+    }
+
+    @Test
     public void getOnlyReads() throws Exception {
         assertEquals(405, server.status("GET " + TICK, ""));
         assertEquals(405, server.status("GET /api/service/talker/half/3", ""));

@@ -57,6 +57,18 @@ public class ClockTrapTest {
     }
 
     @Test
+    public void aLoopThatLetsNoSimulatedTimePassIsToldOnceWithItsLine() throws Exception {
+        sear.setLockStep(true);
+        sear.startSimulation();
+        assertTrue(python.exec("import time\nend = time.time() + 60\n"
+            + "while sear.getTime() < 5 and not heard.getStatuses().toString().count('busy at') and time.time() < end:\n    pass\n"));
+        String said = heard.getStatuses().stream().filter(one -> one.contains("busy at")).findFirst().orElse("nothing");
+        assertTrue(said, said.contains("simulated time has stood still for 2 s while the script is busy at line 3 of <script>")
+            || said.contains("busy at line 4 of <script>"));
+        assertTrue(said, said.contains("sear.simSleep(seconds)"));
+    }
+
+    @Test
     public void anObjectMadeNowIsThereAfterTheNextStart() throws Exception {
         sear.startSimulation();
         new Box("late", 1, 1, 1, 0);

@@ -1,22 +1,37 @@
 package org.myrobotlab.service.sear.run;
 
 import java.util.Arrays;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.TimeUnit;
 import org.myrobotlab.service.sear.Host;
 
 /**
- * Notices a script that waits by the computer's clock while lock-step lets no simulated time pass, and says so once: whatever it waits for will not
- * happen. The publisher's thread.
+ * Notices a script that waits while lock-step lets no simulated time pass, by a sleep of the computer's clock or in a loop, and says so once: whatever
+ * it waits for will not happen. The publisher's thread.
  */
 final class ClockTrap {
     /** Frames from the top in which a sleep stands, between it and the script's code. */
     private static final int DEPTH = 30;
     /** What Jython names the classes that it makes of scripts. */
     private static final String SCRIPT = "org.python.pycode.";
+    private static final String SERVICE = "org.myrobotlab.service.SEAR";
+    private static final Set<String> PASSING_TIME = Set.of("simSleep", "step");
+    private static final String REMEDY = ": in lock-step (--speed max, setLockStep(True)) it passes only in sear.simSleep(seconds) and sear.step(n), not ";
+    /** So long a script may be busy while time stands still. */
+    private static final long LOOP_NANOS = TimeUnit.SECONDS.toNanos(2);
+    /** A loop is found in the same few lines each time; a script that has much to do is not. */
+    private static final int LOOP_LINES = 4;
+    private static final int LOOP_LOOKS = 10;
 
     private final Host host;
     private double lastTime = Double.NaN;
     private boolean suspected;
     private boolean told;
+    private long loopSince;
+    private int loopLooks;
+    private final Set<String> loopLines = new TreeSet<>();
 
     ClockTrap(Host host) {
         this.host = host;
@@ -30,13 +45,50 @@ final class ClockTrap {
         if (told) {
             return;
         }
-        boolean sleeping = still && Thread.getAllStackTraces().values().stream().anyMatch(ClockTrap::isSleepOfScript);
+        Map<Thread, StackTraceElement[]> stacks = still ? Thread.getAllStackTraces() : Map.of();
+        boolean sleeping = stacks.values().stream().anyMatch(ClockTrap::isSleepOfScript);
         if (sleeping && suspected) {
             told = true;
-            host.warn("the script waits by the computer's clock, while simulated time stands still: in lock-step (--speed max, setLockStep(True)) it"
-                + " passes only in sear.simSleep(seconds) and sear.step(n), not in sleep, time.sleep, roomba.sleep, goForward(mm) or spin(degrees)");
+            host.warn("the script waits by the computer's clock, while simulated time stands still" + REMEDY
+                + "in sleep, time.sleep, roomba.sleep, goForward(mm) or spin(degrees)");
         }
         suspected = sleeping;
+        lookForLoop(stacks);
+    }
+
+    private void lookForLoop(Map<Thread, StackTraceElement[]> stacks) {
+        String line = busyLine(stacks);
+        if (line != null) {
+            loopLines.add(line);
+        }
+        if (line == null || loopLines.size() > LOOP_LINES || loopLooks == 0) {
+            loopLines.clear();
+            loopLooks = line == null ? 0 : 1;
+            loopSince = System.nanoTime();
+            return;
+        }
+        loopLooks++;
+        if (loopLooks > LOOP_LOOKS && System.nanoTime() - loopSince > LOOP_NANOS) {
+            told = true;
+            host.warn("simulated time has stood still for 2 s while the script is busy at " + line + REMEDY
+                + "by itself: a loop that waits for something needs one of them");
+        }
+    }
+
+    /** Where a script is that neither waits nor lets time pass; null if there is none, or if another script lets it pass. */
+    private static String busyLine(Map<Thread, StackTraceElement[]> stacks) {
+        String found = null;
+        for (Map.Entry<Thread, StackTraceElement[]> entry : stacks.entrySet()) {
+            StackTraceElement script = Arrays.stream(entry.getValue()).filter(frame -> frame.getClassName().startsWith(SCRIPT)).findFirst().orElse(null);
+            StackTraceElement call = Arrays.stream(entry.getValue()).filter(frame -> frame.getClassName().equals(SERVICE)).findFirst().orElse(null);
+            if (script != null && call != null && PASSING_TIME.contains(call.getMethodName())) {
+                return null;
+            }
+            if (script != null && (call != null || entry.getKey().getState() == Thread.State.RUNNABLE)) {
+                found = "line " + script.getLineNumber() + " of " + script.getFileName();
+            }
+        }
+        return found;
     }
 
     private static boolean isSleepOfScript(StackTraceElement... stack) {

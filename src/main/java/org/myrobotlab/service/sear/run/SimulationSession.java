@@ -2,11 +2,9 @@ package org.myrobotlab.service.sear.run;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
@@ -66,7 +64,7 @@ public final class SimulationSession {
     /** Up to where the script has slept: {@link SimulationRunner#getAdvancedTime} without rounding to steps. */
     private volatile double scriptTime;
     private final SleepingThreads sleepers = new SleepingThreads();
-    private final Set<String> told = new HashSet<>();
+    private final WarningsTold warnings;
     private final OutOfMemoryWatch memoryWatch = new OutOfMemoryWatch(this::outOfMemory);
     private final MemoryAlarm memoryAlarm;
     private volatile boolean driven;
@@ -81,6 +79,7 @@ public final class SimulationSession {
     private SimulationSession(Simulation simulation, RunSettings settings, Host host, StepListener stepListener) {
         this.host = host;
         this.stepListener = stepListener;
+        warnings = new WarningsTold(host);
         this.simulation = simulation;
         runner = new SimulationRunner(simulation);
         lockStep = settings.lockStep;
@@ -522,7 +521,7 @@ public final class SimulationSession {
                 world.reset();
                 return true;
             });
-            forgetWarnings();
+            warnings.forgetAllBut(simulation.snapshot().warnings);    // what is odd from the start has been told
             scriptTime = runner.getAdvancedTime();
             SimulationClock fresh = new SimulationClock(simulation, lockStep);
             lines.forEach(line -> line.setClock(fresh));
@@ -576,13 +575,6 @@ public final class SimulationSession {
         return runner.getMeasuredSpeed();
     }
 
-    /** After a reset: what happens again is told again; what is odd from the start has been told. */
-    private void forgetWarnings() {
-        synchronized (told) {
-            told.retainAll(simulation.snapshot().warnings);
-        }
-    }
-
     /** Says so if a script waits by the computer's clock in lock-step. */
     public void lookForClockTrap() {
         clockTrap.look(this);
@@ -590,13 +582,7 @@ public final class SimulationSession {
 
     /** Publishes what the simulation has warned of since the last time. */
     public void tellWarnings() {
-        synchronized (told) {
-            for (String warning : simulation.snapshot().warnings) {
-                if (told.add(warning)) {
-                    host.warn(warning);
-                }
-            }
-        }
+        warnings.tell(simulation.snapshot().warnings);
     }
 
     @Override

@@ -50,7 +50,9 @@ final class BundleRules {
     /** Checks the name of a folder. */
     void folder(String name) {
         count();
-        name(name);
+        if (name(name)) {
+            placeFolders(name, name + "/");
+        }
     }
 
     private void count() {
@@ -101,8 +103,20 @@ final class BundleRules {
         if (twin != null) {
             refuse(name, twin.equals(name) ? "each name once" : "a name that differs from " + twin + " by more than capitals or accents' spelling");
         }
-        for (int slash = name.indexOf('/'); slash >= 0; slash = name.indexOf('/', slash + 1)) {
-            String folder = name.substring(0, slash);
+        placeFolders(name, name);
+        if (folders.containsKey(key)) {
+            refuse(name, "a file that isn't a folder too");
+        }
+    }
+
+    /**
+     * The folders that a path goes through.
+     *
+     * @param name of the entry that needs them
+     */
+    private void placeFolders(String name, String path) {
+        for (int slash = path.indexOf('/'); slash >= 0; slash = path.indexOf('/', slash + 1)) {
+            String folder = path.substring(0, slash);
             String other = folders.putIfAbsent(key(folder), folder);
             if (other != null && !other.equals(folder)) {
                 refuse(name, "a folder that differs from " + other + " by more than capitals");
@@ -110,9 +124,6 @@ final class BundleRules {
             if (files.containsKey(key(folder))) {
                 refuse(name, "a folder that isn't a file too");
             }
-        }
-        if (folders.containsKey(key)) {
-            refuse(name, "a file that isn't a folder too");
         }
     }
 

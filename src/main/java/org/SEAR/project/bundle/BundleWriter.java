@@ -100,10 +100,21 @@ final class BundleWriter {
             return;
         }
         if (name.equalsIgnoreCase(BundleRules.VERSION_ENTRY)) {
-            problems.add(name, 0, "", "it has the name of the bundle's own version entry", "another name");
+            addVersion(name, file);
+            return;
         }
         if (!instead.containsKey(name)) {
             take(name, file);
+        }
+    }
+
+    /** Who has unpacked a bundle by hand has its version in the folder. Every bundle gets one of its own. */
+    private void addVersion(String name, Path file) throws IOException {
+        try (InputStream in = Files.newInputStream(file)) {
+            String text = new String(in.readNBytes(BundleRules.HEAD), StandardCharsets.US_ASCII).trim();
+            if (!text.matches("[0-9]{1,9}")) {
+                problems.add(name, 0, "", "it has the name of the bundle's own version entry", "another name");
+            }
         }
     }
 

@@ -52,6 +52,22 @@ public class BundleTest {
     }
 
     @Test
+    public void aBundleThatWasUnpackedByHandIsSavedAsTheSameBundle() throws Exception {
+        createProject();
+        Bundle.save(project.folder(), place("a.sear"));
+        project.put("sear-version.txt", "1\n");
+        Bundle.save(project.folder(), place("b.sear"));
+        assertArrayEquals(Files.readAllBytes(place("a.sear")), Files.readAllBytes(place("b.sear")));
+        project.put("sear-version.txt", "my own notes\n");
+        try {
+            Bundle.save(project.folder(), place("c.sear"));
+            fail("saved");
+        } catch (ProjectException e) {
+            assertTrue(e.getMessage(), e.getMessage().contains("it has the name of the bundle's own version entry"));
+        }
+    }
+
+    @Test
     public void loadingKeepsTheOldProjectAsBackup() throws Exception {
         createProject();
         Bundle.save(project.folder(), place("a.sear"));

@@ -82,6 +82,13 @@ public class HostileBundleTest {
         RawZip both = with("assets/x");
         both.stored("assets/x/y", "");
         bundle("file and folder", both, "a folder that isn't a file too");
+        RawZip fileFirst = with("assets/x");
+        fileFirst.stored("assets/x/", "");
+        bundle("file and empty folder", fileFirst, "a folder that isn't a file too");
+        RawZip folderFirst = RawZip.bundle();
+        folderFirst.stored("assets/x/", "");
+        folderFirst.stored("assets/x", "");
+        bundle("empty folder and file", folderFirst, "a file that isn't a folder too");
         RawZip latin = RawZip.bundle();
         latin.stored(new byte[] {'a', (byte) 0xe9}, new byte[0]);
         bundle("not UTF-8", latin, "names in UTF-8");

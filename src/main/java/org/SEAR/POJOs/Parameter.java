@@ -3,6 +3,7 @@ package org.SEAR.POJOs;
 import java.lang.reflect.Field;
 import java.lang.reflect.ParameterizedType;
 import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -25,6 +26,10 @@ public final class Parameter {
     }
 
     private static final Pattern PLAIN_NUMBER = Pattern.compile("[-+]?[0-9]*\\.?[0-9]+([eE][-+]?[0-9]+)?|[-+]?[0-9]+\\.");
+
+    /** So many decimal digits a double keeps whatever they are; a number that they write with no more than {@link #PLAIN} was meant so. */
+    private static final MathContext CERTAIN = new MathContext(15);
+    private static final int PLAIN = 10;
 
     /** Where an included group of parameters is kept; null for a parameter of the object's own. */
     private final Field group;
@@ -262,7 +267,10 @@ public final class Parameter {
         return values;
     }
 
-    /** A value as text, as it stands in a file: {@code 0.25}, {@code 10}, {@code true}. */
+    /**
+     * A value as text, as it stands in a file: {@code 0.25}, {@code 10}, {@code true}. What arithmetic with fractions leaves in the last digits is
+     * left out: {@code 6 * 0.8 + 1} is 5.8, not 5.800000000000001. All else reads back as the same number.
+     */
     public static String format(Object value) {
         if (!(value instanceof Double)) {
             return String.valueOf(value);
@@ -272,7 +280,9 @@ public final class Parameter {
         if (size != 0 && (size < 1e-9 || size >= 1e15) || Double.isNaN(number)) {
             return Double.toString(number);
         }
-        BigDecimal decimal = new BigDecimal(Double.toString(number)).stripTrailingZeros();
+        BigDecimal exact = new BigDecimal(Double.toString(number));
+        BigDecimal rounded = exact.round(CERTAIN).stripTrailingZeros();
+        BigDecimal decimal = rounded.precision() <= PLAIN ? rounded : exact.stripTrailingZeros();
         return decimal.signum() == 0 ? "0" : decimal.toPlainString();
     }
 }

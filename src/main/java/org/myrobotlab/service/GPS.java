@@ -12,13 +12,14 @@ import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
 import org.SEAR.protocol.ubx.UbxReader;
 import org.myrobotlab.framework.Service;
+import org.myrobotlab.serial.PortArrivals;
 import org.myrobotlab.service.config.GPSConfig;
 import org.myrobotlab.service.gps.GgaFix;
 import org.myrobotlab.service.gps.PvtFix;
 import org.myrobotlab.service.gps.ReceiverModel;
 import org.myrobotlab.service.gps.UbxText;
-import org.myrobotlab.service.interfaces.SerialDataListener;
 import org.myrobotlab.service.link.PanelFiles;
+import org.myrobotlab.service.link.Reconnects;
 import org.myrobotlab.service.link.SerialLink;
 import org.myrobotlab.service.link.Warnings;
 
@@ -33,7 +34,7 @@ import org.myrobotlab.service.link.Warnings;
  *
  * <p>Sentences with a wrong check sum are left out. Loss of fix and loss of data are published as warnings, once. Any thread.
  */
-public class GPS extends Service<GPSConfig> implements SerialDataListener {
+public class GPS extends Service<GPSConfig> implements Reconnects {
     private static final long serialVersionUID = 1L;
     private static final String PEER = "serial";
     /** What the answer to the question for the firmware starts with. */
@@ -72,6 +73,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         super.startService();
         if (link == null) {
             link = new SerialLink((Serial) startPeer(PEER), this, this::tick, this::lost);
+            restore(config.port, link);
         }
     }
 
@@ -116,7 +118,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
     }
 
     /**
-     * Connects again to the port last used.
+     * Connects again to the port last used. A simulated port that comes back, and one of a restored configuration, needs no such call.
      *
      * @throws IOException if there was none, or it is gone, or in use
      * @example gps.reconnectSerial()
@@ -134,6 +136,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
      * @example gps.disconnect()
      */
     public void disconnect() {
+        PortArrivals.forget(getName());
         if (link != null) {
             link.disconnect();
             if (connected) {
@@ -152,7 +155,7 @@ public class GPS extends Service<GPSConfig> implements SerialDataListener {
         if (connected && link.isLost()) {
             String port = link.getPortName();
             gone();
-            info("port %s was closed: reconnectSerial() when it is back", port);
+            info("port %s was closed: %s connects again when a simulation has it, else by reconnectSerial()", port, getName());
             link.close();
         }
     }

@@ -4,14 +4,15 @@ import java.io.IOException;
 import java.util.Collections;
 import java.util.List;
 import org.myrobotlab.framework.Service;
+import org.myrobotlab.serial.PortArrivals;
 import org.myrobotlab.service.config.LIDARConfig;
-import org.myrobotlab.service.interfaces.SerialDataListener;
 import org.myrobotlab.service.lidar.LidarChoice;
 import org.myrobotlab.service.lidar.LidarDevice;
 import org.myrobotlab.service.lidar.LidarModels;
 import org.myrobotlab.service.lidar.RangeScan;
 import org.myrobotlab.service.link.FindsBaudRate;
 import org.myrobotlab.service.link.PanelFiles;
+import org.myrobotlab.service.link.Reconnects;
 import org.myrobotlab.service.link.SerialLink;
 
 /**
@@ -30,9 +31,11 @@ import org.myrobotlab.service.link.SerialLink;
  * <p>Every call returns at once; what was asked is sent one after the other, each when the former was answered, and repeated when the device
  * refuses it or stays silent. Errors are published as error statuses. Any thread.
  */
-public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, FindsBaudRate {
+public class LIDAR extends Service<LIDARConfig> implements Reconnects, FindsBaudRate {
     private static final long serialVersionUID = 1L;
     private static final String PEER = "serial";
+    private static final String MILLIMETRES = "mm";
+    private static final String CENTIMETRES = "cm";
 
     static {
         PanelFiles.install(LIDAR.class);
@@ -43,7 +46,9 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
     private transient String driven;
     private boolean connected;
     private boolean streaming;
-    private String unit = "mm";
+    /** Whether the device was told the unit since it is connected. */
+    private transient volatile boolean unitAsked;
+    private String unit = MILLIMETRES;
     private double spread;
     private double resolution;
     private long scans;
@@ -60,6 +65,7 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
             Serial serial = (Serial) startPeer(PEER);
             link = new SerialLink(serial, this, () -> device.tick(), this::lost);
             takeDriver();
+            restore(config.port, link);
         }
     }
 
@@ -71,7 +77,7 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
             driven = config.model;
             spread = 0;
             resolution = 0;
-            unit = "mm";
+            unit = MILLIMETRES;
         }
     }
 
@@ -106,12 +112,14 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
         config.baud = baud;
         config.port = port;
         connected = true;
+        unitAsked = false;
         device.learn();
         broadcastState();
     }
 
     /**
-     * Connects again to the port last used, for example after a cable came loose.
+     * Connects again to the port last used, for example after a cable came loose. A simulated port that comes back, and one of a restored
+     * configuration, needs no such call.
      *
      * @throws IOException if there was none, or it is gone, or in use
      * @example lidar.reconnectSerial()
@@ -129,6 +137,7 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
      * @example lidar.disconnect()
      */
     public void disconnect() {
+        PortArrivals.forget(getName());
         if (link != null) {
             link.disconnect();
             gone();
@@ -149,7 +158,7 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
         if (connected && link.isLost()) {
             String port = link.getPortName();
             gone();
-            info("port %s was closed: reconnectSerial() when it is back", port);
+            info("port %s was closed: %s connects again when a simulation has it, else by reconnectSerial()", port, getName());
             link.close();
         }
     }
@@ -169,6 +178,9 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
         }
         if (!LidarModels.talkAlike(config.model, model) || !LidarModels.hasBaud(model, config.baud)) {
             config.baud = LidarModels.firstBaud(model);
+        }
+        if (!LidarModels.talkAlike(config.model, model)) {
+            config.unit = null;
         }
         config.model = model;
         if (link != null && !isConnected()) {
@@ -217,24 +229,30 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
     }
 
     /**
-     * Values in centimetres, up to 81.83 m. Only an LMS can.
+     * Values in centimetres, up to 81.83 m. Only an LMS can. The service remembers it: it tells a device that it finds with another unit.
      *
      * @throws IllegalArgumentException if the model can't
      * @throws IllegalStateException if it is not connected
      * @example lidar.setToCM()
      */
     public void setToCM() {
-        ready().setUnit(false);
+        setUnit(false);
     }
 
     /**
-     * Values in millimetres, of an LMS200 up to 8.183 m.
+     * Values in millimetres, of an LMS200 up to 8.183 m. Remembered as {@link #setToCM}.
      *
      * @throws IllegalStateException if it is not connected
      * @example lidar.setToMM()
      */
     public void setToMM() {
-        ready().setUnit(true);
+        setUnit(true);
+    }
+
+    private void setUnit(boolean millimetres) {
+        unitAsked = true;
+        ready().setUnit(millimetres);
+        config.unit = millimetres ? MILLIMETRES : CENTIMETRES;
     }
 
     /**
@@ -340,7 +358,16 @@ public class LIDAR extends Service<LIDARConfig> implements SerialDataListener, F
         broadcastState();
     }
 
-    void onUnit(String newUnit) {
+    /** The device has told its unit: it gets the one that the configuration has. */
+    void onUnit(boolean millimetres) {
+        String told = millimetres ? MILLIMETRES : CENTIMETRES;
+        onUnit(told);
+        if (config.unit != null && !config.unit.equals(told) && !unitAsked) {
+            setUnit(!millimetres);
+        }
+    }
+
+    private void onUnit(String newUnit) {
         if (!newUnit.equals(unit)) {
             unit = newUnit;
             broadcastState();

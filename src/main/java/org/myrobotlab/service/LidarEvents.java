@@ -33,7 +33,7 @@ final class LidarEvents implements LidarListener {
 
     @Override
     public void unit(boolean millimetres) {
-        service.onUnit(millimetres ? "mm" : "cm");
+        service.onUnit(millimetres);
     }
 
     @Override

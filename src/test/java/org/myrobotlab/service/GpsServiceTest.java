@@ -85,7 +85,7 @@ public class GpsServiceTest {
     public void aPortThatSomebodyElseClosesIsNoticed() throws Exception {
         gps.connect(PORT);
         ((Serial) Runtime.getService("testGps.serial")).disconnect();
-        assertTrue(heard.awaitStatus("port " + PORT + " was closed: reconnectSerial() when it is back"));
+        assertTrue(heard.awaitStatus("port " + PORT + " was closed: testGps connects again"));
         assertFalse(gps.isConnected());
         try {
             gps.sendCommand("PMTK605");

@@ -217,7 +217,7 @@ public class LidarServiceTest {
         lidar.connect(PORT);
         lidar.addListener("publishState", "rawScans", "onState");
         ((Serial) Runtime.getService("testLidar.serial")).disconnect();
-        assertTrue(raw.awaitStatus("port " + PORT + " was closed: reconnectSerial() when it is back"));
+        assertTrue(raw.awaitStatus("port " + PORT + " was closed: testLidar connects again"));
         assertFalse(lidar.isConnected());
         assertTrue(raw.awaitState("\"connected\":false"));
         withoutConnectionScanningSaysSo();

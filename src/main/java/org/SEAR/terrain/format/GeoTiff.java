@@ -4,6 +4,9 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.SEAR.project.models.ModelLimits;
@@ -16,6 +19,9 @@ final class GeoTiff extends ElevationMap {
     private static final int METADATA = 42112;
     private static final int NO_DATA = 42113;
     private static final int MOST_METADATA = 16 << 20;
+    /** What GDAL and its users call metres, feet and US survey feet, in metres. */
+    private static final Map<String, Double> UNITS = Map.of("m", 1.0, "metre", 1.0, "meter", 1.0, "metres", 1.0, "meters", 1.0, "ft", 0.3048,
+        "foot", 0.3048, "feet", 0.3048, "us-ft", 1200 / 3937.0, "us survey foot", 1200 / 3937.0);
 
     private final TiffImage image;
     /** Metres in a unit of the values. */
@@ -43,21 +49,40 @@ final class GeoTiff extends ElevationMap {
             throw ModelLimits.wrong(file.name, "the size", image.rows + " x " + image.columns, "at least 2 x 2 posts");
         }
         GeoKeys keys = new GeoKeys(file);
-        double unit = keys.metres();
+        double unit = unit(file, keys);
         return new GeoTiff(image, keys.place(), unit * metadata(file, "scale", 1), unit * metadata(file, "offset", 0), noData(file));
+    }
+
+    /** As GDAL reads it: its own word for the values' unit counts before that of the coordinate system. */
+    private static double unit(TiffFile file, GeoKeys keys) throws IOException {
+        String name = item(file, "unittype");
+        if (name == null || name.isEmpty()) {
+            return keys.metres();
+        }
+        Double metres = UNITS.get(name.toLowerCase(Locale.ROOT));
+        if (metres == null) {
+            throw ModelLimits.wrong(file.name, "GDAL's unit of heights", '"' + name + '"', "one of " + String.join(", ", new TreeSet<>(UNITS.keySet())));
+        }
+        return metres;
+    }
+
+    /** The text of an item of GDAL's; null if there is none. */
+    private static String item(TiffFile file, String role) throws IOException {
+        String text = file.text(METADATA, "GDAL_METADATA", MOST_METADATA);
+        Matcher item = Pattern.compile("<Item [^>]*role=\"" + role + "\"[^>]*>([^<]*)</Item>").matcher(text == null ? "" : text);
+        return item.find() ? item.group(1).trim() : null;
     }
 
     /** What GDAL says of how values become heights. */
     private static double metadata(TiffFile file, String role, double without) throws IOException {
-        String text = file.text(METADATA, "GDAL_METADATA", MOST_METADATA);
-        Matcher item = Pattern.compile("<Item [^>]*role=\"" + role + "\"[^>]*>([^<]*)</Item>").matcher(text == null ? "" : text);
-        if (!item.find()) {
+        String item = item(file, role);
+        if (item == null) {
             return without;
         }
         try {
-            return Double.parseDouble(item.group(1).trim());
+            return Double.parseDouble(item);
         } catch (NumberFormatException e) {
-            throw ModelLimits.wrong(file.name, "GDAL's " + role, '"' + item.group(1) + '"', "a number");
+            throw ModelLimits.wrong(file.name, "GDAL's " + role, '"' + item + '"', "a number");
         }
     }
 

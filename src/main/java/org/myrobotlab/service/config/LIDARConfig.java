@@ -10,6 +10,8 @@ public class LIDARConfig extends ServiceConfig {
     public int baud = 9600;
     /** LMS200 (default), LMS211, LMS220, LMS221, LMS291, URG-04LX, UTM-30LX or RPLIDAR-A1. */
     public String model = "LMS200";
+    /** mm or cm, as the device is to measure; null (default): as it does. */
+    public String unit;
 
     @Override
     public Plan getDefault(Plan plan, String name) {

@@ -182,6 +182,16 @@ public class ProjectScriptTest {
     }
 
     @Test
+    public void whatArithmeticLeavesInTheLastDigitsIsNotWritten() throws Exception {
+        double cell = 0.8;
+        Box box = new Box("box", 6 * cell + 1, 0.1 + 0.2, 11.181769303614649, 1);
+        box.move(-3 * cell, 1e-7 / 3, 1.0 / 3);
+        String script = checkSame(project.folder());
+        assertTrue(script, script.contains("5.8, 0.3, 11.181769303614649"));
+        assertTrue(script, script.contains("-2.4, 0.000000033333333333333334, 0.3333333333333333"));
+    }
+
+    @Test
     public void projectsOfAnyKind() throws Exception {
         for (long seed = 0; seed < 12; seed++) {
             Path folder = fresh.newFolder().toPath().resolve("SEARproject");

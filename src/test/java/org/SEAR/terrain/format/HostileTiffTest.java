@@ -95,6 +95,9 @@ public class HostileTiffTest {
             + "  <Item name=\"SCALE\" sample=\"0\" role=\"scale\">0.5</Item>\n</GDALMetadata>";
         assertEquals(103, read(good().with(42112, metadata).bytes())[5], 1e-6);
         refused(good().with(42112, metadata.replace("0.5", "half")), "GDAL's scale is \"half\", legal: a number");
+        String feet = metadata.replace("</GDALM", "  <Item name=\"UNITTYPE\" sample=\"0\" role=\"unittype\">ft</Item>\n</GDALM");
+        assertEquals(103 * 0.3048, read(good().with(42112, feet).bytes())[5], 1e-5);
+        refused(good().with(42112, feet.replace(">ft<", ">fathom<")), "GDAL's unit of heights is \"fathom\", legal: one of feet, foot, ft, m,");
     }
 
     @Test

@@ -53,6 +53,7 @@ public final class SimulationControl {
             }
             session = SimulationSession.start(project, settings(), debugShapes, host, stepListener, startListener);
             running = this;
+            session.known();
             Notices.setSimulating(this::isRunning);
         }
         tellOthers(session().getSimulation().getProject());

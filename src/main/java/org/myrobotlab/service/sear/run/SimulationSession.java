@@ -50,6 +50,7 @@ public final class SimulationSession {
     private final Throttle throttle;
     private final ClockTrap clockTrap;
     private final Quiescence quiescence;
+    private final PortTurns turns;
     private final Object stepping = new Object();
     /** Who makes time pass; null if nobody does. Guarded by {@link #stepping}. */
     private Thread stepper;
@@ -87,6 +88,7 @@ public final class SimulationSession {
         clockTrap = new ClockTrap(host);
         clock = new SimulationClock(simulation, lockStep);
         quiescence = new Quiescence(host, sleepers);
+        turns = new PortTurns(lines, this::settle);
         memoryAlarm = new MemoryAlarm(MemoryAlarm.NEARLY_FULL, host::warn);
         thread = new Thread(this::run, "SEAR simulation");
         thread.setDaemon(true);
@@ -133,6 +135,13 @@ public final class SimulationSession {
         }
         runner.setPaused(lockStep);
         tellWarnings();
+    }
+
+    /** Its service knows it now and brings it bytes: by the clock, those who wait for its ports are connected. */
+    void known() {
+        if (!lockStep) {
+            turns.callBackUsers();
+        }
     }
 
     /** On the simulation thread after each step: "as fast as possible" is as fast as bytes are taken. Questions are answered at least each 50 ms. */
@@ -367,18 +376,9 @@ public final class SimulationSession {
      * has them, then the readings that are due; each when the callbacks of the one before have returned.
      */
     private void oneStep() throws InterruptedException {
+        turns.callBackUsers();
         rest();
-        lines.forEach(line -> line.setStepping(true));
-        try {
-            runner.advance(1);
-        } finally {
-            lines.forEach(line -> line.setStepping(false));
-        }
-        for (UartLine line : lines) {
-            if (line.handOver()) {
-                settle();
-            }
-        }
+        turns.step(() -> runner.advance(1));
         clock.tick();
         stepListener.stepped(() -> {
             quiescence.disturb();
@@ -553,6 +553,7 @@ public final class SimulationSession {
                 runner.setPaused(true);
                 runner.setSpeed(Double.POSITIVE_INFINITY);
             } else {
+                turns.callBackUsers();
                 runner.setSpeed(throttle.getSpeed());
                 runner.setPaused(paused);
             }

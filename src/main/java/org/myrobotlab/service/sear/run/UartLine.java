@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
@@ -12,6 +13,7 @@ import org.SEAR.devices.RepeatedWarnings;
 import org.SEAR.devices.SerialLine;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.serial.Backlog;
+import org.myrobotlab.serial.PortArrivals;
 import org.myrobotlab.serial.PortClock;
 import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
@@ -19,6 +21,7 @@ import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.Serial;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 import org.myrobotlab.service.link.FindsBaudRate;
+import org.myrobotlab.service.link.Reconnects;
 import org.myrobotlab.service.sear.Host;
 
 /**
@@ -279,11 +282,38 @@ final class UartLine implements OutsideLine {
         return user;
     }
 
-    /** Takes service and ports away; whoever is connected to the user's port is disconnected. */
+    /** As a real device that is switched off and on is reached through the port that is still open. Drivers see to that themselves. */
+    private void reconnectWhenBack(Serial service, List<SerialDataListener> listeners) {
+        String port = user.getName();
+        boolean driven = false;
+        for (SerialDataListener listener : listeners) {
+            if (listener instanceof Reconnects) {
+                driven = true;
+                ((Reconnects) listener).reconnectWhenBack(port);
+            }
+        }
+        if (!driven) {
+            PortArrivals.await(service.getName(), port, () -> reconnect(service, port, host));
+        }
+    }
+
+    private static void reconnect(Serial service, String port, Host host) {
+        if (Runtime.getService(service.getName()) == service && !service.isConnected()) {
+            try {
+                service.connect(port);
+            } catch (IOException | RuntimeException e) {
+                host.warn(service.getName() + " is not connected to port " + port + " again: " + e.getMessage());
+            }
+        }
+    }
+
+    /** Takes service and ports away; whoever is connected to the user's port is disconnected until a simulation has it again. */
     void close() {
-        for (SerialDataListener listener : user.getListeners()) {
+        List<SerialDataListener> listeners = user.getListeners();
+        for (SerialDataListener listener : listeners) {
             if (listener instanceof Serial && user.getName().equals(((Serial) listener).getPortName())) {
                 ((Serial) listener).disconnect();
+                reconnectWhenBack((Serial) listener, listeners);
             }
         }
         if (serial != null) {

@@ -1,0 +1,48 @@
+package org.myrobotlab.service.link;
+
+import java.io.IOException;
+import org.myrobotlab.framework.Service;
+import org.myrobotlab.serial.PortArrivals;
+import org.myrobotlab.service.Runtime;
+import org.myrobotlab.service.interfaces.SerialDataListener;
+
+/** A service that drives a device and connects to its port again when that comes back, as far as nobody has disconnected it. Any thread. */
+public interface Reconnects extends SerialDataListener {
+    /** Connects to the port last used. */
+    void reconnectSerial() throws IOException;
+
+    /** Waits until a simulation has the port; {@link PortArrivals#forget} ends it. */
+    default void reconnectWhenBack(String port) {
+        PortArrivals.await(getName(), port, this::reconnect);
+    }
+
+    /** Connects, unless the service has been released; a warning says why it can't. */
+    default void reconnect() {
+        if (Runtime.getService(getName()) == this) {
+            try {
+                reconnectSerial();
+            } catch (IOException | RuntimeException e) {
+                Warnings.publish((Service<?>) this, "%s", e.getMessage());
+            }
+        }
+    }
+
+    /**
+     * A configuration has been restored: connects if the port is there, else waits for it and says so.
+     *
+     * @param port null for a service that was never connected
+     * @param link knows which ports there are
+     */
+    default void restore(String port, SerialLink link) {
+        if (port == null) {
+            return;
+        }
+        if (link.getPortNames().contains(port)) {
+            reconnect();
+        } else {
+            reconnectWhenBack(port);
+            ((Service<?>) this).info("there is no port %s: %s connects to it as soon as a simulation has it; reconnectSerial() tries again", port,
+                getName());
+        }
+    }
+}

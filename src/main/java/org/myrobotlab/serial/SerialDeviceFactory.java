@@ -1,5 +1,6 @@
 package org.myrobotlab.serial;
 
+import java.io.File;
 import java.lang.reflect.Field;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -65,6 +66,13 @@ public final class SerialDeviceFactory {
         synchronized (Serial.class) {
             return ports().get(name);
         }
+    }
+
+    /** Whether a name is known only because somebody has tried to open it, or because its adapter was there before. */
+    public static boolean isGone(String name) {
+        Port port = get(name);
+        return port instanceof SerialControl && port.isHardware() && !port.isOpen() && !((SerialControl) port).getPortNames().contains(name)
+            && !new File(name).exists();
     }
 
     /** All virtual ports made here. */

@@ -249,10 +249,14 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         }
     }
 
-    /** A port of this machine, not yet open; null if there is no library for it, an error status says so. */
+    /** A port of this machine, not yet open, whether there is one or not; null if there is no library for it, an error status says so. */
     public Port createHardwarePort(String name, int baud, int newDataBits, int newStopBits, int newParity) {
         try {
-            return new PortJSSC(name, baud, newDataBits, newStopBits, newParity);
+            Port made = new PortJSSC(name, baud, newDataBits, newStopBits, newParity);
+            synchronized (Serial.class) {
+                ports.put(name, made);
+            }
+            return made;
         } catch (IOException | LinkageError e) {
             log.debug("{}", name, e);
             error(e.getMessage());

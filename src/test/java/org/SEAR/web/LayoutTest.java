@@ -94,8 +94,8 @@ public class LayoutTest {
         assertTrue("below a header", browser.texts(".tab-name").contains("SEAR sear"));
         checkAll(true);
         assertEquals("view and readings are side by side", true, browser.script("var view = document.querySelector('.sear-view')"
-            + ".getBoundingClientRect(), table = document.querySelector('.sear-sensors').getBoundingClientRect();"
-            + "return table.left > view.right && table.top < view.bottom"));
+            + ".getBoundingClientRect(), readings = document.querySelector('.sear-readings').getBoundingClientRect();"
+            + "return readings.left > view.right && readings.top < view.bottom"));
         browser.seeText(".sear-tree", "body Cylinder");
     }
 

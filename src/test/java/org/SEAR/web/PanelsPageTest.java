@@ -45,7 +45,7 @@ public class PanelsPageTest {
             Files.writeString(Files.createDirectories(panels.resolve("views")).resolve("XGui.html"), only(DocBlock.of("docs/panels.md", "html")));
             browser.driver().get(robotLab.url() + "#/x");
             browser.seeText("mrl-panel[name='x'] p", "x: ");
-            browser.click("mrl-panel[name='x'] button");
+            browser.click("mrl-panel[name='x'] p button");
             browser.seeText("mrl-panel[name='x'] p", "x: 7 ");
             robotLab.call("x", "doSomething", 8);
             browser.seeText("mrl-panel[name='x'] p", "x: 12 ");

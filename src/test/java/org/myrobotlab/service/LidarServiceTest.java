@@ -243,7 +243,9 @@ public class LidarServiceTest {
         } catch (IOException e) {
             assertTrue(e.getMessage(), e.getMessage().matches("testLidar can't connect to port \"/dev/nothing_here\": .*; there are the ports .*"
                 + PORT + ".*"));
+            assertFalse(e.getMessage(), e.getMessage().matches(".*there are the ports .*nothing_here.*"));
         }
+        assertTrue("MyRobotLab's table keeps it", Serial.listPorts().contains("/dev/nothing_here"));
         assertFalse("the old port was closed first", lidar.isConnected());
     }
 

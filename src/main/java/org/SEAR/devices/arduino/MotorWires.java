@@ -27,13 +27,12 @@ final class MotorWires {
     }
 
     private void drive(WireRole role, double level) {
-        double share = Double.isNaN(level) ? 0 : level;
         if (role == WireRole.PWM) {
-            forward = share;
+            forward = level;
         } else if (role == WireRole.REVERSE) {
-            reverse = share;
+            reverse = level;
         } else {
-            backwards = share < 1;
+            backwards = level < 1;
         }
         double now = backwards ? -forward : forward - reverse;
         if (now != power) {
@@ -56,6 +55,11 @@ final class MotorWires {
         @Override
         public void drive(double level) {
             MotorWires.this.drive(role, level);
+        }
+
+        @Override
+        public void pull(boolean up) {
+            drive(up ? 1 : 0);
         }
 
         @Override

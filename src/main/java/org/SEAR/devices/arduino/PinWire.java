@@ -10,9 +10,18 @@ interface PinWire {
     /**
      * What the board puts on the pin from now on.
      *
-     * @param level share of the supply, as a mean over its pulses; NaN if the board leaves the pin alone
+     * @param level share of the supply, as a mean over its pulses; NaN if the board leaves the pin alone, as an input does, see {@link #pull}
      */
     default void drive(double level) {
+    }
+
+    /**
+     * The pin is an input from now on. A pull-up resistor is too weak for a light and enough for a driver's inputs.
+     *
+     * @param up whether its pull-up is on
+     */
+    default void pull(boolean up) {
+        drive(Double.NaN);
     }
 
     /** @param micros length of the servo pulses that the board puts on the pin from now on; 0 for none */

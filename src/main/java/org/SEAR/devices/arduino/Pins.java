@@ -81,13 +81,18 @@ public final class Pins {
         }
         modes[pin] = mode;
         values[pin] = 0;
-        wires[pin].drive(mode == Mode.INPUT || mode == Mode.PULLUP ? Double.NaN : 0);
+        if (mode == Mode.INPUT || mode == Mode.PULLUP) {
+            wires[pin].pull(mode == Mode.PULLUP);
+        } else {
+            wires[pin].drive(0);
+        }
     }
 
     /** Writes a level; at an input it switches the pull-up resistor. */
     void write(int pin, boolean high) {
         if (modes[pin] == Mode.INPUT || modes[pin] == Mode.PULLUP) {
             modes[pin] = high ? Mode.PULLUP : Mode.INPUT;
+            wires[pin].pull(high);
             return;
         }
         if (modes[pin] == Mode.SERVO) {

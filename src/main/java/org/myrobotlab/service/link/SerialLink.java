@@ -9,6 +9,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import org.myrobotlab.serial.Port;
 import org.myrobotlab.serial.PortClock;
+import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.Serial;
 import org.myrobotlab.service.interfaces.SerialDataListener;
@@ -103,7 +104,9 @@ public final class SerialLink {
 
     /** Names of the ports that there are, in order. */
     public List<String> getPortNames() {
-        return new ArrayList<>(new TreeSet<>(serial.getPortNames()));
+        TreeSet<String> names = new TreeSet<>(serial.getPortNames());
+        names.removeIf(SerialDeviceFactory::isGone);
+        return new ArrayList<>(names);
     }
 
     /** Closes the port, if one is open. */

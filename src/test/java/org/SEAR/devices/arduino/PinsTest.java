@@ -6,7 +6,9 @@ import static org.junit.Assert.assertTrue;
 
 import java.util.Set;
 import java.util.TreeSet;
+import org.SEAR.devices.MotorHardware;
 import org.SEAR.protocol.arduino.BoardModel;
+import org.SEAR.protocol.arduino.WireRole;
 import org.junit.Test;
 
 /** What electricity does at the pins. */
@@ -51,5 +53,60 @@ public class PinsTest {
         assertTrue(Double.isNaN(probe.level));
         uno.pins.write(4, true);
         assertEquals("a level at an input is its pull-up", Pins.Mode.PULLUP, uno.pins.mode(4));
+    }
+
+    /** MyRobotLab's Motor service writes the direction's level and leaves the pin an input, as it is after a reset: a driver's input is held all the same. */
+    @Test
+    public void aDriversInputFollowsThePullUp() {
+        Engine engine = new Engine();
+        MotorWires wires = new MotorWires(engine);
+        uno.pins.connect(7, wires.wire(WireRole.DIRECTION));
+        uno.pins.connect(9, wires.wire(WireRole.PWM));
+        uno.pins.release();
+        uno.pins.writeDuty(9, 255);
+        assertEquals(-1, engine.power, 0);
+        uno.pins.write(7, true);
+        assertEquals("forward by the pull-up alone", 1, engine.power, 0);
+        uno.pins.write(7, false);
+        assertEquals(-1, engine.power, 0);
+        uno.pins.setMode(7, Pins.Mode.PULLUP);
+        assertEquals(1, engine.power, 0);
+        uno.pins.release();
+        assertEquals("no power", 0, engine.power, 0);
+    }
+
+    /** A motor that remembers its power. */
+    private static final class Engine implements MotorHardware {
+        private double power;
+
+        @Override
+        public String getName() {
+            return "engine";
+        }
+
+        @Override
+        public void setPower(double newPower) {
+            power = newPower;
+        }
+
+        @Override
+        public void setSpeed(double speed) {
+            throw new AssertionError("a board gives power");
+        }
+
+        @Override
+        public double getSpeed() {
+            return 0;
+        }
+
+        @Override
+        public long getCounts() {
+            return 0;
+        }
+
+        @Override
+        public double getLoad() {
+            return 0;
+        }
     }
 }

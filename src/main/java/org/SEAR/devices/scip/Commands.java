@@ -47,7 +47,10 @@ final class Commands {
     /** Carries out a line. */
     void execute(String line, double time) {
         int parameters = line.length() < LETTERS ? -1 : parameters(line.substring(0, LETTERS));
-        String fault = parameters < 0 || adjusting && !line.startsWith("TM") ? Status.UNKNOWN : fault(line, LETTERS + parameters);
+        String fault = parameters < 0 || adjusting && !isForAdjusting(line) ? Status.UNKNOWN : fault(line, LETTERS + parameters);
+        if (parameters >= 0) {
+            device.understood();
+        }
         if (fault != null) {
             answer(line, fault, time);
             return;
@@ -91,6 +94,14 @@ final class Commands {
                 scan(line, time);
                 break;
         }
+    }
+
+    /**
+     * What is obeyed while the clock is adjusted: a reset ends that, and in a UTM-30LX {@code QT} does, too; a URG-04LX answers that by 0E, which is how
+     * drivers know that they have to send {@code TM2}.
+     */
+    private boolean isForAdjusting(String line) {
+        return line.startsWith("TM") || line.startsWith("RS") || line.startsWith("RT") || line.startsWith("QT") && model == HokuyoModel.UTM_30LX;
     }
 
     /** Characters of parameters that belong to a command; below 0 if there is no such command. */
@@ -169,6 +180,7 @@ final class Commands {
     private void stop() {
         device.stopStream();
         laser = false;
+        adjusting = false;
     }
 
     private void restart(String line, double time) {

@@ -203,6 +203,23 @@ public class HokuyoTest {
         assertEquals("CR05|04T||", ask("CR05"));
     }
 
+    /** As a driver that was killed between TM0 and TM2 leaves it. */
+    @Test
+    public void aResetEndsTheAdjustingOfItsClock() {
+        for (String reset : new String[] {"RS", "RT"}) {
+            assertEquals("TM0|00P||", ask("TM0"));
+            assertEquals("BM|0Ee||", ask("BM"));
+            assertEquals("QT|0Ee||", ask("QT"));
+            assertEquals(reset + "|00P||", ask(reset));
+            assertEquals("BM|00P||", ask("BM"));
+            assertEquals("TM1|04T||", ask("TM1"));
+        }
+        power(HokuyoModel.UTM_30LX);
+        ask("TM0");
+        assertEquals("of a UTM-30LX QT does, too", "QT|00P||", ask("QT"));
+        assertEquals("BM|00P||", ask("BM"));
+    }
+
     @Test
     public void withoutPowerItForgets() {
         replies("MD0384038401000", 1);

@@ -191,16 +191,17 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
         }
         if (!opcode.isAllowed(model, mode)) {
             if (mode != OiMode.OFF) {
-                context.warn("mode", "command " + opcode.getCode() + " (" + opcode + ") is not obeyed in mode " + mode + ": ignored");
+                context.warn("mode " + opcode, "command " + opcode.getCode() + " (" + opcode + ") is not obeyed in mode " + mode + ": ignored");
             }
             return;
         }
+        context.understood();
         lastCommand = time;
         if (opcode.getCode() <= Opcode.DEMO.getCode()) {
             changeMode(opcode, a, time);
         } else if (!act(opcode, a, time) && !tell(opcode, a, count, time)) {
             String first = count > 0 ? " with first argument " + a[0] : "";
-            context.warn("command", "command " + opcode.getCode() + " (" + opcode + ")" + first + " is not possible on a " + model.getName()
+            context.warn("command " + opcode, "command " + opcode.getCode() + " (" + opcode + ")" + first + " is not possible on a " + model.getName()
                 + ": ignored");
         }
     }
@@ -270,7 +271,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
             case SONG:
                 return songs.define(a);
             case PLAY:
-                return songs.play(a[0], time);
+                return play(a[0], time);
             case DOCK:
                 changeMode(opcode, a, time);
                 return true;
@@ -288,6 +289,13 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
             default:
                 return lights.set(opcode, a);
         }
+    }
+
+    private boolean play(int song, double time) {
+        if (songs.has(song) && !songs.play(song, time)) {
+            context.warn("song", "song " + song + " is not defined: command 141 (PLAY) is ignored");
+        }
+        return songs.has(song);
     }
 
     /**
@@ -441,6 +449,11 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
     @Override
     public boolean takesDriveCommands() {
         return mode.isActive();
+    }
+
+    @Override
+    public String title() {
+        return "a " + model.getName();
     }
 
     @Override

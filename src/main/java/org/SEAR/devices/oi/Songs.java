@@ -1,6 +1,8 @@
 package org.SEAR.devices.oi;
 
-/** The songs that a robot remembers, and which one sounds. Durations are in 1/64 s. */
+import java.util.Arrays;
+
+/** The songs that a robot remembers, and which one sounds. Durations are in 1/64 s; one of no duration is a song, too. */
 final class Songs {
     private static final int MAX_NOTES = 16;
     private static final double TICK = 1 / 64.0;
@@ -11,6 +13,12 @@ final class Songs {
 
     Songs(int count) {
         durations = new double[count];
+        Arrays.fill(durations, Double.NaN);
+    }
+
+    /** Whether a robot has so many songs. */
+    boolean has(int song) {
+        return song < durations.length;
     }
 
     /**
@@ -20,7 +28,7 @@ final class Songs {
      */
     boolean define(int[] arguments) {
         int notes = arguments[1];
-        if (arguments[0] >= durations.length || notes == 0 || notes > MAX_NOTES) {
+        if (!has(arguments[0]) || notes == 0 || notes > MAX_NOTES) {
             return false;
         }
         double sum = 0;
@@ -34,10 +42,10 @@ final class Songs {
     /**
      * Command 141; a song that sounds is not disturbed.
      *
-     * @return whether there is such a song
+     * @return whether it is defined
      */
     boolean play(int song, double time) {
-        if (song >= durations.length || durations[song] == 0) {
+        if (Double.isNaN(durations[song])) {
             return false;
         }
         if (!isPlaying(time)) {

@@ -49,6 +49,7 @@ public final class Cable implements SerialLine {
     private int toHostFrom;
     private int toHostEnd;
     private double freeAt;
+    private final Hearing hearing = new Hearing();
 
     public Cable(String objectName, String objectType, String uartPort, String userPort) {
         this.objectName = objectName;
@@ -69,6 +70,7 @@ public final class Cable implements SerialLine {
     /** Fresh cable, fresh device with its power on. What was written and not yet carried is gone; the user's speed stays. */
     public void restart() {
         clear();
+        hearing.begin();
         powered = true;
         device.reset();
         deviceBaud = device.getBaud();
@@ -139,6 +141,7 @@ public final class Cable implements SerialLine {
         }
         if (pickedUp) {
             pickedUp = false;
+            hearing.begin();
             if (tap != null) {
                 tap.opened(this);
             }
@@ -208,8 +211,12 @@ public final class Cable implements SerialLine {
             }
             device.advance(arrival);
             if (speed == device.getBaud()) {
+                if (!device.isStarting()) {
+                    hearing.heard(value, arrival);
+                }
                 device.receive(value, arrival);
             } else {
+                hearing.garbled(speed);
                 device.receiveGarbage(arrival);
             }
         }
@@ -220,6 +227,20 @@ public final class Cable implements SerialLine {
             device.advance(end);
         }
         deviceBaud = device.getBaud();
+    }
+
+    /** Its device has understood a command. Simulation thread. */
+    public void understood() {
+        hearing.understood();
+    }
+
+    /**
+     * What to tell the user of what the device doesn't understand; null for nothing. Simulation thread.
+     *
+     * @param time simulated seconds
+     */
+    public String complaint(double time) {
+        return hearing.complaint(device.title(), device.getBaud(), time);
     }
 
     private int speedOfHost() {

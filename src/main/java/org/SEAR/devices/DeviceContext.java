@@ -17,6 +17,9 @@ public interface DeviceContext {
     /** Throws away what has not left the line by {@code time}, but for the byte that is on it then. */
     void cutOutput(double time);
 
+    /** A command came that the firmware knows: who sent it is at the right port, see {@link Cable#complaint}. */
+    void understood();
+
     /** The robot the device sits on. */
     RobotHardware robot();
 

@@ -23,6 +23,16 @@ public interface SerialDevice {
      */
     void receive(int value, double time);
 
+    /** What it is, with its article: {@code "an LMS200"}. */
+    default String title() {
+        return "this device";
+    }
+
+    /** Whether it boots, so that bytes are lost. */
+    default boolean isStarting() {
+        return false;
+    }
+
     /** A byte came at another speed than the device's: a framing error. */
     void receiveGarbage(double time);
 

@@ -57,6 +57,11 @@ final class Port implements DeviceContext {
     }
 
     @Override
+    public void understood() {
+        cable.understood();
+    }
+
+    @Override
     public RobotHardware robot() {
         return robot;
     }
@@ -101,8 +106,12 @@ final class Port implements DeviceContext {
         warnings.accept(cable.getObjectName() + ": " + cause, cable.getObjectName() + ": " + message);
     }
 
-    /** Tells of bytes that found no room. */
+    /** Tells of bytes that found no room or were not understood. */
     void warnOfLosses() {
+        String complaint = cable.complaint(time());
+        if (complaint != null) {
+            warn(complaint.substring(complaint.indexOf(' ')), complaint);
+        }
         if (cable.takeDropped() > 0) {
             warn("input", "more was written to " + cable.getUserPort() + " than its line can carry at " + cable.getDeviceBaud()
                 + " baud; bytes beyond " + Cable.MAX_WAITING + " waiting ones are lost");

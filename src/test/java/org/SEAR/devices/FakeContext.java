@@ -21,6 +21,8 @@ public final class FakeContext implements DeviceContext {
     public final java.util.Map<String, Sensor<?>> parts = new java.util.HashMap<>();
     public Object reading;
     public double now;
+    /** How many commands the device knew. */
+    public int understood;
     public long epoch = EPOCH;
     /** Times at which bytes began to leave, one a byte, as long as {@link #take} is not called. */
     public final List<Double> times = new ArrayList<>();
@@ -124,6 +126,11 @@ public final class FakeContext implements DeviceContext {
         free = kept > 0 ? times.get(kept - 1) + byteTime() : time;
         sent.reset();
         sent.write(bytes, 0, kept);
+    }
+
+    @Override
+    public void understood() {
+        understood++;
     }
 
     @Override

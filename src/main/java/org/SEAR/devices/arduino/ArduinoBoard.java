@@ -91,7 +91,8 @@ public final class ArduinoBoard implements SerialDevice, Firmware.Host {
         }
     }
 
-    private boolean isStarting() {
+    @Override
+    public boolean isStarting() {
         return !Double.isNaN(startsAt);
     }
 
@@ -123,6 +124,11 @@ public final class ArduinoBoard implements SerialDevice, Firmware.Host {
     }
 
     @Override
+    public String title() {
+        return "an Arduino " + title;
+    }
+
+    @Override
     public String status() {
         return title + ": " + (isStarting() ? "starting" : firmware.status()) + ", " + baud + " baud";
     }
@@ -140,6 +146,11 @@ public final class ArduinoBoard implements SerialDevice, Firmware.Host {
     @Override
     public void send(byte[] bytes, double time) {
         context.send(bytes, time);
+    }
+
+    @Override
+    public void understood() {
+        context.understood();
     }
 
     @Override

@@ -86,7 +86,16 @@ final class FirmataFirmware implements Firmware {
         send(FirmataMessage.text(Feature.STRING, new int[0], text));
     }
 
+    /** Of a Create's commands many look like writes and reports here: only what no other device is sent tells who is at the other end. */
+    private static boolean isTelling(FirmataMessage message) {
+        int command = message.getCommand();
+        return command == FirmataMessage.VERSION || command == FirmataMessage.PIN_MODE || command == FirmataMessage.START_SYSEX;
+    }
+
     private void obey(FirmataMessage message) {
+        if (isTelling(message)) {
+            host.understood();
+        }
         switch (message.getCommand()) {
             case FirmataMessage.DIGITAL:
                 states.writePort(message.getChannel(), message.getNumber(0));

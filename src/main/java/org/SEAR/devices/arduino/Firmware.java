@@ -26,6 +26,9 @@ interface Firmware {
         /** Puts bytes on the serial line. */
         void send(byte[] bytes, double time);
 
+        /** A command came that the program knows, and that another device's bytes don't look like. */
+        void understood();
+
         /** Bits a second of the line. */
         int getBaud();
 

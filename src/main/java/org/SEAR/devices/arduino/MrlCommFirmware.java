@@ -100,6 +100,7 @@ final class MrlCommFirmware implements Firmware {
     }
 
     private void obey(MrlMessage message) {
+        host.understood();
         MrlFunction function = message.getFunction();
         if (!obeyBoard(function, message) && !obeyPin(function, message) && !devices.obey(function, message, now)) {
             refuse(function);

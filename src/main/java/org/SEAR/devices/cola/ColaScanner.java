@@ -161,6 +161,16 @@ public final class ColaScanner implements SerialDevice {
     }
 
     @Override
+    public boolean isStarting() {
+        return state == State.BOOTING;
+    }
+
+    @Override
+    public String title() {
+        return model.lidar.withArticle();
+    }
+
+    @Override
     public String status() {
         return model.lidar.getName() + ": " + settings.beams() + " beams every " + settings.rate.resolution / ColaModel.TEN_THOUSANDTHS + " degrees, "
             + settings.rate.hertz() + " Hz, " + state.name().toLowerCase(Locale.ROOT) + (commands.isLoggedIn() ? ", logged in" : "");
@@ -184,6 +194,10 @@ public final class ColaScanner implements SerialDevice {
             context.send(commands.answer(request, t), t);
             serve(t);
         });
+    }
+
+    void understood() {
+        context.understood();
     }
 
     Settings settings() {

@@ -82,6 +82,7 @@ final class Commands {
         if (verb == null) {
             return ColaError.UNKNOWN_COMMAND.telegram(request.getDialect());
         }
+        device.understood();
         if (request.getName().equals("LMDscandata") && request.getVerb().equals("sRN")) {
             byte[] scan = device.newestScan(request.getDialect(), time);
             return scan != null ? scan : ColaError.CONDITION_FAILED.telegram(request.getDialect());

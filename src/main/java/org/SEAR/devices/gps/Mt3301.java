@@ -62,6 +62,7 @@ public final class Mt3301 extends Receiver {
     private void onSentence(String sentence) {
         String body = Nmea.body(sentence);
         if (body != null) {
+            understood();
             commands.execute(body, heardAt);
         }
     }
@@ -125,6 +126,11 @@ public final class Mt3301 extends Receiver {
 
     OutputRates getRates() {
         return rates;
+    }
+
+    @Override
+    public String title() {
+        return "an " + getModel();
     }
 
     @Override

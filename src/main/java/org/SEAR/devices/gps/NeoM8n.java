@@ -90,6 +90,7 @@ public final class NeoM8n extends Receiver {
     }
 
     private void onFrame(UbxFrame frame) {
+        understood();
         if (settings.takes(UbxSettings.UBX)) {
             commands.execute(frame, heardAt);
         }
@@ -218,6 +219,11 @@ public final class NeoM8n extends Receiver {
 
     UbxSettings getDelivered() {
         return delivered;
+    }
+
+    @Override
+    public String title() {
+        return "a " + NAME;
     }
 
     @Override

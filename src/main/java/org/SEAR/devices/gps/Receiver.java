@@ -155,6 +155,10 @@ abstract class Receiver implements SerialDevice {
         context.send(bytes, time);
     }
 
+    final void understood() {
+        context.understood();
+    }
+
     /** Goes on at another speed once what was sent has left. */
     final void changeBaud(int newBaud, double time) {
         nextBaud = newBaud;

@@ -119,6 +119,7 @@ public final class Hmc6352 implements SerialDevice {
 
     /** A reading that has dropped out is the one before. */
     private void answerHeading(double time) {
+        context.understood();
         Object reading = context.read(context.sensor());
         if (reading instanceof Double && !((Double) reading).isNaN()) {
             heading = Math.floorMod(STEP * (int) Math.round((Double) reading * STEPS_PER_DEGREE), TURN);
@@ -155,6 +156,11 @@ public final class Hmc6352 implements SerialDevice {
     @Override
     public void advance(double time) {
         // it says nothing unasked
+    }
+
+    @Override
+    public String title() {
+        return "an HMC6352";
     }
 
     @Override

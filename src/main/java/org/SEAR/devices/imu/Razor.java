@@ -14,6 +14,7 @@ import org.SEAR.sensors.ImuReading;
 public final class Razor implements SerialDevice {
     private static final double INTERVAL = 0.02;
     private static final int TOKEN_SIZE = 2;
+    private static final String COMMANDS = "fso";
     private static final String[] CALIBRATED = {"accel x,y,z (min/max) = ", "magn x,y,z (min/max) = ", "gyro x,y,z (current/average) = "};
     private static final int GYROSCOPE = 2;
 
@@ -75,6 +76,9 @@ public final class Razor implements SerialDevice {
         if (command.length() > 0 || value == '#') {
             command.append((char) value);
             if (execute(command.substring(1), time)) {
+                if (COMMANDS.indexOf(command.charAt(1)) >= 0) {
+                    context.understood();
+                }
                 command.setLength(0);
             }
         }
@@ -210,6 +214,11 @@ public final class Razor implements SerialDevice {
             text.append(i == 0 ? "" : "  ").append(String.format(Locale.ROOT, "%.2f/%.2f", least[i], most[i]));
         }
         return text.append("\r\n").toString();
+    }
+
+    @Override
+    public String title() {
+        return "a Razor 9DOF";
     }
 
     @Override

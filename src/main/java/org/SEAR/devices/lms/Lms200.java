@@ -114,13 +114,27 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     }
 
     @Override
+    public boolean isStarting() {
+        return booting;
+    }
+
+    @Override
+    public String title() {
+        return "an " + powerOn.identity.getModel();
+    }
+
+    @Override
     public String status() {
         return powerOn.identity.getModel() + ": " + commands.describe() + ", " + baud.getRate() + " baud" + (booting ? ", starting" : "");
     }
 
     @Override
     public void onTelegram(Telegram telegram) {
-        if (isMine(telegram.getAddress()) && waiting.size() < MAX_WAITING) {
+        if (!isMine(telegram.getAddress())) {
+            return;
+        }
+        context.understood();
+        if (waiting.size() < MAX_WAITING) {
             waiting.add(telegram);
             serve(readUntil);
         }

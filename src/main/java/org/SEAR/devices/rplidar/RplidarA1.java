@@ -111,6 +111,11 @@ public final class RplidarA1 implements SerialDevice {
     }
 
     @Override
+    public String title() {
+        return "an RPLIDAR-A1";
+    }
+
+    @Override
     public String status() {
         String doing = scan == null ? "idle" : scan == Command.EXPRESS_SCAN ? "express scan" : "scan";
         return "RPLIDAR-A1: " + doing + ", " + Math.round(head.turnsPerSecond() * 10) / 10.0 + " turns/s, " + BAUD + " baud";
@@ -141,6 +146,7 @@ public final class RplidarA1 implements SerialDevice {
         if (command == null || command == Command.EXPRESS_SCAN && (request.size() != EXPRESS_PAYLOAD || request.at(0) != 0)) {
             return;
         }
+        context.understood();
         stop();
         if (command.getDescriptor() != null) {
             context.send(command.getDescriptor().toBytes(), time);

@@ -122,6 +122,11 @@ public final class Hokuyo implements SerialDevice {
     }
 
     @Override
+    public String title() {
+        return model.getLidar().withArticle();
+    }
+
+    @Override
     public String status() {
         return model.getName() + ": " + commands.describe() + (isUsb() ? ", USB" : ", " + baud + " baud");
     }
@@ -151,6 +156,10 @@ public final class Hokuyo implements SerialDevice {
             busy = false;
             serve(t);
         });
+    }
+
+    void understood() {
+        context.understood();
     }
 
     int powerOnBaud() {

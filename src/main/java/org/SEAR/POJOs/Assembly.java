@@ -31,6 +31,21 @@ public final class Assembly {
         component.robot().moveAside(component);
     }
 
+    /**
+     * Has a robot that was read name one of its components as a file in the robot's own folder.
+     *
+     * @return how it is named now, {@code robot/name}
+     * @throws IllegalArgumentException if the names are too long for that
+     */
+    public static String nameAside(SEARrobot robot, String component) {
+        return robot.nameAside(component);
+    }
+
+    /** Takes {@link #moveAside} back, but for the files. */
+    public static void forgetAside(SearObject component) {
+        component.robot().forgetAside(component);
+    }
+
     /** Says what scripts call a part that was read, see {@link SearObject#getFullName}. */
     public static void setFullName(SearObject part, String fullName) {
         part.setFullName(fullName);

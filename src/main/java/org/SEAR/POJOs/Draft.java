@@ -1,5 +1,6 @@
 package org.SEAR.POJOs;
 
+import java.util.Collection;
 import java.util.List;
 import java.util.function.Supplier;
 
@@ -7,8 +8,11 @@ import java.util.function.Supplier;
 public final class Draft implements ObjectStore {
     private final List<String> beamNames;
 
-    private Draft(List<String> beamNames) {
+    private final Collection<String> taken;
+
+    private Draft(List<String> beamNames, Collection<String> taken) {
         this.beamNames = beamNames;
+        this.taken = taken;
     }
 
     /**
@@ -18,7 +22,16 @@ public final class Draft implements ObjectStore {
      * @param work makes and changes objects, none of which may be changed later
      */
     public static <T> T of(List<String> beamNames, Supplier<T> work) {
-        return Stores.with(new Draft(beamNames), work);
+        return Stores.with(new Draft(beamNames, List.of()), work);
+    }
+
+    /**
+     * Makes a ready robot that belongs to no project.
+     *
+     * @param taken names that none of its parts may have, in whatever capitals
+     */
+    public static SEARrobot robot(Collection<String> taken, Supplier<SEARrobot> work) {
+        return Stores.with(new Draft(List.of(), taken), work);
     }
 
     @Override
@@ -39,6 +52,16 @@ public final class Draft implements ObjectStore {
     @Override
     public void removeOwn(SearObject part) {
         // a draft has no file
+    }
+
+    @Override
+    public <T> T whole(Supplier<T> maker) {
+        return maker.get();
+    }
+
+    @Override
+    public String partName(String robot, String part) {
+        return taken.stream().anyMatch(part::equalsIgnoreCase) ? robot + " " + part : part;
     }
 
     @Override

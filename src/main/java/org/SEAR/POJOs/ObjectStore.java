@@ -2,6 +2,7 @@ package org.SEAR.POJOs;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.function.Supplier;
 
 /**
  * Where objects of the grammar keep themselves: the present SEARproject folder. The project room implements it; found by
@@ -29,6 +30,16 @@ public interface ObjectStore {
 
     /** Removes the file of a part that stands in its robot's file from now on, unless another part was written there since. */
     void removeOwn(SearObject part) throws IOException;
+
+    /** Makes several objects that belong together: if the maker fails, the project is as it was. */
+    <T> T whole(Supplier<T> maker);
+
+    /**
+     * What a part of a ready robot is called.
+     *
+     * @param part its plain name, which it has unless an object of the environment or a robot has it; then it is {@code robot part}
+     */
+    String partName(String robot, String part) throws IOException;
 
     /**
      * The place of a robot that is made now in the order of the project's robots: behind all others. One that is made again keeps its place as long

@@ -5,7 +5,8 @@ package org.SEAR.POJOs;
  * with motors to build one's own from. Each is an ordinary robot: it can be moved, and gets sensors by {@link SEARrobot#addComponent}. The parts of
  * iRobot's are {@code drive} (a {@link Dynamics}), {@code body}, the driven wheels
  * {@code left} and {@code right}, and the castors {@code front} and {@code back} (the real ones have a castor in front only). Their origin is
- * the middle of the body, which starts 54 mm above the world's origin; forward is z.
+ * the middle of the body, which starts 54 mm above the world's origin; forward is z. Where an object of the environment or a robot is called like a
+ * part, {@code body}, the part of {@code rover} is {@code rover body}. What can't be made whole leaves the project as it was.
  */
 public final class Robots {
     private static final double RADIUS = 0.17;
@@ -61,7 +62,7 @@ public final class Robots {
      * leftMotor}, {@code rightMotor}), {@code body} and {@code drive}.
      */
     public static SEARrobot rover(String name) {
-        return PlainRobots.rover(name);
+        return Stores.get().whole(() -> PlainRobots.rover(name));
     }
 
     /**
@@ -69,7 +70,7 @@ public final class Robots {
      * rearRight}, a motor for each side ({@code leftMotor}, {@code rightMotor}), {@code body} and {@code drive}.
      */
     public static SEARrobot fourWheeled(String name) {
-        return PlainRobots.fourWheeled(name);
+        return Stores.get().whole(() -> PlainRobots.fourWheeled(name));
     }
 
     /**
@@ -77,27 +78,32 @@ public final class Robots {
      * {@code rearLeft}, {@code rearRight}, {@code engine}, {@code body} and {@code drive}.
      */
     public static SEARrobot car(String name) {
-        return PlainRobots.car(name);
+        return Stores.get().whole(() -> PlainRobots.car(name));
     }
 
     private static SEARrobot make(String name, String model, int baud, String uart, String user) {
+        return Stores.get().whole(() -> build(name, model, baud, uart, user));
+    }
+
+    private static SEARrobot build(String name, String model, int baud, String uart, String user) {
         SEARrobot robot = new SEARrobot(name);
-        Dynamics drive = new Dynamics("drive", MASS, STIFFNESS, COMPRESSION, DAMPING, MAX_FORCE, REST_LENGTH, 0, START, 0, 0, 0, 0);
+        Dynamics drive = new Dynamics(Stores.partName(robot, "drive"), MASS, STIFFNESS, COMPRESSION, DAMPING, MAX_FORCE, REST_LENGTH, 0, START, 0,
+            0, 0, 0);
         drive.setModel(model);
         drive.setBaud(baud);
         if (uart != null || user != null) {
             drive.setPorts(uart, user);
         }
         robot.addComponent(drive);
-        Cylinder body = new Cylinder("body", RADIUS, HEIGHT, MASS, "textures/roomba.jpg");
+        Cylinder body = new Cylinder(Stores.partName(robot, "body"), RADIUS, HEIGHT, MASS, "textures/roomba.jpg");
         robot.addComponent(body);
         body.move(0, RAISED, 0);
         OpenInterfaceBody size = OpenInterfaceBody.of(model);
-        robot.addWheel(new Wheel("left", size.wheelRadius, TREAD, 1, size.wheelBase / 2, 0, 0));
-        robot.addWheel(new Wheel("right", size.wheelRadius, TREAD, 1, -size.wheelBase / 2, 0, 0));
+        robot.addWheel(new Wheel(Stores.partName(robot, "left"), size.wheelRadius, TREAD, 1, size.wheelBase / 2, 0, 0));
+        robot.addWheel(new Wheel(Stores.partName(robot, "right"), size.wheelRadius, TREAD, 1, -size.wheelBase / 2, 0, 0));
         double castorY = CASTOR_RADIUS - size.wheelRadius;
-        robot.addWheel(new Wheel("front", CASTOR_RADIUS, TREAD, 0, 0, castorY, CASTOR_Z));
-        robot.addWheel(new Wheel("back", CASTOR_RADIUS, TREAD, 0, 0, castorY, -CASTOR_Z));
+        robot.addWheel(new Wheel(Stores.partName(robot, "front"), CASTOR_RADIUS, TREAD, 0, 0, castorY, CASTOR_Z));
+        robot.addWheel(new Wheel(Stores.partName(robot, "back"), CASTOR_RADIUS, TREAD, 0, 0, castorY, -CASTOR_Z));
         return robot;
     }
 }

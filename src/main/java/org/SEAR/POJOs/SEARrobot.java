@@ -162,10 +162,7 @@ public class SEARrobot extends PlacedObject {
      * @throws IllegalArgumentException if the two names are too long for that
      */
     void moveAside(SearObject component) throws IOException {
-        if (!TextRule.COMPONENT.isLegal(asideName(component))) {
-            throw new IllegalArgumentException(label() + ": " + component.label() + " has a name that another robot's part is to have, too; legal: "
-                + "names of robot and part that are short enough for \"" + asideName(component) + "\" (190 characters), or a name of its own");
-        }
+        checkAside(component.getName());
         setAside(component, true);
         boolean done = false;
         try {
@@ -179,6 +176,26 @@ public class SEARrobot extends PlacedObject {
             }
         }
         Stores.get().remove(component.getName(), true);
+    }
+
+    private void checkAside(String component) {
+        String aside = getName() + "/" + component;
+        if (!TextRule.COMPONENT.isLegal(aside)) {
+            throw new IllegalArgumentException(label() + ": its part " + ParameterTable.quote(component) + " has a name that another robot's part is "
+                + "to have, too; legal: names of robot and part that are short enough for \"" + aside + "\" (190 characters), or a name of its own");
+        }
+    }
+
+    /** Of a robot that was read: names a component as a file in the robot's own folder. */
+    String nameAside(String component) {
+        checkAside(component);
+        String aside = getName() + "/" + component;
+        componentNames.set(componentNames.indexOf(component), aside);
+        return aside;
+    }
+
+    void forgetAside(SearObject component) {
+        setAside(component, false);
     }
 
     /**

@@ -1,5 +1,7 @@
 package org.SEAR.POJOs;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ServiceLoader;
 import java.util.function.Supplier;
 
@@ -17,6 +19,15 @@ final class Stores {
     static ObjectStore get() {
         ObjectStore instead = INSTEAD.get();
         return instead == null ? STORE : instead;
+    }
+
+    /** What a part of a ready robot is called, see {@link ObjectStore#partName}. */
+    static String partName(SEARrobot robot, String part) {
+        try {
+            return get().partName(robot.getName(), part);
+        } catch (IOException e) {
+            throw new UncheckedIOException("the project can't be read: " + e.getMessage(), e);
+        }
     }
 
     /** Whether another store keeps what this thread makes. */

@@ -1,13 +1,16 @@
 package org.SEAR.project;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.util.Iterator;
 import java.util.List;
+import java.util.function.Supplier;
 import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.ObjectStore;
 import org.SEAR.POJOs.SearObject;
@@ -24,18 +27,84 @@ public final class FileStore implements ObjectStore {
 
     private final RobotOrder order = new RobotOrder();
     private final PartPlaces places = new PartPlaces();
+    /** Of {@link #whole}; nothing outside of it. */
+    private final ThreadLocal<Undo> undo = new ThreadLocal<>();
 
     @Override
     public void write(SearObject object, boolean part) throws IOException {
         if (part && object.getFileName().equals(object.getName())) {
-            places.take(object);
+            places.take(object, this::put);
         }
         change(() -> {
             Path file = ProjectFolder.file(ProjectFolder.present(), part, object.getFileName());
             Files.createDirectories(file.getParent());
             refuseOtherCapitals(file, object.getName());
-            writeAtomically(file, Xml.write(object).getBytes(StandardCharsets.UTF_8));
+            put(file, Xml.write(object).getBytes(StandardCharsets.UTF_8));
         });
+    }
+
+    /** @param bytes null to remove it */
+    private void put(Path file, byte[] bytes) throws IOException {
+        Undo log = undo.get();
+        if (log != null) {
+            log.note(file);
+        }
+        if (bytes == null) {
+            Files.deleteIfExists(file);
+        } else {
+            Files.createDirectories(file.getParent());
+            writeAtomically(file, bytes);
+        }
+    }
+
+    @Override
+    public <T> T whole(Supplier<T> maker) {
+        if (undo.get() != null) {
+            return maker.get();
+        }
+        Undo log = new Undo();
+        undo.set(log);
+        places.begin();
+        boolean done = false;
+        try {
+            T made = maker.get();
+            done = true;
+            return made;
+        } finally {
+            undo.remove();
+            if (!done) {
+                putBack(log);
+            }
+        }
+    }
+
+    private void putBack(Undo log) {
+        try {
+            change(log::putBack);
+            places.putBack();
+        } catch (IOException e) {
+            throw new UncheckedIOException("the project in " + ProjectFolder.present() + " could not be put back: " + e.getMessage(), e);
+        }
+    }
+
+    @Override
+    public String partName(String robot, String part) throws IOException {
+        Path project = ProjectFolder.present();
+        boolean taken = isThere(project.resolve(ProjectFolder.ENVIRONMENT), part) != null;
+        Path file = isThere(project.resolve(ProjectFolder.ROBOT), part);
+        return taken || file != null && FiledRobots.read(file) != null ? robot + " " + part : part;
+    }
+
+    /** The file of a name in whatever capitals; null if there is none. */
+    private static Path isThere(Path folder, String name) throws IOException {
+        if (!Files.isDirectory(folder)) {
+            return null;
+        }
+        String wanted = name + ProjectFolder.XML;
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, file -> file.getFileName().toString().equalsIgnoreCase(wanted))) {
+            Iterator<Path> found = files.iterator();
+            return found.hasNext() ? found.next() : null;
+        }
     }
 
     @Override
@@ -92,10 +161,9 @@ public final class FileStore implements ObjectStore {
     public void remove(String file, boolean part) throws IOException {
         change(() -> {
             Path present = ProjectFolder.file(ProjectFolder.present(), part, file);
-            if (file.indexOf('/') < 0) {
-                Files.deleteIfExists(present);
-            } else if (Files.exists(present)) {
-                Files.delete(present);
+            boolean was = Files.exists(present);
+            put(present, null);
+            if (was && file.indexOf('/') >= 0) {
                 deleteIfEmpty(present.getParent());
             }
         });
@@ -108,7 +176,7 @@ public final class FileStore implements ObjectStore {
         }
     }
 
-    private static void deleteIfEmpty(Path folder) throws IOException {
+    static void deleteIfEmpty(Path folder) throws IOException {
         boolean empty;
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder)) {
             empty = !files.iterator().hasNext();

@@ -4,8 +4,10 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.SEAR.POJOs.Assembly;
@@ -23,15 +25,38 @@ final class PartPlaces {
     private static final int MOST = 10000;
 
     private final Map<String, SearObject> holders = new LinkedHashMap<>();
+    /** Those that moved since {@link #begin}, and who had which place then. */
+    private final List<SearObject> moved = new ArrayList<>();
+    private Map<String, SearObject> before = Map.of();
 
-    /** Makes the plain place free for a part or robot that is about to be written there. */
-    synchronized void take(SearObject part) throws IOException {
+    /** Something that may fail halfway begins. */
+    synchronized void begin() {
+        moved.clear();
+        before = new LinkedHashMap<>(holders);
+    }
+
+    /** It has failed: their files are where they were. */
+    synchronized void putBack() {
+        moved.forEach(Assembly::forgetAside);
+        holders.clear();
+        holders.putAll(before);
+    }
+
+    /**
+     * Makes the plain place free for a part or robot that is about to be written there.
+     *
+     * @param writer changes the files of robots that this program did not make
+     */
+    synchronized void take(SearObject part, FiledRobots.Writer writer) throws IOException {
         SearObject holder = holders.get(key(part));
         if (holder == part) {
             return;
         }
         if (isOnRobot(holder)) {
             Assembly.moveAside(holder);
+            moved.add(holder);
+        } else {
+            FiledRobots.makeWay(ProjectFolder.present(), part.getName(), writer);
         }
         holders.remove(key(part));
         holders.put(key(part), part);

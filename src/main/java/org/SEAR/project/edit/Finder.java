@@ -61,14 +61,21 @@ final class Finder {
     boolean isTaken(String name, SEARrobot robot) throws IOException {
         List<String> names = new ArrayList<>();
         if (robot == null) {
-            draft.list(false).forEach(path -> names.add(ObjectFiles.stem(path)));
-            names.addAll(robots());
+            names.addAll(wholes());
         } else {
             names.add(robot.getName());
             robot.getComponentNames().forEach(file -> names.add(file.substring(file.indexOf('/') + 1)));
             robot.getWheels().forEach(wheel -> names.add(wheel.getName()));
         }
         return names.stream().anyMatch(name::equalsIgnoreCase);
+    }
+
+    /** The names of what is no robot's part, and more. */
+    List<String> wholes(String... more) throws IOException {
+        List<String> names = new ArrayList<>(List.of(more));
+        draft.list(false).forEach(path -> names.add(ObjectFiles.stem(path)));
+        names.addAll(robots());
+        return names;
     }
 
     /**

@@ -190,7 +190,7 @@ final class Operations {
         String template = edit.text("template");
         String name = newName(edit, template, null);
         Integer order = order();
-        SEARrobot robot = RobotTemplates.make(template, name);
+        SEARrobot robot = RobotTemplates.make(template, name, finder.wholes(name));
         assign(robot, "order", order);
         for (SearObject part : robot.getComponents()) {
             String file = finder.partFile(name, part.getName());

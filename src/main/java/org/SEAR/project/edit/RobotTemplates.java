@@ -1,5 +1,6 @@
 package org.SEAR.project.edit;
 
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -33,13 +34,14 @@ public final class RobotTemplates {
     /**
      * A new robot with its parts.
      *
+     * @param taken names of what the project has besides parts of robots
      * @throws ProjectException that says which there are
      */
-    static SEARrobot make(String template, String name) throws ProjectException {
+    static SEARrobot make(String template, String name, Collection<String> taken) throws ProjectException {
         Function<String, SEARrobot> maker = ALL.get(template);
         if (maker == null) {
             throw Request.refused("template", template, String.join(", ", ALL.keySet()));
         }
-        return Draft.of(List.of(), () -> maker.apply(name));
+        return Draft.robot(taken, () -> maker.apply(name));
     }
 }

@@ -1,0 +1,89 @@
+package org.SEAR.project;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryIteratorException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import org.SEAR.POJOs.Assembly;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.project.problems.ProblemList;
+import org.SEAR.project.xml.ParsedObject;
+import org.SEAR.project.xml.Xml;
+
+/** The robots of a project as their files have them: of a project that was opened, or of an earlier run. Any thread. */
+final class FiledRobots {
+    private static final byte[] ROOT = ("<" + SEARrobot.class.getSimpleName()).getBytes(StandardCharsets.UTF_8);
+    /** The root element is within so many bytes: behind the header and, at most, a comment. */
+    private static final int HEAD = 1000;
+
+    private FiledRobots() {
+    }
+
+    /** Takes a change of a file. */
+    interface Writer {
+        /** @param bytes null to remove it */
+        void write(Path file, byte[] bytes) throws IOException;
+    }
+
+    /** The files in {@code robot/} of a project, in no order. */
+    static List<Path> files(Path project) throws IOException {
+        List<Path> all = new ArrayList<>();
+        Path folder = project.resolve(ProjectFolder.ROBOT);
+        if (Files.isDirectory(folder)) {
+            try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, "*" + ProjectFolder.XML)) {
+                files.forEach(all::add);
+            } catch (DirectoryIteratorException e) {
+                throw e.getCause();
+            }
+        }
+        return all;
+    }
+
+    /** The robot in a file; null if none can be read from it. */
+    static SEARrobot read(Path file) throws IOException {
+        if (!Files.isRegularFile(file) || Files.size(file) > Xml.MAX_BYTES) {
+            return null;
+        }
+        byte[] bytes = Files.readAllBytes(file);
+        if (!startsAsRobot(bytes)) {
+            return null;
+        }
+        ParsedObject parsed = Xml.parse(bytes, file.toString(), Map.of(SEARrobot.class.getSimpleName(), SEARrobot.class), new ProblemList());
+        return parsed == null || parsed.isBroken() ? null : (SEARrobot) parsed.object;
+    }
+
+    private static boolean startsAsRobot(byte[] bytes) {
+        for (int i = 0; i < Math.min(HEAD, bytes.length - ROOT.length); i++) {
+            if (Arrays.equals(bytes, i, i + ROOT.length, ROOT, 0, ROOT.length)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /**
+     * Makes the plain place of a name free: the part that has it moves into the folder of the robot whose file names it. The project is whole after
+     * each step.
+     *
+     * @throws IllegalArgumentException if the names are too long for that
+     */
+    static void makeWay(Path project, String name, Writer writer) throws IOException {
+        for (Path file : files(project)) {
+            SEARrobot robot = read(file);
+            String part = robot == null ? null : robot.getComponentNames().stream().filter(name::equalsIgnoreCase).findFirst().orElse(null);
+            Path plain = part == null ? null : ProjectFolder.file(project, true, part);
+            if (plain != null && Files.isRegularFile(plain)) {
+                String aside = Assembly.nameAside(robot, part);
+                writer.write(ProjectFolder.file(project, true, aside), Files.readAllBytes(plain));
+                writer.write(file, Xml.write(robot).getBytes(StandardCharsets.UTF_8));
+                writer.write(plain, null);
+            }
+        }
+    }
+}

@@ -8,7 +8,7 @@ needed="javac:default-jdk-headless gradle:gradle"
 case " $* " in
     *" test "*|*" check "*|*" build "*)
         needed="$needed Xvfb:xvfb xdotool:xdotool chromium:chromium chromedriver:chromium-driver gpsd:gpsd gpspipe:gpsd-clients rawlog-grabber:mrpt-apps"
-        needed="$needed python3:python3 pip3:python3-pip" ;;
+        needed="$needed python3:python3 pip3:python3-pip cc:gcc" ;;
 esac
 case " $* " in *" check "*|*" build "*|*" test "*|*" eslint "*) needed="$needed npm:npm node:nodejs" ;; esac
 case " $* " in *" tryOnWindows "*) needed="$needed wine:wine python3:python3 pip3:python3-pip" ;; esac
@@ -18,6 +18,7 @@ for pair in $needed; do
     PATH="$PATH:/usr/sbin:/sbin" command -v "${pair%%:*}" >/dev/null 2>&1 || missing="$missing ${pair#*:}"
 done
 case "$missing" in *xvfb*) missing="$missing libgl1-mesa-dri libgl1 libegl1 libxrandr2 libxcursor1 libxi6 libxxf86vm1 libxinerama1" ;; esac
+case "$missing" in *" gcc"*) missing="$missing libc6-dev" ;; esac
 case "$missing" in *" wine"*) missing="$missing wine64" ;; esac
 
 can_install() { command -v apt-get >/dev/null 2>&1 && { [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; }; }

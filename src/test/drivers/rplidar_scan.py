@@ -2,11 +2,8 @@
 import sys
 
 import rplidar
-import serial
 
 port, kind, turns = sys.argv[1], sys.argv[2], int(sys.argv[3])
-# The driver switches the motor by DTR, which a pseudo-terminal doesn't have: through RFC 2217 it is taken. So pyserial opens an address here.
-rplidar.serial.Serial = serial.serial_for_url
 lidar = rplidar.RPLidar(port)
 print(lidar.get_info())
 print(lidar.get_health())

@@ -17,7 +17,7 @@ import picocli.CommandLine;
 
 /** {@code sear SCRIPT.py [options]}, and the other commands of the program. */
 @Command(name = "sear", mixinStandardHelpOptions = true, versionProvider = Version.class,
-    subcommands = {CheckCommand.class, ScriptCommand.class, SensorsCommand.class, InstallCommand.class, AutoComplete.GenerateCompletion.class},
+    subcommands = {CheckCommand.class, ScriptCommand.class, SensorsCommand.class, ModemLinesCommand.class, InstallCommand.class, AutoComplete.GenerateCompletion.class},
     description = "Runs a Python script in a small MyRobotLab with SEAR in it, or opens a project in the tabs, and in the browser where there is one."
         + " The project of a script is the folder SEARproject in the present folder.",
     footer = "Exit status: 0 when the script ends, 1 when it raises, 2 when the command makes no sense.")
@@ -55,7 +55,9 @@ public final class SearCommand implements Callable<Integer> {
 
     /** The whole command line, for main and for tests. */
     static CommandLine commandLine() {
-        return new CommandLine(new SearCommand());
+        CommandLine line = new CommandLine(new SearCommand());
+        line.getSubcommands().get("modem-lines").setStopAtPositional(true);
+        return line;
     }
 
     @Override

@@ -137,14 +137,56 @@ public class ThirdPartyScannersTest {
     /** Of an express scan the driver tells each sample one step, half a degree, beside its place: between two beams it may lie anywhere. */
     private void roboticia(String kind, double step) throws Exception {
         float[] expected = sear.getLidarResult("scanner");
-        String url = "rfc2217://localhost:" + sear.exportRfc2217(ScannedRoom.PORT, 0);
-        ProcessBuilder builder = new ProcessBuilder("python3", SCRIPTS.resolve("rplidar_scan.py").toString(), url, kind, Integer.toString(TURNS));
-        builder.environment().put("PYTHONPATH", System.getProperty("sear.drivers"));
-        List<String> output = programs.run(builder, new ArrayList<>());
+        List<String> output = withModemLines("rplidar_scan.py", kind, Integer.toString(TURNS));
         assertTrue(output.get(0), output.get(0).contains("'model': 24, 'firmware': (1, 20), 'hardware': 0"));
         assertTrue(output.get(1), output.get(1).contains("'Good', 0"));
         assertEquals(2 + TURNS, output.size());
-        for (String line : output.subList(3, output.size())) {
+        compareTurns(output.subList(3, output.size()), expected, step);
+    }
+
+    /** An unchanged driver at a pseudo-terminal, started by {@code sear modem-lines}, since it sets DTR. */
+    private List<String> withModemLines(String script, String... arguments) throws Exception {
+        List<String> command = new ArrayList<>(List.of(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+            System.getProperty("java.class.path"), "org.SEAR.cli.SearCommand", "modem-lines", "--", "python3", SCRIPTS.resolve(script).toString(),
+            sear.exportPort(ScannedRoom.PORT)));
+        command.addAll(List.of(arguments));
+        ProcessBuilder builder = new ProcessBuilder(command);
+        builder.environment().put("PYTHONPATH", System.getProperty("sear.drivers"));
+        return programs.run(builder, new ArrayList<>());
+    }
+
+    @Test
+    public void pyrplidarReadsAnRplidar() throws Exception {
+        start("RPLIDAR-A1");
+        float[] expected = sear.getLidarResult("scanner");
+        List<String> output = withModemLines("pyrplidar_scan.py", Integer.toString(TURNS));
+        output.removeIf(line -> line.startsWith("PyRPlidar Info"));
+        assertTrue(output.get(0), output.get(0).contains("'model': 24"));
+        assertEquals(2 + TURNS, output.size());
+        compareTurns(output.subList(3, output.size()), expected, 1);
+    }
+
+    /** Version 0.1.3 drops a bit of the angle: what is at an odd degree it tells at the even one before. */
+    @Test
+    public void rplidarc1ReadsAnRplidar() throws Exception {
+        start("RPLIDAR-A1");
+        float[] expected = sear.getLidarResult("scanner");
+        List<String> output = withModemLines("rplidarc1_scan.py", "1000");
+        String[] samples = output.get(output.size() - 1).split(" ");
+        assertEquals(1000, samples.length);
+        TreeSet<Integer> degrees = new TreeSet<>();
+        for (String each : samples) {
+            int even = (int) Math.round(Double.parseDouble(each.split(":")[0]));
+            double metres = Double.parseDouble(each.split(":")[1]) / 1000;
+            degrees.add(even);
+            boolean near = Math.abs(beam(expected, even) - metres) < 0.0007 || Math.abs(beam(expected, even + 1) - metres) < 0.0007;
+            assertTrue(each + " of " + beam(expected, even) + ", " + beam(expected, even + 1), even % 2 == 0 && near);
+        }
+        assertTrue(degrees.toString(), degrees.size() > 45);
+    }
+
+    private static void compareTurns(List<String> lines, float[] expected, double step) {
+        for (String line : lines) {
             TreeSet<Integer> degrees = new TreeSet<>();
             for (String each : line.split(" ")) {
                 double clockwise = Double.parseDouble(each.split(":")[0]) - (step < 1 ? step : 0);
@@ -152,7 +194,7 @@ public class ThirdPartyScannersTest {
                 int degree = (int) Math.round(clockwise);
                 if (Math.abs(clockwise - degree) < 0.05) {
                     degrees.add(Math.floorMod(degree, 360));
-                    String where = String.format(Locale.ROOT, "%s at %s", kind, each);
+                    String where = String.format(Locale.ROOT, "step %s at %s", step, each);
                     assertEquals(where, beam(expected, degree) * 1000.0, millimetres, 0.7);
                 }
             }

@@ -293,7 +293,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
 
     private boolean play(int song, double time) {
         if (songs.has(song) && !songs.play(song, time)) {
-            context.warn("song " + song, "song " + song + " is not defined: command 141 (PLAY) is ignored");
+            context.warn("song", "song " + song + " is not defined: command 141 (PLAY) is ignored");
         }
         return songs.has(song);
     }

@@ -288,6 +288,17 @@ public class RoombaTest {
         assertEquals("02 00", ask("95 02 24 25"));
     }
 
+    /** As pycreate2's safe() does it. */
+    @Test
+    public void aSongOfNoDurationIsASongAndEachMistakeIsNamed() {
+        power(OiModel.CREATE2);
+        line.host("80 83 8C 02 01 40 00 8D 02");
+        assertEquals("[]", line.warnings.toString());
+        line.host("8D 03 8D 03 8D 09 8C 09 01 40 20 90 00 00 00");
+        assertEquals("[song 3 is not defined: command 141 (PLAY) is ignored, command 141 (PLAY) with first argument 9 is not possible on a create2:"
+            + " ignored, command 140 (SONG) with first argument 9 is not possible on a create2: ignored]", line.warnings.toString());
+    }
+
     @Test
     public void baudChangesAndUnknownOpcodesAreNamed() {
         power(OiModel.CREATE);

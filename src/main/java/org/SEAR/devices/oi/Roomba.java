@@ -180,7 +180,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
     @Override
     public void onUnknown(int code) {
         if (mode != OiMode.OFF) {
-            context.warn("opcode " + code, "opcode " + code + " is none of a " + model.getName() + ": ignored");
+            context.warn("opcode", "opcode " + code + " is none of a " + model.getName() + ": ignored");
         }
     }
 
@@ -234,7 +234,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
                 break;
             default:
                 enter(OiMode.PASSIVE);
-                context.warn("program " + opcode, opcode + ": the simulated robot has no cleaning programs and demos; it stands in passive mode");
+                context.warn("program", opcode + ": the simulated robot has no cleaning programs and demos; it stands in passive mode");
                 break;
         }
     }

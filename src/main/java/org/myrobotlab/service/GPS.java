@@ -73,7 +73,7 @@ public class GPS extends Service<GPSConfig> implements Reconnects {
         super.startService();
         if (link == null) {
             link = new SerialLink((Serial) startPeer(PEER), this, this::tick, this::lost);
-            restore(config.port, link);
+            Reconnects.restore(this, config.port, link);
         }
     }
 

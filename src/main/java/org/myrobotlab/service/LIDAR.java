@@ -65,7 +65,7 @@ public class LIDAR extends Service<LIDARConfig> implements Reconnects, FindsBaud
             Serial serial = (Serial) startPeer(PEER);
             link = new SerialLink(serial, this, () -> device.tick(), this::lost);
             takeDriver();
-            restore(config.port, link);
+            Reconnects.restore(this, config.port, link);
         }
     }
 

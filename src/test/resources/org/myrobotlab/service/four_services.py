@@ -1,5 +1,5 @@
 # Two robots and six services whose callbacks log what they hear and drive: in lock-step it ends with the same log and the same poses each time.
-import org.SEAR.POJOs as POJOs
+from org.SEAR.POJOs import Arduino, Box, Distance, Floor, GPS as Receiver, LIDAR as Scanner, Robots
 
 SECONDS = 4
 
@@ -9,30 +9,30 @@ if sear.isSimulating():
 sear.newProject()
 sear.setLockStep(True)
 
-POJOs.Floor("floor", 40, 40, False)
+Floor("floor", 40, 40, False)
 for number, (x, z) in enumerate(((-2, 3), (2.5, 4), (0, -3), (4, 0))):
-    wall = POJOs.Box("wall%d" % number, 3, 0.2, 1, 0)
+    wall = Box("wall%d" % number, 3, 0.2, 1, 0)
     wall.move(x, 0.5, z)
 
 def lidar(name, robot, port):
-    scanner = POJOs.LIDAR(name)
+    scanner = Scanner(name)
     scanner.setModel("LMS200")
     scanner.setPorts("/dev/my_" + name, port)
     scanner.setBaud(38400)
     scanner.move(0, 0.2, 0)
     robot.addComponent(scanner)
 
-first = POJOs.Robots.create2("first", "/dev/my_first", "/dev/SEAR_first")
+first = Robots.create2("first", "/dev/my_first", "/dev/SEAR_first")
 lidar("firstScanner", first, "/dev/SEAR_firstScanner")
-receiver = POJOs.GPS("receiver", 33.61, 182.5, -80.865)
+receiver = Receiver("receiver", 33.61, 182.5, -80.865)
 receiver.setPorts("/dev/my_receiver", "/dev/SEAR_receiver")
 first.addComponent(receiver)
 
-second = POJOs.Robots.create2("second", "/dev/my_second", "/dev/SEAR_second")
+second = Robots.create2("second", "/dev/my_second", "/dev/SEAR_second")
 second.move(1.5, 0, 0)
-eye = POJOs.Distance("eye", "GP2Y0A21", 0, 0.1, 0.2, 0, 0, 0)
+eye = Distance("eye", "GP2Y0A21", 0, 0.1, 0.2, 0, 0, 0)
 second.addComponent(eye)
-uno = POJOs.Arduino("uno", "uno")
+uno = Arduino("uno", "uno")
 uno.setFirmware("StandardFirmata")
 uno.setPorts("/dev/my_uno", "/dev/SEAR_uno")
 uno.wire("A0", eye)

@@ -33,16 +33,16 @@ public interface Reconnects extends SerialDataListener {
      * @param port null for a service that was never connected
      * @param link knows which ports there are
      */
-    default void restore(String port, SerialLink link) {
+    static void restore(Reconnects driver, String port, SerialLink link) {
         if (port == null) {
             return;
         }
         if (link.getPortNames().contains(port)) {
-            reconnect();
+            driver.reconnect();
         } else {
-            reconnectWhenBack(port);
-            ((Service<?>) this).info("there is no port %s: %s connects to it as soon as a simulation has it; reconnectSerial() tries again", port,
-                getName());
+            driver.reconnectWhenBack(port);
+            ((Service<?>) driver).info("there is no port %s: %s connects to it as soon as a simulation has it; reconnectSerial() tries again", port,
+                driver.getName());
         }
     }
 }

@@ -12,6 +12,7 @@ import java.util.function.BooleanSupplier;
  */
 public final class SimulationRunner implements Runnable {
     private static final double NANOS = 1e9;
+    private static final long SILENT = Long.MIN_VALUE;
     /** By which sums of steps may miss the time that was asked for, s. */
     private static final double ROUNDING = Simulation.STEP / 1000;
     /** Real time over which the speed is measured, ns, and how often. */
@@ -41,6 +42,8 @@ public final class SimulationRunner implements Runnable {
     private volatile long ordered;
     private volatile boolean newPace;
     private final Pace pace = new Pace();
+    /** When the bell rang first since lines were attended to last, ns; {@link #SILENT} if it did not. */
+    private volatile long rung = SILENT;
 
     public SimulationRunner(Simulation simulation) {
         this.simulation = simulation;
@@ -50,7 +53,7 @@ public final class SimulationRunner implements Runnable {
     @Override
     public void run() {
         thread = Thread.currentThread();
-        simulation.setBell(() -> LockSupport.unpark(thread));
+        simulation.setBell(this::ring);
         try {
             newPace = true;
             while (!stopped) {
@@ -85,9 +88,26 @@ public final class SimulationRunner implements Runnable {
         if (pace.isDue(now, speed)) {
             return true;
         }
+        attendTo(now);
+        return false;
+    }
+
+    /** Bytes are on their way from when they were written, however late a busy processor lets this thread see them. */
+    private void attendTo(long now) {
+        long written = rung;
+        if (written != SILENT) {
+            rung = SILENT;
+            simulation.attend(pace.part(written));
+        }
         int next = simulation.attend(pace.part(now));
         LockSupport.parkNanos(this, pace.waitFor(next, System.nanoTime()));
-        return false;
+    }
+
+    private void ring() {
+        if (rung == SILENT) {
+            rung = System.nanoTime();
+        }
+        LockSupport.unpark(thread);
     }
 
     private void advanceOne() {

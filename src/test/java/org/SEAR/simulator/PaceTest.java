@@ -47,6 +47,7 @@ public class PaceTest {
         assertTrue(pace.isDue(0, 0.5));
         assertFalse(pace.isDue(0, 0.5));
         assertEquals("never the step's own moment", 1, pace.part(0));
+        assertEquals("what was written in the step before", 1, pace.part(-STEP));
         assertEquals(64, pace.part(STEP / 2 + 100));
         assertEquals(128, pace.part(STEP + 100));
         assertEquals(255, pace.part(2 * STEP - 1));

@@ -8,7 +8,8 @@ import org.SEAR.protocol.mrlcomm.MrlReader;
 
 /**
  * MyRobotLab's MrlComm, version 68. After a reset it sends a line of text and {@code AA 02 3A 44}; then it says what it is once a second, and an
- * acknowledgement after each command. Its loop takes a millisecond here. Source: MyRobotLab's schema of its messages and the behaviour of MrlComm.
+ * acknowledgement after each command, in no time where time stands still. Its loop takes a millisecond here. Source: MyRobotLab's schema of its
+ * messages and the behaviour of MrlComm.
  */
 final class MrlCommFirmware implements Firmware {
     private static final double LOOP = 0.001;

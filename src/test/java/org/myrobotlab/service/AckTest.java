@@ -1,0 +1,142 @@
+package org.myrobotlab.service;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import org.SEAR.Bytes;
+import org.SEAR.POJOs.Arduino;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Robots;
+import org.SEAR.POJOs.SEARrobot;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.framework.QueueStats;
+import org.myrobotlab.framework.Service;
+import org.myrobotlab.service.config.ServiceConfig;
+import org.myrobotlab.service.interfaces.SerialDataListener;
+
+/** In lock-step MrlComm acknowledges while the script's thread, which alone makes time pass, waits for that, as MyRobotLab's Arduino service does. */
+public class AckTest {
+    private static final String PORT = "/dev/SEAR_UNO_01";
+    private static final int COMMANDS = 60;
+
+    @Rule
+    public final TemporaryFolder temporary = new TemporaryFolder();
+    private SEAR sear;
+    private Serial serial;
+    private Listener listener;
+
+    /** Keeps what comes, and when. */
+    public static class Listener extends Service<ServiceConfig> implements SerialDataListener {
+        private static final long serialVersionUID = 1L;
+        private final transient BlockingQueue<Byte> bytes = new LinkedBlockingQueue<>();
+        private final transient Map<Double, String> log = new TreeMap<>();
+        private transient SEAR clock;
+
+        public Listener(String name, String id) {
+            super(name, id);
+        }
+
+        @Override
+        public void onBytes(byte[] values) {
+            log.merge(clock.getTime(), Bytes.hex(values), (before, more) -> before + " " + more);
+            for (byte each : values) {
+                bytes.add(each);
+            }
+        }
+
+        @Override
+        public void onConnect(String portName) {
+            // nothing to do
+        }
+
+        @Override
+        public void onDisconnect(String portName) {
+            // nothing to do
+        }
+
+        @Override
+        public QueueStats publishStats(QueueStats stats) {
+            return stats;
+        }
+
+        @Override
+        public void updateStats(QueueStats stats) {
+            // nobody looks at them
+        }
+    }
+
+    @Before
+    public void start() {
+        System.setProperty("sear.headless", "true");
+        System.setProperty("sear.speed", "max");
+        System.setProperty("sear.project", temporary.getRoot().toPath().resolve("SEARproject").toString());
+        new Floor("floor", 20, 20);
+        SEARrobot robot = Robots.create2("rover");
+        Arduino uno = new Arduino("uno");
+        uno.setPorts("/dev/my_UNO_01", PORT);
+        robot.addComponent(uno);
+        sear = (SEAR) Runtime.start("ackSear", "SEAR");
+    }
+
+    @After
+    public void release() {
+        Runtime.releaseService("ackSear");
+        System.clearProperty("sear.project");
+        System.clearProperty("sear.speed");
+    }
+
+    /** Reads an open analog pin in each loop, writes a digital one and waits for the acknowledgement, and now and then doesn't wait. */
+    private Map<Double, String> run() throws Exception {
+        sear.startSimulation();
+        serial = (Serial) Runtime.start("ackSerial", "Serial");
+        listener = (Listener) Runtime.start("ackListener", Listener.class.getName());
+        listener.clock = sear;
+        serial.addByteListener(listener);
+        serial.connect(PORT, 115200, 8, 1, 0);
+        sear.simSleep(1.5);
+        listener.bytes.clear();
+        command("AA 05 04 0E 01 00 00");
+        for (int i = 0; i < COMMANDS; i++) {
+            double time = sear.getTime();
+            command(i % 2 == 0 ? "AA 03 1B 0D 01" : "AA 03 1A 09 80");
+            assertEquals("no time has passed", time, sear.getTime(), 0);
+            if (i % 5 == 0) {
+                serial.write(Bytes.bytes("AA 03 1B 0D 00"));
+                sear.simSleep(0.05);
+                assertTrue(listener.log.get(time), listener.log.get(time).endsWith("AA 02 09 1B"));
+                listener.bytes.clear();
+            }
+        }
+        sear.stopSimulation();
+        Map<Double, String> log = listener.log;
+        for (String name : new String[] {"ackSerial", "ackListener"}) {
+            Runtime.releaseService(name);
+        }
+        return log;
+    }
+
+    private void command(String hex) throws Exception {
+        byte[] bytes = Bytes.bytes(hex);
+        serial.write(bytes);
+        int[] ack = {0xAA, 2, 9, bytes[2]};
+        for (int found = 0; found < ack.length;) {
+            int value = listener.bytes.take() & 0xFF;
+            found = value == ack[found] ? found + 1 : value == ack[0] ? 1 : 0;
+        }
+    }
+
+    @Test(timeout = 120_000)
+    public void aCommandTakesNoSimulatedTimeAndGivesTheSameBytesEachTime() throws Exception {
+        Map<Double, String> first = run();
+        assertEquals(first, run());
+        assertTrue(first.toString(), first.toString().contains("AA 05 20 03 0E"));
+    }
+}

@@ -80,7 +80,7 @@ final class RealMrl {
     static synchronized RealMrl shared() throws IOException, InterruptedException {
         if (shared == null || !shared.process.isAlive()) {
             RealMrlCopy copy = new RealMrlCopy("mrl");
-            RealMrlCopy.sear(copy.folder(), "install", copy.folder().toString());
+            copy.install();
             share(new RealMrl(copy.folder(), "tests"));
         }
         return shared;

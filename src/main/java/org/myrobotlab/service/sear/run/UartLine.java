@@ -157,8 +157,10 @@ final class UartLine implements OutsideLine {
         if (outside != null) {
             guarded(() -> outside.receive(bytes));
         } else if (!held.keep(bytes)) {
-            handOver();
-            send(bytes);
+            synchronized (held) {
+                handOver();
+                send(bytes);
+            }
         }
     }
 
@@ -173,9 +175,11 @@ final class UartLine implements OutsideLine {
      * @return whether there was anything
      */
     boolean handOver() {
-        byte[] bytes = held.take();
-        send(bytes);
-        return bytes.length > 0;
+        synchronized (held) { // so that nothing overtakes what was taken
+            byte[] bytes = held.take();
+            send(bytes);
+            return bytes.length > 0;
+        }
     }
 
     private void send(byte[] bytes) {

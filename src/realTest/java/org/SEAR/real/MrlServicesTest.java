@@ -13,8 +13,8 @@ import org.junit.runner.RunWith;
 import org.junit.runners.Parameterized;
 
 /**
- * MyRobotLab's own services at the simulated ports: each script of {@code src/realTest/python/mrl_services} holds one of them against the simulation, and
- * raises where it is not as it must be.
+ * MyRobotLab's own services at the simulated ports: each script of {@code src/realTest/python/mrl_services} holds one of them against the
+ * simulation, and raises where it is not as it must be.
  */
 @RunWith(Parameterized.class)
 public class MrlServicesTest extends InRealMrl {

@@ -10,6 +10,9 @@ case " $* " in
         needed="$needed Xvfb:xvfb xdotool:xdotool chromium:chromium chromedriver:chromium-driver gpsd:gpsd gpspipe:gpsd-clients rawlog-grabber:mrpt-apps"
         needed="$needed python3:python3 pip3:python3-pip" ;;
 esac
+case " $* " in
+    *" realMrlTest "*) needed="$needed chromium:chromium chromedriver:chromium-driver" ;;
+esac
 case " $* " in *" check "*|*" build "*|*" test "*|*" eslint "*) needed="$needed npm:npm node:nodejs" ;; esac
 case " $* " in *" tryOnWindows "*) needed="$needed wine:wine python3:python3 pip3:python3-pip" ;; esac
 
@@ -38,13 +41,11 @@ if [ -n "$missing" ]; then
     fi
 fi
 
-# With -PmrlJar everything lies below build/real-mrl.
-summaries="build/test-summary.txt build/real-mrl/test-summary.txt"
-rm -f $summaries
+rm -f build/test-summary.txt
 # Without a locale, as in a bare container, Java can't write a file with an umlaut in its name.
 case ${LC_ALL:-${LC_CTYPE:-${LANG:-}}} in "" | C | POSIX) LC_ALL=C.UTF-8; export LC_ALL ;; esac
 [ -t 0 ] && SEAR_TERMINAL=1 && export SEAR_TERMINAL
 gradle "$@"
 status=$?
-cat $summaries 2>/dev/null
+cat build/test-summary.txt 2>/dev/null
 exit $status

@@ -1,6 +1,6 @@
-# What the tests of MyRobotLab's own services begin with: a rover between two walls with an Arduino, a Roomba protocol and a GPS receiver.
+# What the tests of MyRobotLab's own services begin with: a rover with an Arduino and a GPS receiver before a wall. Time runs by the clock.
 import time
-from org.SEAR.POJOs import Arduino, Box, Bumper, Cylinder, Distance, Floor, GPS, Led, Robots
+from org.SEAR.POJOs import Arduino, Box, Bumper, Distance, Floor, GPS, Led, Robots
 from org.SEAR.POJOs import Motor as SimulatedMotor, Servo as SimulatedServo
 
 def until(what, condition, seconds=60):
@@ -15,10 +15,14 @@ def check(what, value, expected, error):
     if not abs(value - expected) <= error:
         raise AssertionError("%s is %s, not %s +- %s" % (what, value, expected, error))
 
+def pressBumper():
+    """Drives against the wall."""
+    for side in ("left", "right"): sear.setMotorPower(side + "Engine", 0.5)
+
 def build():
     """A rover of the Create's body whose wheels are driven by an Uno, as MyRobotLab's Arduino service programs it."""
     Floor("ground", 20, 20)
-    Box("wall", 4, 0.2, 0.4, 0).move(0, 0.2, 2)
+    Box("wall", 4, 0.2, 0.4, 0).move(0, 0.2, 0.9)    # its face is 0.8 m ahead of the middle
     rover = Robots.create2("rover")
     uno = Arduino("uno", "uno")
     uno.setFirmware("MrlComm")

@@ -4,6 +4,7 @@ import static org.junit.Assert.assertEquals;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.After;
 import org.junit.Before;
 
@@ -23,16 +24,19 @@ abstract class InRealMrl {
         release(mrl);
     }
 
-    /** Releases what was started, puts the project away, and forgets what scripts had defined. */
+    /** Puts the project away, releases what was started, and waits until Python has forgotten it. */
     static void release(RealMrl mrl) throws IOException, InterruptedException {
-        StringBuilder script = new StringBuilder();
-        for (String name : mrl.services()) {
-            if (!mrl.firstServices().contains(name)) {
-                script.append("Runtime.release('").append(name).append("')\n");
-            }
+        assertEquals("", mrl.python("Runtime.start('sear', 'SEAR')", "for _name in Runtime.getServiceNames():",
+            "    _service = Runtime.getService(_name)",
+            "    if hasattr(_service, 'isSimulating') and _service.isSimulating(): _service.stopSimulation()",
+            "_kept = Runtime.getService('sear').newProject()"));
+        List<String> names = mrl.services();
+        names.removeAll(mrl.firstServices());
+        for (String name : names) {
+            assertEquals("", mrl.python("if Runtime.getService('" + name + "') is not None: Runtime.release('" + name + "')"));
         }
-        script.append("_sear = Runtime.start('sear', 'SEAR')\n_kept = _sear.newProject()\n");
-        assertEquals("", mrl.python(script + "Runtime.release('sear')"));
+        mrl.await("Python to forget them", () -> mrl.python("for _name in " + names.toString().replaceAll("([^\\[\\], ]+)", "'$1'") + ":",
+            "    if globals().get(_name) is not None: print _name").isEmpty());
         assertEquals(mrl.firstServices(), mrl.services());
     }
 }

@@ -15,26 +15,42 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** A copy of the user's MyRobotLab in a folder of the build: its jar and its libraries, as before its first start. */
+/** A copy of the user's MyRobotLab in a folder of the build: its jar and its libraries, as before its first start and without SEAR. */
 final class RealMrlCopy {
     /** Where copies, logs and pictures are kept. */
     static final Path BUILD = Path.of(System.getProperty("sear.realMrl"));
     private static final Path ORIGINAL = Path.of(System.getProperty("sear.myRobotLab"));
-    private static final Path SEAR = Path.of(System.getProperty("sear.home"), "bin", "sear");
+    static final Path SEAR = Path.of(System.getProperty("sear.home"), "bin", "sear");
     private static final int PATIENCE_SECONDS = 300;
 
     private final Path folder;
 
     /** @param name of the folder in {@link #BUILD}; what was there before is deleted */
-    RealMrlCopy(String name) throws IOException {
+    RealMrlCopy(String name) throws IOException, InterruptedException {
         folder = BUILD.resolve(name);
         delete(folder);
         Files.createDirectories(folder);
         Files.copy(ORIGINAL.resolve("myrobotlab.jar"), folder.resolve("myrobotlab.jar"));
         copy(ORIGINAL.resolve("libraries"), folder.resolve("libraries"));
+        if (Files.exists(folder.resolve("libraries/sear-install.json"))) {
+            install("--remove");
+        }
     }
 
-    private static void copy(Path from, Path to) throws IOException {
+    /** Runs SEAR's own installer on it. */
+    void install(String... options) throws IOException, InterruptedException {
+        install(SEAR, folder, options);
+    }
+
+    /** The same by another distribution's, or elsewhere. */
+    static void install(Path sear, Path folder, String... options) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(List.of(sear.toString(), "install"));
+        command.addAll(Arrays.asList(options));
+        command.add(folder.toString());
+        output(BUILD, command);
+    }
+
+    static void copy(Path from, Path to) throws IOException {
         for (Path path : tree(from)) {
             Files.copy(path, to.resolve(from.relativize(path).toString()), StandardCopyOption.COPY_ATTRIBUTES);
         }

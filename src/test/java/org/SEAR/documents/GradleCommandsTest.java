@@ -60,24 +60,12 @@ public class GradleCommandsTest {
 
     @Test
     public void gradleKnowsEachTaskAndOption() throws Exception {
-        List<String> embedded = calls().stream().filter(call -> !call.contains("-PmrlJar")).collect(Collectors.toList());
-        assertTrue(embedded.toString(), embedded.size() > 6);
-        String plan = dryRun(String.join(" ", embedded));
-        for (String call : embedded) {
+        List<String> calls = calls();
+        assertTrue(calls.toString(), calls.size() > 6);
+        String plan = dryRun(String.join(" ", calls));
+        for (String call : calls) {
             assertTrue(call + "\n" + plan, plan.contains(":" + call.replaceAll(" .*", "") + " SKIPPED"));
         }
-    }
-
-    /** Any jar stands for the real one, which nothing of is read here. */
-    @Test
-    public void gradleTakesARealMyRobotLab() throws Exception {
-        List<String> real = calls().stream().filter(call -> call.contains("-PmrlJar")).collect(Collectors.toList());
-        assertEquals(real.toString(), 1, real.size());
-        Path jar = Path.of(Test.class.getProtectionDomain().getCodeSource().getLocation().toURI());
-        String plan = dryRun(real.get(0).replace("/path/to/myrobotlab.jar", jar.toString())
-            .replace("/path/to/libraries/jar", folder.getRoot().toString()));
-        assertTrue(plan, plan.contains(":test SKIPPED"));
-        assertFalse("the embedded one is left out:\n" + plan, plan.contains(":distZip SKIPPED"));
     }
 
     @Test

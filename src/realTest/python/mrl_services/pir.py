@@ -11,4 +11,6 @@ pir.attach(arduino.getName())
 pir.addListener("publishSense", "python", "onRoverSense")
 pir.enable()
 until("it senses", lambda: senses and senses[-1])
-print senses
+pressBumper()
+until("it senses no more", lambda: not senses[-1])
+pir.disable()

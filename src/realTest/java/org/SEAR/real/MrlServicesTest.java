@@ -1,0 +1,48 @@
+package org.SEAR.real;
+
+import static org.junit.Assert.assertEquals;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.Test;
+import org.junit.runner.RunWith;
+import org.junit.runners.Parameterized;
+
+/**
+ * MyRobotLab's own services at the simulated ports: each script of {@code src/realTest/python/mrl_services} holds one of them against the
+ * simulation, and raises where it is not as it must be.
+ */
+@RunWith(Parameterized.class)
+public class MrlServicesTest extends InRealMrl {
+    private static final Path SCRIPTS = ROOT.resolve("src/realTest/python");
+
+    /** What MyRobotLab's Arduino service says of each board that has not told what it is when its port opens. */
+    private static final String UNTIL_IT_HAS_STARTED = "board info is null";
+
+    private final String name;
+
+    public MrlServicesTest(String name) {
+        this.name = name;
+    }
+
+    @Parameterized.Parameters(name = "{0}")
+    public static List<String> names() throws IOException {
+        try (Stream<Path> files = Files.list(SCRIPTS.resolve("mrl_services"))) {
+            return files.map(file -> file.getFileName().toString()).sorted().collect(Collectors.toList());
+        }
+    }
+
+    @Test
+    public void theServiceWorksAtTheSimulatedPort() throws Exception {
+        int before = mrl.log().length();
+        assertEquals("", mrl.python("ROOT = " + RealMrl.literal(ROOT.toString()), Files.readString(SCRIPTS.resolve("world.py")),
+            Files.readString(SCRIPTS.resolve("mrl_services").resolve(name))));
+        String told = mrl.log().substring(before).lines().filter(line -> line.contains(" ERROR ") && !line.contains(UNTIL_IT_HAS_STARTED))
+            .collect(Collectors.joining("\n"));
+        assertEquals("what its log complains of", "", told);
+    }
+}

@@ -49,7 +49,8 @@ final class ModemLines implements AutoCloseable {
                 .redirectErrorStream(true).start();
         } catch (IOException e) {
             throw new IOException("there is no C compiler (" + compiler + "), and modem-lines compiles 30 lines of C. On Debian and Ubuntu: "
-                + "sudo apt-get install gcc libc6-dev. A program that takes addresses needs none: sear.exportRfc2217 and rfc2217://localhost:PORT", e);
+                + "sudo apt-get install gcc libc6-dev. A "
+                + "program that takes addresses needs none: sear.exportRfc2217 and rfc2217://localhost:PORT", e);
         }
         process.getOutputStream().close();
         String said = new String(process.getInputStream().readAllBytes(), Charset.defaultCharset()).trim();

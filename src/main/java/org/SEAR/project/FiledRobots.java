@@ -1,6 +1,7 @@
 package org.SEAR.project;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
@@ -16,14 +17,21 @@ import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
 import org.SEAR.project.xml.Xml;
 
-/** The robots of a project as their files have them: of a project that was opened, or of an earlier run. Any thread. */
+/**
+ * The robots of a project as their files have them: of a project that was opened, or of an earlier run. Gives robots their place in the order in
+ * which they are made. Any thread.
+ */
 final class FiledRobots {
     private static final byte[] ROOT = ("<" + SEARrobot.class.getSimpleName()).getBytes(StandardCharsets.UTF_8);
     /** The root element is within so many bytes: behind the header and, at most, a comment. */
     private static final int HEAD = 1000;
 
-    private FiledRobots() {
-    }
+    /** The place of a robot that has no number. */
+    private static final int FIRST = 1;
+
+    private Path folder;
+    /** Place of the robot that this program made last in the folder; 0 for none. */
+    private int last;
 
     /** Takes a change of a file. */
     interface Writer {
@@ -68,13 +76,52 @@ final class FiledRobots {
     }
 
     /**
+     * The place of a robot that is made now.
+     *
+     * @return null for the first one of the folder
+     */
+    synchronized Integer nextPlace(Path project, String name) {
+        if (!project.equals(folder)) {
+            folder = project;
+            last = 0;
+        }
+        int present = 0;
+        int others = 0;
+        try {
+            for (Path file : files(project)) {
+                int place = place(file);
+                if (file.getFileName().toString().equals(name + ProjectFolder.XML)) {
+                    present = place;
+                } else {
+                    others = Math.max(others, place);
+                }
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(project.resolve(ProjectFolder.ROBOT) + " can't be read: " + e.getMessage(), e);
+        }
+        last = present > last ? present : others + 1;
+        return last == FIRST ? null : Integer.valueOf(last);
+    }
+
+    /** The place of the robot in a file; 0 if none can be read from it. */
+    private static int place(Path file) throws IOException {
+        SEARrobot robot = read(file);
+        Integer order = robot == null ? Integer.valueOf(0) : robot.getOrder();
+        return order == null ? FIRST : order;
+    }
+
+    /**
      * Makes the plain place of a name free: the part that has it moves into the folder of the robot whose file names it. The project is whole after
      * each step.
      *
      * @throws IllegalArgumentException if the names are too long for that
      */
     static void makeWay(Path project, String name, Writer writer) throws IOException {
-        for (Path file : files(project)) {
+        List<Path> files = files(project);
+        if (files.stream().noneMatch(file -> file.getFileName().toString().equalsIgnoreCase(name + ProjectFolder.XML))) {
+            return;
+        }
+        for (Path file : files) {
             SEARrobot robot = read(file);
             String part = robot == null ? null : robot.getComponentNames().stream().filter(name::equalsIgnoreCase).findFirst().orElse(null);
             Path plain = part == null ? null : ProjectFolder.file(project, true, part);

@@ -9,10 +9,10 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
+import org.SEAR.SearProcess;
 import org.junit.Test;
 
 /** A program that sets DTR runs at a pseudo-terminal. */
@@ -34,8 +34,8 @@ public class ModemLinesTest {
         "    sys.exit(int(sys.argv[2]))");
 
     private static Process sear(String... arguments) throws IOException {
-        List<String> command = new ArrayList<>(List.of(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
-            System.getProperty("java.class.path"), "org.SEAR.cli.SearCommand", "modem-lines"));
+        List<String> command = SearProcess.command();
+        command.add("modem-lines");
         command.addAll(List.of(arguments));
         return new ProcessBuilder(command).redirectErrorStream(true).start();
     }

@@ -24,6 +24,7 @@ import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.ThirdPartyDriversTest;
 import org.myrobotlab.service.ThirdPartyGpsTest;
+import org.myrobotlab.service.ThirdPartyScannersTest;
 
 /**
  * Every block of README, CONTRIBUTING and docs is run: Python that needs nothing but a floor here, everything else by a class of its own, in the
@@ -51,6 +52,7 @@ public class CodeOfTheDocsTest {
         entry("docs/other-programs.md sh gpsd -N -n -b", ThirdPartyDriversTest.class),
         entry("docs/other-programs.md sh gpsd -N -n -s", ThirdPartyGpsTest.class),
         entry("docs/other-programs.md sh gpspipe ", ThirdPartyDriversTest.class),
+        entry("docs/other-programs.md sh sear modem-lines", ThirdPartyScannersTest.class),
         entry("docs/panels.md html", PanelsPageTest.class),
         entry("docs/panels.md js", PanelsPageTest.class),
         entry("docs/panels.md sh curl", PanelsPageTest.class),

@@ -12,6 +12,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.TreeSet;
+import org.SEAR.SearProcess;
+import org.SEAR.documents.DocBlock;
 import org.SEAR.protocol.scip.HokuyoModel;
 import org.junit.After;
 import org.junit.Rule;
@@ -146,9 +148,10 @@ public class ThirdPartyScannersTest {
 
     /** An unchanged driver at a pseudo-terminal, started by {@code sear modem-lines}, since it sets DTR. */
     private List<String> withModemLines(String script, String... arguments) throws Exception {
-        List<String> command = new ArrayList<>(List.of(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
-            System.getProperty("java.class.path"), "org.SEAR.cli.SearCommand", "modem-lines", "--", "python3", SCRIPTS.resolve(script).toString(),
-            sear.exportPort(ScannedRoom.PORT)));
+        String asOnThePage = DocBlock.commands("docs/other-programs.md", "sear modem-lines").get(0).replace("my.py", SCRIPTS.resolve(script).toString())
+            .replace("/dev/pts/3", sear.exportPort(ScannedRoom.PORT));
+        List<String> command = SearProcess.command();
+        command.addAll(Arrays.asList(asOnThePage.split(" ")).subList(1, asOnThePage.split(" ").length));
         command.addAll(List.of(arguments));
         ProcessBuilder builder = new ProcessBuilder(command);
         builder.environment().put("PYTHONPATH", System.getProperty("sear.drivers"));

@@ -97,7 +97,7 @@ final class Commands {
     }
 
     /**
-     * What is obeyed while the clock is adjusted: a reset ends that, and in a UTM-30LX {@code QT} does, too; a URG-04LX answers that by 0E, which is how
+     * What is obeyed while the clock is adjusted: a reset ends that, and in a UTM-30LX {@code QT} does, too; a URG-04LX answers that by 0E, by which
      * drivers know that they have to send {@code TM2}.
      */
     private boolean isForAdjusting(String line) {

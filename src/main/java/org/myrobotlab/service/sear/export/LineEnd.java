@@ -45,6 +45,11 @@ final class LineEnd {
         bridge.send(bytes);
     }
 
+    /** Something the user should know, once for each cause; the export is named before it. */
+    void warn(String cause, String message) {
+        bridge.warn(cause, bridge.getName() + ": " + message);
+    }
+
     /** The speed of the line as a program is told it: its own, else the device's; 0 if nothing runs. */
     int getLineBaud() {
         return baud > 0 ? baud : bridge.getDeviceBaud();

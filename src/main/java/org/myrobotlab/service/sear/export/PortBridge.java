@@ -205,7 +205,7 @@ final class PortBridge implements SerialDataListener {
         }
     }
 
-    private void warn(String cause, String message) {
+    void warn(String cause, String message) {
         String text;
         synchronized (repeats) {
             text = repeats.count(cause, message);

@@ -31,6 +31,8 @@ final class Rfc2217 implements TcpSession {
 
     /** Bytes of a subnegotiation that are kept; more than any command has. */
     static final int MAX_SUBNEGOTIATION = 64;
+    /** So many bytes without negotiation come from a program that knows no RFC 2217. */
+    private static final int RAW = 10;
     private static final int BYTE = 0xFF;
     private static final int IAC = 255;
     private static final int DONT = 254;
@@ -69,6 +71,8 @@ final class Rfc2217 implements TcpSession {
     private final boolean[] theirs = new boolean[OPTIONS];
     private final byte[] subnegotiation = new byte[MAX_SUBNEGOTIATION];
     private final LineControl control = new LineControl();
+    private boolean negotiated;
+    private int raw;
     private int length;
     private State state = State.DATA;
     private int command;
@@ -95,6 +99,12 @@ final class Rfc2217 implements TcpSession {
     /** What came before a command goes out before it is obeyed. */
     private void flush(ByteArrayOutputStream data) {
         if (data.size() > 0) {
+            raw += negotiated ? 0 : data.size();
+            if (raw >= RAW) {
+                negotiated = true;
+                end.warn("raw", raw + " bytes came by RFC 2217 without its negotiation: is it the right port? A program that sends raw bytes needs "
+                    + "exportTcp");
+            }
             end.send(data.toByteArray());
             data.reset();
         }
@@ -126,6 +136,7 @@ final class Rfc2217 implements TcpSession {
     }
 
     private boolean onCommand(int value) {
+        negotiated = true;
         command = value;
         length = 0;
         if (value >= WILL && value <= DONT) {

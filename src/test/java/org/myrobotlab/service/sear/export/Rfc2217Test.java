@@ -25,7 +25,8 @@ public class Rfc2217Test {
     private final VirtualSerialPort user = new VirtualSerialPort("/dev/test_user");
     private final ByteArrayOutputStream heard = new ByteArrayOutputStream();
     private final ByteArrayOutputStream replies = new ByteArrayOutputStream();
-    private final PortBridge bridge = new PortBridge("/dev/test_user", new RecordingHost());
+    private final RecordingHost host = new RecordingHost();
+    private final PortBridge bridge = new PortBridge("/dev/test_user", host);
     private final Rfc2217 session = new Rfc2217(new LineEnd(bridge, null), replies::writeBytes);
     private volatile int baud;
 
@@ -87,6 +88,17 @@ public class Rfc2217Test {
         assertEquals(0xFF00, baud);
         assertEquals("none of a line", "FF FA 2C 65 00 00 FF FF 00 FF F0", answer("FF FA 2C 01 7F FF FF FF FF FF FF FF F0"));
         assertEquals(0xFF00, baud);
+    }
+
+    @Test
+    public void rawBytesAreToldOnceAndPass() {
+        answer("02 00 01 00 31 15 12");
+        assertEquals("[]", host.warnings.toString());
+        answer("02 00 01 00 31 15 12");
+        answer("02 00 01 00 31 15 12");
+        assertEquals("[export of /dev/test_user: 14 bytes came by RFC 2217 without its negotiation: is it the right port? A program that sends raw bytes"
+            + " needs exportTcp]", host.warnings.toString());
+        assertEquals("02 00 01 00 31 15 12 02 00 01 00 31 15 12 02 00 01 00 31 15 12", heard());
     }
 
     @Test

@@ -61,7 +61,8 @@ final class GeoTiff extends ElevationMap {
         }
         Double metres = UNITS.get(name.toLowerCase(Locale.ROOT));
         if (metres == null) {
-            throw ModelLimits.wrong(file.name, "GDAL's unit of heights", '"' + name + '"', "one of " + String.join(", ", new TreeSet<>(UNITS.keySet())));
+            String legal = "one of " + String.join(", ", new TreeSet<>(UNITS.keySet()));
+            throw ModelLimits.wrong(file.name, "GDAL's unit of heights", '"' + name + '"', legal);
         }
         return metres;
     }

@@ -5,11 +5,12 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 import org.myrobotlab.service.sear.Host;
 
 /**
- * Notices a script that waits while lock-step lets no simulated time pass, by a sleep of the computer's clock or in a loop, and says so once: whatever
- * it waits for will not happen. The publisher's thread.
+ * Notices a script that waits while lock-step lets no simulated time pass, by a sleep of the computer's clock or in a loop, and says so once:
+ * whatever it waits for will not happen. The publisher's thread.
  */
 final class ClockTrap {
     /** Frames from the top in which a sleep stands, between it and the script's code. */
@@ -18,7 +19,8 @@ final class ClockTrap {
     private static final String SCRIPT = "org.python.pycode.";
     private static final String SERVICE = "org.myrobotlab.service.SEAR";
     private static final Set<String> PASSING_TIME = Set.of("simSleep", "step");
-    private static final String REMEDY = ": in lock-step (--speed max, setLockStep(True)) it passes only in sear.simSleep(seconds) and sear.step(n), not ";
+    private static final String REMEDY =
+        ": in lock-step (--speed max, setLockStep(True)) it passes only in sear.simSleep(seconds) and sear.step(n), not ";
     /** So long a script may be busy while time stands still. */
     private static final long LOOP_NANOS = TimeUnit.SECONDS.toNanos(2);
     /** A loop is found in the same few lines each time; a script that has much to do is not. */
@@ -79,8 +81,8 @@ final class ClockTrap {
     private static String busyLine(Map<Thread, StackTraceElement[]> stacks) {
         String found = null;
         for (Map.Entry<Thread, StackTraceElement[]> entry : stacks.entrySet()) {
-            StackTraceElement script = Arrays.stream(entry.getValue()).filter(frame -> frame.getClassName().startsWith(SCRIPT)).findFirst().orElse(null);
-            StackTraceElement call = Arrays.stream(entry.getValue()).filter(frame -> frame.getClassName().equals(SERVICE)).findFirst().orElse(null);
+            StackTraceElement script = first(entry.getValue(), frame -> frame.getClassName().startsWith(SCRIPT));
+            StackTraceElement call = first(entry.getValue(), frame -> frame.getClassName().equals(SERVICE));
             if (script != null && call != null && PASSING_TIME.contains(call.getMethodName())) {
                 return null;
             }
@@ -89,6 +91,10 @@ final class ClockTrap {
             }
         }
         return found;
+    }
+
+    private static StackTraceElement first(StackTraceElement[] stack, Predicate<StackTraceElement> wanted) {
+        return Arrays.stream(stack).filter(wanted).findFirst().orElse(null);
     }
 
     private static boolean isSleepOfScript(StackTraceElement... stack) {

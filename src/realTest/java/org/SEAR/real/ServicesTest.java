@@ -76,7 +76,7 @@ public class ServicesTest extends InRealMrl {
     @Test
     public void aSavedConfigurationBringsEverythingBackAfterARestart() throws Exception {
         start();
-        assertEquals("", mrl.python("lidar.setToMM()", "sear.simSleep(2)"));
+        assertEquals("", mrl.python("lidar.setToCM()", "sear.simSleep(2)"));
         String unit = mrl.python("print lidar.getUnit()");
         List<String> names = mrl.services();
         names.removeIf(name -> name.contains("simulator"));

@@ -51,8 +51,10 @@ final class Page implements AutoCloseable {
     }
 
     /** Keeps what the window shows. */
-    void keep(String name) throws IOException {
-        browser.picture(PICTURES.resolve(name + ".png"));
+    Path keep(String name) throws IOException {
+        Path file = PICTURES.resolve(name + ".png");
+        browser.picture(file);
+        return file;
     }
 
     boolean isTrue(String expression) {

@@ -148,8 +148,8 @@ public class ThirdPartyScannersTest {
 
     /** An unchanged driver at a pseudo-terminal, started by {@code sear modem-lines}, since it sets DTR. */
     private List<String> withModemLines(String script, String... arguments) throws Exception {
-        String asOnThePage = DocBlock.commands("docs/other-programs.md", "sear modem-lines").get(0).replace("my.py", SCRIPTS.resolve(script).toString())
-            .replace("/dev/pts/3", sear.exportPort(ScannedRoom.PORT));
+        String asOnThePage = DocBlock.commands("docs/other-programs.md", "sear modem-lines").get(0)
+            .replace("my.py", SCRIPTS.resolve(script).toString()).replace("/dev/pts/3", sear.exportPort(ScannedRoom.PORT));
         List<String> command = SearProcess.command();
         command.addAll(Arrays.asList(asOnThePage.split(" ")).subList(1, asOnThePage.split(" ").length));
         command.addAll(List.of(arguments));

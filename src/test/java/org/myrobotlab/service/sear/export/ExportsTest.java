@@ -166,13 +166,7 @@ public class ExportsTest {
 
     @Test
     public void theSettingsOfAPseudoTerminalSurviveThatNobodyHasItOpen() throws Exception {
-        int[] baud = new int[1];
-        user.setBaudListener(rate -> {
-            synchronized (baud) {
-                baud[0] = rate;
-                baud.notifyAll();
-            }
-        });
+        int[] baud = listenToBaud();
         String path = exports.terminal("/dev/test_user", null);
         assertEquals(0, new ProcessBuilder("stty", "-F", path, "19200").inheritIO().start().waitFor());
         awaitBaud(19200, baud);
@@ -276,18 +270,23 @@ public class ExportsTest {
 
     @Test
     public void theRateThatAProgramSetsReachesThePort() throws Exception {
-        int[] baud = new int[1];
+        int[] baud = listenToBaud();
+        String path = exports.terminal("/dev/test_user", null);
+        assertEquals(0, new ProcessBuilder("stty", "-F", path, "19200").inheritIO().start().waitFor());
+        awaitBaud(19200, baud);
+        assertEquals(0, new ProcessBuilder("stty", "-F", path, "300").inheritIO().start().waitFor());
+        awaitBaud(300, baud);
+    }
+
+    private int[] listenToBaud() {
+        int[] baud = {-1};
         user.setBaudListener(rate -> {
             synchronized (baud) {
                 baud[0] = rate;
                 baud.notifyAll();
             }
         });
-        String path = exports.terminal("/dev/test_user", null);
-        assertEquals(0, new ProcessBuilder("stty", "-F", path, "19200").inheritIO().start().waitFor());
-        awaitBaud(19200, baud);
-        assertEquals(0, new ProcessBuilder("stty", "-F", path, "300").inheritIO().start().waitFor());
-        awaitBaud(300, baud);
+        return baud;
     }
 
     private static void awaitBaud(int expected, int[] baud) throws InterruptedException {
@@ -304,13 +303,7 @@ public class ExportsTest {
     @Test
     public void aRateForWhichTheSystemHasNoCodeReachesThePort() throws Exception {
         Assume.assumeTrue("TCSETS2 is Linux's", System.getProperty("os.name").equals("Linux"));
-        int[] baud = new int[1];
-        user.setBaudListener(rate -> {
-            synchronized (baud) {
-                baud[0] = rate;
-                baud.notifyAll();
-            }
-        });
+        int[] baud = listenToBaud();
         String set = "import fcntl, os, struct, sys\n"
             + "fd = os.open(sys.argv[1], os.O_RDWR | os.O_NOCTTY)\n"
             + "termios2 = bytearray(44)\n"
@@ -427,13 +420,7 @@ public class ExportsTest {
 
     @Test
     public void aRateThatWasSetOnOneExportIsNotThatOfAnother() throws Exception {
-        int[] baud = {-1};
-        user.setBaudListener(rate -> {
-            synchronized (baud) {
-                baud[0] = rate;
-                baud.notifyAll();
-            }
-        });
+        int[] baud = listenToBaud();
         String path = exports.terminal("/dev/test_user", null);
         int raw = exports.tcp("/dev/test_user", 0);
         int rfc2217 = exports.rfc2217("/dev/test_user", 0);
@@ -478,13 +465,7 @@ public class ExportsTest {
     @Test
     public void aProgramThatSetsTheRateThatIsThereHasSetIt() throws Exception {
         Assume.assumeTrue("macOS doesn't tell it", System.getProperty("os.name").equals("Linux"));
-        int[] baud = {-1};
-        user.setBaudListener(rate -> {
-            synchronized (baud) {
-                baud[0] = rate;
-                baud.notifyAll();
-            }
-        });
+        int[] baud = listenToBaud();
         String path = exports.terminal("/dev/test_user", null);
         assertEquals("50", speed(path));
         try (RandomAccessFile client = new RandomAccessFile(path, "rw")) {

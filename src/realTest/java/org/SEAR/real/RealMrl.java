@@ -149,7 +149,11 @@ final class RealMrl {
         return answer.body();
     }
 
-    /** Runs lines of Python. @return what they printed, with the traceback if they raised */
+    /**
+     * Runs lines of Python.
+     *
+     * @return what they printed, with the traceback if they raised
+     */
     String python(String... lines) throws IOException, InterruptedException {
         return run(write("lines", String.join("\n", Arrays.asList(lines)) + "\n"));
     }
@@ -160,7 +164,11 @@ final class RealMrl {
         return Files.writeString(file, text);
     }
 
-    /** Runs a script file in the Python service. @return what it printed, with the traceback if it raised */
+    /**
+     * Runs a script file in the Python service.
+     *
+     * @return what it printed, with the traceback if it raised
+     */
     String run(Path script) throws IOException, InterruptedException {
         Path wrapper = write("run", "");
         Path output = Path.of(wrapper + ".out");

@@ -77,7 +77,11 @@ final class RealMrlCopy {
         return folder;
     }
 
-    /** Runs SEAR's own program, {@code sear install} for example, which has to end well. @return what it printed */
+    /**
+     * Runs SEAR's own program, {@code sear install} for example, which has to end well.
+     *
+     * @return what it printed
+     */
     static String sear(Path folder, String... arguments) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of(SEAR.toString()));
         command.addAll(Arrays.asList(arguments));

@@ -90,5 +90,8 @@ public class ServicesTest extends InRealMrl {
         assertEquals("", mrl.python(READ, "services()", "sear.setLockStep(True)", "sear.startSimulation()", "sear.simSleep(3)"));
         assertEquals("True True\n" + unit, mrl.python("print lidar.isConnected(), gps.isConnected()", "print lidar.getUnit()"));
         assertRead();
+        mrl.close();    // the other tests' MyRobotLab has no services of its configuration's
+        mrl = new RealMrl(mrl.folder(), "tests");
+        RealMrl.share(mrl);
     }
 }

@@ -11,6 +11,7 @@ import java.util.Properties;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipException;
 import java.util.zip.ZipFile;
@@ -28,6 +29,8 @@ public final class Installer {
     private static final String RECEIPT = "libraries/sear-install.json";
     /** What the services put below the resource root at run time, by name, as SHA-256. */
     private static final String COPIED = "resource/.sear-files.properties";
+    /** A file in a folder of a service's own, which that service may have made. */
+    private static final Pattern OWN_RESOURCE = Pattern.compile("resource/(?!WebGui/)\\w+/[^/]+");
     private static final Pattern BARE = Pattern.compile("(?s)\\A(---\\s*)?!!org\\.myrobotlab\\.service\\.config\\.ServiceConfig\\b.*");
     private static final Pattern TYPE = Pattern.compile("(?m)^type:\\s*['\"]?(?:org\\.myrobotlab\\.service\\.)?(\\w+)['\"]?\\s*$");
 
@@ -260,6 +263,8 @@ public final class Installer {
         LibraryChoice.putBack(mrl, old, plan);
         plan.delete(RECEIPT);
         plan.deleteEmptied(old.folders);
+        plan.deleteEmptied(ours.keySet().stream().filter(path -> OWN_RESOURCE.matcher(path).matches())
+            .map(path -> path.substring(0, path.lastIndexOf('/'))).collect(Collectors.toSet()));
         mrl.refuseIfNotWritable(plan);
         return plan;
     }

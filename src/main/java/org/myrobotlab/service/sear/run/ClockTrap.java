@@ -17,7 +17,8 @@ final class ClockTrap {
     private static final int DEPTH = 30;
     /** What Jython names the classes that it makes of scripts. */
     private static final String SCRIPT = "org.python.pycode.";
-    private static final String SERVICE = "org.myrobotlab.service.SEAR";
+    /** How the class of the service that scripts call is named. */
+    private static final String SERVICE = ".SEAR";
     private static final Set<String> PASSING_TIME = Set.of("simSleep", "step");
     private static final String REMEDY =
         ": in lock-step (--speed max, setLockStep(True)) it passes only in sear.simSleep(seconds) and sear.step(n), not ";
@@ -82,7 +83,7 @@ final class ClockTrap {
         String found = null;
         for (Map.Entry<Thread, StackTraceElement[]> entry : stacks.entrySet()) {
             StackTraceElement script = first(entry.getValue(), frame -> frame.getClassName().startsWith(SCRIPT));
-            StackTraceElement call = first(entry.getValue(), frame -> frame.getClassName().equals(SERVICE));
+            StackTraceElement call = first(entry.getValue(), frame -> frame.getClassName().endsWith(SERVICE));
             if (script != null && call != null && PASSING_TIME.contains(call.getMethodName())) {
                 return null;
             }

@@ -71,7 +71,7 @@ public final class SerialDeviceFactory {
     /** Whether a name is known only because somebody has tried to open it, or because its adapter was there before. */
     public static boolean isGone(String name) {
         Port port = get(name);
-        return port instanceof SerialControl && port.isHardware() && !port.isOpen() && !((SerialControl) port).getPortNames().contains(name)
+        return port != null && port.isHardware() && !port.isOpen() && !port.getPortNames().contains(name)
             && !new File(name).exists();
     }
 

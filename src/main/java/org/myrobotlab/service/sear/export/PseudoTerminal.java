@@ -68,7 +68,7 @@ final class PseudoTerminal implements ExternalEndpoint {
     private final int header;
     /** What the terminal was set to here; where the system doesn't tell that a program sets it, one that sets this rate has set none. */
     private int ownBaud = UNKNOWN_BAUD;
-    private LineEnd end;
+    private volatile LineEnd end;
     private Thread reader;
 
     /** What is used of the C library. */

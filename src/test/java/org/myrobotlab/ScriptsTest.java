@@ -40,6 +40,8 @@ public class ScriptsTest {
         "python.execFile('SEARproject/userCode.py')",
         "sear.stopSimulation()", "");
 
+    private static final int LISTINGS = 10;
+    private static final String LISTING = "listing%02d.py";
     /** Of a service named SEAR. */
     private static final String SLEEP = "def sleep(seconds):\n    one = Runtime.getService('SEAR')\n"
         + "    if one is not None and one.isSimulating(): one.simSleep(seconds)";
@@ -69,11 +71,14 @@ public class ScriptsTest {
 
     /** Runs a listing, whose waits are by the clock of the computer and pass no simulated time in lock-step, with waits that do. */
     private String listing(int number) throws IOException, InterruptedException {
-        String name = String.format("listing%02d.py", number);
-        String text = Files.readString(ROOT.resolve("scripts").resolve(name));
-        Path script = temporary.getRoot().toPath().resolve(name);
-        Files.writeString(script, text.replace("from time import sleep", SLEEP).replaceAll("roomba\\.sleep\\( ?(\\d+) ?\\)", "sleep($1 / 1000.0)"));
-        return run(script.toString());
+        Path folder = temporary.getRoot().toPath();
+        for (int one = 1; one <= LISTINGS; one++) {    // some run others, which lie beside them
+            String name = String.format(LISTING, one);
+            String text = Files.readString(ROOT.resolve("scripts").resolve(name));
+            Files.writeString(folder.resolve(name),
+                text.replace("from time import sleep", SLEEP).replaceAll("roomba\\.sleep\\( ?(\\d+) ?\\)", "sleep($1 / 1000.0)"));
+        }
+        return run(folder.resolve(String.format(LISTING, number)).toString());
     }
 
     private static double number(String text, String pattern) {

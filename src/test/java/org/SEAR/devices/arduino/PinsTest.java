@@ -55,7 +55,7 @@ public class PinsTest {
         assertEquals("a level at an input is its pull-up", Pins.Mode.PULLUP, uno.pins.mode(4));
     }
 
-    /** MyRobotLab's Motor service writes the direction's level and leaves the pin an input, as it is after a reset: a driver's input is held all the same. */
+    /** MyRobotLab's Motor service writes the direction's level and leaves the pin an input: the driver is held all the same. */
     @Test
     public void aDriversInputFollowsThePullUp() {
         Engine engine = new Engine();

@@ -40,6 +40,12 @@ public class ScriptsTest {
         "python.execFile('SEARproject/userCode.py')",
         "sear.stopSimulation()", "");
 
+    private static final int LISTINGS = 10;
+    private static final String LISTING = "listing%02d.py";
+    /** Of a service named SEAR. */
+    private static final String SLEEP = "def sleep(seconds):\n    one = Runtime.getService('SEAR')\n"
+        + "    if one is not None and one.isSimulating(): one.simSleep(seconds)";
+
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();
 
@@ -63,6 +69,18 @@ public class ScriptsTest {
         return text;
     }
 
+    /** Runs a listing, whose waits are by the clock of the computer and pass no simulated time in lock-step, with waits that do. */
+    private String listing(int number) throws IOException, InterruptedException {
+        Path folder = temporary.getRoot().toPath();
+        for (int one = 1; one <= LISTINGS; one++) {    // some run others, which lie beside them
+            String name = String.format(LISTING, one);
+            String text = Files.readString(ROOT.resolve("scripts").resolve(name));
+            Files.writeString(folder.resolve(name),
+                text.replace("from time import sleep", SLEEP).replaceAll("roomba\\.sleep\\( ?(\\d+) ?\\)", "sleep($1 / 1000.0)"));
+        }
+        return run(folder.resolve(String.format(LISTING, number)).toString());
+    }
+
     private static double number(String text, String pattern) {
         Matcher matcher = Pattern.compile(pattern).matcher(text);
         assertTrue("no \"" + pattern + "\" in:\n" + text, matcher.find());
@@ -80,22 +98,22 @@ public class ScriptsTest {
     @Test
     public void theListingsDoWhatTheDissertationSays() throws Exception {
         temporary.newFile("nothing");
-        assertTrue(run("scripts/listing01.py").contains("Done creating Environment"));
+        assertTrue(listing(1).contains("Done creating Environment"));
         assertTrue(exists("environment/Box1_name.xml") && exists("environment/trash Can.xml") && exists("environment/Tree1_name.xml"));
-        run("scripts/listing02.py");
+        listing(2);
         assertTrue(exists("robot/robotDynamics1.xml") && exists("robot/myRoomba.xml"));
-        String drive = run("scripts/listing03.py");
+        String drive = listing(3);
         assertEquals(0.2, number(drive, "after a second forward: (-?[0-9.]+) m"), 0.03);
         assertEquals(0, number(drive, "after a second backward: (-?[0-9.]+) m"), 0.03);
-        run("scripts/listing04.py");
-        String scans = run("scripts/listing05.py");
+        listing(4);
+        String scans = listing(5);
         assertEquals(3, count(scans, "received 101 readings"));
         assertEquals("the trunk of the tree, 3 m from the robot's middle", 2650, number(scans, "the nearest at (\\d+)"), 30);
-        String points = run("scripts/listing06.py");
+        String points = listing(6);
         assertEquals(2, count(points, "received 101readings:"));
         assertTrue("the trunk is dead ahead:\n" + points, Pattern.compile("(?m)^-?0\\.0\\d+\t26[0-9]{2}\\.").matcher(points).find());
-        run("scripts/listing07.py");
-        String positions = run("scripts/listing08.py");
+        listing(7);
+        String positions = listing(8);
         assertTrue(positions, count(positions, "Lat: 3336.6") >= 4);
         Matcher longitudes = Pattern.compile("Long: -080(51\\.\\d+)").matcher(positions);
         assertTrue(longitudes.find());
@@ -110,14 +128,14 @@ public class ScriptsTest {
     @Test
     public void theControllerListingsWorkTogether() throws Exception {
         temporary.newFile("nothing");
-        String answers = run("scripts/listing09.py");
+        String answers = listing(9);
         assertTrue(answers, answers.contains("Done creating Environment") && answers.contains("listening to: serial"));
         assertEquals(270, number(answers, "Sonar 1 value received = (\\d+)"), 3);
         assertEquals(270, number(answers, "Sonar 2 value received = (\\d+)"), 3);
         assertTrue(answers, answers.contains("Back in Main, AccelX = 465 AccelY = 465 AccelZ = 465"));
         assertTrue(answers, answers.contains("Back in Main, GyroX = 418 GyroY = 418 GyroZ = 418"));
         assertEquals(270, number(answers, "Compass heading \\(out of 360 degrees\\) = (\\d+\\.\\d)"), 0.5);
-        assertTrue(run("scripts/listing10.py").contains("user should connect to port named: /dev/user_CONTROLLER_01"));
+        assertTrue(listing(10).contains("user should connect to port named: /dev/user_CONTROLLER_01"));
     }
 
     @Test

@@ -1,5 +1,6 @@
 // The workspace of the SEAR panel: how it fills the window, and which of its parts are folded.
 (function() {
+    var geometry = window.SEARPanel.geometry
     var FOLDS = 'sear.folds'    // where the browser remembers what its user has folded and opened
     var WIDE = 1100             // pixels from which on there are three columns
     var MEDIUM = 720            // and two; below, all stands below each other, and the page scrolls
@@ -103,7 +104,8 @@
             if (whole.style.height !== height) {
                 whole.style.height = height
             }
-            return $scope.room + ' ' + height
+            $scope.dark = geometry.isLight(window.getComputedStyle(whole).color)    // a page may be light where its user prefers dark ones
+            return $scope.room + ' ' + height + ' ' + $scope.dark
         }
         $scope.$watch(measure)
     }

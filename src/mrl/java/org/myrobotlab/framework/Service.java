@@ -12,7 +12,6 @@ import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import org.myrobotlab.codec.CodecUtils;
 import org.myrobotlab.embedded.ReportingService;
-import org.myrobotlab.embedded.Waiting;
 import org.myrobotlab.framework.interfaces.ConfigurableService;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.logging.LoggerFactory;
@@ -29,7 +28,6 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
 
     private static final long serialVersionUID = 1L;
     private static final int JOIN_MS = 1000;
-    private static final double MILLIS = 1000;
 
     @SuppressWarnings("serial")
     protected T config;
@@ -144,17 +142,15 @@ public abstract class Service<T extends ServiceConfig> extends ReportingService 
         return Status.stackToString(e);
     }
 
-    /** Waits; in a simulation that runs in lock-step, so much simulated time passes. */
+    /** Waits by the clock of this computer. */
     public static void sleep(int millis) {
         sleep((long) millis);
     }
 
-    /** Waits; in a simulation that runs in lock-step, so much simulated time passes. */
+    /** Waits by the clock of this computer. */
     public static void sleep(long millis) {
         try {
-            if (!Waiting.inSimulation(millis / MILLIS)) {
-                TimeUnit.MILLISECONDS.sleep(millis);
-            }
+            TimeUnit.MILLISECONDS.sleep(millis);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

@@ -43,27 +43,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
 
     private static final long serialVersionUID = 1L;
     private static final int SCRIPT_DEPTH = 3;
-    /** The module time of the scripts has a sleep that lets time pass in a simulation, too. */
-    private static final String IMPORTS = String.join("\n",
-        "def _makeTime():",
-        "    import sys, time",
-        "    from org.myrobotlab.embedded import Waiting",
-        "    wall = time.sleep",
-        "    def sleep(seconds):",
-        "        if not Waiting.inSimulation(seconds):",
-        "            wall(seconds)",
-        "    module = type(sys.modules['__builtin__'])('time')",
-        "    names = '__doc__ accept2dyear altzone asctime clock ctime daylight gmtime localtime mktime strftime strptime struct_time time'",
-        "    for name in names.split():",
-        "        setattr(module, name, getattr(time, name))",
-        "    module.timezone, module.tzname = time.timezone, time.tzname",
-        "    module.sleep = sleep",
-        "    sys.modules['time'] = module",
-        "_makeTime()",
-        "del _makeTime",
-        "import sys",
-        "from time import sleep",
-        "");
+    private static final String IMPORTS = "import sys\nfrom time import sleep\n";
 
     /** Scripts that are open in the editor, by file; what holds them here can be serialised, whatever the type promises. */
     @SuppressWarnings("serial")

@@ -99,7 +99,7 @@ final class Job {
         return byTheClock;
     }
 
-    /** For the embedded MyRobotLab, in which sleep() passes simulated time. */
+    /** For the embedded MyRobotLab. */
     String alone() {
         return text;
     }

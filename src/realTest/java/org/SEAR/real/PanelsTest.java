@@ -108,6 +108,20 @@ public class PanelsTest extends InRealMrl {
         }
     }
 
+    /** MyRobotLab's page is always light. */
+    @Test
+    public void wordsCanBeReadWhereTheUserPrefersDarkPages() {
+        page.browser.setTheme("dark");
+        try {
+            page.open(mrl, "sear");
+            page.browser.seeText(".sear-note", "Not running");
+            assertEquals("#fff around black words", "rgb(255, 255, 255)", page.browser.script(
+                "return getComputedStyle(document.querySelector('.sear-note')).textShadow.match(/rgb[^)]*\\)/)[0]"));
+        } finally {
+            page.browser.setTheme("light");
+        }
+    }
+
     private void openExample(String name) {
         page.browser.choose(".sear-example", "resource/SEAR/" + name + ".sear");
         page.browser.seeText(".sear-last", "opened resource/SEAR/" + name + ".sear");

@@ -52,7 +52,7 @@ public class ScriptsTest {
             Path folder = Files.createDirectories(RealMrlCopy.BUILD.resolve("embedded").resolve(job.toString().replaceAll("\\W+", "_")));
             Path script = Files.writeString(folder.resolve("job.py"), job.alone());
             alone.put(job.toString(), others.submit(() ->
-                RealMrlCopy.sear(folder, script.toString(), "--headless", "--speed", "max", "--port", "none")));
+                RealMrlCopy.sear(folder, script.toString(), "--headless", "--speed", job.isByTheClock() ? "1" : "max", "--port", "none")));
         }
     }
 

@@ -192,6 +192,14 @@ public class VirtualSerialPort extends Port {
         }
     }
 
+    private void reopen() {
+        try {
+            open();
+        } catch (IOException e) {
+            throw new IllegalStateException("port " + portName + " can't be opened: " + e.getMessage(), e);
+        }
+    }
+
     /** Closes the port, ends its reader thread and forgets its listeners; bytes on the way are lost. */
     @Override
     public void close() {
@@ -212,11 +220,28 @@ public class VirtualSerialPort extends Port {
         baudListener.accept(0);
     }
 
-    /** @throws IllegalStateException if another service has the port */
+    /** Whether somebody gets this port's bytes. */
+    boolean isInUse() {
+        synchronized (lock) {
+            return readingThread != null && !listeners.isEmpty();
+        }
+    }
+
+    private boolean isOthers(Map<String, SerialDataListener> added) {
+        synchronized (lock) {
+            return isInUse() && Collections.disjoint(listeners.keySet(), added.keySet());
+        }
+    }
+
+    /** @throws IllegalStateException if another service has the port, which it has not only got back by itself */
     @Override
     public void listen(Map<String, SerialDataListener> added) {
+        if (isOthers(added)) {
+            PortArrivals.giveWay(portName);
+            reopen();
+        }
         synchronized (lock) {
-            if (readingThread != null && !listeners.isEmpty() && Collections.disjoint(listeners.keySet(), added.keySet())) {
+            if (isOthers(added)) {
                 throw new IllegalStateException("port " + portName + " is in use by " + listeners.keySet() + ": " + wayOut);
             }
             listening = true;

@@ -3,8 +3,10 @@ package org.myrobotlab.service;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -161,5 +163,43 @@ public class ReconnectTest {
         sear.simSleep(1);
         assertFalse(lidar.isConnected() || gps.isConnected() || serial.isConnected());
         assertNull(Runtime.getService("backSerial"));
+    }
+
+    /** In lock-step whoever connects first has the port; by the clock the old ones have it again before the script comes. */
+    @Test
+    public void whoeverCameBackByItselfGivesWayToWhoConnectsByACall() throws Exception {
+        for (boolean lockStep : new boolean[] {true, false}) {
+            Serial serial = (Serial) Runtime.start("backSerial", "Serial");
+            serial.connect(TestWorld.ROOMBA_PORT, 57600, 8, 1, 0);
+            lidar.connect(TestWorld.LIDAR_PORT, 38400);
+            sear.stopSimulation();
+            sear.setLockStep(lockStep);
+            sear.startSimulation();
+            sear.simSleep(1);
+            assertTrue(lidar.isConnected() && serial.isConnected());
+            LIDAR other = (LIDAR) Runtime.start("otherLidar", "LIDAR");
+            other.connect(TestWorld.LIDAR_PORT, 38400);
+            Serial otherSerial = (Serial) Runtime.start("otherSerial", "Serial");
+            otherSerial.connect(TestWorld.ROOMBA_PORT, 57600, 8, 1, 0);
+            assertFalse(lidar.isConnected() || serial.isConnected());
+            LIDAR first = lidar;
+            lidar = other;
+            assertBothMeasure();
+            lidar = first;
+            assertThrows("who has connected by a call stays", IOException.class, () -> lidar.connect(TestWorld.LIDAR_PORT, 38400));
+            Runtime.releaseService("otherLidar");
+            Runtime.releaseService("otherSerial");
+            Runtime.releaseService("backSerial");
+        }
+    }
+
+    @Test
+    public void nobodyComesBackToAnotherProject() throws Exception {
+        sear.stopSimulation();
+        sear.newProject();
+        TestWorld.build(temporary.newFolder().toPath());
+        sear.startSimulation();
+        sear.simSleep(1);
+        assertFalse(lidar.isConnected() || gps.isConnected());
     }
 }

@@ -3,6 +3,7 @@ package org.myrobotlab.service.link;
 import java.io.IOException;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.serial.PortArrivals;
+import org.myrobotlab.serial.PortUser;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 
@@ -11,9 +12,24 @@ public interface Reconnects extends SerialDataListener {
     /** Connects to the port last used. */
     void reconnectSerial() throws IOException;
 
-    /** Waits until a simulation has the port; {@link PortArrivals#forget} ends it. */
-    default void reconnectWhenBack(String port) {
-        PortArrivals.await(getName(), port, this::reconnect);
+    /** Closes the port. */
+    void disconnect();
+
+    /** Whether a port is open. */
+    boolean isConnected();
+
+    /**
+     * Waits until a simulation has the port; {@link PortArrivals#forget} ends it.
+     *
+     * @param ofThisProject whether another project ends it, too
+     */
+    default void reconnectWhenBack(String port, boolean ofThisProject) {
+        PortArrivals.await(new PortUser(getName(), port, ofThisProject, this::reconnect, () -> {
+            if (isConnected()) {
+                disconnect();
+                ((Service<?>) this).info("%s leaves port %s to another service", getName(), port);
+            }
+        }));
     }
 
     /** Connects, unless the service has been released; a warning says why it can't. */
@@ -40,7 +56,7 @@ public interface Reconnects extends SerialDataListener {
         if (link.getPortNames().contains(port)) {
             driver.reconnect();
         } else {
-            driver.reconnectWhenBack(port);
+            driver.reconnectWhenBack(port, false);
             ((Service<?>) driver).info("there is no port %s: %s connects to it as soon as a simulation has it; reconnectSerial() tries again", port,
                 driver.getName());
         }

@@ -21,6 +21,7 @@ import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.project.script.ProjectScript;
+import org.myrobotlab.serial.PortArrivals;
 import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
@@ -68,6 +69,7 @@ public final class Projects {
      */
     public synchronized Path startAnew() throws IOException {
         refuseWhileRunning("newProject");
+        PortArrivals.anotherProject();
         return Bundle.newProject(folder());
     }
 
@@ -163,6 +165,7 @@ public final class Projects {
             }
             return Bundle.load(bundle, folder(), new PercentProgress("loading", meant, host::progress));
         });
+        PortArrivals.anotherProject();
         Notices.projectTaken();
     }
 

@@ -25,7 +25,7 @@ final class PortTurns {
     void callBackUsers() {
         if (!calledBack) {
             calledBack = true;
-            lines.forEach(line -> PortArrivals.arrived(line.getUserPort().getName()));
+            lines.forEach(line -> PortArrivals.arrived(line.getUserPort()));
         }
     }
 

@@ -15,6 +15,7 @@ import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.serial.Backlog;
 import org.myrobotlab.serial.PortArrivals;
 import org.myrobotlab.serial.PortClock;
+import org.myrobotlab.serial.PortUser;
 import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.Runtime;
@@ -293,11 +294,15 @@ final class UartLine implements OutsideLine {
         for (SerialDataListener listener : listeners) {
             if (listener instanceof Reconnects) {
                 driven = true;
-                ((Reconnects) listener).reconnectWhenBack(port);
+                ((Reconnects) listener).reconnectWhenBack(port, true);
             }
         }
         if (!driven) {
-            PortArrivals.await(service.getName(), port, () -> reconnect(service, port, host));
+            PortArrivals.await(new PortUser(service.getName(), port, true, () -> reconnect(service, port, host), () -> {
+                if (port.equals(service.getPortName())) {
+                    service.disconnect();
+                }
+            }));
         }
     }
 

@@ -32,12 +32,12 @@ public final class Project {
     }
 
     /**
-     * Reads and validates a folder.
+     * Reads and validates a folder. Waits while this program replaces it or writes to it.
      *
      * @throws ProjectException with every problem found
      */
     public static Project read(Path folder) throws ProjectException {
-        return new ProjectReader(folder).read();
+        return read(folder, Map.of());
     }
 
     /**
@@ -47,7 +47,12 @@ public final class Project {
      * @throws ProjectException with every problem found
      */
     public static Project read(Path folder, Map<Path, byte[]> changes) throws ProjectException {
-        return new ProjectReader(folder, changes).read();
+        ProjectSwap.hold();
+        try {
+            return new ProjectReader(folder, changes).read();
+        } finally {
+            ProjectSwap.letGo();
+        }
     }
 
     /** The folder of this program: {@code SEARproject} in the working folder, or what the system property {@code sear.project} says. */

@@ -44,10 +44,6 @@ final class ProjectReader {
     private final List<String> warnings = new ArrayList<>();
     private final ObjectClasses classes = ObjectClasses.find();
 
-    ProjectReader(Path folder) {
-        this(folder, Map.of());
-    }
-
     /** @param changes bytes by absolute path of files that are read in the place of those on the disk; null for one that counts as missing */
     ProjectReader(Path folder, Map<Path, byte[]> changes) {
         this.folder = folder.toAbsolutePath().normalize();

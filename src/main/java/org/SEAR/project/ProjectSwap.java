@@ -32,7 +32,7 @@ public final class ProjectSwap implements AutoCloseable {
     private static final String NEXT = ".next";
     private static final String BACKUP = ".backup-";
     private static final String DELETING = ".deleting";
-    /** Whoever replaces a project in this program, or writes to it. Files' locks keep other programs out, not threads. */
+    /** Whoever replaces a project in this program, writes to it or reads it. Files' locks keep other programs out, not threads. */
     private static final ReentrantLock CHANGING = new ReentrantLock();
     /** Older backups are removed. */
     private static final int BACKUPS = 10;
@@ -61,6 +61,19 @@ public final class ProjectSwap implements AutoCloseable {
         } finally {
             CHANGING.unlock();
         }
+    }
+
+    /**
+     * Until the same thread calls {@link #letGo}, other threads of this program that replace a project or write to it wait: what is read of it
+     * meanwhile belongs together. May be nested.
+     */
+    public static void hold() {
+        CHANGING.lock();
+    }
+
+    /** The end of {@link #hold}. */
+    public static void letGo() {
+        CHANGING.unlock();
     }
 
     /**

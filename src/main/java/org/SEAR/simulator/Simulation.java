@@ -20,6 +20,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.project.Project;
+import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.Robot;
 import org.SEAR.sensors.Sensor;
@@ -81,12 +82,17 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Reads a SEARproject folder and builds its world.
+     * Reads a SEARproject folder and builds its world. Waits while this program replaces the project, and lets nobody replace it meanwhile.
      *
      * @param groundVisible false: beams pass through all floors and terrain
      */
     public static Simulation load(Path folder, long seed, boolean groundVisible) throws ProjectException {
-        return new Simulation(Project.read(folder), seed, EPOCH, groundVisible);
+        ProjectSwap.hold();
+        try {
+            return new Simulation(Project.read(folder), seed, EPOCH, groundVisible);
+        } finally {
+            ProjectSwap.letGo();
+        }
     }
 
     /** Builds the world of a project. */

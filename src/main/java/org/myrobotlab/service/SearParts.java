@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 import org.SEAR.POJOs.Notices;
 import org.SEAR.project.Project;
+import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.ProjectCheck;
@@ -143,13 +144,21 @@ final class SearParts {
         if (control.isRunning()) {
             return Collections.emptyMap();
         }
-        return projects.undisturbed(() -> preview.of(Projects.folder(), known));
+        return Projects.undisturbed(() -> preview.of(Projects.folder(), known));
     }
 
     /** The ground of the running world, or else of the project; empty if it has none. */
     public Map<String, Object> terrain() throws InterruptedException, IOException, ProjectException {
         SimulationSession session = control.sessionOrNull();
-        return terrain.of(session == null ? Project.read(Projects.folder()) : session.ask(Simulation::getProject));
+        if (session != null) {
+            return terrain.of(session.ask(Simulation::getProject));
+        }
+        ProjectSwap.hold();
+        try {
+            return terrain.of(Project.read(Projects.folder()));
+        } finally {
+            ProjectSwap.letGo();
+        }
     }
 
     /** What shapes of the running world, or else of the project, look like. */
@@ -169,7 +178,7 @@ final class SearParts {
 
     /** What keeps the project from starting, {@code problems}, and what its start would warn of, {@code warnings}. */
     public Map<String, Object> check() {
-        return projects.undisturbed(() -> {
+        return Projects.undisturbed(() -> {
             List<Problem> problems = Collections.emptyList();
             List<String> warnings = Collections.emptyList();
             try {

@@ -28,13 +28,19 @@ public final class Bundle {
     }
 
     /**
-     * Saves a project; the same files give the same bytes. A bundle of that name is replaced when the new one is whole.
+     * Saves a project; the same files give the same bytes. A bundle of that name is replaced when the new one is whole. Who replaces the project
+     * meanwhile waits.
      *
      * @throws ProjectException if the project is not valid, or has what no bundle may hold (links, archives, more than 1 GiB)
      * @throws IOException if the file can't be written, or is a link, a pipe or a device
      */
     public static void save(Path folder, Path file, Progress progress) throws IOException, ProjectException {
-        save(Project.read(folder), file, progress, Map.of());
+        ProjectSwap.hold();
+        try {
+            save(Project.read(folder), file, progress, Map.of());
+        } finally {
+            ProjectSwap.letGo();
+        }
     }
 
     /**
@@ -45,12 +51,14 @@ public final class Bundle {
      */
     public static boolean saveCut(Path folder, Path file, Progress progress) throws IOException, ProjectException {
         Path temporary = Files.createTempDirectory("sear-cut");
+        ProjectSwap.hold();
         try {
             Project project = Project.read(folder);
             Map<String, Path> instead = new TerrainCut(project, temporary).make();
             save(project, file, progress, instead);
             return !instead.isEmpty();
         } finally {
+            ProjectSwap.letGo();
             ProjectSwap.delete(temporary);
         }
     }
@@ -98,8 +106,8 @@ public final class Bundle {
             unpack(file.toAbsolutePath().normalize(), staging, progress);
             Project.read(staging);
             swap.putInPlace();
+            return Project.read(project);
         }
-        return Project.read(project);
     }
 
     /** Unpacks a bundle; a project folder, or the folder that it lies in, is treated as if it had been saved first. */

@@ -17,6 +17,7 @@ import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.SEAR.POJOs.Notices;
 import org.SEAR.project.Project;
+import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
 import org.SEAR.project.problems.ProjectException;
@@ -73,9 +74,14 @@ public final class Projects {
         return Bundle.newProject(folder());
     }
 
-    /** Looks at the project while {@link #load} and {@link #startAnew} wait: some systems rename no folder whose files are being read. */
-    public synchronized <T> T undisturbed(Supplier<T> look) {
-        return look.get();
+    /** Looks at the project while all that replaces it or writes to it waits, so that what is seen is of one project. */
+    public static <T> T undisturbed(Supplier<T> look) {
+        ProjectSwap.hold();
+        try {
+            return look.get();
+        } finally {
+            ProjectSwap.letGo();
+        }
     }
 
     /** Refuses to take the project away from under a running simulation. */
@@ -90,13 +96,13 @@ public final class Projects {
      *
      * @param file gets the ending .sear, if it has it not; its folder must be there
      */
-    public void save(Path file) throws IOException, ProjectException {
+    public synchronized void save(Path file) throws IOException, ProjectException {
         Path bundle = bundle(file);
         Bundle.save(folder(), bundle, new PercentProgress("saving", bundle, host::progress));
     }
 
     /** Saves the project as {@link #save} does, but of the terrain's maps only the area that is used. */
-    public void saveCut(Path file) throws IOException, ProjectException {
+    public synchronized void saveCut(Path file) throws IOException, ProjectException {
         Path bundle = bundle(file);
         if (!Bundle.saveCut(folder(), bundle, new PercentProgress("saving", bundle, host::progress))) {
             host.progress(bundle + " has everything: there is no Terrain with a setArea in a map that can be cut");

@@ -11,6 +11,7 @@ import org.SEAR.POJOs.ScriptText;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
+import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.Robot;
 import org.SEAR.sensors.ColorReading;
@@ -182,9 +183,18 @@ public final class ScriptReadings {
     /** The world's y of the ground, metres; before the start, of the project as it is. */
     public double groundHeight(double x, double z) throws InterruptedException, ProjectException {
         if (!control.isRunning()) {
-            return Simulation.groundHeight(Project.read(Project.presentFolder()), x, z);
+            return groundHeightBeforeTheStart(x, z);
         }
         return control.session().ask(world -> world.getGroundHeight(x, z));
+    }
+
+    private static double groundHeightBeforeTheStart(double x, double z) throws ProjectException {
+        ProjectSwap.hold();
+        try {
+            return Simulation.groundHeight(Project.read(Project.presentFolder()), x, z);
+        } finally {
+            ProjectSwap.letGo();
+        }
     }
 
     private static String given(String name) {

@@ -40,7 +40,7 @@ public final class SearCommand implements Callable<Integer> {
         + "Default: ${DEFAULT-VALUE}.")
     private String port;
     @Option(names = "--token", description = "Have the tabs and programs that call services ask for a token, which is printed with the address and "
-        + "written into a file that only you can read.")
+        + "written into a file that only you can read. Ports that are exported over TCP ask for none.")
     private boolean token;
     @Option(names = "--keep", description = "Stay when the script has ended, until Ctrl+C or Runtime.shutdown().")
     private boolean keep;

@@ -243,10 +243,13 @@
         $scope.world = function() {
             return $scope.replay && $scope.replay.world || liveWorld()
         }
+        function ending(replay) {
+            return replay.whole ? '' : replay.written ? ', it is still being written' : ', where it was cut off'
+        }
         $scope.note = function() {
             var replay = $scope.replay
             return replay && replay.world ? replay.path + ' at ' + replay.times[replay.index].toFixed(2) + ' s of '
-                + replay.times[replay.times.length - 1].toFixed(2) + ' s' + (replay.whole ? '' : ', where it was cut off') : liveNote()
+                + replay.times[replay.times.length - 1].toFixed(2) + ' s' + ending(replay) : liveNote()
         }
         /** What sensors read, now or in the record: their places are not in it, so that the views show none there. */
         $scope.sensors = function() {

@@ -32,7 +32,7 @@ public final class Frames {
     public final List<Integer> moved = new ArrayList<>();
     /** Numbers of robots and of their lights, {robot, light}; at most 10000. */
     public final List<int[]> lights = new ArrayList<>();
-    /** Whether the record is whole; it was cut off otherwise. */
+    /** Whether the record is whole; it was cut off, or is being written, otherwise. */
     public final boolean whole;
 
     private final Map<List<Integer>, Integer> lightPlaces = new HashMap<>();

@@ -17,18 +17,24 @@ final class LogBuffer {
     private static final int PIECE = 1 << 18;
     private static final int PIECES = 8;
     private static final int PATIENCE_SECONDS = 10;
+    private static final int MARK_SECONDS = 1;
     private static final ByteBuffer LAST = ByteBuffer.allocate(0);
 
     private final BlockingQueue<ByteBuffer> free = new ArrayBlockingQueue<>(PIECES);
     private final BlockingQueue<ByteBuffer> full = new ArrayBlockingQueue<>(PIECES + 1);
     private final FileChannel file;
+    private final WritingMark mark;
     private final Thread writer;
     private volatile String failure;
     private ByteBuffer present;
     private long size;
 
     LogBuffer(Path path) throws IOException {
+        if (WritingMark.isOn(path)) {
+            throw new IOException(path + " is being written by another simulation: end its record, or choose another name");
+        }
         file = FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.TRUNCATE_EXISTING, StandardOpenOption.WRITE);
+        mark = new WritingMark(file);
         for (int i = 1; i < PIECES; i++) {
             free.add(ByteBuffer.allocate(PIECE));
         }
@@ -40,7 +46,7 @@ final class LogBuffer {
 
     private void write() {
         try (FileChannel out = file) {
-            for (ByteBuffer piece = full.take(); piece != LAST; piece = full.take()) {
+            for (ByteBuffer piece = taken(); piece != LAST; piece = taken()) {
                 piece.flip();
                 while (failure == null && piece.hasRemaining()) {
                     out.write(piece);
@@ -53,6 +59,17 @@ final class LogBuffer {
         } catch (InterruptedException e) {
             failure = "its thread was interrupted";
         }
+    }
+
+    /** Waits for a piece, and has the file marked meanwhile. */
+    private ByteBuffer taken() throws InterruptedException {
+        ByteBuffer piece = full.poll(MARK_SECONDS, TimeUnit.SECONDS);
+        while (piece == null) {
+            mark.renew();
+            piece = full.poll(MARK_SECONDS, TimeUnit.SECONDS);
+        }
+        mark.renew();
+        return piece;
     }
 
     /** Why no more is written; null if all is well. Any thread. */

@@ -44,12 +44,15 @@ public final class Rerun implements RunRecord.Visitor {
     public static final class Result {
         /** Whether each port gave the same bytes. */
         public final boolean same;
+        /** Whether the record is whole; it was cut off, or is being written, otherwise. */
+        public final boolean whole;
         /** Simulated seconds. */
         public final double seconds;
         /** By port: bytes that came out in the record, and whether the same came again. */
         public final Map<String, String> ports;
 
-        Result(boolean same, double seconds, Map<String, String> ports) {
+        Result(boolean whole, boolean same, double seconds, Map<String, String> ports) {
+            this.whole = whole;
             this.same = same;
             this.seconds = seconds;
             this.ports = ports;
@@ -99,7 +102,7 @@ public final class Rerun implements RunRecord.Visitor {
 
     private Result run() throws IOException {
         world.setTap(new Listener());
-        record.read(this);
+        boolean whole = record.read(this);
         boolean same = true;
         Map<String, String> ports = new LinkedHashMap<>();
         for (int i = 0; i < recorded.length; i++) {
@@ -107,7 +110,7 @@ public final class Rerun implements RunRecord.Visitor {
             same &= equal;
             ports.put(record.getHeader().lines.get(i), counts[i] + " bytes, " + (equal ? "the same" : "others"));
         }
-        return new Result(same, steps * Simulation.STEP, ports);
+        return new Result(whole, same, steps * Simulation.STEP, ports);
     }
 
     @Override

@@ -28,10 +28,12 @@ public final class RunRecord {
 
     private final Path path;
     private final RecordHeader header;
+    private final boolean written;
 
-    private RunRecord(Path path, RecordHeader header) {
+    private RunRecord(Path path, RecordHeader header, boolean written) {
         this.path = path;
         this.header = header;
+        this.written = written;
     }
 
     /** What is done with the events of a record; each does nothing unless it is overridden. */
@@ -115,10 +117,12 @@ public final class RunRecord {
         if (!Files.isRegularFile(path)) {
             throw new RecordException(path + " is no record of a run: there is no such file");
         }
+        boolean written = WritingMark.isOn(path);
         try (DataInputStream in = stream(path)) {
-            return new RunRecord(path, RecordHeader.read(in));
+            return new RunRecord(path, RecordHeader.read(in), written);
         } catch (EOFException e) {
-            throw new RecordException(path + " can't be read as a record: it ends in the middle of its header");
+            throw new RecordException(path + " can't be read as a record: it ends in the middle of its header"
+                + (written ? ", which is being written just now" : ""));
         } catch (RecordException e) {
             throw new RecordException(path + " can't be read as a record: " + e.getMessage());
         }
@@ -136,10 +140,15 @@ public final class RunRecord {
         return header;
     }
 
+    /** Whether it was being written when it was opened, by this program or another: then it goes on after what is read of it. */
+    public boolean isBeingWritten() {
+        return written;
+    }
+
     /**
      * Reads all events.
      *
-     * @return whether it is whole; false if it was cut off
+     * @return whether it is whole; false if it was cut off, or is being written
      * @throws RecordException if it says what can't be
      */
     public boolean read(Visitor visitor) throws IOException {

@@ -28,7 +28,11 @@ public final class Series {
     /** By name and time; not a number where there is none. */
     public final double[][] values;
 
-    private Series(List<String> names, double[] times, double[][] values) {
+    /** Whether the record is whole; it was cut off, or is being written, otherwise. */
+    public final boolean whole;
+
+    private Series(boolean whole, List<String> names, double[] times, double[][] values) {
+        this.whole = whole;
         this.names = names;
         this.times = times;
         this.values = values;
@@ -84,7 +88,7 @@ public final class Series {
             wanted.add(places.get(name));
         }
         Collector collector = new Collector(record.getHeader(), wanted, most);
-        record.read(collector);
+        boolean whole = record.read(collector);
         double[] times = collector.rows.stream().mapToDouble(row -> row[0]).toArray();
         double[][] values = new double[names.size()][times.length];
         for (int i = 0; i < times.length; i++) {
@@ -92,7 +96,7 @@ public final class Series {
                 values[k][i] = collector.rows.get(i)[k + 1];
             }
         }
-        return new Series(List.copyOf(names), times, values);
+        return new Series(whole, List.copyOf(names), times, values);
     }
 
     /** As a table: the names, then a line for each time; empty where there is no number. */

@@ -824,7 +824,7 @@ public class SEAR extends Service<SEARConfig> {
      * @example sear.reset(); sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print sear.rerunRecord("run.searlog")["same"]
      */
     public Map<String, Object> rerunRecord(String path) {
-        return calls.attempt(() -> Records.rerun(path, parts.control().getFolder()));
+        return calls.attempt(() -> parts.records().rerun(path, parts.control().getFolder()));
     }
 
     /**
@@ -848,7 +848,7 @@ public class SEAR extends Service<SEARConfig> {
      * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print sear.getRecordValues("run.searlog", ["myRoomba.x"])["times"]
      */
     public Map<String, Object> getRecordValues(String path, List<String> names) {
-        return calls.attempt(() -> Records.values(path, names));
+        return calls.attempt(() -> parts.records().values(path, names));
     }
 
     /**
@@ -861,7 +861,7 @@ public class SEAR extends Service<SEARConfig> {
      * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordCsv("run.searlog", ["myRoomba.x"], "run.csv")
      */
     public void saveRecordCsv(String path, List<String> names, String csv) {
-        calls.act(() -> Records.saveCsv(path, names, csv));
+        calls.act(() -> parts.records().saveCsv(path, names, csv));
     }
 
     // ---- ports for other programs (before, while and after a simulation runs) -------------------------------------
@@ -1060,7 +1060,7 @@ public class SEAR extends Service<SEARConfig> {
 
     /** Where everything was over time, for panels that show a record; the form stands at {@code Records}. */
     public Map<String, Object> getRecordFrames(String path) {
-        return calls.attempt(() -> Records.frames(path));
+        return calls.attempt(() -> parts.records().frames(path));
     }
 
     /** Tells panels why a project could not be started or loaded. */

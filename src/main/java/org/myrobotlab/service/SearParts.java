@@ -28,6 +28,7 @@ import org.myrobotlab.service.sear.readings.ScriptActuators;
 import org.myrobotlab.service.sear.readings.ScriptDriving;
 import org.myrobotlab.service.sear.readings.ScriptReadings;
 import org.myrobotlab.service.sear.records.Recording;
+import org.myrobotlab.service.sear.records.Records;
 import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 import org.slf4j.Logger;
@@ -48,6 +49,7 @@ final class SearParts {
     private final Exports exports;
     private final BundleTransfers transfers;
     private final Recording recording;
+    private final Records records;
     private final WorldFeed feed = new WorldFeed();
     private final Preview preview = new Preview();
     private final TerrainMap terrain = new TerrainMap();
@@ -64,6 +66,7 @@ final class SearParts {
         exports = new Exports(host, control);
         transfers = new BundleTransfers(projects::save, projects::load);
         recording = new Recording(control, host);
+        records = new Records(host);
         control.setStepListener(publisher::publishDue);
         notices = host::warn;
         Notices.listen(notices);
@@ -121,6 +124,10 @@ final class SearParts {
 
     public Recording recording() {
         return recording;
+    }
+
+    public Records records() {
+        return records;
     }
 
     /** What panels are told next of the world: the whole or what has changed, as {@link WorldFeed} says. */

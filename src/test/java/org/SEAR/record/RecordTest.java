@@ -156,7 +156,11 @@ public class RecordTest {
                 run(world, 10);
             }
             assertTrue("steps on the disk: " + stepsOnDisk(), stepsOnDisk() >= 60);
+            assertTrue("that it is written", RunRecord.open(file()).isBeingWritten());
+            String said = assertThrows(IOException.class, () -> Recorder.begin(world, file(), Recorder.LIMIT, more -> { })).getMessage();
+            assertTrue(said, said.endsWith("is being written by another simulation: end its record, or choose another name"));
             recorder.end();
+            assertFalse("that it is written", RunRecord.open(file()).isBeingWritten());
         }
     }
 

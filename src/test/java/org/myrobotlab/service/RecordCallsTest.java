@@ -6,6 +6,7 @@ import static org.junit.Assert.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.junit.After;
@@ -34,6 +35,7 @@ public class RecordCallsTest {
     @After
     public void release() {
         Runtime.releaseService("recordSerial");
+        Runtime.releaseService("recordStatus");
         Runtime.releaseService("recordSear");
         System.clearProperty("sear.project");
         System.clearProperty("sear.speed");
@@ -89,6 +91,27 @@ public class RecordCallsTest {
         sear.simSleep(1);
         sear.endRecord();
         assertEquals(true, sear.rerunRecord(record + ".searlog").get("same"));
+    }
+
+    @Test
+    public void aRecordThatIsNotWholeIsReadAndSaysSo() throws Exception {
+        Heard heard = (Heard) Runtime.start("recordStatus", "Heard");
+        sear.addListener("publishStatus", "recordStatus", "onStatus");
+        String file = sear.recordRun(record);
+        sear.startSimulation();
+        sear.simSleep(1);
+        Map<String, Object> frames = sear.getRecordFrames(file);
+        assertEquals(Map.of("whole", false, "written", true), Map.of("whole", frames.get("whole"), "written", frames.get("written")));
+        assertTrue(heard.getStatuses().toString(), heard.awaitStatus(file + " is still being written: what it has so far is read"));
+        sear.stopSimulation();
+        assertEquals(true, sear.getRecordFrames(file).get("whole"));
+        Path cut = temporary.getRoot().toPath().resolve("cut.searlog");
+        byte[] bytes = Files.readAllBytes(Path.of(file));
+        Files.write(cut, Arrays.copyOf(bytes, bytes.length - 1));
+        frames = sear.getRecordFrames(cut.toString());
+        assertEquals(Map.of("whole", false, "written", false), Map.of("whole", frames.get("whole"), "written", frames.get("written")));
+        assertEquals(true, sear.rerunRecord(cut.toString()).get("same"));
+        assertTrue(heard.getStatuses().toString(), heard.awaitStatus(cut + " was cut off, by a crash or a full disk"));
     }
 
     @Test

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -21,6 +22,7 @@ import org.SEAR.record.Frames;
 import org.SEAR.record.Rerun;
 import org.SEAR.record.RunRecord;
 import org.SEAR.record.Series;
+import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.readings.EulerAngles;
 
 /** What is in records, for scripts and panels. Any thread. */
@@ -35,7 +37,22 @@ public final class Records {
     /** A centimetre on Earth has seven digits of a degree. */
     private static final double FINEST = 1e8;
 
-    private Records() {
+    private final Host host;
+    /** What was said of which record. */
+    private final Map<Path, String> told = new HashMap<>();
+
+    /** @param host hears of a record that is not whole */
+    public Records(Host host) {
+        this.host = host;
+    }
+
+    /** Says what a record lacks, once for several looks at it. */
+    private synchronized void tell(RunRecord record, boolean whole) {
+        String words = whole ? "" : record.getPath() + (record.isBeingWritten() ? " is still being written: what it has so far is read"
+            : " was cut off, by a crash or a full disk: what it has up to there is read");
+        if (!words.equals(told.put(record.getPath(), words)) && !words.isEmpty()) {
+            host.progress(words);
+        }
     }
 
     private static RunRecord open(String path) throws IOException {
@@ -65,8 +82,10 @@ public final class Records {
     }
 
     /** Runs a record's commands in a world of their own. */
-    public static Map<String, Object> rerun(String path, Path project) throws IOException, ProjectException {
-        Rerun.Result result = Rerun.of(open(path), Project.read(project));
+    public Map<String, Object> rerun(String path, Path project) throws IOException, ProjectException {
+        RunRecord record = open(path);
+        Rerun.Result result = Rerun.of(record, Project.read(project));
+        tell(record, result.whole);
         Map<String, Object> answer = new LinkedHashMap<>();
         answer.put("same", result.same);
         answer.put("seconds", result.seconds);
@@ -75,17 +94,22 @@ public final class Records {
     }
 
     /** Writes values of a record as a table. */
-    public static void saveCsv(String path, List<String> names, String csv) throws IOException {
+    public void saveCsv(String path, List<String> names, String csv) throws IOException {
         Path file = Paths.get(ScriptText.of(csv));
         if (Files.exists(file) && !csv.endsWith(".csv")) {
             throw new IOException(file + " is there already and is no .csv: choose another name");
         }
-        Files.write(file, Series.of(open(path), names, MOST_ROWS).csv().getBytes(StandardCharsets.UTF_8));
+        RunRecord record = open(path);
+        Series series = Series.of(record, names, MOST_ROWS);
+        tell(record, series.whole);
+        Files.write(file, series.csv().getBytes(StandardCharsets.UTF_8));
     }
 
     /** {@code {"path": .., "names": [..], "times": [..], "values": [[.., null, ..], ..]}}. */
-    public static Map<String, Object> values(String path, List<String> names) throws IOException {
-        Series series = Series.of(open(path), names, MOST_POINTS);
+    public Map<String, Object> values(String path, List<String> names) throws IOException {
+        RunRecord record = open(path);
+        Series series = Series.of(record, names, MOST_POINTS);
+        tell(record, series.whole);
         List<List<Object>> values = new ArrayList<>();
         for (double[] column : series.values) {
             List<Object> numbers = new ArrayList<>();
@@ -106,20 +130,22 @@ public final class Records {
      * What panels show again.
      *
      * <pre>
-     * {"path", "whole", "names": [..], "robots": [name, ..], "objects": [name of one that moves, ..], "sensors": [name, ..],
+     * {"path", "whole", "written" (just now), "names": [..], "robots": [name, ..], "objects": [name of one that moves, ..], "sensors": [name, ..],
      *  "sizes": [how many numbers a reading of each has, ..], "lights": [[number of a robot, of its light], ..], "times": [..], and by time:
      *  "robotPoses": [[[x, y, z, rx, ry, rz], ..], ..], "objectPoses": likewise, "speeds": [[[m/s, rad/s] of each robot, ..], ..],
      *  "readings": [[the numbers of all sensors, null for none, ..], ..], "brightness": [[of each light, 0 to 1, ..], ..]}
      * </pre>
      */
-    public static Map<String, Object> frames(String path) throws IOException {
+    public Map<String, Object> frames(String path) throws IOException {
         RunRecord record = open(path);
         Frames frames = Frames.of(record, MOST_FRAMES);
+        tell(record, frames.whole);
         List<String> moved = new ArrayList<>();
         frames.moved.forEach(number -> moved.add(record.getHeader().objects.get(number)));
         Map<String, Object> answer = new LinkedHashMap<>();
         answer.put("path", path);
         answer.put("whole", frames.whole);
+        answer.put("written", record.isBeingWritten());
         answer.put("names", new ArrayList<>(Series.names(record.getHeader())));
         answer.put("robots", record.getHeader().robots);
         answer.put("objects", moved);

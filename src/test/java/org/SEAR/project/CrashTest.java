@@ -24,9 +24,12 @@ import org.SEAR.project.bundle.Bundle;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** A process that saves and loads without end is killed at random moments: what is there then is the old or the new project, whole. */
+/**
+ * A process that saves and loads without end is killed at random moments: what is there then is the old or the new project, whole. {@code
+ * -Dsear.kills=100} kills that many.
+ */
 public class CrashTest {
-    private static final int KILLS = 50;
+    private static final int KILLS = Integer.getInteger("sear.kills", 50);
     /** A process is killed while it does one of so many things from its start on: it loads and saves in turn. */
     private static final int STEPS = 5;
     private static final long FIRST_GUESS_NS = 20_000_000;

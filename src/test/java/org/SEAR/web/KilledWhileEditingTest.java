@@ -23,11 +23,14 @@ import org.junit.Test;
 
 /**
  * {@code sear} is killed in the middle of a stream of edits and undos, as {@code kill -9} does it, and started again: every edit that it has answered
- * is there, the one that was on its way is there wholly or not at all, and undo still takes back all of them.
+ * is there, the one that was on its way is there wholly or not at all, and undo still takes back all of them. {@code -Dsear.kills=100} kills it that
+ * often.
  */
 public class KilledWhileEditingTest {
     private static final long SEED = 21;
-    private static final int KILLS = 3;
+    private static final int KILLS = Integer.getInteger("sear.kills", 3);
+    /** After so many kills all is taken back: undo knows 500 steps. */
+    private static final int IN_A_ROW = 10;
     private static final int FEWEST_EDITS = 3;
     private static final int MORE_EDITS = 25;
     /** About as long as an edit takes. */
@@ -158,7 +161,14 @@ public class KilledWhileEditingTest {
             assertEquals(wanted(depth - 1), found());
             robotLab.call("sear", "redo");
             assertEquals(before, objects());
+            if ((kill + 1) % IN_A_ROW == 0) {
+                takeAllBack();
+            }
         }
+        takeAllBack();
+    }
+
+    private void takeAllBack() throws IOException {
         while (depth > 0) {
             assertEquals("edit " + depth--, robotLab.call("sear", "undo").get("words").asText());
         }

@@ -1,5 +1,7 @@
 package org.myrobotlab.embedded.web;
 
+import static org.junit.Assert.assertEquals;
+
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -60,6 +62,13 @@ final class Server extends ExternalResource {
 
     Token token() {
         return token;
+    }
+
+    /** Asks for a page and calls a service, as a program that has nothing to do with the others. */
+    void servesOthers() throws IOException, InterruptedException {
+        assertEquals(200, status("GET /", ""));
+        assertEquals(200, status("POST /api/service/talker/tick", "[]", "Content-Type: application/json"));
+        assertEquals("tick", talker.heard.poll(PATIENCE_MILLIS, TimeUnit.MILLISECONDS));
     }
 
     /** A connection that gives up when nothing comes. */
@@ -148,10 +157,19 @@ final class Server extends ExternalResource {
 
     /** The next text that the server sends. */
     static String nextText(InputStream in) throws IOException {
-        int first = in.read();
+        return new String(nextFrame(in, 0x81), StandardCharsets.UTF_8);
+    }
+
+    /**
+     * The data of the next frame, which must be of a kind.
+     *
+     * @param first as for {@link #frame}
+     */
+    static byte[] nextFrame(InputStream in, int first) throws IOException {
+        int kind = in.read();
         int length = in.read();
-        if (first != 0x81) {
-            throw new IOException("no text, but " + first + " " + length);
+        if (kind != first) {
+            throw new IOException("no frame " + first + ", but " + kind + " " + length);
         }
         long size = length;
         if (length >= 126) {
@@ -160,7 +178,13 @@ final class Server extends ExternalResource {
                 size = size << 8 | in.read();
             }
         }
-        return new String(in.readNBytes((int) size), StandardCharsets.UTF_8);
+        return in.readNBytes((int) size);
+    }
+
+    /** The next text that does not list the services, which the server sends by itself. */
+    static String answer(Socket page) throws IOException {
+        String text = nextText(page.getInputStream());
+        return text.startsWith("{\"services\":") ? answer(page) : text;
     }
 
     private static String line(InputStream in) throws IOException {

@@ -41,12 +41,6 @@ public class SturdyServerTest {
         }
     }
 
-    private void othersAreServed() throws Exception {
-        assertEquals(200, server.status("GET /", ""));
-        assertEquals(200, server.status("POST /api/service/talker/tick", "[]", JSON));
-        assertEquals("tick", server.talker().heard.poll(20, TimeUnit.SECONDS));
-    }
-
     private static String start(Socket socket) throws IOException {
         return new String(socket.getInputStream().readNBytes("HTTP/1.1 200".length()), StandardCharsets.US_ASCII);
     }
@@ -57,7 +51,7 @@ public class SturdyServerTest {
             open.add(server.begin("POST /api/service/talker/publishNumber", "[", JSON, "Content-Length: 3"));
             open.add(server.begin("POST /api/service/talker/publishNumber", "1\r\n[\r\n", JSON, "Transfer-Encoding: chunked"));
         }
-        othersAreServed();
+        server.servesOthers();
         Socket slow = open.get(0);
         Server.send(slow, "7]");
         assertEquals("a slow call is carried out when it is whole", "HTTP/1.1 200", start(slow));
@@ -69,7 +63,7 @@ public class SturdyServerTest {
             open.add(server.begin("POST /api/service/talker/await", "[]", JSON, "Content-Length: 2"));
         }
         server.talker().awaiting(MANY);
-        othersAreServed();
+        server.servesOthers();
         server.talker().goOn();
         for (Socket one : open) {
             assertEquals("HTTP/1.1 200", start(one));
@@ -82,7 +76,7 @@ public class SturdyServerTest {
             open.add(server.begin("POST /api/service/talker/longText", "[" + 8 * MEGABYTE + "]", JSON, "Content-Length: 9"));
         }
         server.talker().awaiting(MANY);
-        othersAreServed();
+        server.servesOthers();
     }
 
     @Test
@@ -103,7 +97,7 @@ public class SturdyServerTest {
         caller.setDaemon(true);
         caller.start();
         assertTrue("the server has closed it", closed.await(60, TimeUnit.SECONDS));
-        othersAreServed();
+        server.servesOthers();
     }
 
     /**
@@ -133,7 +127,7 @@ public class SturdyServerTest {
         assertTrue(texts + " MB of text", texts > 0 && texts < 32);
         int bytes = megabytesTaken(BYTES_FRAGMENT);
         assertTrue(bytes + " MB of bytes", bytes < 32);
-        othersAreServed();
+        server.servesOthers();
     }
 
     @Test
@@ -147,7 +141,7 @@ public class SturdyServerTest {
             } catch (SocketException e) {
                 assertTrue(e.getMessage(), e.getMessage().contains("reset") || e.getMessage().contains("Broken pipe"));    // closed amid the message
             }
-            othersAreServed();
+            server.servesOthers();
         }
     }
 
@@ -156,7 +150,7 @@ public class SturdyServerTest {
         for (int i = 0; i < 2 * MOST_CONNECTIONS + MANY; i++) {
             open.add(server.webSocket());
         }
-        othersAreServed();
+        server.servesOthers();
         assertEquals("closed after the reason", -1, lastByte(open.get(open.size() - 1)));
     }
 
@@ -174,7 +168,7 @@ public class SturdyServerTest {
                 Server.send(idle, "GET / HTTP/1.1\r\nHost: localh");
             }
         }
-        othersAreServed();
+        server.servesOthers();
         assertEquals("the one that came first is closed", -1, lastByte(open.get(0)));
     }
 
@@ -185,9 +179,9 @@ public class SturdyServerTest {
         for (int i = 0; i < 2 * MOST_CONNECTIONS; i++) {
             open.add(server.connect());
         }
-        othersAreServed();
+        server.servesOthers();
         page.getOutputStream().write(Server.frame(TEXT, "{\"id\":1,\"name\":\"talker\",\"method\":\"getName\"}".getBytes(StandardCharsets.UTF_8)));
-        assertEquals("{\"id\":1,\"answer\":\"talker\"}", answer(page));
+        assertEquals("{\"id\":1,\"answer\":\"talker\"}", Server.answer(page));
     }
 
     @Test
@@ -197,16 +191,10 @@ public class SturdyServerTest {
         page.getOutputStream().write(Server.frame(FRAGMENT, "{\"id\":1,\"name\":\"talker\",".getBytes(StandardCharsets.UTF_8)));
         page.getOutputStream().write(Server.frame(PONG));
         page.getOutputStream().write(Server.frame(LAST, "\"method\":\"getName\"}".getBytes(StandardCharsets.UTF_8)));
-        assertEquals("{\"id\":1,\"answer\":\"talker\"}", answer(page));
+        assertEquals("{\"id\":1,\"answer\":\"talker\"}", Server.answer(page));
         page.getOutputStream().write(Server.frame(FRAGMENT, new byte[MEGABYTE]));
         page.shutdownOutput();
-        othersAreServed();
-    }
-
-    /** The next text that does not list the services, which the server sends by itself. */
-    private static String answer(Socket page) throws IOException {
-        String text = Server.nextText(page.getInputStream());
-        return text.startsWith("{\"services\":") ? answer(page) : text;
+        server.servesOthers();
     }
 
     @Test
@@ -220,13 +208,13 @@ public class SturdyServerTest {
             {"{\"name\":\"talker\",\"method\":\"tick\",\"data\":5}", "ClassCastException"}};
         for (String[] one : cases) {
             page.getOutputStream().write(Server.frame(TEXT, one[0].getBytes(StandardCharsets.UTF_8)));
-            String answer = answer(page);
+            String answer = Server.answer(page);
             assertTrue(one[0].substring(0, Math.min(30, one[0].length())) + " " + answer, answer.contains("\"error\"") && answer.contains(one[1]));
         }
         assertEquals(404, server.status("POST /api/service/talker/half", "null", JSON));
         assertEquals(404, server.status("POST /api/service/talker/half", nested, JSON));
         assertEquals(404, server.status("POST /api/service/talker/half", "{\"a\":1}", JSON));
-        othersAreServed();
+        server.servesOthers();
     }
 
     @Test
@@ -234,6 +222,6 @@ public class SturdyServerTest {
         Socket socket = server.begin("POST /api/service/talker/half", "", JSON, "Content-Length: " + 17 * MEGABYTE);
         open.add(socket);
         assertEquals("HTTP/1.1 413", start(socket));
-        othersAreServed();
+        server.servesOthers();
     }
 }

@@ -19,6 +19,7 @@ import org.SEAR.POJOs.Notices;
 import org.SEAR.project.Project;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
+import org.SEAR.project.bundle.Progress;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.project.script.ProjectScript;
 import org.myrobotlab.serial.PortArrivals;
@@ -70,7 +71,7 @@ public final class Projects {
     public synchronized Path startAnew() throws IOException {
         refuseWhileRunning("newProject");
         PortArrivals.anotherProject();
-        return Bundle.newProject(folder());
+        return Bundle.newProject(folder(), new PercentProgress("replacing", folder(), host::progress));
     }
 
     /** Looks at the project while {@link #load} and {@link #startAnew} wait: some systems rename no folder whose files are being read. */
@@ -177,7 +178,7 @@ public final class Projects {
      */
     public synchronized String importRobot(Path file, String robot) throws IOException, ProjectException {
         refuseWhileRunning("importRobot");
-        Map<String, String> renamed = ExampleBundles.with(file, bundle -> Bundle.importRobot(bundle, folder(), robot));
+        Map<String, String> renamed = ExampleBundles.with(file, bundle -> Bundle.importRobot(bundle, folder(), robot, importing(file)));
         tell(renamed);
         return renamed.values().iterator().next();
     }
@@ -189,9 +190,13 @@ public final class Projects {
      */
     public synchronized List<String> importEnvironment(Path file) throws IOException, ProjectException {
         refuseWhileRunning("importEnvironment");
-        Map<String, String> renamed = ExampleBundles.with(file, bundle -> Bundle.importEnvironment(bundle, folder()));
+        Map<String, String> renamed = ExampleBundles.with(file, bundle -> Bundle.importEnvironment(bundle, folder(), importing(file)));
         tell(renamed);
         return new ArrayList<>(renamed.values());
+    }
+
+    private Progress importing(Path file) {
+        return new PercentProgress("importing", file, host::progress);
     }
 
     private void tell(Map<String, String> renamed) {

@@ -3,7 +3,6 @@ package org.SEAR.project;
 import java.io.IOException;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
@@ -15,6 +14,7 @@ import org.SEAR.project.models.ModelLoader;
 import org.SEAR.project.models.UnreadablePicture;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
+import org.SEAR.terrain.AerialPicture;
 
 /** Checks that the pictures and models that objects name are there: a missing picture is a warning, a missing model a problem. */
 final class AssetCheck {
@@ -62,9 +62,9 @@ final class AssetCheck {
         }
     }
 
-    /** A GeoTIFF over the terrain is read as its maps are. */
+    /** A GeoTIFF over the terrain is read as its maps are, and looked at as they are: when the world is made. */
     private static boolean isAerial(Shape shape) {
-        return shape instanceof Terrain && shape.getImage().toLowerCase(Locale.ROOT).matches(".*\\.tiff?");
+        return shape instanceof Terrain && AerialPicture.canSayItsPlace(shape.getImage());
     }
 
     /** What is in the maps is looked at when the world is made: they may be large. */

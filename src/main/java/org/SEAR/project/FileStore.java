@@ -25,7 +25,6 @@ public final class FileStore implements ObjectStore {
     /** Keeps the temporary files of two programs that work on one project apart. */
     private static final long PROCESS = ProcessHandle.current().pid();
 
-    private final FiledRobots robots = new FiledRobots();
     private final PartPlaces places = new PartPlaces();
     /** Of {@link #whole}; nothing outside of it. */
     private final ThreadLocal<Undo> undo = new ThreadLocal<>();
@@ -154,7 +153,7 @@ public final class FileStore implements ObjectStore {
 
     @Override
     public Integer orderOfRobot(String name) {
-        return robots.nextPlace(ProjectFolder.present(), name);
+        return FiledRobots.nextPlace(ProjectFolder.present(), name);
     }
 
     @Override

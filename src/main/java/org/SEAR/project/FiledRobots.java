@@ -29,9 +29,8 @@ final class FiledRobots {
     /** The place of a robot that has no number. */
     private static final int FIRST = 1;
 
-    private Path folder;
-    /** Place of the robot that this program made last in the folder; 0 for none. */
-    private int last;
+    private FiledRobots() {
+    }
 
     /** Takes a change of a file. */
     interface Writer {
@@ -76,31 +75,24 @@ final class FiledRobots {
     }
 
     /**
-     * The place of a robot that is made now.
+     * The place of a robot that is made now: that of the robot whose file it replaces, else behind all others.
      *
      * @return null for the first one of the folder
      */
-    synchronized Integer nextPlace(Path project, String name) {
-        if (!project.equals(folder)) {
-            folder = project;
-            last = 0;
-        }
-        int present = 0;
+    static Integer nextPlace(Path project, String name) {
         int others = 0;
         try {
             for (Path file : files(project)) {
                 int place = place(file);
-                if (file.getFileName().toString().equals(name + ProjectFolder.XML)) {
-                    present = place;
-                } else {
-                    others = Math.max(others, place);
+                if (place > 0 && file.getFileName().toString().equals(name + ProjectFolder.XML)) {
+                    return place == FIRST ? null : Integer.valueOf(place);
                 }
+                others = Math.max(others, place);
             }
         } catch (IOException e) {
             throw new UncheckedIOException(project.resolve(ProjectFolder.ROBOT) + " can't be read: " + e.getMessage(), e);
         }
-        last = present > last ? present : others + 1;
-        return last == FIRST ? null : Integer.valueOf(last);
+        return others == 0 ? null : Integer.valueOf(others + 1);
     }
 
     /** The place of the robot in a file; 0 if none can be read from it. */

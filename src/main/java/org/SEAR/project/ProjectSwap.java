@@ -12,11 +12,8 @@ import java.nio.file.SimpleFileVisitor;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.BasicFileAttributes;
-import java.util.List;
-import java.util.TreeMap;
 import java.util.concurrent.locks.ReentrantLock;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
+import java.util.function.Consumer;
 
 /**
  * Puts a whole new project in the place of the present one, so that after a crash at any moment either the old or the new one is there.
@@ -30,12 +27,9 @@ import java.util.stream.Stream;
 public final class ProjectSwap implements AutoCloseable {
     private static final String LOADING = ".loading";
     private static final String NEXT = ".next";
-    private static final String BACKUP = ".backup-";
     private static final String DELETING = ".deleting";
     /** Whoever replaces a project in this program, writes to it or reads it. Files' locks keep other programs out, not threads. */
     private static final ReentrantLock CHANGING = new ReentrantLock();
-    /** Older backups are removed. */
-    private static final int BACKUPS = 10;
 
     private final Path folder;
     private final FileChannel channel;
@@ -159,37 +153,35 @@ public final class ProjectSwap implements AutoCloseable {
     /**
      * Puts the staged project in the place of the present one.
      *
-     * @return where the old one went; null if there was none
+     * @param told as for {@link #retire}
      */
-    public Path putInPlace() throws IOException {
+    public void putInPlace(Consumer<String> told) throws IOException {
         Path next = beside(folder, NEXT);
         Files.move(beside(folder, LOADING), next, StandardCopyOption.ATOMIC_MOVE);
-        Path backup = retire();
+        retire(told);
         Files.move(next, folder, StandardCopyOption.ATOMIC_MOVE);
-        return backup;
     }
 
     /**
-     * Renames the present project to a backup. A backup of the same files goes, so that ten runs of one script leave the others alone.
+     * Renames the present project to a backup. A backup of the same files goes, so that ten runs of one script leave the others alone; others go,
+     * the oldest first, where they are too many or too large.
      *
+     * @param told hears which others have gone
      * @return the backup; null if there was no project
      */
-    public Path retire() throws IOException {
+    public Path retire(Consumer<String> told) throws IOException {
         if (!Files.isDirectory(folder)) {
             return null;
         }
-        TreeMap<Integer, Path> backups = backups();
-        int number = backups.isEmpty() ? 1 : backups.lastKey() + 1;
-        Path backup = beside(folder, BACKUP + number);
+        Backups backups = Backups.of(folder);
+        Path backup = backups.next();
         Files.move(folder, backup, StandardCopyOption.ATOMIC_MOVE);
-        for (Path older : List.copyOf(backups.values())) {
-            if (SameFiles.in(older, backup)) {
-                backups.values().remove(older);
-                discard(older);
-            }
+        for (Path same : backups.same(backup)) {
+            discard(same);
         }
-        while (backups.size() >= BACKUPS) {
-            discard(backups.pollFirstEntry().getValue());
+        for (Path surplus : Backups.of(folder).surplus()) {
+            discard(surplus);
+            told.accept("the backup " + surplus + " was removed: " + Backups.LIMITS);
         }
         return backup;
     }
@@ -199,20 +191,6 @@ public final class ProjectSwap implements AutoCloseable {
         delete(doomed);
         Files.move(backup, doomed, StandardCopyOption.ATOMIC_MOVE);
         delete(doomed);
-    }
-
-    private TreeMap<Integer, Path> backups() throws IOException {
-        String start = folder.getFileName() + BACKUP;
-        TreeMap<Integer, Path> backups = new TreeMap<>();
-        try (Stream<Path> all = Files.list(folder.getParent())) {
-            for (Path path : all.collect(Collectors.toList())) {
-                String name = path.getFileName().toString();
-                if (name.startsWith(start) && name.substring(start.length()).matches("[1-9][0-9]{0,8}")) {
-                    backups.put(Integer.parseInt(name.substring(start.length())), path);
-                }
-            }
-        }
-        return backups;
     }
 
     /** Removes a folder with everything in it; what links point to stays. */

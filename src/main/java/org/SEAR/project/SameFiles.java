@@ -34,6 +34,11 @@ final class SameFiles {
         return true;
     }
 
+    /** How many there are in a folder, all told. */
+    static long bytes(Path folder) throws IOException {
+        return sizes(folder).values().stream().mapToLong(size -> Math.max(0, size)).sum();
+    }
+
     /** By path below the folder. */
     private static Map<String, Long> sizes(Path folder) throws IOException {
         Map<String, Long> sizes = new TreeMap<>();

@@ -62,6 +62,8 @@ public final class Simulation implements AutoCloseable {
     /** What comes after a step while its outputs still belong to it. */
     private final List<Consumer<RunTap>> late = new ArrayList<>();
     private boolean delivering;
+    /** Whether a reset was asked for meanwhile. */
+    private boolean resetting;
 
     private Simulation(Project project, long seed, long epochMillis, boolean groundVisible) throws ProjectException {
         this.project = project;
@@ -153,7 +155,7 @@ public final class Simulation implements AutoCloseable {
         if (tap != null) {
             tap.stepped(this);
         }
-        tellLate();
+        endDelivery();
         serve();
     }
 
@@ -206,13 +208,17 @@ public final class Simulation implements AutoCloseable {
         if (tap != null) {
             tap.attended(what);
         }
-        tellLate();
+        endDelivery();
     }
 
-    private void tellLate() {
+    private void endDelivery() {
         if (!late.isEmpty()) {
             late.forEach(this::tell);
             late.clear();
+        }
+        if (resetting) {
+            resetting = false;
+            reset();
         }
     }
 
@@ -249,8 +255,15 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** Everything back to step 0, as a fresh start with the same seed. Who watches what and the speed of the user's ports stay. Simulation thread. */
+    /**
+     * Everything back to step 0, as a fresh start with the same seed. Who watches what and the speed of the user's ports stay. Who calls it while a
+     * step's outputs are delivered gets it when all of them are. Simulation thread.
+     */
     public void reset() {
+        if (delivering) {
+            resetting = true;
+            return;
+        }
         if (tap != null) {
             tap.reset();
         }

@@ -30,7 +30,9 @@ final class GroundBuilder {
      * @throws IOException that names the map, what is wrong and what is legal
      */
     Ground build() throws IOException {
-        return mosaic.place.system != null ? onEarth() : flat();
+        Ground ground = mosaic.place.system != null ? onEarth() : flat();
+        warnings.addAll(mosaic.cutOff());
+        return ground;
     }
 
     private Ground onEarth() throws IOException {

@@ -79,6 +79,18 @@ final class Mosaic implements Closeable {
         return maps.get(0);
     }
 
+    /** Of maps whose file ends too early, a line each. */
+    List<String> cutOff() {
+        List<String> lines = new ArrayList<>();
+        for (ElevationMap map : maps) {
+            String missing = map.missing();
+            if (missing != null) {
+                lines.add(map.name + ": the file is cut off: " + missing + " are beyond its end; the area needs none of them");
+            }
+        }
+        return lines;
+    }
+
     private static Georeference placeOf(ElevationMap map) {
         return map.place != null ? map.place : new Georeference(null, 0, map.rows - 1.0, 1, 0, 0, -1);
     }

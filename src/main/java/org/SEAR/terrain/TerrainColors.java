@@ -3,6 +3,7 @@ package org.SEAR.terrain;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.InputStream;
+import java.util.List;
 import javax.imageio.ImageIO;
 import org.SEAR.POJOs.Terrain;
 import org.SEAR.geometry.HeightField;
@@ -33,6 +34,20 @@ public final class TerrainColors {
         }
         int color = OPAQUE | Integer.parseInt(terrain.getColor().substring(1), 16);
         return (x, z) -> color;
+    }
+
+    /** What is wrong with a picture that is read as maps are, a TIFF; the others are looked at when the project is read. */
+    public static List<String> warnings(Terrain terrain, Assets assets, Ground ground) {
+        String path = terrain.getImage();
+        if (path == null || !AerialPicture.canSayItsPlace(path) || !assets.has(path)) {
+            return List.of();
+        }
+        try {
+            of(terrain, assets, ground);
+            return List.of();
+        } catch (IOException e) {
+            return List.of("the picture over " + terrain + " can't be shown (" + e.getMessage() + ")");
+        }
     }
 
     /** A picture that says itself where it lies. */

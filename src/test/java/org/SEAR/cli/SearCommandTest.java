@@ -144,6 +144,9 @@ public class SearCommandTest {
         assertMeant("robot", "robot = 1\nprint robt");
         assertMeant("setMass", objects + "Box('box', 1, 1, 1, 1).setmass(3)");
         assertMeant("startSimulation", "sear = Runtime.start('sear', 'SEAR')\nsear.startSimultion()");
+        assertMeant("startSimulation", "sear = Runtime.start('sear', 'SEAR')\nsear.simulate()");
+        assertMeant("isSimulating", "sear = Runtime.start('sear', 'SEAR')\nsear.isSimulatin()");
+        assertMeant("stopSimulation", "sear = Runtime.start('sear', 'SEAR')\nsear.stopSimulating()");
         assertEquals(1, sear(script("qqqqqq"), "--port", "none"));
         assertFalse(err, err.contains("did you mean"));
     }

@@ -81,9 +81,10 @@ public class RobotOrderTest {
         makeThree();
         assertEquals(files, project.files());
         makeThree();
-        assertEquals("[zebra, ape, mouse]", robots().toString());
+        assertEquals("in the same program", files, project.files());
         robot("zebra");
-        assertEquals("[ape, mouse, zebra]", robots().toString());
+        assertEquals("[zebra, ape, mouse]", robots().toString());
+        assertEquals("made again alone", files, project.files());
     }
 
     @Test

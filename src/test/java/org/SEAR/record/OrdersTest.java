@@ -176,6 +176,36 @@ public class OrdersTest {
     }
 
     @Test
+    public void aResetWhileOutputsAreDeliveredComesAfterTheirStep() throws Exception {
+        comesAfterItsStep(world -> {
+            if (world.getStep() > 200) {
+                world.reset();
+                assertTrue("not in the middle of a step", world.getStep() > 200);
+            }
+        });
+        List<String> events = new ArrayList<>();
+        RunRecord.open(file()).read(new RunRecord.Visitor() {
+            @Override
+            public void step() {
+                events.add("step");
+            }
+
+            @Override
+            public void reset() {
+                events.add("reset");
+            }
+
+            @Override
+            public void said(int line, byte[] bytes) {
+                events.add("said");
+            }
+        });
+        int reset = events.indexOf("reset");
+        assertTrue(String.valueOf(reset), reset > 200);
+        assertEquals("what the step said, the step, the reset", List.of("said", "step", "reset"), events.subList(reset - 2, reset + 1));
+    }
+
+    @Test
     public void aMoveWhileOutputsAreDeliveredBelongsToTheNextStep() throws Exception {
         comesAfterItsStep(world -> {
             Pose to = Pose.ofDegrees(world.getStep() * 1e-3, 0.1, 0, 0, 0, 0);

@@ -12,6 +12,7 @@ import static org.junit.Assert.assertTrue;
 import static org.junit.Assert.fail;
 
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -444,6 +445,18 @@ public class SearServiceTest {
         sear.loadProject(bundle.toString());
         sear.startSimulation();
         assertTrue(sear.getSensorNames().contains("ping"));
+    }
+
+    @Test
+    public void aBackupThatMakesRoomForNewerOnesIsTold() throws Exception {
+        for (int i = 0; i < 2; i++) {
+            Path map = Files.createDirectories(folder.resolve("assets")).resolve("map.tif");
+            try (RandomAccessFile file = new RandomAccessFile(map.toFile(), "rw")) {
+                file.setLength((600 << 20) + i);
+            }
+            assertTrue(Files.isDirectory(Path.of(sear.newProject())));
+        }
+        assertTrue(heard.getStatuses().toString(), heard.awaitStatus("was removed: of a project the last 10 backups are kept, with 1024 MB all told"));
     }
 
     @Test

@@ -93,7 +93,7 @@ public final class Bundle {
     /**
      * Loads a bundle, or a copy of a folder, in the place of the project in a folder, once it has been read whole and found valid. The
      * old project becomes a backup beside it
-     * ({@code SEARproject.backup-N}; the last ten are kept).
+     * ({@code SEARproject.backup-N}; the last ten are kept, and less where they are large).
      *
      * @return the new project
      * @throws ProjectException with everything that is wrong with the bundle or its objects; the old project stays
@@ -105,7 +105,7 @@ public final class Bundle {
             Path staging = swap.staging();
             unpack(file.toAbsolutePath().normalize(), staging, progress);
             Project.read(staging);
-            swap.putInPlace();
+            swap.putInPlace(progress::said);
             return Project.read(project);
         }
     }
@@ -127,24 +127,35 @@ public final class Bundle {
         }
     }
 
+    /** As {@link #importRobot(Path, Path, String, Progress)}, telling nobody. */
+    public static Map<String, String> importRobot(Path file, Path folder, String robot) throws IOException, ProjectException {
+        return importRobot(file, folder, robot, Progress.NONE);
+    }
+
     /**
      * Adds a robot of a bundle or folder to a project. Names, ports, beams and assets that are taken there get a number.
      *
      * @param robot its name in the bundle; null or empty if that has one robot only
+     * @param progress hears of backups that have gone
      * @return new names by the old ones; the robot's is the first
      * @throws ProjectException with everything that is wrong with either, or would be then; the project stays as it was
      */
-    public static Map<String, String> importRobot(Path file, Path folder, String robot) throws IOException, ProjectException {
-        return add(file, folder, (source, to) -> to.robot(find(source, robot, file)));
+    public static Map<String, String> importRobot(Path file, Path folder, String robot, Progress progress) throws IOException, ProjectException {
+        return add(file, folder, progress, (source, to) -> to.robot(find(source, robot, file)));
+    }
+
+    /** As {@link #importEnvironment(Path, Path, Progress)}, telling nobody. */
+    public static Map<String, String> importEnvironment(Path file, Path folder) throws IOException, ProjectException {
+        return importEnvironment(file, folder, Progress.NONE);
     }
 
     /**
-     * Adds all of the environment of a bundle or folder to a project, as {@link #importRobot} does a robot.
+     * Adds all of the environment of a bundle or folder to a project, as {@link #importRobot(Path, Path, String, Progress)} does a robot.
      *
      * @return new names by the old ones
      */
-    public static Map<String, String> importEnvironment(Path file, Path folder) throws IOException, ProjectException {
-        return add(file, folder, (source, to) -> to.environment());
+    public static Map<String, String> importEnvironment(Path file, Path folder, Progress progress) throws IOException, ProjectException {
+        return add(file, folder, progress, (source, to) -> to.environment());
     }
 
     private static SEARrobot find(Project source, String name, Path file) {
@@ -160,7 +171,7 @@ public final class Bundle {
         Map<String, String> of(Project source, Import to) throws IOException;
     }
 
-    private static Map<String, String> add(Path file, Path folder, Choice choice) throws IOException, ProjectException {
+    private static Map<String, String> add(Path file, Path folder, Progress progress, Choice choice) throws IOException, ProjectException {
         Path project = folder.toAbsolutePath().normalize();
         Path unpacked = Files.createTempDirectory("sear-import");
         try (ProjectSwap swap = ProjectSwap.lock(project)) {
@@ -174,7 +185,7 @@ public final class Bundle {
             Project source = Project.read(unpacked);
             Map<String, String> renamed = choice.of(source, new Import(source, present, staging));
             Project.read(staging);
-            swap.putInPlace();
+            swap.putInPlace(progress::said);
             return renamed;
         } finally {
             ProjectSwap.delete(unpacked);
@@ -211,14 +222,20 @@ public final class Bundle {
         }
     }
 
+    /** As {@link #newProject(Path, Progress)}, telling nobody. */
+    public static Path newProject(Path folder) throws IOException {
+        return newProject(folder, Progress.NONE);
+    }
+
     /**
      * Starts with no project at all; the present one becomes a backup beside it.
      *
+     * @param progress hears of backups that have gone
      * @return the backup; null if there was no project
      */
-    public static Path newProject(Path folder) throws IOException {
+    public static Path newProject(Path folder, Progress progress) throws IOException {
         try (ProjectSwap swap = ProjectSwap.lock(folder.toAbsolutePath().normalize())) {
-            return swap.retire();
+            return swap.retire(progress::said);
         }
     }
 }

@@ -38,4 +38,9 @@ public final class PercentProgress implements Progress {
             listener.accept(String.format(Locale.ROOT, "%s: %d %% of %.0f MB (%s)", what, tenths * TENTHS, total / MEGABYTE, file));
         }
     }
+
+    @Override
+    public void said(String line) {
+        listener.accept(line);
+    }
 }

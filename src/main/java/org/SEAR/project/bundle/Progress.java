@@ -12,4 +12,9 @@ public interface Progress {
      * @param total bytes of the whole project
      */
     void at(String file, long done, long total);
+
+    /** Something that happened on the way and that the user should know, in words. */
+    default void said(String line) {
+        // who asks for the progress only need not know
+    }
 }

@@ -59,6 +59,7 @@ final class PictureSize {
             check(name, Long.parseLong(size.group(2)), Long.parseLong(size.group(1)));
         } else {
             checkWithJava(bytes, name);
+            WholePicture.require(bytes, name);
         }
         return isPng(bytes) ? pixelsOf(bytes) : bytes;
     }

@@ -14,6 +14,10 @@ import org.SEAR.terrain.tiff.MapBytes;
  */
 final class AsciiGrid extends ElevationMap {
     private static final int MAX_SIDE = 1_000_000;
+    /** Bytes of the head, and of white space somewhere. */
+    private static final int MAX_HEAD = 1 << 16;
+    /** Bytes of a height and the white space behind it: a double's digits are 24 characters at most. */
+    private static final int MOST_BYTES = 32;
     private static final Set<String> NAMES = Set.of("ncols", "nrows", "xllcorner", "yllcorner", "xllcenter", "yllcenter", "cellsize", "dx", "dy",
         "nodata_value");
 
@@ -40,10 +44,7 @@ final class AsciiGrid extends ElevationMap {
         int columns = side(file.getName(), head, "ncols");
         int rows = side(file.getName(), head, "nrows");
         ModelLimits.range(file.getName(), "the number of posts", (long) rows * columns, 4, MapLimits.MAX_POSTS);
-        if (file.size() < 2L * rows * columns) {
-            throw ModelLimits.wrong(file.getName(), "the file's size", file.size(), "at least " + 2L * rows * columns
-                + " for " + rows + " x " + columns + " heights (is it cut off?)");
-        }
+        requireSize(file, (long) rows * columns);
         Georeference place = place(file.getName(), head, rows);
         double noData = head.getOrDefault("nodata_value", -9999.0);
         float[] heights = new float[rows * columns];
@@ -56,6 +57,14 @@ final class AsciiGrid extends ElevationMap {
         }
         file.close();
         return new AsciiGrid(file.getName(), rows, columns, system != null ? place.in(system) : guessed(place, rows, columns), heights);
+    }
+
+    private static void requireSize(MapBytes file, long posts) throws IOException {
+        long most = MAX_HEAD + MOST_BYTES * posts;
+        if (file.size() < 2 * posts || file.size() > most) {
+            throw ModelLimits.wrong(file.getName(), "the file's size", file.size(), 2 * posts + " to " + most + " for " + posts + " heights"
+                + (file.size() < most ? " (is it cut off?)" : ""));
+        }
     }
 
     private static Georeference place(String file, Map<String, Double> head, int rows) throws IOException {

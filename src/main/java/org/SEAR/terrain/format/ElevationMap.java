@@ -42,6 +42,11 @@ public abstract class ElevationMap implements Closeable {
      */
     public abstract float[] read(int row, int column, int height, int width) throws IOException;
 
+    /** What lies beyond the end of the file, such as "3 of its 40 strips or tiles"; null if it is whole, or its kind is only read whole. */
+    public String missing() {
+        return null;
+    }
+
     /** Ends reading; reading what was read before goes on. */
     @Override
     public abstract void close() throws IOException;

@@ -48,8 +48,13 @@ final class EsriProjection {
         if (text.matches("(?is)GEOGCS\\[.*(D_North_American_1983|NAD83).*")) {
             return "EPSG:4269";
         }
+        String own = EsriParameters.of(text);
+        if (own != null) {
+            return own;
+        }
         throw ModelLimits.wrong(file.getName(), "the coordinate system", text.replaceAll("\\s+", " "),
-            "one with AUTHORITY[\"EPSG\",...], a UTM zone of WGS 84, NAD 83 or ETRS 89, or longitude and latitude");
+            "one with AUTHORITY[\"EPSG\",...], a UTM zone of WGS 84, NAD 83 or ETRS 89, longitude and latitude, or "
+                + "Lambert's, Albers' or a transverse Mercator projection on a datum that is WGS 84 within two metres");
     }
 
     private static int zone(String datum, String side) {

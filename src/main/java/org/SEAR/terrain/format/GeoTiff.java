@@ -101,6 +101,7 @@ final class GeoTiff extends ElevationMap {
 
     @Override
     public float[] read(int row, int column, int height, int width) throws IOException {
+        image.requireFew(row, column, height, width);
         float[] heights = new float[height * width];
         int from = row;
         while (from < row + height) {
@@ -123,6 +124,12 @@ final class GeoTiff extends ElevationMap {
             from = to;
         }
         return heights;
+    }
+
+    @Override
+    public String missing() {
+        int missing = image.countMissing();
+        return missing == 0 ? null : missing + " of its " + image.count() + " strips or tiles";
     }
 
     private void values(byte[] block, int first, int count, float[] into, int at) {

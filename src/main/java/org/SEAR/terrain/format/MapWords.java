@@ -7,6 +7,8 @@ import org.SEAR.terrain.tiff.MapBytes;
 /** The words of a text between white space, read piece by piece, and the numbers that they are. One thread at a time. */
 final class MapWords {
     private static final int LONGEST = 64;
+    /** White space between two words. */
+    private static final int WIDEST = 1 << 16;
     /** So many digits fit into a long, and into a double's fraction. */
     private static final int PLAIN = 15;
     private static final double[] POWERS = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
@@ -40,8 +42,15 @@ final class MapWords {
     boolean next() throws IOException {
         length = 0;
         int c = read();
-        while (c >= 0 && c <= ' ') {
+        for (int white = 0; isWhite(c); white++) {
+            if (white == WIDEST) {
+                throw ModelLimits.wrong(file.getName(), "the white space before byte " + place(), "more than " + WIDEST + " characters", "less");
+            }
             c = read();
+        }
+        if (c >= 0 && c < ' ') {
+            throw ModelLimits.wrong(file.getName(), "the character at byte " + place(), c, "text: numbers of an ESRI ASCII grid (is it another"
+                + " file, or one that was not written to its end?)");
         }
         while (c > ' ') {
             if (length == LONGEST) {
@@ -51,6 +60,15 @@ final class MapWords {
             c = read();
         }
         return length > 0;
+    }
+
+    private static boolean isWhite(int c) {
+        return c == ' ' || c >= '\t' && c <= '\r';
+    }
+
+    /** Where in the file the last character was. */
+    private long place() {
+        return position - filled + at - 1;
     }
 
     /** The word; empty at the end. */

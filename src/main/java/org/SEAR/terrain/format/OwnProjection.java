@@ -1,8 +1,9 @@
 package org.SEAR.terrain.format;
 
 import java.util.Map;
+import java.util.TreeMap;
 
-/** A projection that a GeoTIFF spells out because it has no EPSG number (OGC GeoTIFF 1.1, annex C), as parameters of PROJ. */
+/** A projection that a file spells out instead of its EPSG number, in a GeoTIFF's keys (OGC GeoTIFF 1.1, annex C), as parameters of PROJ. */
 final class OwnProjection {
     private static final int METHOD = 3075;
     private static final int UNITS = 3076;
@@ -39,16 +40,28 @@ final class OwnProjection {
         if (method == null || unit == null || ellipsoid == null) {
             return null;
         }
-        StringBuilder text = new StringBuilder("+proj=").append(method);
+        Map<String, Double> parameters = new TreeMap<>();
         for (Object[] parameter : PARAMETERS) {
             for (int i = 1; i < parameter.length; i++) {
                 Double value = values.get(parameter[i]);
                 if (value != null) {
-                    boolean length = parameter[0].equals("x_0") || parameter[0].equals("y_0");
-                    text.append(" +").append(parameter[0]).append('=').append(length ? value * metres(unit) : value);
+                    parameters.put((String) parameter[0], value);
                 }
             }
         }
+        return text(method, parameters, ellipsoid, unit);
+    }
+
+    /**
+     * What PROJ calls a projection.
+     *
+     * @param parameters by PROJ's names; lengths in the unit of the map's coordinates, where PROJ has metres
+     * @param unit m, ft or us-ft
+     */
+    static String text(String method, Map<String, Double> parameters, String ellipsoid, String unit) {
+        StringBuilder text = new StringBuilder("+proj=").append(method);
+        parameters.forEach((name, value) -> text.append(" +").append(name).append('=')
+            .append(name.equals("x_0") || name.equals("y_0") ? value * metres(unit) : value));
         return text.append(" +ellps=").append(ellipsoid).append(" +towgs84=0,0,0 +units=").append(unit).append(" +no_defs").toString();
     }
 

@@ -61,6 +61,7 @@ public final class TiffPicture implements Closeable {
      * @return colours 0xAARRGGBB, row by row; the last row and column may be of less pixels
      */
     public int[] read(int row, int column, int height, int width, int factor) throws IOException {
+        image.requireFew(row, column, height, width);
         int across = (width + factor - 1) / factor;
         int[] colours = new int[across * ((height + factor - 1) / factor)];
         long[] sums = new long[4 * across];

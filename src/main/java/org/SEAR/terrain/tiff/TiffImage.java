@@ -12,6 +12,8 @@ public final class TiffImage {
     /** Bytes that are read at once of strips and tiles that aren't packed. */
     private static final int PIECE = 8 << 20;
     private static final int MAX_BLOCKS = 4_000_000;
+    /** Strips and tiles that are read for one area: reading each takes its time, however small it is. */
+    private static final int MAX_READ = 100_000;
     /** Bytes of one strip or tile, packed or unpacked. */
     public static final int MAX_BLOCK = 128 << 20;
     /** Bytes that are unpacked of one file, all told: strips that are much wider than the used area take time. */
@@ -115,6 +117,38 @@ public final class TiffImage {
             throw ModelLimits.wrong(file.name, "the number of values of " + what, values == null ? 0 : values.length, String.valueOf(blocks));
         }
         return values;
+    }
+
+    /**
+     * Refuses a part that lies in too many strips or tiles.
+     *
+     * @param row the first one, likewise column
+     * @param height how many rows, likewise width
+     * @throws IOException that says how many it lies in
+     */
+    public void requireFew(int row, int column, int height, int width) throws IOException {
+        long down = (row + height - 1) / blockRows - row / blockRows + 1L;
+        long across = (column + width - 1) / blockColumns - column / blockColumns + 1L;
+        long many = down * across * (together ? 1 : samples);
+        if (many > MAX_READ) {
+            throw ModelLimits.wrong(file.name, "the number of strips or tiles in the area", many, "1 to " + MAX_READ + ": cut the map, or give it"
+                + " tiles of 256 x 256, for example by gdal_translate -co TILED=YES");
+        }
+    }
+
+    /** How many of the strips and tiles lie beyond the end of the file. */
+    public int countMissing() {
+        int missing = 0;
+        long size = file.bytes.size();
+        for (int i = 0; i < offsets.length && i < counts.length; i++) {
+            missing += offsets[i] > size || counts[i] > size - offsets[i] ? 1 : 0;
+        }
+        return missing;
+    }
+
+    /** How many strips and tiles there are. */
+    public int count() {
+        return blocksAcross * blocksDown * (together ? 1 : samples);
     }
 
     /** Values in a row of a strip or tile, side by side. */

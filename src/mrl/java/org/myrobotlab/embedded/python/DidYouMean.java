@@ -2,6 +2,8 @@ package org.myrobotlab.embedded.python;
 
 import java.io.IOException;
 import java.lang.reflect.Method;
+import java.util.Comparator;
+import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
@@ -9,16 +11,16 @@ import java.util.regex.Pattern;
 import org.python.core.Py;
 import org.python.core.PyException;
 import org.python.core.PyFrame;
-import org.python.core.PyList;
 import org.python.core.PyObject;
-import org.python.core.PyString;
 import org.python.core.PyTraceback;
-import org.python.core.imp;
 
 /** The name that was perhaps meant by one that there is not. Any thread that runs Python. */
 public final class DidYouMean {
     private static final Pattern NO_NAME = Pattern.compile("name '(\\w+)' is not defined");
     private static final Pattern NO_ATTRIBUTE = Pattern.compile("'([\\w.$]+)' object has no attribute '(\\w+)'");
+    /** Names that have less in common are not suggested. */
+    private static final double NEAR = 0.65;
+    private static final double WITHOUT_VERB = 0.9;
     private static final String SERVICES = "org.myrobotlab.service";
 
     private DidYouMean() {
@@ -55,10 +57,37 @@ public final class DidYouMean {
                 return "\ndid you mean " + one + "?";
             }
         }
-        PyList names = new PyList();
-        known.forEach(one -> names.append(Py.newString(one)));
-        PyObject near = imp.importName("difflib", true).invoke("get_close_matches", new PyObject[] {new PyString(wanted), names, Py.newInteger(1)});
-        return near.__len__() == 0 ? "" : "\ndid you mean " + near.__getitem__(0) + "?";
+        return known.stream().filter(one -> nearness(wanted, one) >= NEAR)
+            .max(Comparator.comparingDouble((String one) -> nearness(wanted, one)).thenComparing(DidYouMean::isAction)
+                .thenComparing(Comparator.reverseOrder()))
+            .map(one -> "\ndid you mean " + one + "?").orElse("");
+    }
+
+    /** How near a name is to what was written: as a whole, or a little less without its first word, which people leave out: startSimulation. */
+    private static double nearness(String wanted, String known) {
+        String plain = wanted.toLowerCase(Locale.ROOT);
+        String rest = known.replaceFirst("^[a-z]+(?=[A-Z])", "");
+        double whole = similarity(plain, known.toLowerCase(Locale.ROOT));
+        return rest.length() == known.length() ? whole : Math.max(whole, WITHOUT_VERB * similarity(plain, rest.toLowerCase(Locale.ROOT)));
+    }
+
+    /** Who writes the name of no question doesn't ask; start, of all actions, is what is meant by a thing that is done. */
+    private static int isAction(String name) {
+        return name.matches("(is|has|get)[A-Z].*") ? 0 : name.startsWith("start") ? 2 : 1;
+    }
+
+    /** Share of letters that both have, in one order: 1 for the same. */
+    private static double similarity(String a, String b) {
+        int[] common = new int[b.length() + 1];
+        for (int i = 0; i < a.length(); i++) {
+            int diagonal = 0;
+            for (int j = 0; j < b.length(); j++) {
+                int above = common[j + 1];
+                common[j + 1] = a.charAt(i) == b.charAt(j) ? diagonal + 1 : Math.max(above, common[j]);
+                diagonal = above;
+            }
+        }
+        return 2.0 * common[b.length()] / Math.max(1, a.length() + b.length());
     }
 
     /** All names that the failed line could use. */

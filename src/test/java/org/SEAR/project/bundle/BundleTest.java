@@ -8,6 +8,7 @@ import static org.junit.Assert.assertTrue;
 import static org.junit.Assert.fail;
 
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -89,6 +90,31 @@ public class BundleTest {
         }
         assertFalse(Files.exists(place("SEARproject.backup-2")));
         assertTrue(Files.exists(place("SEARproject.backup-3/environment/box3.xml")));
+    }
+
+    /** A project with a map of so many bytes, which nobody has to write, becomes a backup; what is said then. */
+    private List<String> retireWithMap(long bytes) throws Exception {
+        new Box("box", 1, 1, 1, 0);
+        Path map = Files.createDirectories(project.folder().resolve("assets")).resolve("map.tif");
+        try (RandomAccessFile file = new RandomAccessFile(map.toFile(), "rw")) {
+            file.setLength(bytes);
+        }
+        List<String> said = new ArrayList<>();
+        Bundle.newProject(project.folder(), new PercentProgress("replacing", project.folder(), said::add));
+        return said;
+    }
+
+    @Test
+    public void backupsAreAGigabyteAtMostAndTheNewestStays() throws Exception {
+        assertEquals(List.of(), retireWithMap(400 << 20));
+        assertEquals(List.of(), retireWithMap(401 << 20));
+        assertEquals(List.of("the backup " + place("SEARproject.backup-1") + " was removed: of a project the last 10 backups are kept, with 1024 MB all"
+            + " told at most"), retireWithMap(402 << 20));
+        assertFalse(Files.exists(place("SEARproject.backup-1")));
+        assertTrue(Files.exists(place("SEARproject.backup-2/assets/map.tif")));
+        assertEquals(2, retireWithMap(2L << 30).size());
+        assertFalse(Files.exists(place("SEARproject.backup-3")));
+        assertEquals(2L << 30, Files.size(place("SEARproject.backup-4/assets/map.tif")));
     }
 
     @Test

@@ -61,12 +61,20 @@ public class AsciiGridTest {
             "the number of posts is 1000000000000, legal: 4 to 16000000");
         refused("ncols 4000\nnrows 4000\nxllcorner 8\nyllcorner 47\ncellsize 1\n1", "the file's size is");
         refused("ncols 3\nnrows 2\nxllcorner 8\nyllcorner 47\ncellsize -1\n" + HEIGHTS, "cellsize is -1.0, legal: above 0");
+        refused("ncols 3\nnrows 2\nxllcorner 8\nyllcorner 47\ncellsize 1\n1 2" + " ".repeat(66000) + HEIGHTS, "the file's size is 66");
+        refused("ncols 200\nnrows 200\nxllcorner 8\nyllcorner 47\ncellsize 1\n1 2" + " ".repeat(80000) + HEIGHTS,
+            "the white space before byte 65596 is more than 65536 characters, legal: less");
         refused("ncols", "ncols is missing");
         refused("ncols " + "9".repeat(100), "the text is \"9999");
     }
 
     private static String prj(String text) throws IOException {
         return EsriProjection.system(bytes("a.prj", text));
+    }
+
+    private static String spelled(String datum, String method, String parameter, String unit) {
+        return "PROJCS[\"own\",GEOGCS[\"x\",DATUM[\"" + datum + "\",SPHEROID[\"GRS_1980\",6378137.0,298.257222101]],PRIMEM[\"Greenwich\",0.0],UNIT["
+            + "\"Degree\",0.0174532925199433]],PROJECTION[\"" + method + "\"],PARAMETER[\"" + parameter + "],UNIT[\"" + unit + "]]";
     }
 
     @Test
@@ -77,6 +85,17 @@ public class AsciiGridTest {
         assertEquals("EPSG:4269", prj("GEOGCS[\"GCS_North_American_1983\",DATUM[\"D_North_American_1983\"]]"));
         assertEquals("EPSG:2056", prj("PROJCS[\"CH1903+ / LV95\",GEOGCS[\"x\",AUTHORITY[\"EPSG\",\"4150\"]],AUTHORITY[\"EPSG\",\"2056\"]]\n"));
         assertEquals("EPSG:32719", prj("Projection    UTM\nZone          -19\nDatum         WGS84\n"));
+        assertEquals("+proj=tmerc +k_0=0.9996 +lat_0=0.0 +lon_0=9.0 +x_0=500000.0 +y_0=0.0 +ellps=GRS80 +towgs84=0,0,0 +units=m +no_defs",
+            prj(spelled("D_ETRS_1989", "Transverse_Mercator", "Central_Meridian\",9],PARAMETER[\"Latitude_Of_Origin\",0],PARAMETER[\""
+                + "Scale_Factor\",0.9996],PARAMETER[\"False_Easting\",500000],PARAMETER[\"False_Northing\",0", "Meter\",1.0")));
+        String feet = prj(spelled("D_North_American_1983", "Lambert_Conformal_Conic", "False_Easting\",1000],PARAMETER[\"Standard_Parallel_1\",40",
+            "Foot_US\",0.3048006096012192"));
+        assertTrue(feet, feet.startsWith("+proj=lcc +lat_1=40.0 +lat_2=40.0 +x_0=304.80") && feet.endsWith("+units=us-ft +no_defs"));
+        for (String[] unknown : new String[][] {{"D_NTF", "Lambert_Conformal_Conic", "False_Easting\",0", "Meter\",1.0"},
+            {"D_RGF_1993", "Krovak", "False_Easting\",0", "Meter\",1.0"}, {"D_RGF_1993", "Lambert_Conformal_Conic", "Azimuth\",0", "Meter\",1.0"},
+            {"D_RGF_1993", "Lambert_Conformal_Conic", "False_Easting\",0", "Yard\",0.9144"}}) {
+            assertThrows(unknown[0], IOException.class, () -> prj(spelled(unknown[0], unknown[1], unknown[2], unknown[3])));
+        }
         IOException e = assertThrows(IOException.class, () -> prj("PROJCS[\"Mars\"]"));
         assertTrue(e.getMessage(), e.getMessage().startsWith("a.prj: the coordinate system is PROJCS[\"Mars\"], legal: one with AUTHORITY"));
     }

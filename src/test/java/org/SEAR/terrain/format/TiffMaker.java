@@ -39,7 +39,7 @@ public final class TiffMaker {
             .with(34735, new int[] {1, 1, 0, 2, 1024, 0, 1, 2, 2048, 0, 1, 4326});
     }
 
-    /** With a tag: a number, int[] of shorts, double[], a text, or null for without. */
+    /** With a tag: a number, int[] of shorts, long[] of numbers of 32 bits, double[], a text, or null for without. */
     public TiffMaker with(int tag, Object value) {
         tags.put(tag, value);
         if (value == null) {
@@ -56,7 +56,8 @@ public final class TiffMaker {
 
     /** The file; its pixels follow the head. */
     public byte[] bytes() {
-        ByteBuffer out = ByteBuffer.allocate(1 << 16 | pixels.length + 4096).order(order);
+        int room = tags.values().stream().mapToInt(tag -> value(tag).length).sum();
+        ByteBuffer out = ByteBuffer.allocate((1 << 16) + pixels.length + room).order(order);
         int directory = 8 + pixels.length;
         out.put((order == ByteOrder.BIG_ENDIAN ? "MM" : "II").getBytes(StandardCharsets.US_ASCII)).putShort((short) 42).putInt(directory);
         out.put(pixels).putShort((short) tags.size());
@@ -96,6 +97,13 @@ public final class TiffMaker {
             ByteBuffer out = ByteBuffer.allocate(8 * ((double[]) value).length).order(order);
             for (double number : (double[]) value) {
                 out.putDouble(number);
+            }
+            return out.array();
+        }
+        if (value instanceof long[]) {
+            ByteBuffer out = ByteBuffer.allocate(4 * ((long[]) value).length).order(order);
+            for (long number : (long[]) value) {
+                out.putInt((int) number);
             }
             return out.array();
         }

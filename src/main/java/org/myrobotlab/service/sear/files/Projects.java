@@ -20,6 +20,7 @@ import org.SEAR.project.Project;
 import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
+import org.SEAR.project.bundle.Progress;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.project.script.ProjectScript;
 import org.myrobotlab.serial.PortArrivals;
@@ -71,7 +72,7 @@ public final class Projects {
     public synchronized Path startAnew() throws IOException {
         refuseWhileRunning("newProject");
         PortArrivals.anotherProject();
-        return Bundle.newProject(folder());
+        return Bundle.newProject(folder(), new PercentProgress("replacing", folder(), host::progress));
     }
 
     /** Looks at the project while all that replaces it or writes to it waits, so that what is seen is of one project. */
@@ -183,7 +184,7 @@ public final class Projects {
      */
     public synchronized String importRobot(Path file, String robot) throws IOException, ProjectException {
         refuseWhileRunning("importRobot");
-        Map<String, String> renamed = ExampleBundles.with(file, bundle -> Bundle.importRobot(bundle, folder(), robot));
+        Map<String, String> renamed = ExampleBundles.with(file, bundle -> Bundle.importRobot(bundle, folder(), robot, importing(file)));
         tell(renamed);
         return renamed.values().iterator().next();
     }
@@ -195,9 +196,13 @@ public final class Projects {
      */
     public synchronized List<String> importEnvironment(Path file) throws IOException, ProjectException {
         refuseWhileRunning("importEnvironment");
-        Map<String, String> renamed = ExampleBundles.with(file, bundle -> Bundle.importEnvironment(bundle, folder()));
+        Map<String, String> renamed = ExampleBundles.with(file, bundle -> Bundle.importEnvironment(bundle, folder(), importing(file)));
         tell(renamed);
         return new ArrayList<>(renamed.values());
+    }
+
+    private Progress importing(Path file) {
+        return new PercentProgress("importing", file, host::progress);
     }
 
     private void tell(Map<String, String> renamed) {

@@ -1,0 +1,77 @@
+package org.SEAR.project;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * The backups beside a project, {@code SEARproject.backup-N}, as they were when somebody looked; the highest number is the newest. One thread, which
+ * holds the lock of {@link ProjectSwap}.
+ */
+final class Backups {
+    private static final String ENDING = ".backup-";
+    private static final int MOST = 10;
+    /** Of all of them together. */
+    private static final long MAX_BYTES = 1L << 30;
+    /** What is kept, for messages. */
+    static final String LIMITS = "of a project the last " + MOST + " backups are kept, with " + (MAX_BYTES >> 20) + " MB all told at most";
+
+    private final Path folder;
+    private final TreeMap<Integer, Path> byNumber = new TreeMap<>();
+
+    private Backups(Path folder) {
+        this.folder = folder;
+    }
+
+    /** Looks at what there is. */
+    static Backups of(Path folder) throws IOException {
+        Backups backups = new Backups(folder);
+        String start = folder.getFileName() + ENDING;
+        try (Stream<Path> all = Files.list(folder.getParent())) {
+            for (Path path : all.collect(Collectors.toList())) {
+                String name = path.getFileName().toString();
+                if (name.startsWith(start) && name.substring(start.length()).matches("[1-9][0-9]{0,8}")) {
+                    backups.byNumber.put(Integer.parseInt(name.substring(start.length())), path);
+                }
+            }
+        }
+        return backups;
+    }
+
+    /** Where the next one goes. */
+    Path next() {
+        return folder.resolveSibling(folder.getFileName() + ENDING + (byNumber.isEmpty() ? 1 : byNumber.lastKey() + 1));
+    }
+
+    /** Those with the same files as a folder. */
+    List<Path> same(Path other) throws IOException {
+        List<Path> same = new ArrayList<>();
+        for (Path backup : byNumber.values()) {
+            if (SameFiles.in(backup, other)) {
+                same.add(backup);
+            }
+        }
+        return same;
+    }
+
+    /** Those that are too many, or with which the newer ones are too large, the oldest first; never the newest. */
+    List<Path> surplus() throws IOException {
+        List<Path> surplus = new ArrayList<>();
+        int kept = 0;
+        long bytes = 0;
+        for (Path backup : byNumber.descendingMap().values()) {
+            bytes += SameFiles.bytes(backup);
+            if (kept > 0 && (kept >= MOST || bytes > MAX_BYTES)) {
+                surplus.add(0, backup);
+            } else {
+                kept++;
+            }
+        }
+        return surplus;
+    }
+}

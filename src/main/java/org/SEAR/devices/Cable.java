@@ -38,6 +38,8 @@ public final class Cable implements SerialLine {
     private double heardAt = Double.NEGATIVE_INFINITY;
     private volatile int hostBaud;
     private volatile boolean pickedUp;
+    /** Who has opened the user's end. */
+    private volatile Thread opener;
     /** {@link #hostBaud} as it was at the beginning of the step. */
     private int userBaud;
     private volatile boolean hungUp;
@@ -132,6 +134,10 @@ public final class Cable implements SerialLine {
 
     /** Commands phase: what was written until now is on its way from {@code time} on. */
     public void accept(double time) {
+        accept(time, false);
+    }
+
+    private void accept(double time, boolean standing) {
         if (userBaud != hostBaud) {
             userBaud = hostBaud;
             if (tap != null) {
@@ -149,12 +155,13 @@ public final class Cable implements SerialLine {
         }
         if (pickedUp) {
             pickedUp = false;
+            opener = null;
             hearing.begin();
             if (tap != null) {
                 tap.opened(this);
             }
             if (powered) {
-                device.opened(time);
+                open(time, standing);
             }
         }
         if (!hasIncoming) {
@@ -183,6 +190,14 @@ public final class Cable implements SerialLine {
             incomingCount = 0;
             hasIncoming = false;
             waiting = toDeviceEnd - toDeviceFrom;
+        }
+    }
+
+    private void open(double time, boolean standing) {
+        if (standing) {
+            device.openedAtOnce(time);
+        } else {
+            device.opened(time);
         }
     }
 
@@ -265,14 +280,26 @@ public final class Cable implements SerialLine {
 
     /** Whether the device, which answers at once, has something to answer, or is about to. Any thread. */
     public boolean isAsked() {
-        return device.answersAtOnce() && (hasIncoming || answering);
+        return device.answersAtOnce() && (hasIncoming || answering || pickedUp && isOpenerThrough());
+    }
+
+    /** Whether the user's end was opened while time stands still, by who has still to go on to where he waits. Any thread. */
+    public boolean isOpening() {
+        return device.answersAtOnce() && pickedUp;
+    }
+
+    /** MyRobotLab's Arduino service opens its port, notes the time and waits: what came before that time does not count. */
+    private boolean isOpenerThrough() {
+        Thread user = opener;
+        return user == null || user == Thread.currentThread() || user.getState() == Thread.State.TIMED_WAITING
+            || user.getState() == Thread.State.TERMINATED;
     }
 
     /** Time stands still: what was written arrives, and all that the device has said leaves the line. Simulation thread. */
     public void answer(double time) {
         answering = true;
         try {
-            accept(time);
+            accept(time, true);
             run(time, 0);
             deliver(Double.POSITIVE_INFINITY);
             freeAt = Math.min(freeAt, time);
@@ -431,7 +458,9 @@ public final class Cable implements SerialLine {
 
     @Override
     public void pickUp() {
+        opener = Thread.currentThread();
         pickedUp = true;
+        bell.run();
     }
 
     @Override

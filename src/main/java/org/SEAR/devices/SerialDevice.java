@@ -60,6 +60,15 @@ public interface SerialDevice {
     default void opened(double time) {
     }
 
+    /**
+     * The same while time stands still, for who {@link #answersAtOnce}: it boots in no time and says who it is.
+     *
+     * @param time simulated seconds
+     */
+    default void openedAtOnce(double time) {
+        opened(time);
+    }
+
     /** Lets the device's own timers run up to a time. */
     void advance(double time);
 

@@ -170,6 +170,16 @@ final class Instruments {
         return false;
     }
 
+    /** See {@link org.SEAR.devices.Cable#isOpening}. Any thread. */
+    boolean areOpening() {
+        for (int i = 0; i < ports.size(); i++) {
+            if (ports.get(i).getCable().isOpening()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Time stands still: devices that answer at once do. */
     void answer(double time) {
         for (int i = 0; i < ports.size(); i++) {

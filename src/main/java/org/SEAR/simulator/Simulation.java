@@ -189,6 +189,11 @@ public final class Simulation implements AutoCloseable {
         return instruments.areAsked();
     }
 
+    /** Whether {@link #answer} is to be tried again soon: who has just opened a port does not wait for it yet. Any thread. */
+    boolean isOpening() {
+        return instruments.areOpening();
+    }
+
     /** While time stands still: devices that {@link org.SEAR.devices.SerialDevice#answersAtOnce} deal with what was written. Simulation thread. */
     public void answer() {
         if (!isAsked()) {

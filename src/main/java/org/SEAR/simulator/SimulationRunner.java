@@ -12,6 +12,8 @@ import java.util.function.BooleanSupplier;
  */
 public final class SimulationRunner implements Runnable {
     private static final double NANOS = 1e9;
+    /** So often it is looked whether who has opened a port has come to where he waits for its device, ns. */
+    private static final long LOOK_AFTER_OPENER = 2_000_000;
     private static final long SILENT = Long.MIN_VALUE;
     /** By which sums of steps may miss the time that was asked for, s. */
     private static final double ROUNDING = Simulation.STEP / 1000;
@@ -63,7 +65,7 @@ public final class SimulationRunner implements Runnable {
                     measured = 0;
                     samples = 0;
                     newPace = true;
-                    LockSupport.park(this);
+                    rest();
                 } else if (isDue()) {
                     advanceOne();
                 }
@@ -75,6 +77,15 @@ public final class SimulationRunner implements Runnable {
             simulation.close();
             ended = true;
             tell();
+        }
+    }
+
+    /** Until something is asked for, or who has just opened a port may wait for its device by now. */
+    private void rest() {
+        if (simulation.isOpening()) {
+            LockSupport.parkNanos(this, LOOK_AFTER_OPENER);
+        } else {
+            LockSupport.park(this);
         }
     }
 

@@ -5,6 +5,9 @@ import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.io.ByteArrayOutputStream;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.TimeUnit;
 import org.SEAR.Bytes;
 import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.Floor;
@@ -24,6 +27,8 @@ public class BetweenStepsTest {
     private static final int PARTS_TO_DEVICE = 4;
     private static final int PARTS_TO_AND_FRO = 6;
     private static final String DIGITAL_WRITE = "AA 03 1B 0D 01";
+    /** Characters of the line of text that a board says first. */
+    private static final int HELLO = 63;
     private static final String ACK = "AA 02 09 1B";
 
     @Rule
@@ -56,6 +61,11 @@ public class BetweenStepsTest {
         String hex = Bytes.hex(heard.toByteArray());
         heard.reset();
         return hex;
+    }
+
+    private String heardIn(double seconds) {
+        Worlds.run(world, seconds);
+        return heard();
     }
 
     @Test
@@ -118,6 +128,41 @@ public class BetweenStepsTest {
         assertEquals(step, world.getStep());
         world.step();
         assertEquals("01", heard());
+    }
+
+    @Test(timeout = 60_000)
+    public void whileTimeStandsStillTheBoardBootsInNoTimeAsSoonAsWhoHasOpenedItsPortWaits() throws Exception {
+        uno.write(Bytes.bytes("AA 05 04 0E 01 00 00"));
+        world.answer();
+        heard();
+        CountDownLatch goOn = new CountDownLatch(1);
+        SynchronousQueue<String> answers = new SynchronousQueue<>();
+        Thread user = new Thread(() -> {
+            uno.pickUp();
+            try {
+                goOn.await();
+                answers.poll(1, TimeUnit.DAYS);
+            } catch (InterruptedException e) {
+                throw new IllegalStateException(e);
+            }
+        });
+        user.start();
+        while (user.getState() != Thread.State.WAITING) {
+            Thread.onSpinWait();
+        }
+        assertFalse("it goes on and doesn't wait for the board yet", world.isAsked());
+        world.answer();
+        assertEquals("", heard());
+        goOn.countDown();
+        while (!world.isAsked()) {
+            Thread.onSpinWait();
+        }
+        world.answer();
+        String told = heard();
+        assertEquals("AA 02 3A 44 AA 09 03 44 02 03 E8 04 00 00 00", told.substring(3 * HELLO));
+        assertEquals("it has forgotten the pins", "", heardIn(0.9));
+        answers.put("");
+        user.join();
     }
 
     @Test

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
 import org.SEAR.Bytes;
 import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.Floor;
@@ -25,6 +26,7 @@ import org.myrobotlab.service.interfaces.SerialDataListener;
 /** In lock-step MrlComm acknowledges while the script's thread, which alone makes time pass, waits for that, as MyRobotLab's Arduino service does. */
 public class AckTest {
     private static final String PORT = "/dev/SEAR_UNO_01";
+    private static final String INFO = "AA 09 03 44 02 03 E8 04 00 00 00";
     private static final int COMMANDS = 60;
 
     @Rule
@@ -126,11 +128,53 @@ public class AckTest {
     private void command(String hex) throws Exception {
         byte[] bytes = Bytes.bytes(hex);
         serial.write(bytes);
-        int[] ack = {0xAA, 2, 9, bytes[2]};
-        for (int found = 0; found < ack.length;) {
-            int value = listener.bytes.take() & 0xFF;
-            found = value == ack[found] ? found + 1 : value == ack[0] ? 1 : 0;
+        await("AA 02 09 " + Bytes.hex(new byte[] {bytes[2]}));
+    }
+
+    /** Opens the port, goes on with something and waits for what the board says by itself, as MyRobotLab's Arduino service does. */
+    private Map<Double, String> connect() throws Exception {
+        sear.startSimulation();
+        serial = (Serial) Runtime.start("ackSerial", "Serial");
+        listener = (Listener) Runtime.start("ackListener", Listener.class.getName());
+        listener.clock = sear;
+        serial.addByteListener(listener);
+        sear.simSleep(2.5);
+        serial.connect(PORT, 115200, 8, 1, 0);
+        Thread other = new Thread(() -> {
+            for (int i = 0; i < COMMANDS; i++) {
+                sear.getGroundHeight(0, 0);
+            }
+        });
+        other.start();
+        while (other.isAlive()) {
+            Thread.onSpinWait();
         }
+        assertTrue("nothing comes before it is waited for", listener.bytes.isEmpty());
+        double time = sear.getTime();
+        await(INFO);
+        assertEquals("no time has passed", time, sear.getTime(), 0);
+        command("AA 03 1B 0D 01");
+        sear.simSleep(1.5);
+        sear.stopSimulation();
+        Map<Double, String> log = listener.log;
+        Runtime.releaseService("ackSerial");
+        Runtime.releaseService("ackListener");
+        return log;
+    }
+
+    private void await(String hex) throws Exception {
+        byte[] wanted = Bytes.bytes(hex);
+        for (int found = 0; found < wanted.length;) {
+            Byte value = listener.bytes.poll(1, TimeUnit.DAYS);
+            found = value == wanted[found] ? found + 1 : value == wanted[0] ? 1 : 0;
+        }
+    }
+
+    @Test(timeout = 120_000)
+    public void whoOpensThePortHearsAtOnceWhatBoardItIsAndTheSameBytesEachTime() throws Exception {
+        Map<Double, String> first = connect();
+        assertEquals(first, connect());
+        assertTrue("and a second later again", first.get(first.keySet().stream().reduce(0.0, Math::max)).contains(INFO));
     }
 
     @Test(timeout = 120_000)

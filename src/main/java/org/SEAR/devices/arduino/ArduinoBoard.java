@@ -84,6 +84,14 @@ public final class ArduinoBoard implements SerialDevice, Firmware.Host {
     }
 
     @Override
+    public void openedAtOnce(double time) {
+        opened(time);
+        startsAt = Double.NaN;
+        firmware.setUp(time, false);
+        firmware.introduce();
+    }
+
+    @Override
     public void receive(int value, double time) {
         advance(time);
         if (isStarting()) {

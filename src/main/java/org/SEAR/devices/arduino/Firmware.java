@@ -20,6 +20,10 @@ interface Firmware {
         return false;
     }
 
+    /** Has just started and says at once, too, what it otherwise says by itself a little later; where it {@link #answersAtOnce}. */
+    default void introduce() {
+    }
+
     /** What it is doing, in words for people. */
     String status();
 

@@ -87,6 +87,11 @@ final class MrlCommFirmware implements Firmware {
         return true;
     }
 
+    @Override
+    public void introduce() {
+        tellBoard();
+    }
+
     private void send(MrlMessage.Builder message) {
         host.send(message.end().toBytes(), now);
     }

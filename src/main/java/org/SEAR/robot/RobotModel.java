@@ -277,6 +277,10 @@ public final class RobotModel implements Robot, RobotHardware {
 
     @Override
     public void drive(double speed, double radius) {
+        if (speed == 0) {
+            setWheelSpeeds(0, 0);
+            return;
+        }
         if (train.canSteer() && (steersToDrive || Double.isFinite(radius))) {
             steersToDrive = Double.isFinite(radius);
             train.steerTo(steersToDrive ? radius : Double.POSITIVE_INFINITY, speed);

@@ -67,6 +67,25 @@ public class VehicleTest {
         return robot;
     }
 
+    @Test
+    public void aSteeredRobotStopsHoweverItIsToldTo() throws Exception {
+        car();
+        for (double radius : new double[] {0, -0.0, 1, Double.POSITIVE_INFINITY}) {
+            try (Simulation simulation = Worlds.start(project)) {
+                simulation.getRobots().get(0).drive(0.4, 2);
+                Worlds.run(simulation, 2);
+                double angle = simulation.getRobots().get(0).getSteering();
+                simulation.getRobots().get(0).drive(0, radius);
+                Worlds.run(simulation, 2);
+                Pose stopped = simulation.getPose("car");
+                Worlds.run(simulation, 1);
+                assertEquals(stopped.x, simulation.getPose("car").x, 1e-3);
+                assertEquals(stopped.z, simulation.getPose("car").z, 1e-3);
+                assertEquals(angle, simulation.getRobots().get(0).getSteering(), 1e-9);
+            }
+        }
+    }
+
     /** Radius of the circle through three places. */
     private static double radius(Pose a, Pose b, Pose c) {
         double ab = Math.hypot(b.x - a.x, b.z - a.z);

@@ -1,10 +1,16 @@
 package org.SEAR.project;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -18,6 +24,10 @@ final class Backups {
     private static final int MOST = 10;
     /** Of all of them together. */
     private static final long MAX_BYTES = 1L << 30;
+    private static final int PIECE = 65536;
+    /** In the place of a size: a folder, and whatever is no plain file, which is never the same. */
+    private static final long FOLDER = -1;
+    private static final long OTHER = -2;
     /** What is kept, for messages. */
     static final String LIMITS = "of a project the last " + MOST + " backups are kept, with " + (MAX_BYTES >> 20) + " MB all told at most";
 
@@ -52,7 +62,7 @@ final class Backups {
     List<Path> same(Path other) throws IOException {
         List<Path> same = new ArrayList<>();
         for (Path backup : byNumber.values()) {
-            if (SameFiles.in(backup, other)) {
+            if (areSame(backup, other)) {
                 same.add(backup);
             }
         }
@@ -65,7 +75,7 @@ final class Backups {
         int kept = 0;
         long bytes = 0;
         for (Path backup : byNumber.descendingMap().values()) {
-            bytes += SameFiles.bytes(backup);
+            bytes += bytes(backup);
             if (kept > 0 && (kept >= MOST || bytes > MAX_BYTES)) {
                 surplus.add(0, backup);
             } else {
@@ -73,5 +83,53 @@ final class Backups {
             }
         }
         return surplus;
+    }
+
+    /** Whether two folders hold the same files with the same bytes. Looks at sizes first. */
+    private static boolean areSame(Path one, Path other) throws IOException {
+        Map<String, Long> sizes = sizes(one);
+        if (sizes.containsValue(OTHER) || !sizes.equals(sizes(other))) {
+            return false;
+        }
+        for (Map.Entry<String, Long> file : sizes.entrySet()) {
+            if (file.getValue() != FOLDER && !haveSameBytes(one.resolve(file.getKey()), other.resolve(file.getKey()))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Of all files in a folder. */
+    private static long bytes(Path folder) throws IOException {
+        return sizes(folder).values().stream().mapToLong(size -> Math.max(0, size)).sum();
+    }
+
+    /** By path below the folder. */
+    private static Map<String, Long> sizes(Path folder) throws IOException {
+        Map<String, Long> sizes = new TreeMap<>();
+        Files.walkFileTree(folder, new SimpleFileVisitor<Path>() {
+            @Override
+            public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
+                sizes.put(folder.relativize(file).toString(), attributes.isRegularFile() ? attributes.size() : OTHER);
+                return FileVisitResult.CONTINUE;
+            }
+
+            @Override
+            public FileVisitResult preVisitDirectory(Path directory, BasicFileAttributes attributes) {
+                sizes.put(folder.relativize(directory).toString(), FOLDER);
+                return FileVisitResult.CONTINUE;
+            }
+        });
+        return sizes;
+    }
+
+    private static boolean haveSameBytes(Path one, Path other) throws IOException {
+        try (InputStream a = Files.newInputStream(one); InputStream b = Files.newInputStream(other)) {
+            byte[] piece = a.readNBytes(PIECE);
+            while (piece.length > 0 && Arrays.equals(piece, b.readNBytes(PIECE))) {
+                piece = a.readNBytes(PIECE);
+            }
+            return piece.length == 0;
+        }
     }
 }

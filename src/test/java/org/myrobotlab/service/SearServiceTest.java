@@ -456,7 +456,7 @@ public class SearServiceTest {
             }
             assertTrue(Files.isDirectory(Path.of(sear.newProject())));
         }
-        assertTrue(heard.getStatuses().toString(), heard.awaitStatus("was removed: of a project the last 10 backups are kept, with 1024 MB all told"));
+        assertTrue(heard.getStatuses().toString(), heard.awaitStatus("was removed: of a project the last 10 backups are kept, with 1024 MB"));
     }
 
     @Test

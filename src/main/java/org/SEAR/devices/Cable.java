@@ -20,6 +20,8 @@ public final class Cable implements SerialLine {
     private static final double CONVERSATION = 0.1;
     /** Meanwhile the device's timers run so often, s. */
     private static final double LOOK = 0.001;
+    /** An answer that leaves the line within so long is waited for, s. */
+    private static final double SHORT = 0.02;
 
     private final String objectName;
     private final String objectType;
@@ -259,7 +261,8 @@ public final class Cable implements SerialLine {
     }
 
     /**
-     * Between two steps: bytes go to and fro as in a step, if there are any or the user has written lately. Simulation thread.
+     * Between two steps: bytes go to and fro, if there are any or the user has written lately. An answer goes out when its last byte has left the
+     * line, or at the step's end: each piece would be one more for which a busy processor has to wake two programs. Simulation thread.
      *
      * @param time simulated seconds, never less than before
      * @return when to look again; infinity if nothing was to be done
@@ -270,12 +273,13 @@ public final class Cable implements SerialLine {
         }
         accept(time);
         run(time);
-        deliver(time);
         double next = time + LOOK;
-        if (toDeviceFrom < toDeviceEnd) {
-            next = Math.min(next, toDeviceTime + Uart.seconds(toDeviceEnd - toDeviceFrom, speedOfHost()));
+        if (toHostFrom < toHostEnd && toHostTimes[toHostEnd - 1] <= time) {
+            deliver(time);
+        } else if (toHostFrom < toHostEnd && toHostTimes[toHostEnd - 1] < time + SHORT) {
+            next = toHostTimes[toHostEnd - 1];
         }
-        return toHostFrom < toHostEnd ? Math.min(next, toHostTimes[toHostEnd - 1]) : next;
+        return toDeviceFrom < toDeviceEnd ? Math.min(next, toDeviceTime + Uart.seconds(toDeviceEnd - toDeviceFrom, speedOfHost())) : next;
     }
 
     /** Whether the device, which answers at once, has something to answer, or is about to. Any thread. */

@@ -5,6 +5,8 @@ import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.io.ByteArrayOutputStream;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.TimeUnit;
@@ -85,6 +87,20 @@ public class BetweenStepsTest {
         assertEquals(step, world.getStep());
         world.step();
         assertEquals("", heard());
+    }
+
+    /** A program that is told a part of an answer, and the rest when a busy processor comes back to it, falls out of step. */
+    @Test
+    public void byTheClockAnAnswerComesInOnePiece() {
+        List<Integer> pieces = new ArrayList<>();
+        create.setSink(bytes -> pieces.add(bytes.length));
+        create.write(Bytes.bytes("80 8E 00"));
+        int looks = 0;
+        for (int next = world.attend(100); pieces.isEmpty() && next < Simulation.PARTS; looks++) {
+            next = world.attend(next);
+        }
+        assertEquals(List.of(26), pieces);
+        assertEquals("when the question has arrived, and when the answer has left", 2, looks);
     }
 
     @Test

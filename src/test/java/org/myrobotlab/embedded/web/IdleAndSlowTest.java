@@ -104,7 +104,7 @@ public class IdleAndSlowTest {
         List<Socket> pages = new ArrayList<>();
         for (int i = 0; i < MANY; i++) {
             Socket page = page();
-            page.getOutputStream().write(Server.frame(TEXT, bytes("{\"id\":1,\"name\":\"talker\",\"method\":\"longText\",\"data\":[" + LENGTH + "]}")));
+            page.getOutputStream().write(Server.frame(TEXT, bytes(CALL.replace("getName\"", "longText\",\"data\":[" + LENGTH + "]"))));
             pages.add(page);
         }
         server.talker().awaiting(MANY);

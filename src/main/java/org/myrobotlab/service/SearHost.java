@@ -2,6 +2,7 @@ package org.myrobotlab.service;
 
 import java.util.List;
 import org.myrobotlab.framework.MRLListener;
+import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.link.Warnings;
 import org.myrobotlab.service.sear.Host;
@@ -50,7 +51,7 @@ final class SearHost implements Host {
     @Override
     public void windowClosed() {
         if (service.getConfig().closingWindowStops) {
-            service.send(service.getName(), "stopSimulation");
+            service.in(Message.createMessage(service.getName(), service.getName(), "stopSimulation", new Object[0])); // send() would call it here
         }
     }
 

@@ -24,6 +24,7 @@ public abstract class MessagedService extends PublishingService implements Broad
     private static final Logger LOG = LoggerFactory.getLogger(MessagedService.class);
     private static final AtomicLong FUTURES = new AtomicLong();
     private static final int DEFAULT_TIMEOUT_MS = 3000;
+    private static final String DEFAULT_METHOD = "defaultInvokeMethod";
 
     protected final transient Inbox inbox;
     private final transient Tasks tasks = new Tasks(this);
@@ -36,10 +37,7 @@ public abstract class MessagedService extends PublishingService implements Broad
     /** Carries a message out. */
     protected void process(Message msg) {
         if (preRoutingHook(msg) && preProcessHook(msg)) {
-            Object answer = invoke(msg);
-            if (Replies.BLOCKING.equals(msg.status)) {
-                Replies.answer(msg, answer);
-            }
+            invoke(msg);
         }
     }
 
@@ -136,7 +134,11 @@ public abstract class MessagedService extends PublishingService implements Broad
         }
         try {
             Object answer = Methods.call(obj, method, args);
-            publish(blockLocally, obj instanceof PublishingService ? (PublishingService) obj : this, methodName, answer);
+            if (blockLocally) {
+                callListeners(obj, methodName, answer);
+            } else {
+                out(methodName, answer);
+            }
             return answer;
         } catch (InvocationTargetException e) {
             failed(methodName, params, e.getCause());
@@ -154,21 +156,32 @@ public abstract class MessagedService extends PublishingService implements Broad
         }
     }
 
-    private static void publish(boolean blockLocally, PublishingService from, String method, Object answer) {
-        Message msg = Message.createMessage(from.getFullName(), null, method, answer);
-        msg.sendingMethod = method;
-        if (!blockLocally) {
-            from.outbox.add(msg);
-            return;
-        }
-        for (MRLListener listener : from.outbox.getNotifyList().getOrDefault(method, List.of())) {
+    /** Listeners' methods are called here and now; what these answer is not published. For who has no such method its default one is called. */
+    private void callListeners(Object from, String method, Object answer) {
+        Outbox box = from instanceof PublishingService ? ((PublishingService) from).outbox : outbox;
+        for (MRLListener listener : box.getNotifyList().getOrDefault(method, List.of())) {
             ServiceInterface receiver = Runtime.getService(listener.callbackName);
-            if (receiver != null) {
-                Message copy = new Message(msg);
-                copy.name = listener.callbackName;
-                copy.method = listener.callbackMethod;
-                receiver.invoke(copy);
+            if (receiver == null) {
+                LOG.debug("{}: no service {} to call back", getName(), listener.callbackName);
+                continue;
             }
+            try {
+                callBack(receiver, listener.callbackMethod, answer);
+            } catch (InvocationTargetException e) {
+                LOG.error("{}: {}.{} failed", getName(), listener.callbackName, listener.callbackMethod, e.getCause());
+            }
+        }
+    }
+
+    private void callBack(ServiceInterface receiver, String name, Object answer) throws InvocationTargetException {
+        Method method = Methods.find(receiver.getClass(), name, answer);
+        Method instead = Methods.find(receiver.getClass(), DEFAULT_METHOD, name, new Object[] {answer});
+        if (method != null) {
+            Methods.call(receiver, method, answer);
+        } else if (instead != null) {
+            Methods.call(receiver, instead, name, new Object[] {answer});
+        } else {
+            LOG.warn("{}: {} has no method {}", getName(), receiver.getName(), name);
         }
     }
 
@@ -192,9 +205,15 @@ public abstract class MessagedService extends PublishingService implements Broad
         send(receiver, method, new Object[0]);
     }
 
+    /** Calls another service of this process here and now, past all that waits, with its listeners' methods; the message of one argument waits. */
     @Override
     public void send(String receiver, String method, Object... data) {
-        send(Message.createMessage(getFullName(), receiver, method, data));
+        ServiceInterface service = Runtime.getService(receiver);
+        if (service == null) {
+            LOG.info("{}: no service {} to take {}", getName(), receiver, method);
+        } else {
+            invokeOn(true, service, method, data);
+        }
     }
 
     @Override
@@ -212,11 +231,15 @@ public abstract class MessagedService extends PublishingService implements Broad
         return sendBlocking(Message.createMessage(getFullName(), receiver, method, data), timeout);
     }
 
+    /** Calls another service of this process here and now, past all that waits; its listeners are told as ever. */
     @Override
     public Object sendBlocking(Message msg, Integer timeout) throws InterruptedException, TimeoutException {
-        Replies.expect(msg);
-        outbox.send(msg);
-        return Replies.await(msg, timeout);
+        ServiceInterface service = Runtime.getService(msg.name);
+        if (service == null) {
+            error("cannot get service %s", msg.name);
+            return null;
+        }
+        return service.invoke(msg);
     }
 
     @Override

@@ -266,6 +266,11 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         return false;
     }
 
+    /** A function of the script that is called at once waits for its turn among the callbacks. */
+    public void defaultInvokeMethod(String method, Object... params) {
+        callbacks.add(Message.createMessage(getName(), getName(), method, params));
+    }
+
     private void callBack() {
         try {
             while (callbackThread == Thread.currentThread()) {

@@ -256,9 +256,6 @@ public class Runtime extends Service<RuntimeConfig> implements MessageListener, 
         Runtime runtime = instance;
         if (runtime != null && REGISTRY.remove(CodecUtils.getFullName(name))) {
             runtime.config.remove(CodecUtils.getShortName(name));
-            for (ServiceInterface other : REGISTRY.newestFirst()) {
-                other.getOutbox().detach(name);
-            }
             runtime.invoke("released", name);
         }
     }

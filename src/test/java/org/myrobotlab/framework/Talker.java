@@ -55,6 +55,10 @@ public class Talker extends Service<ServiceConfig> {
         heard.add(values);
     }
 
+    public void onCaller(String thread) {
+        heard.add(thread);
+    }
+
     public void onNothing() {
         heard.add("nothing");
     }

@@ -277,7 +277,7 @@ public final class RobotModel implements Robot, RobotHardware {
 
     @Override
     public void drive(double speed, double radius) {
-        if (speed == 0) {
+        if (speed == 0 && radius == 0) {    // no circle to steer to
             setWheelSpeeds(0, 0);
             return;
         }

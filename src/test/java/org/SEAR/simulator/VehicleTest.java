@@ -81,7 +81,7 @@ public class VehicleTest {
                 Worlds.run(simulation, 1);
                 assertEquals(stopped.x, simulation.getPose("car").x, 1e-3);
                 assertEquals(stopped.z, simulation.getPose("car").z, 1e-3);
-                assertEquals(angle, simulation.getRobots().get(0).getSteering(), 1e-9);
+                assertEquals(radius == 0 ? angle : Math.toDegrees(Math.atan(BASE / radius)), simulation.getRobots().get(0).getSteering(), 1e-9);
             }
         }
     }

@@ -22,8 +22,8 @@ public class MrlServicesTest extends InRealMrl {
     private static final Path SCRIPTS = ROOT.resolve("src/realTest/python");
 
     /**
-     * What MyRobotLab's Arduino says of each board that has not told what it is when its port opens, its Pir whenever it starts, and any service whose
-     * message calls a function of a script at once.
+     * What MyRobotLab's Arduino says of each board that has not told what it is when its port opens, its Pir whenever it starts, and any service
+     * whose message calls a function of a script at once.
      */
     private static final Pattern ALWAYS_SAID = Pattern.compile(
         "board info is null|pir error pin control not set|Method Cache look up Failed! org.myrobotlab.service.Python");

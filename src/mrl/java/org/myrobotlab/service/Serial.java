@@ -76,25 +76,26 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         listeners.put(getName(), this);
     }
 
-    @Override
-    public void startService() {
-        super.startService();
-        if (config.port != null && !isConnected()) {
-            try {
-                connect(config.port);
-            } catch (IOException e) {
-                error(e.getMessage());
-            }
-        }
-    }
-
-    /** With the port that is open now. */
+    /** With the port that was opened last, which is not opened again when the configuration is restored. */
     @Override
     public SerialConfig getConfig() {
-        if (isConnected()) {
-            config.port = portName;
-        }
+        config.port = lastPortName;
         return config;
+    }
+
+    /** Connects to the configuration's port if it is connected, as the real one does. */
+    @Override
+    public SerialConfig apply(SerialConfig newConfig) {
+        String port = newConfig.port;
+        super.apply(newConfig);
+        if (port != null && isConnected()) {
+            try {
+                connect(port);
+            } catch (IOException e) {
+                log.error("{}: port {} of its configuration", getName(), port, e);
+            }
+        }
+        return newConfig;
     }
 
     // ---- opening and closing ------------------------------------------------------------------------------------------

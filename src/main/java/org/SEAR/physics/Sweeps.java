@@ -31,8 +31,8 @@ final class Sweeps {
     /** How deep two that touch may get within a step, as a share of the thinner one's half, and metres. */
     private static final double DEEPEST_SHARE = 0.25;
     private static final double DEEPEST = 0.01;
-    /** How much deeper two may get that are deeper already, metres. */
-    private static final double DEEPER = 1e-4;
+    /** How much deeper two may get that are deeper already, metres: more than {@link #PRECISION}, else they could not even move out. */
+    private static final double DEEPER = 4e-4;
 
     private final List<Pair> pairs = new ArrayList<>();
     private int count;

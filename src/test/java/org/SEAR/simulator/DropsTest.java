@@ -29,6 +29,8 @@ public class DropsTest {
     private static final int FAST_AT_ONCE = 250;
     private static final long SEED = Long.getLong("sear.seed", 4);
     private static final double APART = 6;
+    /** How far the ground reaches beyond them, metres: what is thrown aside must not run off it, and be taken for lost. */
+    private static final double AROUND = 100;
 
     @Rule
     public final ProjectRule project = new ProjectRule();
@@ -58,12 +60,12 @@ public class DropsTest {
         for (int done = 0; done < all; done += atOnce) {
             boolean mesh = robotEach < atOnce ? done / atOnce % 2 == 1 : random.nextBoolean();
             int count = Math.min(atOnce, all - done);
-            double side = APART * Math.ceil(Math.sqrt(count)) + 20;
+            double side = APART * Math.ceil(Math.sqrt(count)) + 2 * AROUND;
             Bundle.newProject(project.folder());
             if (mesh) {
                 ground(side, random);
             } else {
-                new Floor("ground", side, side).move(side / 2 - 10, 0, side / 2 - 10);
+                new Floor("ground", side, side).move(side / 2 - AROUND, 0, side / 2 - AROUND);
             }
             List<String> what = new ArrayList<>();
             int row = (int) Math.ceil(Math.sqrt(count));
@@ -124,10 +126,10 @@ public class DropsTest {
         Path file = project.folder().resolve("assets/sheet.obj");
         Files.createDirectories(file.getParent());
         StringBuilder text = new StringBuilder();
-        int cells = 30;
+        int cells = 60;
         for (int i = 0; i <= cells; i++) {
             for (int k = 0; k <= cells; k++) {
-                text.append("v ").append(i * side / cells - 10).append(" 0 ").append(k * side / cells - 10).append('\n');
+                text.append("v ").append(i * side / cells - AROUND).append(" 0 ").append(k * side / cells - AROUND).append('\n');
             }
         }
         for (int i = 0; i < cells; i++) {

@@ -33,8 +33,9 @@ final class RealMrl {
         + "    except:\n"
         + "        traceback.print_exc(None, sys.stdout)\n"
         + "finally:\n"
-        + "    sys.stdout.close()\n"
-        + "    sys.stdout, sys.stderr = _console\n"
+        + "    _file = sys.stdout\n"
+        + "    sys.stdout, sys.stderr = _console\n"    // a callback that ends now is not to find the file closed
+        + "    _file.close()\n"
         + "    os.rename(%1$s, %3$s)\n";
     private static RealMrl shared;
     private static int runs;

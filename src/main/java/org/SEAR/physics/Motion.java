@@ -44,7 +44,6 @@ final class Motion {
     private final Transform then = new Transform();
     private float thenShare;
     private final Turning turning = new Turning();
-    private final Spin spin;
     private boolean started;
 
     /**
@@ -55,14 +54,6 @@ final class Motion {
         this.rigid = rigid;
         this.reach = (float) reach;
         this.bounces = bounces;
-        spin = new Spin(rigid);
-    }
-
-    /** Adds the speed that gravity gives in a step, m/s. */
-    void fall(float speed) {
-        rigid.getLinearVelocity(linear);
-        linear.y -= speed;
-        rigid.setLinearVelocity(linear);
     }
 
     /** Looks at the velocities before the contacts are known, gravity included. */
@@ -138,7 +129,6 @@ final class Motion {
         thenShare = 0;
         started = false;
         bounceAhead = false;
-        spin.plan(rigid, now.basis, angular, time);
         float way = (linear.length() + angular.length() * reach) * time;
         if (!fast && way > SLOW) {
             end = SLOW / way;
@@ -228,7 +218,6 @@ final class Motion {
     void go(float step, float gravity, Transform scratch) {
         at(1, scratch);
         rigid.proceedToTransform(scratch);
-        spin.end(rigid);
         if (flies && (end < 1 || bounced)) {
             float known = bounced ? 0 : gravity * step;
             linear.y += known - gravity * end * time;

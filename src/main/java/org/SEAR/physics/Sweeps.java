@@ -33,6 +33,8 @@ final class Sweeps {
     private static final double DEEPEST = 0.01;
     /** How much deeper two may get that are deeper already, metres: more than {@link #PRECISION}, else they could not even move out. */
     private static final double DEEPER = 4e-4;
+    /** The same in a triangle, which has no other side to come back from. */
+    private static final double DEEPER_IN_MESH = 1e-4;
 
     private final List<Pair> pairs = new ArrayList<>();
     private int count;
@@ -201,7 +203,7 @@ final class Sweeps {
 
     /** How near they may come: those that touch have their contacts, which hold a little depth. */
     private static double target(Pair pair, double distance) {
-        return distance > ManifoldClipper.SKIN ? MET : Math.min(distance - DEEPER, -pair.depth);
+        return distance > ManifoldClipper.SKIN ? MET : Math.min(distance - (pair.mesh == null ? DEEPER : DEEPER_IN_MESH), -pair.depth);
     }
 
     /** How far turning bends the ways of their points at most, metres. */

@@ -4,6 +4,7 @@ import com.bulletphysics.collision.broadphase.BroadphaseInterface;
 import com.bulletphysics.collision.dispatch.CollisionDispatcher;
 import com.bulletphysics.collision.dispatch.CollisionObject;
 import com.bulletphysics.dynamics.DiscreteDynamicsWorld;
+import com.bulletphysics.dynamics.RigidBody;
 import com.bulletphysics.dynamics.constraintsolver.ConstraintSolver;
 import com.bulletphysics.linearmath.Transform;
 import javax.vecmath.Vector3f;
@@ -36,13 +37,13 @@ final class SweptWorld extends DiscreteDynamicsWorld {
         return object.isActive() ? ((Body) object.getUserPointer()).getMotion() : null;
     }
 
-    /** Gravity. jbullet's own also works out, and throws away, where each body would be, and lets none turn by more than a quarter in a step. */
+    /** jbullet's own also works out, and throws away, where each body would be, and brakes it by nothing. */
     @Override
     protected void predictUnconstraintMotion(float timeStep) {
         for (int i = 0; i < collisionObjects.size(); i++) {
-            Motion motion = motion(collisionObjects.getQuick(i));
-            if (motion != null) {
-                motion.fall(pull * timeStep);
+            CollisionObject object = collisionObjects.getQuick(i);
+            if (motion(object) != null) {
+                ((RigidBody) object).integrateVelocities(timeStep);
             }
         }
     }

@@ -10,6 +10,8 @@ import javax.vecmath.Vector3f;
  * without its pools, which look into a map of the thread each time, and with the start's quaternion kept. Simulation thread.
  */
 final class Turning {
+    /** More than this it does not turn in one go, radians. */
+    private static final float MOST = 0.25f * (float) Math.PI;
     /** Slower than this the sine is the first two terms of its series, rad/s. */
     private static final float SLOW = 0.001f;
     /** The second of them, 1/48. */
@@ -58,6 +60,9 @@ final class Turning {
      */
     void turn(Vector3f angular, float time, Transform into) {
         float speed = angular.length();
+        if (speed * time > MOST) {
+            speed = MOST / time;
+        }
         if (speed < SLOW) {
             axis.scale(0.5f * time - time * time * time * CUBIC * speed * speed, angular);
         } else {

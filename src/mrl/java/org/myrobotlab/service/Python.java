@@ -43,7 +43,8 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
 
     private static final long serialVersionUID = 1L;
     private static final int SCRIPT_DEPTH = 3;
-    private static final String IMPORTS = "import sys\nfrom time import sleep\n";
+    /** The package org is found before a folder of that name beside a script, of which Jython would warn by modules that need org themselves. */
+    private static final String IMPORTS = "import org\ndel org\nimport sys\nfrom time import sleep\n";
 
     /** Scripts that are open in the editor, by file; what holds them here can be serialised, whatever the type promises. */
     @SuppressWarnings("serial")

@@ -76,26 +76,25 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         listeners.put(getName(), this);
     }
 
-    /** With the port that was opened last, which is not opened again when the configuration is restored. */
     @Override
-    public SerialConfig getConfig() {
-        config.port = lastPortName;
-        return config;
-    }
-
-    /** Connects to the configuration's port if it is connected, as the real one does. */
-    @Override
-    public SerialConfig apply(SerialConfig newConfig) {
-        String port = newConfig.port;
-        super.apply(newConfig);
-        if (port != null && isConnected()) {
+    public void startService() {
+        super.startService();
+        if (config.port != null && !isConnected()) {
             try {
-                connect(port);
+                connect(config.port);
             } catch (IOException e) {
-                log.error("{}: port {} of its configuration", getName(), port, e);
+                error(e.getMessage());
             }
         }
-        return newConfig;
+    }
+
+    /** With the port that is open now. */
+    @Override
+    public SerialConfig getConfig() {
+        if (isConnected()) {
+            config.port = portName;
+        }
+        return config;
     }
 
     // ---- opening and closing ------------------------------------------------------------------------------------------

@@ -67,13 +67,13 @@ public class ReconnectTest {
         long sentences = gps.getSentenceCount();
         long scans = lidar.getScanCount();
         sear.simSleep(3);
-        lidar.singleScan();
         long deadline = System.nanoTime() + PATIENCE;
         do {
-            sear.simSleep(1); // by the clock the scan's bytes take the computer's time, too
+            lidar.singleScan(); // as fast as possible the answer may come too late for the driver on a busy computer
+            sear.simSleep(1);
         } while (lidar.getScanCount() == scans && System.nanoTime() < deadline);
         assertTrue(lidar.isConnected() && gps.isConnected());
-        assertEquals(scans + 1, lidar.getScanCount());
+        assertTrue(lidar.getScanCount() > scans);
         assertTrue(gps.getSentenceCount() > sentences);
     }
 

@@ -47,12 +47,7 @@ public final class Project {
      * @throws ProjectException with every problem found
      */
     public static Project read(Path folder, Map<Path, byte[]> changes) throws ProjectException {
-        ProjectSwap.hold();
-        try {
-            return new ProjectReader(folder, changes).read();
-        } finally {
-            ProjectSwap.letGo();
-        }
+        return ProjectSwap.undisturbed(() -> new ProjectReader(folder, changes).read());
     }
 
     /** The folder of this program: {@code SEARproject} in the working folder, or what the system property {@code sear.project} says. */

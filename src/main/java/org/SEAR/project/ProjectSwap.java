@@ -70,6 +70,21 @@ public final class ProjectSwap implements AutoCloseable {
         CHANGING.unlock();
     }
 
+    /** A look at a project. */
+    public interface Look<T, E extends Exception> {
+        T look() throws E;
+    }
+
+    /** Looks at a project while it is {@link #hold held}. */
+    public static <T, E extends Exception> T undisturbed(Look<T, E> look) throws E {
+        hold();
+        try {
+            return look.look();
+        } finally {
+            letGo();
+        }
+    }
+
     /**
      * Locks a project folder against other loads and cleans up after a crash. Waits for other threads of this program that replace a project or
      * write to it. The same thread closes it.

@@ -89,12 +89,7 @@ public final class Simulation implements AutoCloseable {
      * @param groundVisible false: beams pass through all floors and terrain
      */
     public static Simulation load(Path folder, long seed, boolean groundVisible) throws ProjectException {
-        ProjectSwap.hold();
-        try {
-            return new Simulation(Project.read(folder), seed, EPOCH, groundVisible);
-        } finally {
-            ProjectSwap.letGo();
-        }
+        return ProjectSwap.undisturbed(() -> new Simulation(Project.read(folder), seed, EPOCH, groundVisible));
     }
 
     /** Builds the world of a project. */

@@ -151,7 +151,7 @@ final class SearParts {
         if (control.isRunning()) {
             return Collections.emptyMap();
         }
-        return Projects.undisturbed(() -> preview.of(Projects.folder(), known));
+        return ProjectSwap.undisturbed(() -> preview.of(Projects.folder(), known));
     }
 
     /** The ground of the running world, or else of the project; empty if it has none. */
@@ -185,7 +185,7 @@ final class SearParts {
 
     /** What keeps the project from starting, {@code problems}, and what its start would warn of, {@code warnings}. */
     public Map<String, Object> check() {
-        return Projects.undisturbed(() -> {
+        return ProjectSwap.undisturbed(() -> {
             List<Problem> problems = Collections.emptyList();
             List<String> warnings = Collections.emptyList();
             try {

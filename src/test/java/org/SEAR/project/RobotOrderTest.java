@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.project.bundle.Bundle;
+import org.SEAR.project.bundle.Progress;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
@@ -48,7 +49,7 @@ public class RobotOrderTest {
         makeThree();
         Path bundle = project.getRoot().toPath().resolve("animals.sear");
         Bundle.save(project.folder(), bundle);
-        Bundle.newProject(project.folder());
+        Bundle.newProject(project.folder(), Progress.NONE);
         Bundle.load(bundle, project.folder());
         assertEquals("[zebra, ape, mouse]", robots().toString());
         robot("bee");
@@ -60,13 +61,13 @@ public class RobotOrderTest {
         robot("ant");
         Path bundle = project.getRoot().toPath().resolve("ant.sear");
         Bundle.save(project.folder(), bundle);
-        Bundle.newProject(project.folder());
+        Bundle.newProject(project.folder(), Progress.NONE);
         robot("zebra");
         robot("mouse");
-        Bundle.importRobot(bundle, project.folder(), "ant");
+        Bundle.importRobot(bundle, project.folder(), "ant", Progress.NONE);
         assertEquals("[zebra, mouse, ant]", robots().toString());
-        Bundle.newProject(project.folder());
-        Bundle.importRobot(bundle, project.folder(), "ant");
+        Bundle.newProject(project.folder(), Progress.NONE);
+        Bundle.importRobot(bundle, project.folder(), "ant", Progress.NONE);
         assertFalse(project.text("robot/ant.xml"), project.text("robot/ant.xml").contains("<order>"));
     }
 

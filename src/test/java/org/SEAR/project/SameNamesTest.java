@@ -16,6 +16,7 @@ import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.bundle.Bundle;
+import org.SEAR.project.bundle.Progress;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.sensors.DistanceReading;
 import org.SEAR.simulator.Simulation;
@@ -96,7 +97,7 @@ public class SameNamesTest {
         Path bundle = project.getRoot().toPath().resolve("two.sear");
         Bundle.save(project.folder(), bundle);
         Map<String, String> files = project.files();
-        Bundle.newProject(project.folder());
+        Bundle.newProject(project.folder(), Progress.NONE);
         Bundle.load(bundle, project.folder());
         assertEquals(files, project.files());
         try (Simulation world = Simulation.load(project.folder(), 1)) {
@@ -185,7 +186,7 @@ public class SameNamesTest {
     @Test
     public void aRobotThatIsNoLongerInTheProjectKeepsOutOfIt() throws Exception {
         robot("rover", "ping");
-        Bundle.newProject(project.folder());
+        Bundle.newProject(project.folder(), Progress.NONE);
         robot("scout", "ping");
         assertEquals(Set.of("robot/scout.xml", "robot/scout drive.xml", "robot/ping.xml"), project.files().keySet());
     }

@@ -18,6 +18,7 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Sphere;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.project.bundle.Bundle;
+import org.SEAR.project.bundle.Progress;
 import org.junit.Rule;
 import org.junit.Test;
 
@@ -61,7 +62,7 @@ public class DropsTest {
             boolean mesh = robotEach < atOnce ? done / atOnce % 2 == 1 : random.nextBoolean();
             int count = Math.min(atOnce, all - done);
             double side = APART * Math.ceil(Math.sqrt(count)) + 2 * AROUND;
-            Bundle.newProject(project.folder());
+            Bundle.newProject(project.folder(), Progress.NONE);
             if (mesh) {
                 ground(side, random);
             } else {

@@ -127,11 +127,6 @@ public final class Bundle {
         }
     }
 
-    /** As {@link #importRobot(Path, Path, String, Progress)}, telling nobody. */
-    public static Map<String, String> importRobot(Path file, Path folder, String robot) throws IOException, ProjectException {
-        return importRobot(file, folder, robot, Progress.NONE);
-    }
-
     /**
      * Adds a robot of a bundle or folder to a project. Names, ports, beams and assets that are taken there get a number.
      *
@@ -144,13 +139,8 @@ public final class Bundle {
         return add(file, folder, progress, (source, to) -> to.robot(find(source, robot, file)));
     }
 
-    /** As {@link #importEnvironment(Path, Path, Progress)}, telling nobody. */
-    public static Map<String, String> importEnvironment(Path file, Path folder) throws IOException, ProjectException {
-        return importEnvironment(file, folder, Progress.NONE);
-    }
-
     /**
-     * Adds all of the environment of a bundle or folder to a project, as {@link #importRobot(Path, Path, String, Progress)} does a robot.
+     * Adds all of the environment of a bundle or folder to a project, as {@link #importRobot} does a robot.
      *
      * @return new names by the old ones
      */
@@ -220,11 +210,6 @@ public final class Bundle {
         } finally {
             ProjectSwap.delete(temporary);
         }
-    }
-
-    /** As {@link #newProject(Path, Progress)}, telling nobody. */
-    public static Path newProject(Path folder) throws IOException {
-        return newProject(folder, Progress.NONE);
     }
 
     /**

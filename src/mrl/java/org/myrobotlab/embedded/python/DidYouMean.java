@@ -58,7 +58,7 @@ public final class DidYouMean {
             }
         }
         return known.stream().filter(one -> nearness(wanted, one) >= NEAR)
-            .max(Comparator.comparingDouble((String one) -> nearness(wanted, one)).thenComparing(DidYouMean::isAction)
+            .max(Comparator.comparingDouble((String one) -> nearness(wanted, one)).thenComparing(DidYouMean::likelihood)
                 .thenComparing(Comparator.reverseOrder()))
             .map(one -> "\ndid you mean " + one + "?").orElse("");
     }
@@ -72,7 +72,7 @@ public final class DidYouMean {
     }
 
     /** Who writes the name of no question doesn't ask; start, of all actions, is what is meant by a thing that is done. */
-    private static int isAction(String name) {
+    private static int likelihood(String name) {
         return name.matches("(is|has|get)[A-Z].*") ? 0 : name.startsWith("start") ? 2 : 1;
     }
 

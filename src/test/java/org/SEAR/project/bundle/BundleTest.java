@@ -82,10 +82,10 @@ public class BundleTest {
 
     @Test
     public void aNewProjectKeepsTenBackups() throws Exception {
-        assertNull(Bundle.newProject(project.folder()));
+        assertNull(Bundle.newProject(project.folder(), Progress.NONE));
         for (int i = 1; i <= 12; i++) {
             new Box("box" + i, 1, 1, 1, 0);
-            assertEquals(place("SEARproject.backup-" + i), Bundle.newProject(project.folder()));
+            assertEquals(place("SEARproject.backup-" + i), Bundle.newProject(project.folder(), Progress.NONE));
             assertFalse(Files.exists(project.folder()));
         }
         assertFalse(Files.exists(place("SEARproject.backup-2")));

@@ -87,7 +87,7 @@ public class FilesTest {
         Files.createDirectories(rest.resolve("assets"));
         for (int i = 1; i <= 12; i++) {
             new Box("b", 1, 1, 1, i);
-            assertTrue(Bundle.newProject(project.folder()).endsWith("SEARproject.backup-" + i));
+            assertTrue(Bundle.newProject(project.folder(), Progress.NONE).endsWith("SEARproject.backup-" + i));
         }
         assertFalse(Files.exists(rest));
         assertFalse(Files.exists(project.folder().resolveSibling("SEARproject.backup-2")));
@@ -105,15 +105,15 @@ public class FilesTest {
     @Test
     public void theSameProjectIsKeptOnce() throws Exception {
         new Box("mine", 1, 1, 1, 0);
-        Bundle.newProject(project.folder());
+        Bundle.newProject(project.folder(), Progress.NONE);
         for (int i = 0; i < 15; i++) {
             new Box("example", 1, 1, 1, 0);
             new Box("second", 1, 1, 1, 0);
-            Bundle.newProject(project.folder());
+            Bundle.newProject(project.folder(), Progress.NONE);
         }
         new Box("example", 1, 1, 1, 0);
         new Box("second", 1, 1, 1, 1);
-        Bundle.newProject(project.folder());
+        Bundle.newProject(project.folder(), Progress.NONE);
         List<String> kept = new ArrayList<>();
         for (int i = 1; i < 20; i++) {
             Path backup = project.folder().resolveSibling("SEARproject.backup-" + i);

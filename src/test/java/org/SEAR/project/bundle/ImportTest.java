@@ -49,14 +49,14 @@ public class ImportTest {
 
     @Test
     public void theSameRobotIsPlacedTwice() throws Exception {
-        Map<String, String> renamed = Bundle.importRobot(bundle, project.folder(), "rover");
+        Map<String, String> renamed = Bundle.importRobot(bundle, project.folder(), "rover", Progress.NONE);
         assertEquals("{rover=rover_2, drive=drive, body=body, eye=eye}", renamed.toString());
         assertEquals("rover[drive, body, eye]", parts(read().getRobots().get(0)));
         assertEquals("rover_2[drive, body, eye]", parts(read().getRobots().get(1)));
         assertTrue(project.text("robot/rover_2/drive.xml"), project.text("robot/rover_2/drive.xml").contains("<uartPort>COM1_2</uartPort>"));
         assertTrue(project.text("robot/rover_2/body.xml"), project.text("robot/rover_2/body.xml").contains("<image>skin.png</image>"));
         assertTrue(project.text("robot/rover_2/eye.xml"), project.text("robot/rover_2/eye.xml").contains("<beam>own</beam>"));
-        assertEquals("rover_3", Bundle.importRobot(bundle, project.folder(), "").get("rover"));
+        assertEquals("rover_3", Bundle.importRobot(bundle, project.folder(), "", Progress.NONE).get("rover"));
         assertEquals(3, read().getRobots().size());
         assertEquals(1, read().getEnvironment().size());
     }
@@ -65,7 +65,7 @@ public class ImportTest {
     public void beamsAndPicturesOfOtherContentStayApart() throws Exception {
         project.put("beams/own.xml", BEAM.replace("RANGE", "7"));
         project.put("assets/skin.png", "two");
-        Bundle.importRobot(bundle, project.folder(), "rover");
+        Bundle.importRobot(bundle, project.folder(), "rover", Progress.NONE);
         assertTrue(project.text("robot/rover_2/eye.xml"), project.text("robot/rover_2/eye.xml").contains("<beam>own_2</beam>"));
         assertTrue(project.text("beams/own_2.xml"), project.text("beams/own_2.xml").contains("<range>2</range>"));
         assertTrue(project.text("beams/own.xml"), project.text("beams/own.xml").contains("<range>7</range>"));
@@ -79,10 +79,10 @@ public class ImportTest {
         Path other = project.getRoot().toPath().resolve("other/SEARproject");
         Files.createDirectories(other.getParent());
         Bundle.load(bundle, other);
-        assertEquals("{crate=crate_2}", Bundle.importEnvironment(other.getParent(), project.folder()).toString());
+        assertEquals("{crate=crate_2}", Bundle.importEnvironment(other.getParent(), project.folder(), Progress.NONE).toString());
         assertEquals(2, read().getEnvironment().size());
-        Bundle.newProject(project.folder());
-        assertEquals("{crate=crate}", Bundle.importEnvironment(other, project.folder()).toString());
+        Bundle.newProject(project.folder(), Progress.NONE);
+        assertEquals("{crate=crate}", Bundle.importEnvironment(other, project.folder(), Progress.NONE).toString());
         assertEquals(0, read().getRobots().size());
     }
 
@@ -98,13 +98,13 @@ public class ImportTest {
     public void whatCantBeImportedChangesNothing() throws Exception {
         Map<String, String> before = ProjectRule.files(project.folder());
         try {
-            Bundle.importRobot(bundle, project.folder(), "nobody");
+            Bundle.importRobot(bundle, project.folder(), "nobody", Progress.NONE);
             fail("imported");
         } catch (IllegalArgumentException e) {
             assertTrue(e.getMessage(), e.getMessage().contains("robot is \"nobody\", legal: a robot of") && e.getMessage().contains("[rover]"));
         }
         try {
-            Bundle.importEnvironment(Paths.get("nothere.sear"), project.folder());
+            Bundle.importEnvironment(Paths.get("nothere.sear"), project.folder(), Progress.NONE);
             fail("imported");
         } catch (ProjectException e) {
             assertTrue(e.getMessage(), e.getMessage().contains("there is no such file"));

@@ -14,10 +14,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.function.Supplier;
 import org.SEAR.POJOs.Notices;
 import org.SEAR.project.Project;
-import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
 import org.SEAR.project.bundle.Progress;
@@ -73,16 +71,6 @@ public final class Projects {
         refuseWhileRunning("newProject");
         PortArrivals.anotherProject();
         return Bundle.newProject(folder(), new PercentProgress("replacing", folder(), host::progress));
-    }
-
-    /** Looks at the project while all that replaces it or writes to it waits, so that what is seen is of one project. */
-    public static <T> T undisturbed(Supplier<T> look) {
-        ProjectSwap.hold();
-        try {
-            return look.get();
-        } finally {
-            ProjectSwap.letGo();
-        }
     }
 
     /** Refuses to take the project away from under a running simulation. */

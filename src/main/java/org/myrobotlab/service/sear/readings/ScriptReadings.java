@@ -183,18 +183,9 @@ public final class ScriptReadings {
     /** The world's y of the ground, metres; before the start, of the project as it is. */
     public double groundHeight(double x, double z) throws InterruptedException, ProjectException {
         if (!control.isRunning()) {
-            return groundHeightBeforeTheStart(x, z);
+            return ProjectSwap.undisturbed(() -> Simulation.groundHeight(Project.read(Project.presentFolder()), x, z));
         }
         return control.session().ask(world -> world.getGroundHeight(x, z));
-    }
-
-    private static double groundHeightBeforeTheStart(double x, double z) throws ProjectException {
-        ProjectSwap.hold();
-        try {
-            return Simulation.groundHeight(Project.read(Project.presentFolder()), x, z);
-        } finally {
-            ProjectSwap.letGo();
-        }
     }
 
     private static String given(String name) {

@@ -8,7 +8,6 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -38,8 +37,8 @@ public final class Records {
     private static final double FINEST = 1e8;
 
     private final Host host;
-    /** What was said of which record. */
-    private final Map<Path, String> told = new HashMap<>();
+    /** What was said last. */
+    private String told = "";
 
     /** @param host hears of a record that is not whole */
     public Records(Host host) {
@@ -50,9 +49,10 @@ public final class Records {
     private synchronized void tell(RunRecord record, boolean whole) {
         String words = whole ? "" : record.getPath() + (record.isBeingWritten() ? " is still being written: what it has so far is read"
             : " was cut off, by a crash or a full disk: what it has up to there is read");
-        if (!words.equals(told.put(record.getPath(), words)) && !words.isEmpty()) {
+        if (!words.equals(told) && !words.isEmpty()) {
             host.progress(words);
         }
+        told = words;
     }
 
     private static RunRecord open(String path) throws IOException {

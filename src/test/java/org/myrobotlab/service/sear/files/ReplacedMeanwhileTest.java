@@ -18,7 +18,9 @@ import java.util.stream.Collectors;
 import org.SEAR.POJOs.Box;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
+import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.bundle.Bundle;
+import org.SEAR.project.bundle.Progress;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
@@ -41,7 +43,7 @@ public class ReplacedMeanwhileTest {
             new Box(letter + i, 1, 1, 1).move(3.0 * i, 0.5, 0);
         }
         Bundle.save(project.folder(), file);
-        Bundle.newProject(project.folder());
+        Bundle.newProject(project.folder(), Progress.NONE);
         return file;
     }
 
@@ -76,7 +78,7 @@ public class ReplacedMeanwhileTest {
 
     /** As the tab asks for it. */
     private Project previewed(Preview preview) {
-        Map<String, Object> answer = Projects.undisturbed(() -> preview.of(project.folder(), ""));
+        Map<String, Object> answer = ProjectSwap.undisturbed(() -> preview.of(project.folder(), ""));
         assertEquals(Arrays.asList(Collections.emptyList(), null), Arrays.asList(answer.get("problems"), answer.get("reason")));
         return null;
     }

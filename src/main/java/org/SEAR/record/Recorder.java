@@ -180,13 +180,18 @@ public final class Recorder implements RunTap {
         } else {
             out.put(Kind.STEP);
         }
-        if (System.nanoTime() - flushed > FLUSH_NANOS) {
-            flush();
-        }
+        standing();
         if (out.size() >= limit || out.failure() != null) {
             leave();
             told.accept("the record " + path + " has ended at " + getSeconds() + " s: " + (out.failure() == null ? "it has its largest size, "
                 + limit + " bytes" : out.failure()));
+        }
+    }
+
+    @Override
+    public void standing() {
+        if (System.nanoTime() - flushed > FLUSH_NANOS) {
+            flush();
         }
     }
 

@@ -33,4 +33,8 @@ public interface RunTap extends LineTap {
 
     /** A step has ended: its snapshot and outputs are there. */
     void stepped(Simulation simulation);
+
+    /** Time stands still: called now and then, once a second at least. */
+    default void standing() {
+    }
 }

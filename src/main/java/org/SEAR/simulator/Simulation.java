@@ -204,6 +204,13 @@ public final class Simulation implements AutoCloseable {
         attended(0);
     }
 
+    /** Time stands still, and nothing is asked for. Simulation thread. */
+    void stand() {
+        if (tap != null) {
+            tap.standing();
+        }
+    }
+
     private void attended(int what) {
         if (tap != null) {
             tap.attended(what);

@@ -14,6 +14,8 @@ public final class SimulationRunner implements Runnable {
     private static final double NANOS = 1e9;
     /** So often it is looked whether who has opened a port has come to where he waits for its device, ns. */
     private static final long LOOK_AFTER_OPENER = 2_000_000;
+    /** So often a record hears that time stands still, ns. */
+    private static final long STANDING = 1_000_000_000;
     private static final long SILENT = Long.MIN_VALUE;
     /** By which sums of steps may miss the time that was asked for, s. */
     private static final double ROUNDING = Simulation.STEP / 1000;
@@ -80,13 +82,10 @@ public final class SimulationRunner implements Runnable {
         }
     }
 
-    /** Until something is asked for, or who has just opened a port may wait for its device by now. */
+    /** Until something is asked for, or who has just opened a port may wait for its device by now; or for a while. */
     private void rest() {
-        if (simulation.isOpening()) {
-            LockSupport.parkNanos(this, LOOK_AFTER_OPENER);
-        } else {
-            LockSupport.park(this);
-        }
+        LockSupport.parkNanos(this, simulation.isOpening() ? LOOK_AFTER_OPENER : STANDING);
+        simulation.stand();
     }
 
     /** Whether the next step's time has come; attends to the lines and waits a while if not. */

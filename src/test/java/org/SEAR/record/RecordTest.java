@@ -7,6 +7,7 @@ import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -37,6 +38,7 @@ import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.SimulationRunner;
 import org.junit.Rule;
 import org.junit.Test;
 
@@ -161,6 +163,35 @@ public class RecordTest {
             assertTrue(said, said.endsWith("is being written by another simulation: end its record, or choose another name"));
             recorder.end();
             assertFalse("that it is written", RunRecord.open(file()).isBeingWritten());
+        }
+    }
+
+    /** After a script's waits in lock-step, which may all come within a moment. */
+    @Test(timeout = 120_000)
+    public void whileTimeStandsStillAllThatHappenedComesOnTheDisk() throws Exception {
+        SimulationRunner runner = new SimulationRunner(world());
+        runner.setPaused(true);
+        Thread thread = new Thread(runner, "simulation under test");
+        thread.start();
+        try {
+            runner.setSpeed(Double.POSITIVE_INFINITY);
+            runner.getSimulation().ask(this::recorder).get();
+            runner.advance(30);
+            while (stepsOnDisk() < 30) {
+                Thread.yield();
+            }
+            assertEquals(30, stepsOnDisk());
+        } finally {
+            runner.stop();
+            thread.join();
+        }
+    }
+
+    private Recorder recorder(Simulation simulation) {
+        try {
+            return Recorder.begin(simulation, file(), Recorder.LIMIT, said -> { });
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 

@@ -95,13 +95,26 @@ public class AckTest {
         System.clearProperty("sear.speed");
     }
 
-    /** Reads an open analog pin in each loop, writes a digital one and waits for the acknowledgement, and now and then doesn't wait. */
-    private Map<Double, String> run() throws Exception {
+    private void begin() {
         sear.startSimulation();
         serial = (Serial) Runtime.start("ackSerial", "Serial");
         listener = (Listener) Runtime.start("ackListener", Listener.class.getName());
         listener.clock = sear;
         serial.addByteListener(listener);
+    }
+
+    /** What was heard, by simulated time. */
+    private Map<Double, String> end() {
+        sear.stopSimulation();
+        Map<Double, String> log = listener.log;
+        Runtime.releaseService("ackSerial");
+        Runtime.releaseService("ackListener");
+        return log;
+    }
+
+    /** Reads an open analog pin in each loop, writes a digital one and waits for the acknowledgement, and now and then doesn't wait. */
+    private Map<Double, String> run() throws Exception {
+        begin();
         serial.connect(PORT, 115200, 8, 1, 0);
         sear.simSleep(1.5);
         listener.bytes.clear();
@@ -117,12 +130,7 @@ public class AckTest {
                 listener.bytes.clear();
             }
         }
-        sear.stopSimulation();
-        Map<Double, String> log = listener.log;
-        for (String name : new String[] {"ackSerial", "ackListener"}) {
-            Runtime.releaseService(name);
-        }
-        return log;
+        return end();
     }
 
     private void command(String hex) throws Exception {
@@ -133,11 +141,7 @@ public class AckTest {
 
     /** Opens the port, goes on with something and waits for what the board says by itself, as MyRobotLab's Arduino service does. */
     private Map<Double, String> connect() throws Exception {
-        sear.startSimulation();
-        serial = (Serial) Runtime.start("ackSerial", "Serial");
-        listener = (Listener) Runtime.start("ackListener", Listener.class.getName());
-        listener.clock = sear;
-        serial.addByteListener(listener);
+        begin();
         sear.simSleep(2.5);
         serial.connect(PORT, 115200, 8, 1, 0);
         Thread other = new Thread(() -> {
@@ -155,11 +159,7 @@ public class AckTest {
         assertEquals("no time has passed", time, sear.getTime(), 0);
         command("AA 03 1B 0D 01");
         sear.simSleep(1.5);
-        sear.stopSimulation();
-        Map<Double, String> log = listener.log;
-        Runtime.releaseService("ackSerial");
-        Runtime.releaseService("ackListener");
-        return log;
+        return end();
     }
 
     private void await(String hex) throws Exception {

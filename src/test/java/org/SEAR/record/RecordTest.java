@@ -7,7 +7,6 @@ import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -170,12 +169,12 @@ public class RecordTest {
     @Test(timeout = 120_000)
     public void whileTimeStandsStillAllThatHappenedComesOnTheDisk() throws Exception {
         SimulationRunner runner = new SimulationRunner(world());
+        Recorder recorder = Recorder.begin(runner.getSimulation(), file(), Recorder.LIMIT, said -> { });
         runner.setPaused(true);
         Thread thread = new Thread(runner, "simulation under test");
         thread.start();
         try {
             runner.setSpeed(Double.POSITIVE_INFINITY);
-            runner.getSimulation().ask(this::recorder).get();
             runner.advance(30);
             while (stepsOnDisk() < 30) {
                 Thread.yield();
@@ -184,14 +183,7 @@ public class RecordTest {
         } finally {
             runner.stop();
             thread.join();
-        }
-    }
-
-    private Recorder recorder(Simulation simulation) {
-        try {
-            return Recorder.begin(simulation, file(), Recorder.LIMIT, said -> { });
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
+            recorder.end();
         }
     }
 

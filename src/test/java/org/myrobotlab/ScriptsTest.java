@@ -13,12 +13,15 @@ import java.util.concurrent.TimeUnit;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.experimental.categories.Category;
 import org.junit.Rule;
 import org.junit.rules.TemporaryFolder;
 import org.junit.Test;
 import org.SEAR.SearProcess;
+import org.SEAR.Slow;
 
 /** The listings of the dissertation run one after the other with the command line, and do what it says; so does the demo. */
+@Category(Slow.class)
 public class ScriptsTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final long PATIENCE_SECONDS = 240;

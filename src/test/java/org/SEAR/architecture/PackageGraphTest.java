@@ -10,9 +10,12 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.SEAR.Slow;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** The packages as the compiler left them. */
+@Category(Slow.class)
 public class PackageGraphTest {
     private static final Path PICTURE = Path.of(System.getProperty("sear.root", "."), "docs/images/packages.svg");
 

@@ -16,12 +16,15 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.SEAR.Slow;
 import org.SEAR.documents.DocBlock;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /** {@code scripts/benchmark}: it runs, and docs/performance.md is what it makes of its numbers. */
+@Category(Slow.class)
 public class PerformancePageTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath();
     /** Seconds; a busy machine may take many times what a quiet one does. */

@@ -7,6 +7,7 @@ import java.util.Random;
 import java.util.function.Function;
 import org.SEAR.Bytes;
 import org.SEAR.Fuzz;
+import org.SEAR.Slow;
 import org.SEAR.devices.gps.GpsModel;
 import org.SEAR.devices.gps.Mt3301;
 import org.SEAR.devices.gps.NeoM8n;
@@ -24,8 +25,10 @@ import org.SEAR.protocol.ubx.UbxMessage;
 import org.SEAR.sensors.GpsFix;
 import org.SEAR.sensors.ImuReading;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Random bytes, whole commands among them, never stop a device; see {@link Fuzz} for how many. */
+@Category(Slow.class)
 public class FuzzTest {
     /** Each command of a device is warned of once, in each of a few ways. */
     private static final int MOST_WARNINGS = 200;

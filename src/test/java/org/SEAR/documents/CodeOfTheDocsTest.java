@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import org.SEAR.Slow;
 import org.SEAR.benchmark.PerformancePageTest;
 import org.SEAR.cli.ReadmeTest;
 import org.SEAR.cli.ScriptProcess;
@@ -21,6 +22,7 @@ import org.SEAR.project.ObjectDocsTest;
 import org.SEAR.web.PanelsPageTest;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.ThirdPartyDriversTest;
 import org.myrobotlab.service.ThirdPartyGpsTest;
@@ -30,6 +32,7 @@ import org.myrobotlab.service.ThirdPartyScannersTest;
  * Every block of README, CONTRIBUTING and docs is run: Python that needs nothing but a floor here, everything else by a class of its own, in the
  * surroundings that it needs. Commands are looked at line by line.
  */
+@Category(Slow.class)
 public class CodeOfTheDocsTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     /** Pages whose Python runs here: page by page, each in a new project, the blocks one after the other. */

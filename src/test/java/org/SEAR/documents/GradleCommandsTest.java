@@ -16,14 +16,17 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.SEAR.Slow;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /**
  * The calls of Gradle on all pages. Gradle reads the build and says what it would do for them; that it does it, CI shows, which calls the same tasks.
  * The measurement is made, shorter.
  */
+@Category(Slow.class)
 public class GradleCommandsTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final String GRADLE = "./gradlew ";

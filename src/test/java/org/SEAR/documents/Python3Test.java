@@ -11,14 +11,17 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.SEAR.Slow;
 import org.SEAR.web.MyRobotLab;
 import org.junit.AfterClass;
 import org.junit.BeforeClass;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /** The client of docs/python3.md, run by this computer's own python3 against the embedded MyRobotLab. */
+@Category(Slow.class)
 public class Python3Test {
     private static final int LINES_OF_CLIENT = 10;
     private static final long PATIENCE_SECONDS = 240;

@@ -10,10 +10,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.SEAR.Slow;
 import org.junit.BeforeClass;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** The page about the calls says what the services' javadoc says, and that is whole. */
+@Category(Slow.class)
 public class ScriptDocsTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", "."));
 

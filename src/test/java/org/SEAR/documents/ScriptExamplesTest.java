@@ -9,12 +9,15 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.SEAR.Slow;
 import org.SEAR.cli.ScriptProcess;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /** Every example of docs/scripting.md runs, after the preparation that the page names. */
+@Category(Slow.class)
 public class ScriptExamplesTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", "."));
     /** Blocks of more than one example: the preparation, the callbacks, driving. */

@@ -20,14 +20,17 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.SEAR.POJOs.Box;
+import org.SEAR.Slow;
 import org.SEAR.project.bundle.Bundle;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /**
  * A process that saves and loads without end is killed at random moments: what is there then is the old or the new project, whole. {@code
  * -Dsear.kills=100} kills that many.
  */
+@Category(Slow.class)
 public class CrashTest {
     private static final int KILLS = Integer.getInteger("sear.kills", 50);
     /** A process is killed while it does one of so many things from its start on: it loads and saves in turn. */

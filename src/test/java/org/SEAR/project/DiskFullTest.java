@@ -14,15 +14,18 @@ import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
 import org.SEAR.POJOs.Box;
+import org.SEAR.Slow;
 import org.SEAR.project.bundle.Bundle;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.myrobotlab.service.sear.files.Projects;
 
 /**
  * A process that may write only so much: the system refuses the rest in the middle of a file, as a full disk does. What was there stays whole, and
  * nothing half-written is left over.
  */
+@Category(Slow.class)
 public class DiskFullTest {
     /** Blocks of 512 bytes that a file may have. */
     private static final int LIMIT = 600;

@@ -12,12 +12,15 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SensorObject;
+import org.SEAR.Slow;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.xml.ObjectClasses;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** The bundles in examples/ are what their scripts make. */
+@Category(Slow.class)
 public class ExamplesTest {
     private static final Path EXAMPLES = Paths.get(System.getProperty("sear.root", "."), "examples");
 

@@ -15,6 +15,7 @@ import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.SEAR.Fuzz;
 import org.SEAR.POJOs.Model;
+import org.SEAR.Slow;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.models.MutableModels;
 import org.SEAR.project.problems.ProjectException;
@@ -22,11 +23,13 @@ import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /**
  * Bundles and models that are changed at random are opened or refused with a message, never anything else. How many and with which seed: see
  * {@link Fuzz}.
  */
+@Category(Slow.class)
 public class FuzzTest {
     private static final int[] ODD = {0, 1, 0x7f, 0x80, 0xff, '<', '"', '-', '9', 'e', '{', '\n'};
 

@@ -10,12 +10,15 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.Slow;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.xml.Xml;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** A thousand random projects: what was written is read, written again the same, saved, loaded and saved again with the same bytes. */
+@Category(Slow.class)
 public class RandomProjectsTest {
     private static final int PROJECTS = 1000;
     /** How many of them also go through bundles. */

@@ -5,11 +5,14 @@ import static org.junit.Assert.assertEquals;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.SEAR.Slow;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** The hierarchies only leave out what a beam misses: it meets the same, to the byte, as when every box and triangle is tried alone. */
+@Category(Slow.class)
 public class CullingTest {
     private static final double[] AXIS = {0, -0.0, 1, -1, 1e-300, 1e-31, -1e-20, 1e-8};
 

@@ -3,10 +3,13 @@ package org.SEAR.raycast;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
+import org.SEAR.Slow;
 import org.SEAR.geometry.Pose;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Beams and fans against independently written geometry, over random scenes. */
+@Category(Slow.class)
 public class ExactnessTest {
     private static final int BEAMS = 181;
     private static final double EXACT = 1e-9;

@@ -6,12 +6,15 @@ import static org.junit.Assert.assertTrue;
 
 import java.lang.management.ManagementFactory;
 import java.util.Random;
+import org.SEAR.Slow;
 import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.solid.Grounds;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Beams over a height field meet, to the bit, what they meet over a mesh of the same triangles. */
+@Category(Slow.class)
 public class HeightBeamsTest {
     private static final int BEAMS = 361;
     private static final int FIELDS = 60;

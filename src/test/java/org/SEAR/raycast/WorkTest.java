@@ -4,11 +4,14 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import java.lang.management.ManagementFactory;
+import org.SEAR.Slow;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** The guard against getting slow: counts of work done, not times. The limits are about a third above what was measured. */
+@Category(Slow.class)
 public class WorkTest {
     private static final int BEAMS = 361;
     private static final int FANS = 100;

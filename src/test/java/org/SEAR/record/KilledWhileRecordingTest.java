@@ -20,17 +20,20 @@ import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.Slow;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /**
  * A process that records a run is killed at random moments, as {@code kill -9} does it: its record opens, is no longer held for one that is being
  * written, lacks no more than the last moments, and what is in it comes again to the byte. {@code -Dsear.kills=100} kills that many.
  */
+@Category(Slow.class)
 public class KilledWhileRecordingTest {
     private static final long SEED = 31;
     private static final int KILLS = Integer.getInteger("sear.kills", 5);

@@ -31,6 +31,7 @@ import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.Slow;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
@@ -40,8 +41,10 @@ import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Records of runs: what is in them, that they can be run again to the byte, and what becomes of files that are none. */
+@Category(Slow.class)
 public class RecordTest {
     private static final byte[] FULL_MODE = {(byte) 0x80, (byte) 0x84};
     private static final byte[] AHEAD = {(byte) 0x89, 0, (byte) 0xC8, (byte) 0x80, 0};

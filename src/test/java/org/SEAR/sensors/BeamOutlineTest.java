@@ -10,15 +10,18 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.List;
 import org.SEAR.POJOs.Distance;
+import org.SEAR.Slow;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.raycast.BeamScene;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /**
  * The beams of real products see a pole where their data sheets say: intersection over union at least 90 %. Each test also draws its picture into
  * {@code build/pictures}; those that the documentation shows have to be the same.
  */
+@Category(Slow.class)
 public class BeamOutlineTest {
     private static final double ENOUGH = 0.9;
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", "."));

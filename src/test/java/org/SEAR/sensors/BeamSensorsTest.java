@@ -14,14 +14,17 @@ import org.SEAR.POJOs.BeamCone;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Noise;
+import org.SEAR.Slow;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.solid.RayRound;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** LIDAR and distance sensors against beams that are marched through the same world. */
+@Category(Slow.class)
 public class BeamSensorsTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

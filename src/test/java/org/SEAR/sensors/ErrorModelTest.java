@@ -9,11 +9,14 @@ import java.util.HashSet;
 import java.util.Set;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Noise;
+import org.SEAR.Slow;
 import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Errors have the statistics that their parameters say, and depend on seed, name and step alone. */
+@Category(Slow.class)
 public class ErrorModelTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -9,12 +9,15 @@ import java.util.concurrent.LinkedBlockingQueue;
 import org.SEAR.Bytes;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Robots;
+import org.SEAR.Slow;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** How early a device answers by the clock. What is held is counted in steps of the simulation, which a busy machine delays alike. */
+@Category(Slow.class)
 public class AnswersClockTest {
     private static final int QUESTIONS = 300;
 

@@ -13,17 +13,20 @@ import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.Slow;
 import org.SEAR.devices.RobotHardware;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /**
  * A robot that drives against something stops where its surface and that of the other are, within a millimetre, and does not enter what is fixed. How
  * far two bodies are apart is the widest slab of space between them, which a search over directions finds without any of the contact code.
  */
+@Category(Slow.class)
 public class BlockedRobotTest {
     private static final double MILLIMETRE = 0.001;
     private static final double HEAVY = 2000;

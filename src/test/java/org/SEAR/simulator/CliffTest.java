@@ -13,16 +13,19 @@ import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.Slow;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /**
  * In safe mode a robot stops at the edge of a table while all its wheels are on it, so that it can back off; several of a kind drive at once, each on
  * a table of its own.
  */
+@Category(Slow.class)
 public class CliffTest {
     private static final double HEIGHT = 0.7;
     private static final double HALF = 1;

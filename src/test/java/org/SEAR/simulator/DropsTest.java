@@ -16,13 +16,16 @@ import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Sphere;
+import org.SEAR.Slow;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.Progress;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Whatever falls, from any height and at any phase of the step, stays above the ground. */
+@Category(Slow.class)
 public class DropsTest {
     private static final int DROPS = Integer.getInteger("sear.drops", 10000);
     private static final int AT_ONCE = 500;

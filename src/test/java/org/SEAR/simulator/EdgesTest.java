@@ -8,13 +8,16 @@ import static org.junit.Assert.fail;
 import java.util.List;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.Slow;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.project.problems.ProjectException;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Worlds at the edge of what can be simulated: the lightest things, and too many on one spot. */
+@Category(Slow.class)
 public class EdgesTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -15,13 +15,16 @@ import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.Slow;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.devices.oi.Opcode;
 import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Queries faster than the line, and garbage: the simulation goes on, what waits is bounded, and the user is told in a few words. */
+@Category(Slow.class)
 public class FloodTest {
     private static final double FLOOD = 60;
     /** The longest reply, beside 4096 bytes that wait: a scan telegram, a Create's group 6, an NMEA sentence. */

@@ -7,6 +7,7 @@ import static org.junit.Assert.assertTrue;
 import java.util.function.Function;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Sphere;
+import org.SEAR.Slow;
 import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.solid.Grounds;
@@ -16,8 +17,10 @@ import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** What stands, falls and drives on a height field does as on a mesh of the same triangles. */
+@Category(Slow.class)
 public class HeightsUnderfootTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

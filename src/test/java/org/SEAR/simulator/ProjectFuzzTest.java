@@ -13,17 +13,20 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.SEAR.Fuzz;
+import org.SEAR.Slow;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.problems.ProjectException;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /**
  * Projects whose files are changed at random, mostly their numbers, are refused with a message or make a world that steps, whose sensors can be read
  * and whose poses are numbers. An eighth as many as {@link Fuzz} says of other files.
  */
+@Category(Slow.class)
 public class ProjectFuzzTest {
     private static final int COUNT = Math.max(1, Fuzz.FILES / 8);
     private static final int STEPS = 10;

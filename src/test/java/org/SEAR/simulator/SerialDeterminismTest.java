@@ -17,13 +17,16 @@ import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.Slow;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** The same bytes written at the same steps give the same bytes on every port. */
+@Category(Slow.class)
 public class SerialDeterminismTest {
     private static final int STEPS = 1800;
     /** LMS200: type; status; one scan; send all scans. */

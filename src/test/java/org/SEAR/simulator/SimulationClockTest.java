@@ -7,12 +7,15 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.ProcessorTime;
+import org.SEAR.Slow;
 import org.SEAR.project.ProjectRule;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** A simulation and the clock. What is held is a ratio within one run, or a bound that a busy machine can't break. */
+@Category(Slow.class)
 public class SimulationClockTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -10,13 +10,16 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.Slow;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.raycast.BeamScene;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** The guard against getting slow: what a step has to do, in counts and bytes, not in times. */
+@Category(Slow.class)
 public class StepWorkTest {
     private static final int FIXED = 200;
     private static final int LOOSE = 40;

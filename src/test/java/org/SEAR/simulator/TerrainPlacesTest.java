@@ -19,6 +19,7 @@ import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Terrain;
+import org.SEAR.Slow;
 import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
@@ -27,8 +28,10 @@ import org.SEAR.project.problems.ProjectException;
 import org.SEAR.sensors.GpsFix;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** A world on a real map: what is placed by latitude and longitude stands there, and sensors know where on Earth they are. */
+@Category(Slow.class)
 public class TerrainPlacesTest {
     private static final double SUMMIT_LATITUDE = 36.485;
     private static final double SUMMIT_LONGITUDE = -84.2308333;

@@ -6,15 +6,18 @@ import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import org.SEAR.Slow;
 import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.project.models.Assets;
 import org.SEAR.terrain.format.TiffMaker;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /** Pictures from above that say where they lie. */
+@Category(Slow.class)
 public class AerialPictureTest {
     private static final int[] UTM = {1, 1, 0, 2, 1024, 0, 1, 1, 3072, 0, 1, 32632};
 

@@ -7,12 +7,15 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.util.Collections;
 import org.SEAR.ProcessorTime;
+import org.SEAR.Slow;
 import org.SEAR.project.models.Assets;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /** A tile of 3601 x 3601 posts is loaded in less than 3 s of one core, and takes less than 16 bytes a post. */
+@Category(Slow.class)
 public class MapLoadingClockTest {
     private static final int SIDE = 3601;
     private static final double SECONDS = 3;

@@ -16,15 +16,18 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.SEAR.Slow;
 import org.SEAR.project.models.Assets;
 import org.SEAR.terrain.format.ElevationMap;
 import org.SEAR.terrain.format.ElevationMaps;
 import org.junit.BeforeClass;
 import org.junit.ClassRule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /** Maps that GDAL writes, in many encodings and projections, against what GDAL reads of them. */
+@Category(Slow.class)
 public class RasterioTest {
     private static final int MAPS = 34;
     private static final long SEED = Long.getLong("sear.fuzzSeed", 1);

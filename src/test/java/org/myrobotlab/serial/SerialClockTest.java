@@ -4,10 +4,13 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** The null-modem cable and the clock. Of several trials the quickest counts: other work on the machine can only make it slower. */
+@Category(Slow.class)
 public class SerialClockTest {
     private static final int TRIALS = 5;
     private static final int BYTES = 480;

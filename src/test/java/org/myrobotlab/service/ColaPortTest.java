@@ -14,13 +14,16 @@ import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /** A scanner on a network at its exported TCP port: ranges, a stream, and what a program leaves behind that ends without a word. */
+@Category(Slow.class)
 public class ColaPortTest {
     private static final int KILLS = 20;
     private static final int FIRST_VALUE = 26;

@@ -8,11 +8,14 @@ import java.nio.file.Paths;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** The controller template answers as the chips' data sheets say, and loses no request. */
+@Category(Slow.class)
 public class ControllerTemplateTest {
     private static final Path TEMPLATE = Paths.get(System.getProperty("sear.root", "."), "resources/templates/controller.py");
     private static final String USER_PORT = "/dev/user_CONTROLLER_01";

@@ -5,10 +5,12 @@ import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.util.concurrent.atomic.AtomicInteger;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Outbox;
@@ -18,6 +20,7 @@ import org.myrobotlab.framework.interfaces.MessageListener;
  * As fast as possible without lock-step: MyRobotLab's outboxes, which complain beyond 1024 messages, don't overrun, no byte is lost, and nobody is
  * thought silent.
  */
+@Category(Slow.class)
 public class FullSpeedTest {
     private static final int OVERRUN = 1024;
     private static final double SECONDS = 20;

@@ -9,14 +9,17 @@ import static org.junit.Assert.fail;
 
 import java.io.IOException;
 import java.util.List;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.lidar.LidarChoice;
 import org.myrobotlab.service.lidar.RangeScan;
 
 /** One script reads each model of simulated LIDAR: what the service publishes is what the sensor measures. */
+@Category(Slow.class)
 public class LidarModelsTest {
     private static final String PORT = ScannedRoom.PORT;
 

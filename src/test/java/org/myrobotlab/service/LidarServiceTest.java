@@ -9,12 +9,15 @@ import static org.junit.Assert.fail;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.myrobotlab.service.lidar.RangeScan;
 
 /** The LIDAR service with a device that answers as the telegram listing says. */
+@Category(Slow.class)
 public class LidarServiceTest {
     private static final String PORT = "/dev/test_lidar";
     private static final String CONFIGURATION = "02 80 24 00 F4 00 00 70 00 00 00 01 00 00 02 02" + " 00".repeat(21) + " 02 00 10 3C FB";

@@ -17,14 +17,17 @@ import java.util.Collections;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.serial.SerialDeviceFactory;
 
 /** Whatever ends a SEAR service, no thread, port or server of it is left, and another can follow. */
+@Category(Slow.class)
 public class LifeTest {
     private static final double STRAIGHT = Double.POSITIVE_INFINITY;
     private static final int PATIENCE = 60;

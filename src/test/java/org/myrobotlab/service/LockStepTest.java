@@ -12,13 +12,16 @@ import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicReference;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /** In lock-step a script gives the same bytes on every port each time, however the machine is loaded. */
+@Category(Slow.class)
 public class LockStepTest {
     private static final String SCRIPT = String.join("\n",
         "sear = Runtime.start('sear', 'SEAR')",

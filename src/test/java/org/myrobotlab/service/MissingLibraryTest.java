@@ -10,13 +10,16 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /** A library that is not there is named in an error status, which says what to do; the service lives on. */
+@Category(Slow.class)
 public class MissingLibraryTest {
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();

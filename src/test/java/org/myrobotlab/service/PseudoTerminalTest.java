@@ -9,11 +9,14 @@ import com.sun.jna.Library;
 import com.sun.jna.Native;
 import java.util.Arrays;
 import java.util.Random;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** The Serial service on a port of the operating system: a pseudo-terminal, which is to jssc what a real port is. */
+@Category(Slow.class)
 public class PseudoTerminalTest {
     private static final int O_RDWR = 2;
     private static final int O_NOCTTY = 0x100;

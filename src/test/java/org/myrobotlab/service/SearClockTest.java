@@ -4,13 +4,16 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import org.SEAR.ProcessorTime;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /** The SEAR service and the clock. What is held is a bound that a busy machine can't break. */
+@Category(Slow.class)
 public class SearClockTest {
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();

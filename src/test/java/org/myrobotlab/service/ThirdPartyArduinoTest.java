@@ -19,16 +19,19 @@ import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.VoltagePoint;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /**
  * Programs of others, written for real Arduinos with StandardFirmata, on the exported port of a simulated Uno, in real time. They are killed in the
  * middle of their work and come back, {@code sear.driverRestarts} times, and then run for {@code sear.driverSeconds}: 20 and 600 for the long run.
  */
+@Category(Slow.class)
 public class ThirdPartyArduinoTest {
     private static final Path SCRIPTS = Paths.get(System.getProperty("sear.root", "."), "src/test/drivers").toAbsolutePath();
     private static final String PORT = "/dev/SEAR_UNO_01";

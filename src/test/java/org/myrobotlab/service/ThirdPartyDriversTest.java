@@ -19,17 +19,20 @@ import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.Slow;
 import org.SEAR.documents.DocBlock;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /**
  * Programs of others, written for the real hardware, on the exported ports of a simulation that runs in real time. The system property
  * {@code sear.driverSeconds} makes each run longer than the few seconds that are enough for every change.
  */
+@Category(Slow.class)
 public class ThirdPartyDriversTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath();
     private static final Path SCRIPTS = ROOT.resolve("src/test/drivers");

@@ -14,17 +14,20 @@ import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.Slow;
 import org.SEAR.protocol.scip.HokuyoModel;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /**
  * Three drivers of others at once, for a Create 2, a Hokuyo URG-04LX and a u-blox NEO-M8N on one robot. They are killed in the middle of their work
  * and come back, {@code sear.driverRestarts} times, and then run for {@code sear.driverSeconds}: 20 and 600 for the long run.
  */
+@Category(Slow.class)
 public class ThirdPartyEnduranceTest {
     private static final Path SCRIPTS = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("src/test/drivers");
     private static final int KILLS = Integer.getInteger("sear.driverRestarts", 2);

@@ -14,15 +14,18 @@ import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.Slow;
 import org.SEAR.documents.DocBlock;
 import org.SEAR.geometry.Geoid;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /** Programs of others, written for real u-blox receivers, on the exported port of a simulated NEO-M8N. */
+@Category(Slow.class)
 public class ThirdPartyGpsTest {
     private static final Path SCRIPT = Paths.get(System.getProperty("sear.root", "."), "src/test/drivers/pyubx2_read.py").toAbsolutePath();
     private static final String PORT = "/dev/SEAR_GPS_01";

@@ -17,12 +17,15 @@ import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /** Drivers of others on the exported ports of each model of LIDAR, in real time: they read what {@code sear.getLidarResult} answers. */
+@Category(Slow.class)
 public class ThirdPartyLidarsTest {
     private static final Path SCRIPTS = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("src/test/drivers");
     private static final String PORT = "/dev/SEAR_LIDAR_01";

@@ -13,14 +13,17 @@ import java.util.List;
 import java.util.Locale;
 import java.util.TreeSet;
 import org.SEAR.SearProcess;
+import org.SEAR.Slow;
 import org.SEAR.documents.DocBlock;
 import org.SEAR.protocol.scip.HokuyoModel;
 import org.junit.After;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /** Drivers of others on the exported ports of Hokuyo's scanners and the RPLIDAR, in real time: they read what {@code sear.getLidarResult} answers. */
+@Category(Slow.class)
 public class ThirdPartyScannersTest {
     private static final Path SCRIPTS = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("src/test/drivers");
     private static final int STARTING = 15;

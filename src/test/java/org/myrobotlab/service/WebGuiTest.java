@@ -21,15 +21,18 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.codec.CodecUtils;
 import org.myrobotlab.framework.Talker;
 
 /** The web server of the embedded MyRobotLab: files, calls, messages, and who is refused. */
+@Category(Slow.class)
 public class WebGuiTest {
     private static final int MANY = 1000;
     /** Fewer than may wait for a slow page. */

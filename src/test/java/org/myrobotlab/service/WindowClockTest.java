@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.atomic.AtomicLong;
+import org.SEAR.Slow;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
 import org.SEAR.view.SimulatorWindow;
@@ -15,10 +16,12 @@ import org.SEAR.view.WindowOptions;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.runner.RunWith;
 
 /** Simulated time begins when the window is up: nobody misses the seconds that opening it takes. */
 @RunWith(UnderXvfb.class)
+@Category(Slow.class)
 public class WindowClockTest {
     private static final double NANOS = 1e9;
 

@@ -12,15 +12,18 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import org.SEAR.Slow;
 import org.SEAR.view.UnderXvfb;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.runner.RunWith;
 import org.myrobotlab.serial.SerialDeviceFactory;
 
 /** Whatever ends a SEAR service whose simulation shows a window, neither the window nor a thread or port of it is left, and another can follow. */
 @RunWith(UnderXvfb.class)
+@Category(Slow.class)
 public class WindowLifeTest {
     private static final long PATIENCE = 120;
     private SEAR sear;

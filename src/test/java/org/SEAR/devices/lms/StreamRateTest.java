@@ -2,14 +2,17 @@ package org.SEAR.devices.lms;
 
 import static org.junit.Assert.assertEquals;
 
+import org.SEAR.Slow;
 import org.SEAR.devices.FakeContext;
 import org.SEAR.devices.FakeScanner;
 import org.SEAR.protocol.lms.Baud;
 import org.SEAR.protocol.lms.Identity;
 import org.SEAR.protocol.lms.Variant;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Streams are as fast as SICK's table says, at each speed and variant. */
+@Category(Slow.class)
 public class StreamRateTest {
     private static final double[][] HERTZ = {
         {100, 1, 4.416, 8.342, 15.02, 75.1}, {100, 0.5, 2.208, 4.171, 7.508, 37.5}, {100, 0.25, 1.173, 2.346, 4.692, 18.77},

@@ -15,14 +15,17 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import org.SEAR.Slow;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Each broken model and picture is a problem with the object's file, its field and what is wrong, before anything is made of it. */
+@Category(Slow.class)
 public class BrokenModelsTest {
     @Rule
     public final ProjectRule project = new ProjectRule();

@@ -9,14 +9,17 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.SEAR.POJOs.Model;
+import org.SEAR.Slow;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.myrobotlab.embedded.Json;
 import org.myrobotlab.service.sear.panel.Preview;
 
 /** A thread that lives long makes many worlds: nothing of their models stays. {@code -Dsear.starts=1000} for so many of them. */
+@Category(Slow.class)
 public class ModelMemoryTest {
     private static final int STARTS = Integer.getInteger("sear.starts", 20);
     private static final int IDLE_COLLECTIONS = 10;

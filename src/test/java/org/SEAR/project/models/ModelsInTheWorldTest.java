@@ -10,6 +10,7 @@ import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.Slow;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.project.ProjectSwap;
 import org.SEAR.robot.Robot;
@@ -17,11 +18,13 @@ import org.SEAR.sensors.LidarScan;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /**
  * Models of every format stand in the simulated world where their files and objects say: seen and hit within a millimetre of their triangles.
  * What the beams should measure comes from the triangles by Cramer's rule, without any of SEAR's code.
  */
+@Category(Slow.class)
 public class ModelsInTheWorldTest {
     private static final double MILLIMETRE = 0.001;
     private static final double EYE_HEIGHT = 0.12;

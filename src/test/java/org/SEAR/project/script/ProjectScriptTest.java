@@ -27,6 +27,7 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.Slow;
 import org.SEAR.project.BeamLibrary;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
@@ -38,10 +39,12 @@ import org.SEAR.project.xml.Xml;
 import org.junit.BeforeClass;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 import org.python.util.PythonInterpreter;
 
 /** Running a project's script in the embedded Jython gives the project's files to the byte. */
+@Category(Slow.class)
 public class ProjectScriptTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", "."));
 

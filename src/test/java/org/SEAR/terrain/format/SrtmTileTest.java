@@ -9,10 +9,13 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import org.SEAR.Slow;
 import org.SEAR.terrain.tiff.MapBytes;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Tiles of SRTM, bare and zipped. */
+@Category(Slow.class)
 public class SrtmTileTest {
     private static final int SIDE = 1201;
 

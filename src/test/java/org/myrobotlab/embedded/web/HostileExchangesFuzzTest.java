@@ -10,11 +10,14 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Random;
 import org.SEAR.Fuzz;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Whatever a program sends, whole or cut off, as a request or over a web socket: after each the server answers others. */
+@Category(Slow.class)
 public class HostileExchangesFuzzTest {
     private static final int EXCHANGES = 10_000;
     /** Connections that stay open, as those of programs that hang. */

@@ -8,11 +8,14 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Connections that are idle, slow or half closed, many at a time: after each kind the server answers others. */
+@Category(Slow.class)
 public class IdleAndSlowTest {
     private static final int MANY = 20;
     private static final int IDLE = 500;

@@ -12,11 +12,14 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Programs of this computer that are slow, greedy or broken don't keep others from the pages and services. */
+@Category(Slow.class)
 public class SturdyServerTest {
     private static final String JSON = "Content-Type: application/json";
     private static final int MANY = 20;

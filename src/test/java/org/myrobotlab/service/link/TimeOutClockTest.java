@@ -2,10 +2,13 @@ package org.myrobotlab.service.link;
 
 import static org.junit.Assert.assertEquals;
 
+import org.SEAR.Slow;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.myrobotlab.serial.PortClock;
 
 /** Time-outs go by simulated time, but never faster than real time outside of lock-step. */
+@Category(Slow.class)
 public class TimeOutClockTest {
     private static final double EXACT = 1e-9;
 

@@ -26,12 +26,14 @@ import java.util.Random;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.SEAR.Bytes;
+import org.SEAR.Slow;
 import org.SEAR.devices.SerialLine;
 import org.junit.After;
 import org.junit.Assume;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
@@ -41,6 +43,7 @@ import org.myrobotlab.service.sear.run.OutsideLine;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
 /** Any program of the computer can open a virtual port, and come and go. */
+@Category(Slow.class)
 public class ExportsTest {
     private static final int FLOOD = 1 << 20;
     private static final long PATIENCE = TimeUnit.SECONDS.toNanos(60);

@@ -9,15 +9,18 @@ import java.io.IOException;
 import java.util.Random;
 import org.SEAR.Bytes;
 import org.SEAR.Fuzz;
+import org.SEAR.Slow;
 import org.SEAR.devices.SerialLine;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.sear.RecordingHost;
 import org.myrobotlab.service.sear.run.OutsideLine;
 
 /** The access server against the byte sequences of RFC 854 and RFC 2217. */
+@Category(Slow.class)
 public class Rfc2217Test {
     private static final int BAUD = 9600;
 

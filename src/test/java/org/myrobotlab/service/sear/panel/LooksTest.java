@@ -21,12 +21,15 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.Sphere;
+import org.SEAR.Slow;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** What panels are told of the look of shapes is what these look like. */
+@Category(Slow.class)
 public class LooksTest {
     private static final int CORNERS = 3;
 

@@ -15,6 +15,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
+import org.SEAR.Fuzz;
 import org.SEAR.POJOs.Accelerometer;
 import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.Box;
@@ -205,9 +206,7 @@ public class RecordTest {
     /** As by the clock, where the simulation thread attends to lines whenever something comes. */
     @Test
     public void whatCameBetweenTwoStepsComesThereAgain() throws Exception {
-        long seed = System.nanoTime();
-        System.out.println("seed " + seed);
-        Random random = new Random(seed);
+        Random random = new Random(Fuzz.SEED);
         Arduino board = new Arduino("uno");
         board.setPorts("/dev/unoUart", "/dev/unoUser");
         try (Simulation world = world(board)) {

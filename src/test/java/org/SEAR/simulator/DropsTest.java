@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import org.SEAR.HowMany;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Cone;
 import org.SEAR.POJOs.Cylinder;
@@ -27,9 +28,9 @@ import org.junit.experimental.categories.Category;
 /** Whatever falls, from any height and at any phase of the step, stays above the ground. */
 @Category(Slow.class)
 public class DropsTest {
-    private static final int DROPS = Integer.getInteger("sear.drops", 10000);
+    private static final int DROPS = HowMany.of("sear.drops", 10000);
     private static final int AT_ONCE = 500;
-    private static final int FAST_DROPS = Integer.getInteger("sear.fastDrops", 500);
+    private static final int FAST_DROPS = HowMany.of("sear.fastDrops", 500);
     private static final int FAST_AT_ONCE = 250;
     private static final long SEED = Long.getLong("sear.seed", 4);
     private static final double APART = 6;

@@ -19,6 +19,7 @@ import java.util.Random;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import javax.imageio.ImageIO;
+import org.SEAR.HowMany;
 import org.SEAR.Slow;
 import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.project.models.Assets;
@@ -31,7 +32,7 @@ import org.junit.rules.TemporaryFolder;
 /** Files with bytes changed, cut out and doubled: either they are read or refused with a message, and nothing else happens. */
 @Category(Slow.class)
 public class MapFuzzTest {
-    private static final int TRIES = Integer.getInteger("sear.fuzzMaps", 300);
+    private static final int TRIES = HowMany.of("sear.fuzzMaps", 300);
     private static final Path REAL = Paths.get(System.getProperty("sear.root", "."), "src/test/resources/org/SEAR/terrain");
 
     @Rule

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
+import org.SEAR.Fuzz;
 import org.junit.After;
 import org.junit.Test;
 import org.myrobotlab.service.interfaces.SerialDataListener;
@@ -43,15 +44,14 @@ public class VirtualSerialPortTest {
         connect();
         left.setPaced(false);
         byte[] sent = new byte[1 << 20];
-        long seed = new Random().nextLong();
-        Random random = new Random(seed);
+        Random random = new Random(Fuzz.SEED);
         random.nextBytes(sent);
         for (int at = 0; at < sent.length;) {
             int size = Math.min(sent.length - at, 1 + random.nextInt(20_000));
             left.write(Arrays.copyOfRange(sent, at, at + size));
             at += size;
         }
-        assertArrayEquals("seed " + seed, sent, heard.await(sent.length));
+        assertArrayEquals("seed " + Fuzz.SEED, sent, heard.await(sent.length));
         assertTrue("pieces of " + heard.longest, heard.longest < 1000);
         assertTrue(right.awaitHanded(PATIENCE));
         assertEquals(0, right.getPending());

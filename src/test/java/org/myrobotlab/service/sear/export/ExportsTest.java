@@ -308,8 +308,7 @@ public class ExportsTest {
         Assume.assumeTrue("TCSETS2 is Linux's", System.getProperty("os.name").equals("Linux"));
         int[] baud = listenToBaud();
         String set = "import fcntl, os, struct, sys\n"
-            + "fd = os.open(sys.argv[1], os.O_RDWR | os.O_NOCTTY)\n"
-            + "termios2 = bytearray(44)\n"
+            + "fd = os.open(sys.argv[1], os.O_RDWR | os.O_NOCTTY)\ntermios2 = bytearray(44)\n"
             + "fcntl.ioctl(fd, 0x802C542A, termios2)\n"
             + "struct.pack_into('I', termios2, 8, struct.unpack_from('I', termios2, 8)[0] & ~0x100F | 0x1000)\n"
             + "struct.pack_into('II', termios2, 36, 14400, 14400)\n"

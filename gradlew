@@ -52,11 +52,12 @@ if [ -n "$missing" ]; then
     fi
 fi
 
-rm -f build/test-summary.txt
+tests=
+case " $* " in *" test "*|*" unitTest "*|*" realMrlTest "*|*" check "*|*" build "*) tests=yes; rm -f build/test-summary.txt ;; esac
 # Without a locale, as in a bare container, Java can't write a file with an umlaut in its name.
 case ${LC_ALL:-${LC_CTYPE:-${LANG:-}}} in "" | C | POSIX) LC_ALL=C.UTF-8; export LC_ALL ;; esac
 [ -t 0 ] && SEAR_TERMINAL=1 && export SEAR_TERMINAL
 gradle "$@"
 status=$?
-cat build/test-summary.txt 2>/dev/null
+[ -n "$tests" ] && cat build/test-summary.txt 2>/dev/null
 exit $status

@@ -306,6 +306,22 @@ public final class SimulationSession {
         }
     }
 
+    /**
+     * As {@link #ask}, for those who look again and again: a stop in between is nothing to complain of.
+     *
+     * @param ended the answer if the simulation ends before it has answered
+     */
+    public <T> T look(Function<Simulation, T> question, T ended) throws InterruptedException {
+        try {
+            return ask(question);
+        } catch (IllegalStateException e) {
+            if (simulation.isClosed()) {
+                return ended;
+            }
+            throw e;
+        }
+    }
+
     private static RuntimeException unwrapped(ExecutionException e) {
         Throwable cause = e.getCause();
         if (cause instanceof IllegalArgumentException) {

@@ -593,9 +593,4 @@ public final class Simulation implements AutoCloseable {
         closed = true;
         serve();
     }
-
-    /** Whether {@link #close} was called: what is asked from then on fails. Any thread. */
-    public boolean isClosed() {
-        return closed;
-    }
 }

@@ -11,13 +11,13 @@ import org.SEAR.protocol.nmea.SentenceReader;
 import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
 import org.SEAR.protocol.ubx.UbxReader;
-import org.myrobotlab.framework.Service;
 import org.myrobotlab.serial.PortArrivals;
 import org.myrobotlab.service.config.GPSConfig;
 import org.myrobotlab.service.gps.GgaFix;
 import org.myrobotlab.service.gps.PvtFix;
 import org.myrobotlab.service.gps.ReceiverModel;
 import org.myrobotlab.service.gps.UbxText;
+import org.myrobotlab.service.link.OwnConfigService;
 import org.myrobotlab.service.link.PanelFiles;
 import org.myrobotlab.service.link.Reconnects;
 import org.myrobotlab.service.link.SerialLink;
@@ -34,7 +34,7 @@ import org.myrobotlab.service.link.Warnings;
  *
  * <p>Sentences with a wrong check sum are left out. Loss of fix and loss of data are published as warnings, once. Any thread.
  */
-public class GPS extends Service<GPSConfig> implements Reconnects {
+public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     private static final long serialVersionUID = 1L;
     private static final String PEER = "serial";
     /** What the answer to the question for the firmware starts with. */
@@ -66,6 +66,11 @@ public class GPS extends Service<GPSConfig> implements Reconnects {
     /** As MyRobotLab makes services. */
     public GPS(String name, String id) {
         super(name, id);
+    }
+
+    @Override
+    protected Class<GPSConfig> configType() {
+        return GPSConfig.class;
     }
 
     @Override

@@ -131,14 +131,12 @@ final class SearParts {
 
     /** What panels are told next of the world: the whole or what has changed, as {@link WorldFeed} says. */
     public Map<String, Object> nextState() throws InterruptedException {
-        SimulationSession session = control.sessionOrNull();
-        return session == null ? WorldFeed.nothing() : session.look(world -> feed.next(world, session), WorldFeed.nothing());
+        return control.look(feed::next, WorldFeed.nothing());
     }
 
     /** The whole state of the world, for a panel that comes later. */
     public Map<String, Object> wholeState() throws InterruptedException {
-        SimulationSession session = control.sessionOrNull();
-        return session == null ? WorldFeed.nothing() : session.look(world -> feed.whole(world, session), WorldFeed.nothing());
+        return control.look(feed::whole, WorldFeed.nothing());
     }
 
     /**

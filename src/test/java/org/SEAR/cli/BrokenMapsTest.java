@@ -107,7 +107,8 @@ public class BrokenMapsTest {
     public void aPictureOfAnotherPlaceIsRefused() throws Exception {
         asset("map.tif", map().bytes());
         byte[] elsewhere = new TiffMaker(SIDE, SIDE, 8, new byte[SIDE * SIDE]).placed(9, 47, STEP).bytes();
-        refused("elsewhere.tif", elsewhere, "elsewhere.tif: the picture's place is about latitude 46.97950, longitude 9.02050, legal: over the terrain");
+        refused("elsewhere.tif", elsewhere, "elsewhere.tif: the picture's place is about latitude 46.97950, longitude 9.02050, "
+            + "legal: over the terrain");
     }
 
     /** Shared with a box, which only is shown plain with a warning, it is a problem all the same. */

@@ -105,19 +105,22 @@ public class RuntimeTest {
 
     @Test
     public void aConfigurationOfAnotherTypeIsRefused() {
-        Serial serial = (Serial) Runtime.start("line", "Serial");
-        SerialConfig before = serial.getConfig();
-        List<String> told = new ArrayList<>();
-        for (ServiceConfig wrong : new ServiceConfig[] {new ServiceConfig(), null}) {
-            try {
-                applyUnchecked(serial, wrong);
-            } catch (IllegalArgumentException e) {
-                told.add(e.getMessage());
+        for (String type : new String[] {"Serial", "SEAR", "LIDAR", "GPS"}) {
+            Service<?> service = (Service<?>) Runtime.start("line" + type, type);
+            ServiceConfig before = service.getConfig();
+            List<String> told = new ArrayList<>();
+            for (ServiceConfig wrong : new ServiceConfig[] {new ServiceConfig(), null}) {
+                try {
+                    applyUnchecked(service, wrong);
+                } catch (IllegalArgumentException e) {
+                    told.add(e.getMessage());
+                }
             }
+            String legal = ", legal: " + type + "Config";
+            assertEquals(List.of("the configuration of line" + type + " is a ServiceConfig" + legal,
+                "the configuration of line" + type + " is a null" + legal), told);
+            assertSame(before, service.getConfig());
         }
-        assertEquals(List.of("the configuration of line is a ServiceConfig, legal: SerialConfig",
-            "the configuration of line is a null, legal: SerialConfig"), told);
-        assertSame(before, serial.getConfig());
     }
 
     @Test

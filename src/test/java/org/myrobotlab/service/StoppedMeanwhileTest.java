@@ -87,12 +87,12 @@ public class StoppedMeanwhileTest {
         SimulationControl control = new SimulationControl(new RecordingHost(), () -> folder);
         control.start(false);
         SimulationSession session = control.session();
-        assertTrue(session.look(world -> true, false));
-        assertThrows("its own", IllegalStateException.class, () -> session.look(world -> {
+        assertTrue(control.look((world, running) -> running == session, false));
+        assertThrows("its own", IllegalStateException.class, () -> control.look((world, running) -> {
             throw new IllegalStateException("its own");
         }, false));
         control.stop();
-        assertFalse(session.look(world -> true, false));
+        assertFalse(control.look((world, running) -> true, false));
         assertThrows("the simulation has ended", IllegalStateException.class, () -> session.ask(world -> true));
     }
 }

@@ -231,6 +231,11 @@ public final class SimulationSession {
         return !ended;
     }
 
+    /** Whether it was told to end, or has: questions may find no answer. */
+    boolean isEnding() {
+        return ended || runner.isEnding();
+    }
+
     /** The world. */
     public Simulation getSimulation() {
         return simulation;
@@ -303,22 +308,6 @@ public final class SimulationSession {
             } catch (ExecutionException e) {
                 throw unwrapped(e);
             }
-        }
-    }
-
-    /**
-     * As {@link #ask}, for those who look again and again: a stop in between is nothing to complain of.
-     *
-     * @param ended the answer if the simulation ends before it has answered
-     */
-    public <T> T look(Function<Simulation, T> question, T ended) throws InterruptedException {
-        try {
-            return ask(question);
-        } catch (IllegalStateException e) {
-            if (simulation.isClosed()) {
-                return ended;
-            }
-            throw e;
         }
     }
 

@@ -51,12 +51,19 @@ final class AssetCheck {
     private void checkImage(ParsedObject parsed, Shape shape) {
         if (shape.getImage() != null && !assets.has(shape.getImage())) {
             warnings.add(parsed.file + ": there is no picture \"" + shape.getImage() + "\" in assets; " + shape + " is shown plain");
-        } else if (shape.getImage() != null && !isAerial(shape) && pictures.add(shape.getImage())) {
-            try {
-                assets.checkPicture(shape.getImage());
-            } catch (UnreadablePicture e) {
+        } else if (shape.getImage() != null && !isAerial(shape) && (shape instanceof Terrain || pictures.add(shape.getImage()))) {
+            checkPicture(parsed, shape);
+        }
+    }
+
+    /** A thing with a broken picture is shown plain, with a warning; an aerial picture is part of the ground, and a sensor may look at it. */
+    private void checkPicture(ParsedObject parsed, Shape shape) {
+        try {
+            assets.checkPicture(shape.getImage());
+        } catch (IOException e) {
+            if (e instanceof UnreadablePicture && !(shape instanceof Terrain)) {
                 warnings.add(parsed.file + ": the picture of " + shape + " can't be shown (" + e.getMessage() + ")");
-            } catch (IOException e) {
+            } else {
                 problems.add(parsed.file, parsed.line("image"), "image", shape.getImage(), "a picture that can be shown (" + e.getMessage() + ")");
             }
         }

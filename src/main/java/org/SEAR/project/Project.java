@@ -86,6 +86,17 @@ public final class Project {
     }
 
     /**
+     * Reads the picture that lies over the terrain, as far as {@link #read} has not: a GeoTIFF.
+     *
+     * @throws ProjectException if it, or a map, can't be read
+     */
+    public void checkGroundPicture() throws ProjectException {
+        if (terrain != null) {
+            terrain.checkPicture();
+        }
+    }
+
+    /**
      * Where on Earth the world's origin lies, as the terrain's map has it.
      *
      * @return null without a Terrain, and for a map without a place on Earth

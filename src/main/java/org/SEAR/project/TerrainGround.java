@@ -10,6 +10,7 @@ import org.SEAR.project.xml.ParsedObject;
 import org.SEAR.terrain.Ground;
 import org.SEAR.terrain.MapCut;
 import org.SEAR.terrain.TerrainArea;
+import org.SEAR.terrain.TerrainColors;
 import org.SEAR.terrain.TerrainLoader;
 
 /** The ground that a project's terrain makes: loaded when somebody asks, and kept as long as the project is. Any thread. */
@@ -55,6 +56,17 @@ final class TerrainGround {
             }
         }
         return ground;
+    }
+
+    /** @throws ProjectException if a GeoTIFF that lies over the ground can't be shown */
+    void checkPicture() throws ProjectException {
+        Terrain terrain = (Terrain) parsed.object;
+        try {
+            TerrainColors.check(terrain, assets, get());
+        } catch (IOException e) {
+            throw new ProjectException(Collections.singletonList(new Problem(parsed.file, parsed.line("image"), "image", terrain.getImage(),
+                "a picture that can be shown (" + e.getMessage() + ")")));
+        }
     }
 
     /**

@@ -208,6 +208,11 @@ public final class SimulationRunner implements Runnable {
         return paused;
     }
 
+    /** Whether {@link #run} takes no more steps: it was told to end, broke down, or has ended. */
+    public boolean isEnding() {
+        return stopped || failure != null || ended;
+    }
+
     /** Whether {@link #run} has ended. */
     public boolean isEnded() {
         return ended;

@@ -32,7 +32,6 @@ import org.SEAR.robot.StartChecks;
 import org.SEAR.robot.VirtualWalls;
 import org.SEAR.robot.surface.SurfaceColors;
 import org.SEAR.sensors.Earth;
-import org.SEAR.terrain.TerrainColors;
 
 /** The things of a project: environment and robots in physics and before the beams. Simulation thread. */
 final class World implements PhysicsWorld.Touches {
@@ -74,7 +73,7 @@ final class World implements PhysicsWorld.Touches {
                 Shape shape = (Shape) object;
                 if (shape instanceof Terrain) {
                     colors.addTerrain((Terrain) shape, body.solids.get(0), project.getGround());
-                    warnings.addAll(TerrainColors.warnings((Terrain) shape, project.getAssets(), project.getGround()));
+                    project.checkGroundPicture();
                 } else {
                     colors.add(shape, body.solids.get(0));
                 }

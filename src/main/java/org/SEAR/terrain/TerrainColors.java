@@ -3,7 +3,6 @@ package org.SEAR.terrain;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.InputStream;
-import java.util.List;
 import javax.imageio.ImageIO;
 import org.SEAR.POJOs.Terrain;
 import org.SEAR.geometry.HeightField;
@@ -36,17 +35,15 @@ public final class TerrainColors {
         return (x, z) -> color;
     }
 
-    /** What is wrong with a picture that is read as maps are, a TIFF; the others are looked at when the project is read. */
-    public static List<String> warnings(Terrain terrain, Assets assets, Ground ground) {
+    /**
+     * Reads a picture that is read as maps are, a TIFF; the others are looked at when the project is read.
+     *
+     * @throws IOException that names the picture, what is wrong with it and what is legal
+     */
+    public static void check(Terrain terrain, Assets assets, Ground ground) throws IOException {
         String path = terrain.getImage();
-        if (path == null || !AerialPicture.canSayItsPlace(path) || !assets.has(path)) {
-            return List.of();
-        }
-        try {
+        if (path != null && AerialPicture.canSayItsPlace(path) && assets.has(path)) {
             of(terrain, assets, ground);
-            return List.of();
-        } catch (IOException e) {
-            return List.of("the picture over " + terrain + " can't be shown (" + e.getMessage() + ")");
         }
     }
 

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Collections;
 import java.util.List;
+import java.util.regex.Pattern;
 import org.SEAR.protocol.Uart;
 import org.SEAR.protocol.nmea.Nmea;
 import org.SEAR.protocol.nmea.Pmtk;
@@ -11,13 +12,13 @@ import org.SEAR.protocol.nmea.SentenceReader;
 import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
 import org.SEAR.protocol.ubx.UbxReader;
-import org.myrobotlab.framework.Service;
 import org.myrobotlab.serial.PortArrivals;
 import org.myrobotlab.service.config.GPSConfig;
 import org.myrobotlab.service.gps.GgaFix;
 import org.myrobotlab.service.gps.PvtFix;
 import org.myrobotlab.service.gps.ReceiverModel;
 import org.myrobotlab.service.gps.UbxText;
+import org.myrobotlab.service.link.OwnConfigService;
 import org.myrobotlab.service.link.PanelFiles;
 import org.myrobotlab.service.link.Reconnects;
 import org.myrobotlab.service.link.SerialLink;
@@ -34,9 +35,11 @@ import org.myrobotlab.service.link.Warnings;
  *
  * <p>Sentences with a wrong check sum are left out. Loss of fix and loss of data are published as warnings, once. Any thread.
  */
-public class GPS extends Service<GPSConfig> implements Reconnects {
+public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     private static final long serialVersionUID = 1L;
     private static final String PEER = "serial";
+    /** What stands in a sentence between {@code $} and {@code *}. */
+    private static final Pattern COMMAND = Pattern.compile("[ -~&&[^$*]]+");
     /** What the answer to the question for the firmware starts with. */
     private static final String FIRMWARE = "$" + Pmtk.RELEASE.body() + ",";
     /** Receivers send once a second; this long without a good sentence is a loss. Seconds. */
@@ -66,6 +69,11 @@ public class GPS extends Service<GPSConfig> implements Reconnects {
     /** As MyRobotLab makes services. */
     public GPS(String name, String id) {
         super(name, id);
+    }
+
+    @Override
+    protected Class<GPSConfig> configType() {
+        return GPSConfig.class;
     }
 
     @Override
@@ -222,10 +230,15 @@ public class GPS extends Service<GPSConfig> implements Reconnects {
      * Sends a command of the receiver.
      *
      * @param body without {@code $} and check sum; {@code "PMTK220,200"} asks for five fixes a second
+     * @throws IllegalArgumentException if it has what can't stand in a sentence
      * @throws IllegalStateException if it is not connected
      * @example gps.sendCommand("PMTK220,200")
      */
     public void sendCommand(String body) {
+        if (body == null || !COMMAND.matcher(body).matches()) {
+            throw new IllegalArgumentException("the command is " + (body == null ? null : "\"" + body + "\"")
+                + ", legal: printable ASCII without $, * and check sum, which are added, as \"PMTK220,200\"");
+        }
         send(Nmea.sentence(body).getBytes(StandardCharsets.US_ASCII));
     }
 

@@ -3,7 +3,6 @@ package org.myrobotlab.service;
 import java.io.IOException;
 import java.util.Collections;
 import java.util.List;
-import org.myrobotlab.framework.Service;
 import org.myrobotlab.serial.PortArrivals;
 import org.myrobotlab.service.config.LIDARConfig;
 import org.myrobotlab.service.lidar.LidarChoice;
@@ -11,6 +10,7 @@ import org.myrobotlab.service.lidar.LidarDevice;
 import org.myrobotlab.service.lidar.LidarModels;
 import org.myrobotlab.service.lidar.RangeScan;
 import org.myrobotlab.service.link.FindsBaudRate;
+import org.myrobotlab.service.link.OwnConfigService;
 import org.myrobotlab.service.link.PanelFiles;
 import org.myrobotlab.service.link.Reconnects;
 import org.myrobotlab.service.link.SerialLink;
@@ -31,7 +31,7 @@ import org.myrobotlab.service.link.SerialLink;
  * <p>Every call returns at once; what was asked is sent one after the other, each when the former was answered, and repeated when the device
  * refuses it or stays silent. Errors are published as error statuses. Any thread.
  */
-public class LIDAR extends Service<LIDARConfig> implements Reconnects, FindsBaudRate {
+public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, FindsBaudRate {
     private static final long serialVersionUID = 1L;
     private static final String PEER = "serial";
     private static final String MILLIMETRES = "mm";
@@ -56,6 +56,11 @@ public class LIDAR extends Service<LIDARConfig> implements Reconnects, FindsBaud
     /** As MyRobotLab makes services. */
     public LIDAR(String name, String id) {
         super(name, id);
+    }
+
+    @Override
+    protected Class<LIDARConfig> configType() {
+        return LIDARConfig.class;
     }
 
     @Override

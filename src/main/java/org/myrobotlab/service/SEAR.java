@@ -8,8 +8,8 @@ import java.util.Map;
 import org.SEAR.POJOs.ScriptText;
 import org.SEAR.project.problems.Problem;
 import org.myrobotlab.framework.Message;
-import org.myrobotlab.framework.Service;
 import org.myrobotlab.service.config.SEARConfig;
+import org.myrobotlab.service.link.OwnConfigService;
 import org.myrobotlab.service.link.PanelFiles;
 import org.myrobotlab.service.sear.SensorReading;
 import org.myrobotlab.service.sear.files.Edits;
@@ -35,7 +35,7 @@ import org.myrobotlab.service.sear.run.SimulationSession;
  * <p>Calls may come from any thread. What goes wrong is published as an error status and thrown (IllegalStateException, or
  * IllegalArgumentException for values), so that scripts see it; a running simulation goes on.
  */
-public class SEAR extends Service<SEARConfig> {
+public class SEAR extends OwnConfigService<SEARConfig> {
     private static final long serialVersionUID = 1L;
 
     static {
@@ -51,6 +51,11 @@ public class SEAR extends Service<SEARConfig> {
     /** As MyRobotLab makes services. */
     public SEAR(String name, String id) {
         super(name, id);
+    }
+
+    @Override
+    protected Class<SEARConfig> configType() {
+        return SEARConfig.class;
     }
 
     @Override

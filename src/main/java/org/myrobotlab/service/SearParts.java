@@ -11,7 +11,6 @@ import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.ProjectCheck;
-import org.SEAR.simulator.Simulation;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.export.Exports;
@@ -132,14 +131,12 @@ final class SearParts {
 
     /** What panels are told next of the world: the whole or what has changed, as {@link WorldFeed} says. */
     public Map<String, Object> nextState() throws InterruptedException {
-        SimulationSession session = control.sessionOrNull();
-        return session == null ? WorldFeed.nothing() : session.ask(world -> feed.next(world, session));
+        return control.look(feed::next, WorldFeed.nothing());
     }
 
     /** The whole state of the world, for a panel that comes later. */
     public Map<String, Object> wholeState() throws InterruptedException {
-        SimulationSession session = control.sessionOrNull();
-        return session == null ? WorldFeed.nothing() : session.ask(world -> feed.whole(world, session));
+        return control.look(feed::whole, WorldFeed.nothing());
     }
 
     /**
@@ -158,7 +155,7 @@ final class SearParts {
     public Map<String, Object> terrain() throws InterruptedException, IOException, ProjectException {
         SimulationSession session = control.sessionOrNull();
         if (session != null) {
-            return terrain.of(session.ask(Simulation::getProject));
+            return terrain.of(session.getSimulation().getProject());
         }
         ProjectSwap.hold();
         try {

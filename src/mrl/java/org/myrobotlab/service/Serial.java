@@ -76,24 +76,10 @@ public class Serial extends ReadingService implements SerialControl, SerialDataL
         listeners.put(getName(), this);
     }
 
-    @Override
-    public void startService() {
-        super.startService();
-        if (config.port != null && !isConnected()) {
-            try {
-                connect(config.port);
-            } catch (IOException e) {
-                error(e.getMessage());
-            }
-        }
-    }
-
-    /** With the port that is open now. */
+    /** With the port that was opened last. As in the real one it is written only: a restored service opens no port. */
     @Override
     public SerialConfig getConfig() {
-        if (isConnected()) {
-            config.port = portName;
-        }
+        config.port = lastPortName;
         return config;
     }
 

@@ -4,6 +4,7 @@ import static org.junit.Assert.assertEquals;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Locale;
 import org.junit.Test;
 
 /** SEAR, LIDAR and GPS are released and started again, and come back with a saved configuration. */
@@ -70,6 +71,21 @@ public class ServicesTest extends InRealMrl {
         release("sear", "gps", "lidar");
         assertEquals("", mrl.python("services()", "sear.setLockStep(True)", "sear.startSimulation()", "sear.simSleep(1)", "connect()"));
         assertRead();
+    }
+
+    /** MyRobotLab itself takes it, and the service breaks at the next look into it. */
+    @Test
+    public void aConfigurationOfAnotherServiceIsRefused() throws Exception {
+        assertEquals("", mrl.python(READ, "services()"));
+        for (String name : new String[] {"sear", "lidar", "gps"}) {
+            String type = name.toUpperCase(Locale.ROOT);
+            assertEquals("the configuration of " + name + " is a PythonConfig, legal: " + type + "Config\n" + type + "Config\n", mrl.python(
+                "from java.lang import IllegalArgumentException",
+                "from org.myrobotlab.service.config import PythonConfig",
+                "try: " + name + ".apply(PythonConfig())",
+                "except IllegalArgumentException, e: print e.getMessage()",
+                "print " + name + ".getConfig().getClass().getSimpleName()"));
+        }
     }
 
     /** The LIDAR's unit, the ports and the project; the drivers connect as soon as their ports come. */

@@ -1,6 +1,7 @@
 package org.SEAR.cli;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
 import java.awt.image.BufferedImage;
@@ -15,9 +16,11 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Random;
 import javax.imageio.ImageIO;
+import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Terrain;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
+import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.terrain.format.TiffMaker;
 import org.junit.Rule;
@@ -68,24 +71,23 @@ public class BrokenMapsTest {
         return out.toByteArray();
     }
 
-    private void told(String image, byte[] bytes, String message) throws Exception {
+    private void refused(String image, byte[] bytes, String message) throws Exception {
         asset(image, bytes);
         Terrain ground = new Terrain("ground", "map.tif");
         ground.setImage(image);
-        assertEquals(said, 0, check());
-        assertTrue(message + " in " + said, said.contains("warning: ") && said.contains(message));
-        try (Simulation simulation = Simulation.of(Project.read(project.folder()), 1)) {
-            String warnings = simulation.snapshot().warnings.toString();
-            assertTrue(message + " in " + warnings, warnings.contains(message));
-        }
+        assertEquals(said, 2, check());
+        String problem = "environment/ground.xml:11: image is \"" + image + "\", legal: a picture that can be shown (" + message;
+        assertTrue(problem + " in " + said, said.contains(problem));
+        ProjectException refusal = assertThrows(ProjectException.class, () -> Simulation.load(project.folder(), 1).close());
+        assertTrue(refusal.getMessage(), refusal.getMessage().contains(problem));
     }
 
     @Test
-    public void aBrokenPictureOverTheTerrainIsTold() throws Exception {
+    public void aBrokenPictureOverTheTerrainIsRefusedByTheCheckAndTheStart() throws Exception {
         asset("map.tif", map().bytes());
         for (String format : new String[] {"png", "jpg", "gif"}) {
             byte[] whole = picture(format);
-            told("cut." + format, Arrays.copyOf(whole, whole.length * 3 / 4), "(cut." + format + ": the picture is broken (its end is missing");
+            refused("cut." + format, Arrays.copyOf(whole, whole.length * 3 / 4), "cut." + format + ": the picture is broken (its end is missing");
             asset("whole." + format, whole);
             new Terrain("ground", "map.tif").setImage("whole." + format);
             assertEquals(said, 0, check());
@@ -93,11 +95,31 @@ public class BrokenMapsTest {
         }
         byte[] changed = picture("png");
         changed[changed.length / 2] ^= 1;
-        told("changed.png", changed, "(changed.png: the picture is broken (the checksum of its part at byte ");
-        told("text.png", "hello".getBytes(StandardCharsets.UTF_8), "(text.png: the picture is in no known format, legal: PNG, JPEG");
-        told("text.tif", "hello, this is a text".getBytes(StandardCharsets.UTF_8), "(text.tif: the version of the TIFF is ");
+        refused("changed.png", changed, "changed.png: the picture is broken (the checksum of its part at byte ");
+        refused("text.png", "hello".getBytes(StandardCharsets.UTF_8), "text.png: the picture is in no known format, legal: PNG, JPEG");
+        refused("text.tif", "hello, this is a text".getBytes(StandardCharsets.UTF_8), "text.tif: the version of the TIFF is ");
         byte[] aerial = new TiffMaker(SIDE, SIDE, 8, new byte[SIDE * SIDE]).placed(8, 47, STEP).with(273, 60000).bytes();
-        told("cut.tif", aerial, "(cut.tif: strip 0 is 1600 bytes at 60000, legal: inside the file, which has ");
+        refused("cut.tif", aerial, "cut.tif: strip 0 is 1600 bytes at 60000, legal: inside the file, which has ");
+    }
+
+    /** A picture of another place is none of this ground. */
+    @Test
+    public void aPictureOfAnotherPlaceIsRefused() throws Exception {
+        asset("map.tif", map().bytes());
+        byte[] elsewhere = new TiffMaker(SIDE, SIDE, 8, new byte[SIDE * SIDE]).placed(9, 47, STEP).bytes();
+        refused("elsewhere.tif", elsewhere, "elsewhere.tif: the picture's place is about latitude 46.97950, longitude 9.02050, "
+            + "legal: over the terrain");
+    }
+
+    /** Shared with a box, which only is shown plain with a warning, it is a problem all the same. */
+    @Test
+    public void aBrokenPictureOfAThingIsAWarning() throws Exception {
+        asset("map.tif", map().bytes());
+        asset("text.png", "hello");
+        new Box("box", 1, 1, 1).setImage("text.png");
+        assertEquals(said, 0, check());
+        assertTrue(said, said.contains("warning: environment/box.xml: the picture of Box \"box\" can't be shown (text.png: "));
+        refused("text.png", "hello".getBytes(StandardCharsets.UTF_8), "text.png: the picture is in no known format, legal: PNG, JPEG");
     }
 
     @Test

@@ -3,6 +3,7 @@ package org.myrobotlab.service;
 import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 import static org.junit.Assert.fail;
 
@@ -97,6 +98,17 @@ public class GpsServiceTest {
         gps.reconnectSerial();
         say(SOUTH_CAROLINA);
         assertEquals(1, heard.await(1).size());
+    }
+
+    @Test
+    public void whatCannotStandInASentenceIsNotSent() throws Exception {
+        gps.connect(PORT);
+        String legal = ", legal: printable ASCII without $, * and check sum, which are added, as \"PMTK220,200\"";
+        for (String body : new String[] {"", "$PMTK605", "PMTK605*31", "PMTK605\r\n", "PMTK\u00fc"}) {
+            assertEquals("the command is \"" + body + "\"" + legal,
+                assertThrows(IllegalArgumentException.class, () -> gps.sendCommand(body)).getMessage());
+        }
+        assertEquals("the command is null" + legal, assertThrows(IllegalArgumentException.class, () -> gps.sendCommand(null)).getMessage());
     }
 
     @Test

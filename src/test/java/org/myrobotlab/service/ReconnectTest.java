@@ -104,6 +104,9 @@ public class ReconnectTest {
         assertFalse(lidar.isConnected() || gps.isConnected());
         assertTrue(heard.awaitStatus("there is no port " + TestWorld.LIDAR_PORT + ": backLidar connects to it as soon as a simulation has it"));
         assertTrue(heard.awaitStatus("there is no port " + TestWorld.GPS_PORT + ": backGps connects to it"));
+        for (String peer : new String[] {"backLidar.serial", "backGps.serial"}) {
+            assertNull(peer + " leaves that to them", Runtime.getService(peer).getLastError());
+        }
         sear.startSimulation();
         assertBothMeasure();
     }

@@ -21,6 +21,7 @@ import org.myrobotlab.embedded.Shutdown;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.framework.Talker;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
+import org.myrobotlab.service.config.PythonConfig;
 import org.myrobotlab.service.config.SerialConfig;
 import org.myrobotlab.service.config.ServiceConfig;
 
@@ -104,19 +105,22 @@ public class RuntimeTest {
 
     @Test
     public void aConfigurationOfAnotherTypeIsRefused() {
-        Serial serial = (Serial) Runtime.start("line", "Serial");
-        SerialConfig before = serial.getConfig();
-        List<String> told = new ArrayList<>();
-        for (ServiceConfig wrong : new ServiceConfig[] {new ServiceConfig(), null}) {
-            try {
-                applyUnchecked(serial, wrong);
-            } catch (IllegalArgumentException e) {
-                told.add(e.getMessage());
+        for (String type : new String[] {"Serial", "SEAR", "LIDAR", "GPS"}) {
+            Service<?> service = (Service<?>) Runtime.start("line" + type, type);
+            ServiceConfig before = service.getConfig();
+            List<String> told = new ArrayList<>();
+            for (ServiceConfig wrong : new ServiceConfig[] {new ServiceConfig(), null}) {
+                try {
+                    applyUnchecked(service, wrong);
+                } catch (IllegalArgumentException e) {
+                    told.add(e.getMessage());
+                }
             }
+            String legal = ", legal: " + type + "Config";
+            assertEquals(List.of("the configuration of line" + type + " is a ServiceConfig" + legal,
+                "the configuration of line" + type + " is a null" + legal), told);
+            assertSame(before, service.getConfig());
         }
-        assertEquals(List.of("the configuration of line is a ServiceConfig, legal: SerialConfig",
-            "the configuration of line is a null, legal: SerialConfig"), told);
-        assertSame(before, serial.getConfig());
     }
 
     @Test
@@ -225,21 +229,37 @@ public class RuntimeTest {
 
     @Test
     public void configurationsAreTakenOverAndWrittenAsYaml() throws ReflectiveOperationException {
-        Serial serial = (Serial) Runtime.create("s", "Serial");
-        assertEquals("Serial", serial.getConfig().type);
-        serial.setConfigValue("port", "COM7");
-        serial.addListener("publishRX", "other", "input");
-        String yaml = CodecUtils.toYaml(serial.getFilteredConfig());
-        SerialConfig read = (SerialConfig) CodecUtils.fromYaml(yaml, ServiceConfig.class);
-        assertEquals("COM7", read.port);
-        assertEquals("publishRX --> other.input", read.listeners.get(0).toString());
-        assertEquals("COM7", serial.apply(read).port);
+        Python python = (Python) Runtime.create("p", "Python");
+        assertEquals("Python", python.getConfig().type);
+        python.setConfigValue("scriptRootDir", "robots");
+        python.addListener("publishStdOut", "other", "input");
+        String yaml = CodecUtils.toYaml(python.getFilteredConfig());
+        PythonConfig read = (PythonConfig) CodecUtils.fromYaml(yaml, ServiceConfig.class);
+        assertEquals("robots", read.scriptRootDir);
+        assertEquals("publishStdOut --> other.input", read.listeners.get(0).toString());
+        assertEquals("robots", python.apply(read).scriptRootDir);
         try {
             CodecUtils.fromYaml("!!javax.script.ScriptEngineManager []", ServiceConfig.class);
             fail("only configurations may be read");
         } catch (IllegalArgumentException e) {
             assertTrue(e.getMessage().startsWith("not a configuration ServiceConfig"));
         }
+    }
+
+    /** As in the real one; whoever uses the service, or the script, connects it. */
+    @Test
+    public void aSerialServiceKeepsItsPortInItsConfigurationAndDoesNotOpenItWhenItIsRestored() throws Exception {
+        Serial serial = (Serial) Runtime.start("s", "Serial");
+        Serial.connectVirtualUart("/dev/restored");
+        serial.connect("/dev/restored");
+        serial.disconnect();
+        SerialConfig kept = (SerialConfig) serial.getFilteredConfig();
+        assertEquals("/dev/restored", kept.port);
+        Runtime.releaseService("s");
+        serial = (Serial) Runtime.create("s", "Serial");
+        serial.apply(kept);
+        serial.startService();
+        assertFalse(serial.isConnected());
     }
 
     @Test

@@ -93,8 +93,12 @@ final class Looks {
      * The looks and pictures that a panel wants, as many as fit into a message, at least one if there is one.
      *
      * @param wanted keys; those that nothing is known of get no answer
+     * @throws IllegalArgumentException if they aren't, as a page of somebody else's may send
      */
     synchronized List<Map<String, Object>> of(List<String> wanted) {
+        if (wanted == null || !((List<?>) wanted).stream().allMatch(String.class::isInstance)) {
+            throw new IllegalArgumentException("the keys of looks are " + wanted + ", legal: a list of texts");
+        }
         List<Map<String, Object>> found = new ArrayList<>();
         int size = 0;
         for (String key : wanted) {

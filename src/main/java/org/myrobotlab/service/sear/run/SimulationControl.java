@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.SEAR.POJOs.Notices;
@@ -123,6 +124,27 @@ public final class SimulationControl {
     public SimulationSession sessionOrNull() {
         SimulationSession present = session;
         return present != null && present.isRunning() ? present : null;
+    }
+
+    /**
+     * For those who look again and again: a stop in between is nothing to complain of.
+     *
+     * @param question answered on the simulation thread, between two steps
+     * @param none the answer if no simulation runs, or if it ends before it has answered
+     */
+    public <T> T look(BiFunction<Simulation, SimulationSession, T> question, T none) throws InterruptedException {
+        SimulationSession present = sessionOrNull();
+        if (present == null) {
+            return none;
+        }
+        try {
+            return present.ask(world -> question.apply(world, present));
+        } catch (IllegalStateException e) {
+            if (present.isEnding()) {
+                return none;
+            }
+            throw e;
+        }
     }
 
     /** The present session, even one that begins or ends; null if there is none. */

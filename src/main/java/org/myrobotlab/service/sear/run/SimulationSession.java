@@ -231,6 +231,11 @@ public final class SimulationSession {
         return !ended;
     }
 
+    /** Whether it was told to end, or has: questions may find no answer. */
+    boolean isEnding() {
+        return ended || runner.isEnding();
+    }
+
     /** The world. */
     public Simulation getSimulation() {
         return simulation;

@@ -3,6 +3,7 @@ package org.myrobotlab.service.sear.panel;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertNotEquals;
 import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
 import java.awt.image.BufferedImage;
@@ -12,6 +13,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
@@ -52,6 +54,19 @@ public class LooksTest {
             points[i] = low[i % CORNERS] + (bytes.getShort() & 0xffff) * (high[i % CORNERS] - low[i % CORNERS]) / 65535;
         }
         return points;
+    }
+
+    /** A page may send whatever JSON has. */
+    @SuppressWarnings({"unchecked", "rawtypes"})
+    @Test
+    public void whatIsNoListOfKeysIsRefused() {
+        assertEquals("the keys of looks are null, legal: a list of texts",
+            assertThrows(IllegalArgumentException.class, () -> looks.of(null)).getMessage());
+        for (Object one : new Object[] {null, 1}) {
+            List wanted = Arrays.asList("a", one);
+            assertEquals("the keys of looks are [a, " + one + "], legal: a list of texts",
+                assertThrows(IllegalArgumentException.class, () -> looks.of(wanted)).getMessage());
+        }
     }
 
     @Test

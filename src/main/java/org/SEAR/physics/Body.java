@@ -448,7 +448,8 @@ public final class Body {
         driven = on;
     }
 
-    boolean isRobot() {
+    /** Whether it is that of a robot. */
+    public boolean isRobot() {
         return robot;
     }
 

@@ -3,6 +3,7 @@ package org.SEAR.physics;
 import com.bulletphysics.dynamics.RigidBody;
 import javax.vecmath.Matrix3f;
 import javax.vecmath.Vector3f;
+import org.SEAR.geometry.TimeStep;
 
 /** A rigid body as constraints see it while jbullet's solver runs. Simulation thread. */
 public final class SolverBody {
@@ -43,5 +44,20 @@ public final class SolverBody {
         angular.set((float) v[3], (float) v[4], (float) v[5]);
         rigid.setLinearVelocity(linear);
         rigid.setAngularVelocity(angular);
+    }
+
+    /** Length of the time in which constraints are being solved, seconds: that of a step, or of a part of it. */
+    public double seconds() {
+        return TimeStep.SECONDS;
+    }
+
+    /**
+     * How far a point of it has moved along a direction since the step began, metres.
+     *
+     * @param nx unit direction, world frame, likewise ny and nz
+     * @param x where the point was when the step began, world frame, metres, likewise y and z
+     */
+    public double travel(double nx, double ny, double nz, double x, double y, double z) {
+        return 0;
     }
 }

@@ -1,6 +1,7 @@
-package org.SEAR.robot;
+package org.SEAR.robot.wheel;
 
 import java.util.List;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.Wheel;
@@ -37,9 +38,9 @@ final class Steering {
     }
 
     /** That of a robot; null if it has no steered wheels. */
-    static Steering of(List<RaycastWheel> wheels, Turrets servos, String robot) {
+    static Steering of(List<RaycastWheel> wheels, Function<String, ServoDrive> servos, String robot) {
         List<RaycastWheel> steered = wheels.stream().filter(wheel -> wheel.object.isSteered()).collect(Collectors.toList());
-        return steered.isEmpty() ? null : new Steering(wheels, steered, servos.find(steered.get(0).object.getSteeringServo()), robot);
+        return steered.isEmpty() ? null : new Steering(wheels, steered, servos.apply(steered.get(0).object.getSteeringServo()), robot);
     }
 
     /**
@@ -68,6 +69,21 @@ final class Steering {
     void follow(double curvature) {
         double degrees = Math.toDegrees(Math.atan(curvature * length));
         steer(Math.max(-most, Math.min(most, degrees)));
+    }
+
+    /** Radius of the smallest circle of its middle, metres. */
+    double tightest() {
+        return length / Math.tan(Math.toRadians(most));
+    }
+
+    /** The greatest angle, degrees. */
+    double getMost() {
+        return most;
+    }
+
+    /** Name of the servo that steers; null for none. */
+    String getServo() {
+        return servo == null ? null : servo.getName();
     }
 
     /** Degrees, + to the left, of a wheel in the middle. */

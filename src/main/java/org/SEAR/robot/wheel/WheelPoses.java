@@ -1,4 +1,4 @@
-package org.SEAR.robot;
+package org.SEAR.robot.wheel;
 
 import java.util.AbstractList;
 import java.util.List;
@@ -63,14 +63,28 @@ final class WheelPoses extends AbstractList<Pose> implements RandomAccess {
     @Override
     public Pose get(int index) {
         if (swivels != null) {
-            return RaycastWheel.place(swivels[3 * index], mounts[3 * index + 1], swivels[3 * index + 1], state[2 * index], state[2 * index + 1],
+            return place(swivels[3 * index], mounts[3 * index + 1], swivels[3 * index + 1], state[2 * index], state[2 * index + 1],
                 swivels[3 * index + 2]);
         }
-        return RaycastWheel.place(mounts[3 * index], mounts[3 * index + 1], mounts[3 * index + 2], state[2 * index], state[2 * index + 1]);
+        return place(mounts[3 * index], mounts[3 * index + 1], mounts[3 * index + 2], state[2 * index], state[2 * index + 1]);
     }
 
     @Override
     public int size() {
         return state.length / 2;
+    }
+
+    /** Where a wheel that is fastened at (x, y, z) is when it hangs this far, metres, and has turned this much, radians. */
+    static Pose place(double x, double y, double z, double hanging, double turned) {
+        double half = Math.IEEEremainder(turned, 2 * Math.PI) / 2;
+        return new Pose(x, y - hanging, z, Math.sin(half), 0, 0, Math.cos(half));
+    }
+
+    /** The same for a wheel that points to the left of ahead by a heading, radians. */
+    static Pose place(double x, double y, double z, double hanging, double turned, double heading) {
+        double half = Math.IEEEremainder(turned, 2 * Math.PI) / 2;
+        double sin = Math.sin(heading / 2);
+        double cos = Math.cos(heading / 2);
+        return new Pose(x, y - hanging, z, cos * Math.sin(half), sin * Math.cos(half), -sin * Math.sin(half), cos * Math.cos(half));
     }
 }

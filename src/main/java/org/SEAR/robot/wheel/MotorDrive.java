@@ -1,20 +1,17 @@
-package org.SEAR.robot;
+package org.SEAR.robot.wheel;
 
 import java.util.ArrayList;
 import java.util.List;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.Parameter;
 import org.SEAR.devices.MotorHardware;
-import org.SEAR.geometry.TimeStep;
-import org.SEAR.physics.ConstraintRow;
 
 /**
  * A motor and its gear. At a wheel that rolls at v over ground its force is a * power - b * v, a straight line from the stall torque to the speed
- * without load; with several wheels each has its share of it at its own speed. The line is solved implicitly, together with what the ground gives.
- * Simulation thread.
+ * without load; with several wheels each has its share of it at its own speed, see {@link MotorShare}. Simulation thread.
  */
-final class MotorDrive implements MotorHardware {
-    private enum Order { FOLLOW, POWER, SPEED }
+public final class MotorDrive implements MotorHardware {
+    enum Order { FOLLOW, POWER, SPEED }
 
     private final Motor object;
     private final String robot;
@@ -23,7 +20,7 @@ final class MotorDrive implements MotorHardware {
     private double power;
     private double speed;
 
-    MotorDrive(Motor object, String robot) {
+    public MotorDrive(Motor object, String robot) {
         this.object = object;
         this.robot = robot;
     }
@@ -37,7 +34,7 @@ final class MotorDrive implements MotorHardware {
         for (RaycastWheel wheel : all) {
             if (object.getWheelNames().contains(wheel.object.getName())) {
                 wheels.add(wheel);
-                wheel.setMotor(this);
+                wheel.setMotor(new MotorShare(this, wheel.reach));
             }
         }
     }
@@ -82,46 +79,35 @@ final class MotorDrive implements MotorHardware {
         return order == Order.FOLLOW ? Double.NaN : order == Order.SPEED ? speed : power * object.getNoLoadSpeed() / object.getGearRatio();
     }
 
-    /**
-     * One iteration for one of its wheels.
-     *
-     * @param row along which the wheel drives
-     * @param rolling speed of the wheel over ground, m/s
-     * @param following what the robot's drive wants that to be, m/s
-     * @param reach metres that the wheel rolls for each radian
-     * @param grip greatest impulse of the tyre, Ns
-     */
-    void solve(ConstraintRow row, double[] v, double rolling, double following, double reach, double grip) {
-        double braking = TimeStep.SECONDS * slope(reach);
-        double soft = 1 + braking * row.mobility;
-        double least = (-TimeStep.SECONDS * stall(reach) - braking * rolling - row.impulse) / soft;
-        double most = (TimeStep.SECONDS * stall(reach) - braking * rolling - row.impulse) / soft;
-        double change;
-        if (order == Order.POWER) {
-            change = (TimeStep.SECONDS * stall(reach) * power - braking * rolling - row.impulse) / soft;
-        } else {
-            change = Math.max(least, Math.min(most, (target(following, reach) - rolling) / row.mobility));
-        }
-        row.add(v, change, -grip, grip);
+    Order getOrder() {
+        return order;
     }
 
-    private double target(double following, double reach) {
-        return order == Order.SPEED ? speed * reach : following;
+    /** Share of the voltage that it was told, -1 to 1. */
+    double getPower() {
+        return power;
+    }
+
+    /** The mean speed of its wheels that it was told, rad/s. */
+    double getTold() {
+        return speed;
     }
 
     /**
-     * How fast a wheel turns that slips, or hangs in the air.
+     * The mean speed of its wheels that are on the ground, rad/s.
      *
-     * @param force that it gives to the ground, N
-     * @return m/s at its rim
+     * @param v velocities of the robot's centre of mass
      */
-    double slipping(double force, double following, double reach) {
-        if (order == Order.POWER) {
-            return (stall(reach) * power - force) / slope(reach);
+    double meanSpin(double[] v) {
+        double sum = 0;
+        int count = 0;
+        for (int i = 0; i < wheels.size(); i++) {
+            if (wheels.get(i).isGrounded()) {
+                sum += wheels.get(i).rolling(v) / wheels.get(i).reach;
+                count++;
+            }
         }
-        double least = (-stall(reach) - force) / slope(reach);
-        double most = (stall(reach) - force) / slope(reach);
-        return Math.max(least, Math.min(most, target(following, reach)));
+        return count == 0 ? 0 : sum / count;
     }
 
     /** Greatest force of one wheel at full power and standstill, N. */
@@ -130,8 +116,13 @@ final class MotorDrive implements MotorHardware {
     }
 
     /** How much less that is for each m/s, N s/m. */
-    private double slope(double reach) {
-        return stall(reach) * object.getGearRatio() / (object.getNoLoadSpeed() * reach);
+    double slope(double reach) {
+        return stall(reach) / fastest(reach);
+    }
+
+    /** Speed of its wheels at full power without load, m/s. */
+    double fastest(double reach) {
+        return object.getNoLoadSpeed() * reach / object.getGearRatio();
     }
 
     @Override

@@ -1,4 +1,4 @@
-package org.SEAR.robot;
+package org.SEAR.robot.wheel;
 
 import java.util.List;
 import org.SEAR.POJOs.Wheel;
@@ -8,7 +8,7 @@ import org.SEAR.POJOs.Wheel;
  * is. Else that is not known; but who built a real robot put its battery so that it stands on its wheels, so a centroid that lies outside the wheels
  * or close to tipping is replaced by the middle of the wheels.
  */
-final class CentreOfMass {
+public final class CentreOfMass {
     /** Least distance from tipping, as a share of the distance that the middle of the wheels has. */
     private static final double LEAST_SHARE = 0.6;
 
@@ -21,7 +21,7 @@ final class CentreOfMass {
      * @param centroid of the components
      * @param weighed how many components have masses; if none, what is heavy sits no higher than where the wheels are fastened
      */
-    static double[] place(double[] centroid, long weighed, List<Wheel> wheels) {
+    public static double[] place(double[] centroid, long weighed, List<Wheel> wheels) {
         if (wheels.size() < 3 || weighed > 1) {
             return centroid;
         }
@@ -67,5 +67,15 @@ final class CentreOfMass {
             any |= side > 0;
         }
         return any;
+    }
+
+    /** Where a wheel touches when the robot drives forward, in the body frame: x, metres. A castor runs behind its axis. */
+    public static double footX(Wheel wheel) {
+        return wheel.getX() - wheel.getTrail() * Math.sin(Math.toRadians(wheel.getRy()));
+    }
+
+    /** Likewise z. */
+    public static double footZ(Wheel wheel) {
+        return wheel.getZ() - wheel.getTrail() * Math.cos(Math.toRadians(wheel.getRy()));
     }
 }

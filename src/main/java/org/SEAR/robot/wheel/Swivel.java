@@ -1,7 +1,8 @@
-package org.SEAR.robot;
+package org.SEAR.robot.wheel;
 
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.TimeStep;
+import org.SEAR.geometry.Vec3;
 
 /**
  * Where a wheel points that does not just point ahead: one that is steered, turns freely as a castor, has rollers, or whose axle is turned. Angles
@@ -22,8 +23,8 @@ final class Swivel {
     private double x;
     private double z;
     /** The way in which it rolls, and along which it drives and brakes, in the world. */
-    private final double[] rolling = new double[3];
-    private final double[] driving = new double[3];
+    private final Vec3 rolling = new Vec3();
+    private final Vec3 driving = new Vec3();
 
     private Swivel(Wheel wheel) {
         mountX = wheel.getX();
@@ -75,17 +76,13 @@ final class Swivel {
     }
 
     /** Finds its directions in the world: {@code ahead} and {@code left} are the body's. */
-    void aim(double[] ahead, double[] left) {
+    void aim(Vec3 ahead, Vec3 left) {
         mix(rolling, heading, ahead, left);
         mix(driving, heading + rollers, ahead, left);
     }
 
-    private static void mix(double[] into, double angle, double[] ahead, double[] left) {
-        double sin = Math.sin(angle);
-        double cos = Math.cos(angle);
-        into[0] = cos * ahead[0] + sin * left[0];
-        into[1] = cos * ahead[1] + sin * left[1];
-        into[2] = cos * ahead[2] + sin * left[2];
+    private static void mix(Vec3 into, double angle, Vec3 ahead, Vec3 left) {
+        into.set(0, 0, 0).add(Math.cos(angle), ahead).add(Math.sin(angle), left);
     }
 
     /**
@@ -121,11 +118,11 @@ final class Swivel {
         return z;
     }
 
-    double[] rolling() {
+    Vec3 rolling() {
         return rolling;
     }
 
-    double[] driving() {
+    Vec3 driving() {
         return driving;
     }
 }

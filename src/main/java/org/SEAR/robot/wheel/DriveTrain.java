@@ -117,15 +117,21 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     private void tellWheels() {
         orders.approach();
         double turn = orders.turn();
+        double curvature = 0;
         if (steering != null) {
             steering.step();
-            turn += orders.middle() * steering.curvature();
+            curvature = steering.curvature();
+            turn += orders.middle() * curvature;
         }
         boolean scrubs = turn != 0 || isTurnedByMotors();
         for (int i = 0; i < wheels.size(); i++) {
             RaycastWheel wheel = wheels.get(i);
             Swivel swivel = wheel.getSwivel();
-            wheel.follow(swivel == null ? orders.middle() - turn * wheel.x : swivel.along(orders.middle(), turn, centre));
+            if (swivel == null) {
+                wheel.follow(orders.middle() - turn * wheel.x, 1 - curvature * wheel.x);
+            } else {
+                wheel.follow(swivel.along(orders.middle(), turn, centre), swivel.along(1, curvature, centre));
+            }
             wheel.getGrip().setScrubbing(scrubs ? forces.scrubbing : 0);
         }
     }

@@ -34,7 +34,7 @@ final class GearedMotor implements WheelMotor {
     }
 
     @Override
-    public void follow(double speed) {
+    public void follow(double speed, double part) {
         if (speed * target <= 0) {
             stalled = 0;
         }
@@ -44,6 +44,11 @@ final class GearedMotor implements WheelMotor {
     @Override
     public boolean holds() {
         return target == 0 && geared;
+    }
+
+    @Override
+    public double holding(double seconds) {
+        return Double.POSITIVE_INFINITY;
     }
 
     @Override

@@ -7,8 +7,7 @@ import org.SEAR.physics.SolverBody;
 
 /**
  * The friction of one wheel on the ground: along the way in which it drives what its motor gives, across it what holds it, both together no more than
- * friction allows. Impulses start from nothing in each substep, because what several wheels hold against each other would never fade. Simulation
- * thread.
+ * friction allows. Simulation thread.
  */
 final class Grip {
     /** Coefficient of friction of a wheel that does not say: on a floor that does not, either, it makes 1. */
@@ -20,8 +19,8 @@ final class Grip {
     private final boolean across;
     private final ConstraintRow forward = new ConstraintRow();
     private final ConstraintRow side = new ConstraintRow();
-    private final Stick rolls = new Stick();
-    private final Stick slides = new Stick();
+    private final Brush holding;
+    private final Brush sideways;
     private final Vec3 way = new Vec3();
     private final Vec3 left = new Vec3();
     private double friction;
@@ -34,11 +33,20 @@ final class Grip {
     private double sliding;
     private double most;
     private boolean slips;
+    private boolean holds;
+    private double mostHeld;
 
-    /** @param across whether it grips across */
-    Grip(Wheel wheel, boolean across) {
+    /**
+     * Of a wheel.
+     *
+     * @param across whether it grips across
+     * @param carried by it, kg
+     */
+    Grip(Wheel wheel, boolean across, double carried) {
         tyre = wheel.getFriction() == null ? RUBBER : wheel.getFriction();
         this.across = across;
+        holding = new Brush(forward, carried);
+        sideways = new Brush(side, carried);
     }
 
     /** @param share of its friction that it has across */
@@ -58,10 +66,8 @@ final class Grip {
 
     /** The wheel is in the air. */
     void release() {
-        rolls.release();
-        slides.release();
-        forward.impulse = 0;
-        side.impulse = 0;
+        holding.release();
+        sideways.release();
         most = 0;
     }
 
@@ -69,8 +75,9 @@ final class Grip {
      * Makes the rows of a substep.
      *
      * @param driving along which the wheel drives, world frame
+     * @param held whether the motor holds the wheel
      */
-    void prepare(GroundContact ground, Vec3 driving, SolverBody body) {
+    void prepare(GroundContact ground, Vec3 driving, boolean held, SolverBody body) {
         way.set(driving).flatten(ground.normal).normalize();
         left.cross(ground.normal, way);
         forward.set(way.x, way.y, way.z, ground.point.x, ground.point.y, ground.point.z, body);
@@ -78,8 +85,17 @@ final class Grip {
         groundForward = ground.speed(way.x, way.y, way.z);
         groundSide = ground.speed(left.x, left.y, left.z);
         scrub = scrubbing > 0 ? 1 / (scrubbing * body.seconds()) : 0;
-        forward.impulse = 0;
-        side.impulse = 0;
+        holds = held;
+        if (holds) {
+            holding.prepare(body);
+        } else {
+            holding.release();
+        }
+        if (across && scrub == 0) {
+            sideways.prepare(body);
+        } else {
+            sideways.release();
+        }
     }
 
     /**
@@ -92,20 +108,35 @@ final class Grip {
     void solve(WheelMotor motor, double[] v, double pressed, double seconds) {
         most = friction * pressed;
         if (motor != null) {
-            motor.solve(forward, v, rolling(v) - (motor.holds() ? rolls.back() : 0), most, seconds);
+            drive(motor, v, seconds);
         }
-        if (across) {
-            double wrong = side.speed(v) - groundSide - slides.back() + scrub * side.impulse;
-            side.add(v, -wrong / (side.mobility + scrub), -sideShare * most, sideShare * most);
+        if (across && scrub > 0) {
+            side.add(v, -(sliding(v) + scrub * side.impulse) / (side.mobility + scrub), -sideShare * most, sideShare * most);
+        } else if (across) {
+            sideways.solve(v, sliding(v), sideShare * most);
         }
         limit(v);
         rolling = rolling(v);
-        sliding = side.speed(v) - groundSide;
+        sliding = sliding(v);
     }
 
-    /** Both together are within an ellipse. */
+    private void drive(WheelMotor motor, double[] v, double seconds) {
+        mostHeld = Math.min(most, motor.holding(seconds));
+        if (holds) {
+            holding.solve(v, rolling(v), mostHeld);
+        } else {
+            motor.solve(forward, v, rolling(v), most, seconds);
+        }
+    }
+
+    private double sliding(double[] v) {
+        return side.speed(v) - groundSide;
+    }
+
+    /** Both together are within a circle; those of a wheel that scrubs are each within its own limit. */
     private void limit(double[] v) {
-        double used = most > 0 ? Math.hypot(forward.impulse, side.impulse / sideShare) / most : 1;
+        double beside = sideShare < 1 ? 0 : side.impulse;
+        double used = most > 0 ? Math.hypot(forward.impulse, beside) / most : 1;
         slips = used >= SLIPS;
         if (used > 1) {
             forward.add(v, forward.impulse / used - forward.impulse, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
@@ -116,20 +147,15 @@ final class Grip {
     /**
      * Takes notice of what a substep came to.
      *
-     * @param holds whether the motor holds the wheel
      * @param length over which the tyre forgets, metres
      */
-    void feel(boolean holds, double length, double seconds) {
-        if (slips || !holds) {
-            rolls.release();
-        } else {
-            rolls.move(rolling * seconds);
+    void feel(double length, double seconds) {
+        if (holds) {
+            holding.bend(rolling, mostHeld);
         }
-        if (slips || scrubbing > 0 || !across) {
-            slides.release();
-        } else {
-            slides.move(sliding * seconds);
-            slides.roll(rolling * seconds, length);
+        if (across && scrub == 0) {
+            sideways.bend(sliding, sideShare * most);
+            sideways.roll(rolling * seconds, length);
         }
     }
 
@@ -141,6 +167,11 @@ final class Grip {
     /** The same as the last pass has left it. */
     double rolling() {
         return rolling;
+    }
+
+    /** Whether the motor holds the wheel, so that it does not turn. */
+    boolean holds() {
+        return holds && Math.abs(forward.impulse) < SLIPS * mostHeld;
     }
 
     /** Whether it slips. */

@@ -11,11 +11,14 @@ import org.SEAR.devices.MotorHardware;
  * without load; with several wheels each has its share of it at its own speed, see {@link MotorShare}. Simulation thread.
  */
 public final class MotorDrive implements MotorHardware {
+    private static final double LEAST_PART = 1e-6;
+
     enum Order { FOLLOW, POWER, SPEED }
 
     private final Motor object;
     private final String robot;
     private final List<RaycastWheel> wheels = new ArrayList<>();
+    private final List<MotorShare> shares = new ArrayList<>();
     private Order order = Order.FOLLOW;
     private double power;
     private double speed;
@@ -28,13 +31,15 @@ public final class MotorDrive implements MotorHardware {
     /** As at the start, on wheels that were made anew. */
     void restart(List<RaycastWheel> all) {
         wheels.clear();
+        shares.clear();
         order = Order.FOLLOW;
         power = 0;
         speed = 0;
         for (RaycastWheel wheel : all) {
             if (object.getWheelNames().contains(wheel.object.getName())) {
                 wheels.add(wheel);
-                wheel.setMotor(new MotorShare(this, wheel.reach));
+                shares.add(new MotorShare(this, wheel.reach));
+                wheel.setMotor(shares.get(shares.size() - 1));
             }
         }
     }
@@ -93,21 +98,13 @@ public final class MotorDrive implements MotorHardware {
         return speed;
     }
 
-    /**
-     * The mean speed of its wheels that are on the ground, rad/s.
-     *
-     * @param v velocities of the robot's centre of mass
-     */
-    double meanSpin(double[] v) {
+    /** What a wheel turns for each turn of the mean of all, if it rolls {@code part} metres for each of the robot's middle. */
+    double share(double part) {
         double sum = 0;
-        int count = 0;
-        for (int i = 0; i < wheels.size(); i++) {
-            if (wheels.get(i).isGrounded()) {
-                sum += wheels.get(i).rolling(v) / wheels.get(i).reach;
-                count++;
-            }
+        for (int i = 0; i < shares.size(); i++) {
+            sum += shares.get(i).getPart();
         }
-        return count == 0 ? 0 : sum / count;
+        return Math.abs(sum) < LEAST_PART ? 1 : part * shares.size() / sum;
     }
 
     /** Greatest force of one wheel at full power and standstill, N. */

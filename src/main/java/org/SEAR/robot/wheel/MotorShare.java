@@ -4,12 +4,13 @@ import org.SEAR.physics.ConstraintRow;
 
 /**
  * One wheel's share of a motor. The straight line from stall to no load is solved implicitly, together with what the ground gives. A speed that the
- * motor was told is the mean of its wheels: each gets the same push towards it, as by a differential. Simulation thread.
+ * motor was told is the mean of its wheels: each gets that part of it at which it rolls on the way that the robot is steered. Simulation thread.
  */
 final class MotorShare implements WheelMotor {
     private final MotorDrive motor;
     private final double reach;
     private double following;
+    private double part = 1;
     private double load;
 
     /** @param reach metres that the wheel rolls for each radian */
@@ -19,13 +20,23 @@ final class MotorShare implements WheelMotor {
     }
 
     @Override
-    public void follow(double speed) {
+    public void follow(double speed, double newPart) {
         following = speed;
+        part = newPart;
+    }
+
+    double getPart() {
+        return part;
     }
 
     @Override
     public boolean holds() {
         return motor.getOrder() != MotorDrive.Order.POWER && target() == 0;
+    }
+
+    @Override
+    public double holding(double seconds) {
+        return motor.stall(reach) * seconds;
     }
 
     @Override
@@ -38,15 +49,13 @@ final class MotorShare implements WheelMotor {
         if (motor.getOrder() == MotorDrive.Order.POWER) {
             change = (stall * motor.getPower() + free) / soft;
         } else {
-            boolean mean = motor.getOrder() == MotorDrive.Order.SPEED && target() != 0;
-            double wrong = target() - (mean ? motor.meanSpin(v) * reach : rolling);
-            change = Math.max((free - stall) / soft, Math.min((free + stall) / soft, wrong / row.mobility));
+            change = Math.max((free - stall) / soft, Math.min((free + stall) / soft, (target() - rolling) / row.mobility));
         }
         row.add(v, change, -grip, grip);
     }
 
     private double target() {
-        return motor.getOrder() == MotorDrive.Order.SPEED ? motor.getTold() * reach : following;
+        return motor.getOrder() == MotorDrive.Order.SPEED ? motor.getTold() * reach * motor.share(part) : following;
     }
 
     @Override

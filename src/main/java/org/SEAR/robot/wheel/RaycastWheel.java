@@ -48,7 +48,7 @@ public final class RaycastWheel {
         swivel = Swivel.of(wheel);
         reach = swivel == null ? radius : radius * swivel.share();
         suspension = new Suspension(spring);
-        grip = new Grip(wheel, wheel.getType() != Wheel.IDLER && (swivel == null || !swivel.isSliding()));
+        grip = new Grip(wheel, wheel.getType() != Wheel.IDLER && (swivel == null || !swivel.isSliding()), spring.carried);
         length = spring.rest;
     }
 
@@ -66,11 +66,16 @@ public final class RaycastWheel {
         return motor;
     }
 
-    /** @param speed with which it is to roll over the ground, m/s, unless its motor has an order of its own */
-    void follow(double speed) {
+    /**
+     * What the robot was told.
+     *
+     * @param speed with which it is to roll over the ground, m/s, unless its motor has an order of its own
+     * @param part of the speed of the robot's middle, as it is steered
+     */
+    void follow(double speed, double part) {
         told = speed;
         if (motor != null) {
-            motor.follow(speed);
+            motor.follow(speed, part);
         }
     }
 
@@ -121,7 +126,7 @@ public final class RaycastWheel {
         if (ground.touches()) {
             ground.prepare(body);
             suspension.prepare(ground, body);
-            grip.prepare(ground, swivel == null ? ahead : swivel.driving(), body);
+            grip.prepare(ground, swivel == null ? ahead : swivel.driving(), motor != null && motor.holds(), body);
         }
     }
 
@@ -144,9 +149,9 @@ public final class RaycastWheel {
             return;
         }
         boolean grounded = ground.touches();
-        double speed = grounded ? grip.rolling() : 0;
+        double speed = grounded && !grip.holds() ? grip.rolling() : 0;
         if (grounded) {
-            grip.feel(motor != null && motor.holds(), radius, pending);
+            grip.feel(radius, pending);
             push.add(-suspension.impulse(), ground.normal);
             grip.takeFrom(push);
         }
@@ -206,11 +211,6 @@ public final class RaycastWheel {
         double[] inBody = pose.rotateBack(speed[0], speed[1], speed[2]);
         body.angularVelocity(speed);
         swivel.trail(inBody[0], inBody[2], pose.rotateBack(speed[0], speed[1], speed[2])[1]);
-    }
-
-    /** How fast it rolls over the ground, m/s. */
-    double rolling(double[] v) {
-        return grip.rolling(v);
     }
 
     /** What stands before the wheel. */

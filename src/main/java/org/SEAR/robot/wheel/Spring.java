@@ -2,6 +2,8 @@ package org.SEAR.robot.wheel;
 
 /** How one wheel is sprung. Immutable. */
 public final class Spring {
+    /** What the wheel carries, kg. */
+    final double carried;
     /** N/m. */
     final double stiffness;
     /** Damping while it is compressed and released, N s/m. */
@@ -19,7 +21,8 @@ public final class Spring {
      *
      * @param critical damping of what it carries, N s/m
      */
-    Spring(double stiffness, double critical, double compression, double damping, double mostForce, double rest, double hangs) {
+    Spring(double carried, double stiffness, double critical, double compression, double damping, double mostForce, double rest, double hangs) {
+        this.carried = carried;
         this.stiffness = stiffness;
         this.compressing = compression * critical;
         this.releasing = damping * critical;

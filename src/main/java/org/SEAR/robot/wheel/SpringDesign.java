@@ -47,13 +47,13 @@ public final class SpringDesign {
         double sag = stiffness == 0 ? 0 : PhysicsWorld.GRAVITY / (wheels.size() * stiffness);
         Spring[] springs = new Spring[wheels.size()];
         for (int i = 0; i < springs.length; i++) {
-            springs[i] = spring(stiffness * dynamics.getMass(), 2 * Math.sqrt(stiffness) * dynamics.getMass(), rest, Math.max(0, rest - sag));
+            springs[i] = spring(dynamics.getMass() / springs.length, stiffness * dynamics.getMass(), 2 * Math.sqrt(stiffness) * dynamics.getMass(), rest, Math.max(0, rest - sag));
         }
         return springs;
     }
 
-    private Spring spring(double stiffness, double critical, double rest, double hangs) {
-        return new Spring(stiffness, critical, dynamics.getCompression(), dynamics.getDamping(), dynamics.getMaxSuspensionForce(), rest, hangs);
+    private Spring spring(double carried, double stiffness, double critical, double rest, double hangs) {
+        return new Spring(carried, stiffness, critical, dynamics.getCompression(), dynamics.getDamping(), dynamics.getMaxSuspensionForce(), rest, hangs);
     }
 
     private Spring[] chosen(double lowest) {
@@ -72,7 +72,8 @@ public final class SpringDesign {
                 rest = dynamics.getRestLength();
                 hangs = Math.max(0, rest - sag);
             }
-            springs[i] = spring(loads[i] * PhysicsWorld.GRAVITY / sag, 2 * loads[i] * Math.sqrt(PhysicsWorld.GRAVITY / sag), rest, hangs);
+            double square = PhysicsWorld.GRAVITY / sag;
+            springs[i] = spring(loads[i], loads[i] * square, 2 * loads[i] * Math.sqrt(square), rest, hangs);
         }
         return springs;
     }

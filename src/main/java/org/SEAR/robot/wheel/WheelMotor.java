@@ -4,18 +4,26 @@ import org.SEAR.physics.ConstraintRow;
 
 /** What turns one driven wheel. Speeds are those of the wheel over ground, along which it drives, m/s. Simulation thread. */
 interface WheelMotor {
-    /** @param speed at which it has the wheel roll, unless it has an order of its own */
-    void follow(double speed);
+    /**
+     * What the robot was told.
+     *
+     * @param speed at which it has the wheel roll, unless it has an order of its own
+     * @param part speed of the wheel for each m/s of the robot's middle, as it is steered
+     */
+    void follow(double speed, double part);
 
     /** Whether it holds the wheel where it is. */
     boolean holds();
 
+    /** Greatest impulse with which it does, if the tyre can give it to the ground, Ns. */
+    double holding(double seconds);
+
     /**
-     * One pass of the solver.
+     * One pass of the solver, unless it holds.
      *
      * @param row along which the wheel drives
      * @param v velocities of the centre of mass, changed
-     * @param rolling speed of the wheel, and what it has to come back
+     * @param rolling speed of the wheel
      * @param grip greatest impulse of the tyre, Ns
      * @param seconds length of the substep
      */

@@ -32,7 +32,7 @@ public abstract class Shape extends PlacedObject {
     private boolean visibleToSensors = true;
 
     @Param(doc = "coefficient of friction; where two objects touch the product of both counts; without it 0.8, for parts of a robot 0.3, "
-        + "for its wheels 1", max = 10)
+        + "for its wheels 1.25", max = 10)
     private Double friction;
     @Param(doc = "coefficient of restitution: 0 stays where it falls, 1 bounces back as high; where two objects touch the greater counts; "
         + "without it 0", max = 1)
@@ -162,7 +162,7 @@ public abstract class Shape extends PlacedObject {
         changed();
     }
 
-    /** Coefficient of friction; null if the object has the default, 0.8 (a part of a robot 0.3, a wheel 1). */
+    /** Coefficient of friction; null if the object has the default, 0.8 (a part of a robot 0.3, a wheel 1.25). */
     public Double getFriction() {
         return friction;
     }

@@ -246,6 +246,11 @@ public final class RobotModel implements Robot, RobotHardware {
         return dynamics;
     }
 
+    /** Those of its wheels, in their order. */
+    Spring[] getSprings() {
+        return springs;
+    }
+
     @Override
     public SEARrobot getObject() {
         return object;

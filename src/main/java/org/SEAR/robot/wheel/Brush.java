@@ -4,8 +4,9 @@ import org.SEAR.physics.ConstraintRow;
 import org.SEAR.physics.SolverBody;
 
 /**
- * Static friction of a tyre in one direction: a stiff spring, as the bristles of a brush, that bends until the tyre slips and that a rolling wheel lets go.
- * So several wheels share what they hold, and what stands comes back when it was moved: it does not creep. Solved implicitly. Simulation thread.
+ * Static friction of a tyre in one direction: a stiff spring, as the bristles of a brush, that bends until the tyre slips and that a rolling wheel
+ * lets go. So several wheels share what they hold, and what stands comes back when it was moved: it does not creep. Solved implicitly. Simulation
+ * thread.
  */
 final class Brush {
     /** Natural frequency of what the wheel carries on this spring, rad/s: on 15 degrees it bends by a quarter of a millimetre. */

@@ -6,8 +6,8 @@ import java.util.function.Consumer;
 import org.SEAR.geometry.TimeStep;
 
 /**
- * The speeds that a robot was told: what it can't reach is brought within its limits, with a word about it once, and they are approached as fast as the
- * robot may without tipping over. Simulation thread.
+ * The speeds that a robot was told: what it can't reach is brought within its limits, with a word about it once, and they are approached as fast as
+ * the robot may without tipping over. Simulation thread.
  */
 final class DriveOrders {
     /** An order that is so much beyond what can be done is still obeyed, as a share. */
@@ -59,8 +59,8 @@ final class DriveOrders {
         double fastest = Math.max(Math.abs(newLeft), Math.abs(newRight));
         if (share < 1 - TOLERANCE && !toldFast) {
             toldFast = true;
-            told.accept(String.format(Locale.ROOT, "robot %s was told to turn its wheels at %.2f m/s, and without load its motors turn them at %.2f m/s at"
-                + " most: it goes that fast instead, or slower under load; a motor's noLoadSpeed says how fast it turns", robot, fastest,
+            told.accept(String.format(Locale.ROOT, "robot %s was told to turn its wheels at %.2f m/s, and without load its motors turn them at %.2f m/s"
+                + " at most: it goes that fast instead, or slower under load; a motor's noLoadSpeed says how fast it turns", robot, fastest,
                 share * fastest));
         }
         return share;
@@ -76,8 +76,8 @@ final class DriveOrders {
     void tellTight(double radius, Steering steering, double speed) {
         if (radius < steering.tightest() * (1 - TOLERANCE) && !toldTight) {
             toldTight = true;
-            told.accept(String.format(Locale.ROOT, "robot %s was told to turn %s, and its wheels steer by %s degrees at most: at %.2f m/s it goes on a"
-                + " circle of %.2f m radius instead, and turns by %.1f degrees a second", robot,
+            told.accept(String.format(Locale.ROOT, "robot %s was told to turn %s, and its wheels steer by %s degrees at most: at %.2f m/s it goes on"
+                + " a circle of %.2f m radius instead, and turns by %.1f degrees a second", robot,
                 radius == 0 ? "in place" : String.format(Locale.ROOT, "on a circle of %.2f m radius", radius), number(steering.getMost()),
                 Math.abs(speed), steering.tightest(), Math.toDegrees(Math.abs(speed) / steering.tightest())));
         }

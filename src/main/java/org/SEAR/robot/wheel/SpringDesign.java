@@ -6,8 +6,8 @@ import org.SEAR.POJOs.Wheel;
 import org.SEAR.physics.PhysicsWorld;
 
 /**
- * The springs of a robot's wheels. Where its {@link Dynamics} says no stiffness, each spring gives way by the same little under what its wheel carries,
- * so that all have one natural frequency and the robot stands level; and it hangs as low as the body needs to be clear of the ground.
+ * The springs of a robot's wheels. Where its {@link Dynamics} says no stiffness, each spring gives way by the same little under what its wheel
+ * carries, so that all have one natural frequency and the robot stands level; and it hangs as low as the body needs to be clear of the ground.
  */
 public final class SpringDesign {
     /** How far springs give way under the robot, as a share of its smallest wheel's radius, and metres at most. */
@@ -47,13 +47,15 @@ public final class SpringDesign {
         double sag = stiffness == 0 ? 0 : PhysicsWorld.GRAVITY / (wheels.size() * stiffness);
         Spring[] springs = new Spring[wheels.size()];
         for (int i = 0; i < springs.length; i++) {
-            springs[i] = spring(dynamics.getMass() / springs.length, stiffness * dynamics.getMass(), 2 * Math.sqrt(stiffness) * dynamics.getMass(), rest, Math.max(0, rest - sag));
+            springs[i] = spring(dynamics.getMass() / springs.length, stiffness * dynamics.getMass(),
+                2 * Math.sqrt(stiffness) * dynamics.getMass(), rest, Math.max(0, rest - sag));
         }
         return springs;
     }
 
     private Spring spring(double carried, double stiffness, double critical, double rest, double hangs) {
-        return new Spring(carried, stiffness, critical, dynamics.getCompression(), dynamics.getDamping(), dynamics.getMaxSuspensionForce(), rest, hangs);
+        return new Spring(carried, stiffness, critical, dynamics.getCompression(), dynamics.getDamping(), dynamics.getMaxSuspensionForce(), rest,
+            hangs);
     }
 
     private Spring[] chosen(double lowest) {
@@ -80,6 +82,26 @@ public final class SpringDesign {
 
     private static double radius(Wheel wheel) {
         return wheel.getRadius() * wheel.getScaleY();
+    }
+
+    /**
+     * How many times as stiff the springs of a robot would have to be to hold it upright: their moment against that of its weight.
+     *
+     * @param alongX whether it could fall sideways; else forwards or backwards
+     * @return 1 or less if they do; 0 if its wheels don't span an area, so that it rests on its body
+     */
+    public static double tooSoft(Spring[] springs, List<Wheel> wheels, double[] centre, double mass, boolean alongX) {
+        if (CentreOfMass.room(centre[0], centre[2], wheels) <= 0) {
+            return 0;
+        }
+        double upright = 0;
+        double ground = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < springs.length; i++) {
+            double lever = alongX ? CentreOfMass.footX(wheels.get(i)) - centre[0] : CentreOfMass.footZ(wheels.get(i)) - centre[2];
+            upright += springs[i].stiffness * lever * lever;
+            ground = Math.min(ground, wheels.get(i).getY() - springs[i].hangs - radius(wheels.get(i)));
+        }
+        return upright == 0 ? 0 : mass * PhysicsWorld.GRAVITY * (centre[1] - ground) / upright;
     }
 
     /** The greatest sag at which springs hold the robot upright, metres. */

@@ -19,8 +19,8 @@ public class Dynamics extends SearObject implements SerialObject {
     private double damping = DAMPING;
     @Param(doc = "largest force of a wheel's suspension", unit = "N", max = 1e9)
     private double maxSuspensionForce = MAX_FORCE;
-    @Param(doc = "length of the suspension when nothing presses it; without it as long as the robot needs to stand level and clear of the ground, or 0.1"
-        + " where the stiffness is given", unit = "m", max = 100)
+    @Param(doc = "length of the suspension when nothing presses it; without it as long as the robot needs to stand level and clear of the ground,"
+        + " or 0.1 where the stiffness is given", unit = "m", max = 100)
     private Double restLength;
     @Included
     private final SerialParameters serial = new SerialParameters(this, 57600);

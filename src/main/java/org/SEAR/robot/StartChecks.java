@@ -53,8 +53,8 @@ public final class StartChecks {
         double times = SpringDesign.tooSoft(robot.getSprings(), robot.getObject().getWheels(), centre, robot.getBody().mass, sideways);
         Double stiffness = robot.getDynamics().getStiffness();
         if (stiffness != null && times > 1) {
-            warnings.add(String.format(Locale.ROOT, "robot %s falls over %s where it stands: its springs, of stiffness %s, are too soft for its centre of"
-                + " mass, at x %.3f, y %.3f, z %.3f of its frame; a stiffness of %.0f holds it, or Dynamics(name, mass), which finds one",
+            warnings.add(String.format(Locale.ROOT, "robot %s falls over %s where it stands: its springs, of stiffness %s, are too soft for its"
+                + " centre of mass, at x %.3f, y %.3f, z %.3f of its frame; a stiffness of %.0f holds it, or Dynamics(name, mass), which finds one",
                 robot.getObject().getName(), way, Parameter.format(stiffness), centre[0] + 0.0, centre[1] + 0.0, centre[2] + 0.0,
                 Math.ceil(STIFF * times * stiffness)));
         }

@@ -72,8 +72,8 @@ public class FirstRobotTest {
         robot(new Dynamics("soft", 2, 40, 0.3, 0.4, 10000, 0.2), 0.05, -0.15, 0.05, 0);
         try (Simulation simulation = Worlds.start(project)) {
             String warnings = simulation.snapshot().warnings.toString();
-            assertTrue(warnings, warnings.contains("robot first falls over forwards or backwards where it stands: its springs, of stiffness 40, are too"
-                + " soft for its centre of mass, at x 0.000, y 0.000, z "));
+            assertTrue(warnings, warnings.contains("robot first falls over forwards or backwards where it stands: its springs, of stiffness 40, are"
+                + " too soft for its centre of mass, at x 0.000, y 0.000, z "));
         }
     }
 }

@@ -41,8 +41,8 @@ public class OrdersTest {
         assertEquals("[]", warnings().toString());
         rover.drive(1.5, STRAIGHT);
         rover.drive(3, STRAIGHT);
-        assertEquals("[robot rover was told to turn its wheels at 1.50 m/s, and without load its motors turn them at 1.00 m/s at most: it goes that fast"
-            + " instead, or slower under load; a motor's noLoadSpeed says how fast it turns]", warnings().toString());
+        assertEquals("[robot rover was told to turn its wheels at 1.50 m/s, and without load its motors turn them at 1.00 m/s at most: it goes that"
+            + " fast instead, or slower under load; a motor's noLoadSpeed says how fast it turns]", warnings().toString());
         Worlds.run(simulation, 2);
         Pose from = simulation.getPose("rover");
         Worlds.run(simulation, 1);
@@ -73,8 +73,8 @@ public class OrdersTest {
         double spin = Math.toRadians(40) * car.getHardware().getWheelBase() / 2;
         car.drive(spin, 0);
         car.drive(spin, 0.1);
-        assertEquals("[robot car was told to turn in place, and its wheels steer by 30 degrees at most: at 0.08 m/s it goes on a circle of 0.52 m radius"
-            + " instead, and turns by 9.2 degrees a second]", warnings().toString());
+        assertEquals("[robot car was told to turn in place, and its wheels steer by 30 degrees at most: at 0.08 m/s it goes on a circle of 0.52 m"
+            + " radius instead, and turns by 9.2 degrees a second]", warnings().toString());
         Worlds.run(simulation, 3);
         assertEquals(9.2, Math.toDegrees(simulation.snapshot().robots.get(0).turnRate), 0.3);
         car.drive(0, 0);

@@ -59,8 +59,8 @@ final class DriveOrders {
         double fastest = Math.max(Math.abs(newLeft), Math.abs(newRight));
         if (share < 1 - TOLERANCE && !toldFast) {
             toldFast = true;
-            told.accept(String.format(Locale.ROOT, "robot %s was told to turn its wheels at %.2f m/s, and without load its motors turn them at %.2f m/s"
-                + " at most: it goes that fast instead, or slower under load; a motor's noLoadSpeed says how fast it turns", robot, fastest,
+            told.accept(String.format(Locale.ROOT, "robot %s was told to turn its wheels at %.2f m/s, and without load its motors turn them at"
+                + " %.2f m/s at most: it goes that fast instead, or slower under load; a motor's noLoadSpeed says how fast it turns", robot, fastest,
                 share * fastest));
         }
         return share;

@@ -73,6 +73,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         frontAxle = wheels.stream().mapToDouble(wheel -> wheel.z).max().orElse(0);
         forces = new DriveForces(body, wheels);
         orders = new DriveOrders(body.name, wheels, forces, told);
+        body.forgetObstacles();
     }
 
     /** @param newLeft m/s over ground, likewise newRight */

@@ -396,6 +396,15 @@ public final class Body {
         rigid.applyImpulse(low, high);
     }
 
+    /** Gives it these velocities at once and wakes it: of its centre of mass, m/s, and of its turning, rad/s, world frame. */
+    public void setVelocities(double vx, double vy, double vz, double wx, double wy, double wz) {
+        low.set((float) vx, (float) vy, (float) vz);
+        high.set((float) wx, (float) wy, (float) wz);
+        rigid.setLinearVelocity(low);
+        rigid.setAngularVelocity(high);
+        rigid.activate();
+    }
+
     /**
      * Velocities of its centre of mass, world frame.
      *

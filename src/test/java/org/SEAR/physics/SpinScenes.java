@@ -146,7 +146,7 @@ final class SpinScenes {
         return Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     }
 
-    /** A top, a cone on its tip, leant by 20 degrees, at the speed with which it precesses and does not nod: it goes round as the closed form says. */
+    /** A top, a cone on its tip, leant by 20 degrees and started so that it precesses and does not nod: it goes round as the closed form says. */
     static void top(Findings into) throws Exception {
         double radius = 0.05;
         double height = 0.1;

@@ -116,6 +116,9 @@ public class Wheel extends Shape {
 
     @Override
     String whyFixed(String parameter) {
+        if (Shape.isLaunching(parameter)) {
+            return "a wheel belongs to a robot and moves with it";
+        }
         return PlacedObject.isPlacing(parameter) ? "a wheel belongs to a robot; place the robot" : null;
     }
 

@@ -56,7 +56,8 @@ final class Moves {
         done.clear();
     }
 
-    private Body body(String name) {
+    /** The body of a thing or robot; null if there is none of that name. */
+    Body body(String name) {
         return robots.containsKey(name) ? robots.get(name).getBody() : things.get(name);
     }
 

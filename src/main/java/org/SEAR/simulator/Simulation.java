@@ -24,6 +24,7 @@ import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.Robot;
 import org.SEAR.sensors.Sensor;
+import org.SEAR.simulator.orders.BodyOrder;
 
 /**
  * A running world: physics, robots, sensors and devices, advanced in steps of 1/60 s.
@@ -511,6 +512,16 @@ public final class Simulation implements AutoCloseable {
      */
     public void order(ActuatorOrder order) {
         order.giveTo(this);
+        tell(who -> who.order(order));
+    }
+
+    /**
+     * Gives a thing or a robot a velocity, or has it pushed from the next step on. Simulation thread.
+     *
+     * @throws IllegalArgumentException if there is nothing of that name that can move, or the push is too strong for it
+     */
+    public void order(BodyOrder order) {
+        world.order(order);
         tell(who -> who.order(order));
     }
 

@@ -32,6 +32,8 @@ import org.SEAR.robot.StartChecks;
 import org.SEAR.robot.VirtualWalls;
 import org.SEAR.robot.surface.SurfaceColors;
 import org.SEAR.sensors.Earth;
+import org.SEAR.simulator.orders.BodyOrder;
+import org.SEAR.simulator.orders.BodyOrders;
 import org.SEAR.terrain.TerrainColors;
 
 /** The things of a project: environment and robots in physics and before the beams. Simulation thread. */
@@ -54,6 +56,7 @@ final class World implements PhysicsWorld.Touches {
 
     private final Fallen fallen;
     private final Moves moves;
+    private final BodyOrders orders = new BodyOrders();
 
     /**
      * Builds the world of a project.
@@ -71,6 +74,7 @@ final class World implements PhysicsWorld.Touches {
             if (body != null) {
                 shapes.put(object, body.solids.get(0));
                 physics.add(body);
+                orders.add(object, body);
                 Shape shape = (Shape) object;
                 if (shape instanceof Terrain) {
                     colors.addTerrain((Terrain) shape, body.solids.get(0), project.getGround());
@@ -178,6 +182,7 @@ final class World implements PhysicsWorld.Touches {
     void restart() {
         robots.forEach(RobotModel::rewind);
         physics.restart();
+        orders.restart();
         fallen.restart();
         moves.restart();
         for (Body body : environment) {
@@ -197,9 +202,15 @@ final class World implements PhysicsWorld.Touches {
     /** Puts something elsewhere, see {@link Moves}. */
     void move(String name, Pose start, Pose to) {
         moves.move(name, start, to);
+        orders.forget(moves.body(name));
         fallen.restart();
         scenes.commit();
         poses = poses();
+    }
+
+    /** See {@link Simulation#order(BodyOrder)}. */
+    void order(BodyOrder order) {
+        orders.obey(order, moves.body(order.name));
     }
 
     Moves getMoves() {
@@ -220,6 +231,7 @@ final class World implements PhysicsWorld.Touches {
         for (int i = 0; i < robots.size(); i++) {
             robots.get(i).prepare();
         }
+        orders.act();
         physics.step();
         fallen.look();
         boolean moved = false;

@@ -44,19 +44,19 @@ public abstract class Shape extends PlacedObject {
     @Param(doc = "coefficient of rolling friction: the force that brakes what rolls, as a share of its weight; where two objects touch the sum "
         + "of both counts; without it 0.001", max = 1)
     private Double rollingFriction;
-    @Param(doc = "velocity of its centre of mass at the start, northwards", unit = "m/s", min = -FAST, max = FAST)
-    private double velocityX;
-    @Param(doc = "velocity of its centre of mass at the start, upwards", unit = "m/s", min = -FAST, max = FAST)
-    private double velocityY;
-    @Param(doc = "velocity of its centre of mass at the start, eastwards", unit = "m/s", min = -FAST, max = FAST)
-    private double velocityZ;
-    @Param(doc = "speed of its turning at the start about the world's x", unit = "deg/s", min = -TURNING, max = TURNING)
-    private double spinX;
-    @Param(doc = "speed of its turning at the start about the world's y, counter-clockwise seen from above", unit = "deg/s", min = -TURNING,
-        max = TURNING)
-    private double spinY;
-    @Param(doc = "speed of its turning at the start about the world's z", unit = "deg/s", min = -TURNING, max = TURNING)
-    private double spinZ;
+    @Param(doc = "velocity of its centre of mass at the start, northwards; without it 0", unit = "m/s", min = -FAST, max = FAST)
+    private Double velocityX;
+    @Param(doc = "velocity of its centre of mass at the start, upwards; without it 0", unit = "m/s", min = -FAST, max = FAST)
+    private Double velocityY;
+    @Param(doc = "velocity of its centre of mass at the start, eastwards; without it 0", unit = "m/s", min = -FAST, max = FAST)
+    private Double velocityZ;
+    @Param(doc = "speed of its turning at the start about the world's x; without it 0", unit = "deg/s", min = -TURNING, max = TURNING)
+    private Double spinX;
+    @Param(doc = "speed of its turning at the start about the world's y, counter-clockwise seen from above; without it 0",
+        unit = "deg/s", min = -TURNING, max = TURNING)
+    private Double spinY;
+    @Param(doc = "speed of its turning at the start about the world's z; without it 0", unit = "deg/s", min = -TURNING, max = TURNING)
+    private Double spinZ;
     private final int madeAfter = RunningWorld.starts();
 
     /** For reading from a file. */
@@ -271,9 +271,9 @@ public abstract class Shape extends PlacedObject {
             running.setVelocity(getName(), checkedX, checkedY, checkedZ);
             return;
         }
-        velocityX = checkedX;
-        velocityY = checkedY;
-        velocityZ = checkedZ;
+        velocityX = orNothing(checkedX);
+        velocityY = orNothing(checkedY);
+        velocityZ = orNothing(checkedZ);
         changed();
     }
 
@@ -295,10 +295,18 @@ public abstract class Shape extends PlacedObject {
             running.setSpin(getName(), checkedX, checkedY, checkedZ);
             return;
         }
-        spinX = checkedX;
-        spinY = checkedY;
-        spinZ = checkedZ;
+        spinX = orNothing(checkedX);
+        spinY = orNothing(checkedY);
+        spinZ = orNothing(checkedZ);
         changed();
+    }
+
+    private static Double orNothing(double value) {
+        return value == 0 ? null : Double.valueOf(value);
+    }
+
+    private static double orZero(Double value) {
+        return value == null ? 0 : value;
     }
 
     private void checkLaunch(String what) {
@@ -312,17 +320,17 @@ public abstract class Shape extends PlacedObject {
 
     /** Velocity of its centre of mass at the start: m/s along the world's {x, y, z}. */
     public final double[] getVelocity() {
-        return new double[] {velocityX, velocityY, velocityZ};
+        return new double[] {orZero(velocityX), orZero(velocityY), orZero(velocityZ)};
     }
 
     /** Its turning at the start: degrees a second about the world's {x, y, z}. */
     public final double[] getSpin() {
-        return new double[] {spinX, spinY, spinZ};
+        return new double[] {orZero(spinX), orZero(spinY), orZero(spinZ)};
     }
 
     /** Whether it has a velocity or a spin at the start. */
     public final boolean isLaunched() {
-        return velocityX != 0 || velocityY != 0 || velocityZ != 0 || spinX != 0 || spinY != 0 || spinZ != 0;
+        return launching() != null;
     }
 
     /** Whether a parameter says how it moves at the start. */
@@ -330,16 +338,18 @@ public abstract class Shape extends PlacedObject {
         return parameter.matches("(velocity|spin)[XYZ]");
     }
 
-    /** The first parameter by which it moves at the start. */
+    /** The first parameter by which it moves at the start; null if there is none. */
     private Parameter launching() {
         return ParameterTable.of(getClass()).getParameters().stream()
-            .filter(parameter -> isLaunching(parameter.getName()) && !Double.valueOf(0).equals(parameter.get(this))).findFirst().orElseThrow();
+            .filter(parameter -> isLaunching(parameter.getName()) && parameter.get(this) != null && !parameter.get(this).equals(0.0)).findFirst()
+            .orElse(null);
     }
 
     /** Tells that it moves at the start and must not. */
     public final void refuseLaunch(Faults faults, String legal) {
-        if (isLaunched()) {
-            faults.add(launching().getName(), launching().get(this), legal);
+        Parameter launching = launching();
+        if (launching != null) {
+            faults.add(launching.getName(), launching.get(this), legal);
         }
     }
 

@@ -6,6 +6,7 @@ import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
+import java.util.List;
 import java.util.Map;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Dynamics;
@@ -169,10 +170,13 @@ public class LaunchTest {
         refused("Box \"wall\" is fixed (mass 0) and can't have a velocity", () -> fixed.setVelocity(1, 0, 0));
         refused("velocityY is 1001", () -> box.setVelocity(0, 1001, 0));
         refused("spinX is NaN", () -> box.setSpin(Double.NaN, 0, 0));
-        refused("\"wheel\": velocityX can't be set: a wheel belongs to a robot", () -> new Wheel("wheel", 0.1, 0.05).setVelocity(1, 0, 0));
+        refused("\"lost\": velocityX can't be set: a wheel belongs to a robot", () -> new Wheel("lost", 0.1, 0.05).setVelocity(1, 0, 0));
         box.setSpin(0, 0, 10);
         refused("mass is 0, legal: more than 0 kg for a thing with a velocity or a spin", () -> box.setMass(0));
-        refused("has a velocity or a spin, which a component can't have", () -> new SEARrobot("robot").addComponent(box));
+        SEARrobot robot = new SEARrobot("robot");
+        robot.addComponent(new Dynamics("drive", 4));
+        refused("has a velocity or a spin, which a component can't have", () -> robot.addComponent(box));
+        robot.addWheel(new Wheel("wheel", 0.1, 0.05));
         refused("velocityX is 2, legal: 0 for what is fixed", () -> SearObject.make(Box.class,
             Map.of("name", "other", "length", 1, "width", 1, "height", 1, "velocityX", 2)));
         try (Simulation simulation = Worlds.start(project)) {
@@ -209,7 +213,7 @@ public class LaunchTest {
         box.setVelocity(1, -2, 0.5);
         box.setSpin(0, 720, 0);
         String text = project.text("environment/box.xml");
-        for (String line : new String[] {"<velocityX>1</velocityX>", "<velocityY>-2</velocityY>", "<velocityZ>0.5</velocityZ>", "<spinY>720</spinY>"}) {
+        for (String line : List.of("<velocityX>1</velocityX>", "<velocityY>-2</velocityY>", "<velocityZ>0.5</velocityZ>", "<spinY>720</spinY>")) {
             assertTrue(text, text.contains(line));
         }
         assertFalse(text, text.contains("spinX"));

@@ -9,8 +9,8 @@ import java.util.Arrays;
 import java.util.Locale;
 
 /**
- * Writes a scene of {@link RestWorld} as a JSON file for other engines, and what SEAR needs for it: processor time of the thread that steps, and where
- * all lies at the end, for others to judge. A scene that takes little runs several times, and the last counts, as of every code that was compiled.
+ * Writes a scene of {@link RestWorld} as a JSON file for other engines, and what SEAR needs for it: processor time of the thread that steps, and
+ * where all lies at the end, for others to judge. A scene that takes little runs several times, and the last counts: by then its code is compiled.
  */
 public final class Bodies {
     private static final int MOST_RUNS = 4;
@@ -24,8 +24,8 @@ public final class Bodies {
     public static void main(String[] args) throws IOException {
         try (RestWorld world = new RestWorld(args[0])) {
             Files.writeString(Paths.get(args[1]), String.format(Locale.ROOT,
-                "{\"name\": \"%s\", \"side\": %s, \"mass\": %s, \"friction\": %s, \"seconds\": %s, \"watch\": %s, \"boxes\": %s}%n", args[0], world.side,
-                RestWorld.MASS, RestWorld.FRICTION, world.seconds, RestWorld.WATCH, Arrays.deepToString(world.posed())));
+                "{\"name\": \"%s\", \"side\": %s, \"mass\": %s, \"friction\": %s, \"seconds\": %s, \"watch\": %s, \"boxes\": %s}%n", args[0],
+                world.side, RestWorld.MASS, RestWorld.FRICTION, world.seconds, RestWorld.WATCH, Arrays.deepToString(world.posed())));
             if (args.length > 2) {
                 measure(world, Paths.get(args[2]));
             }

@@ -57,9 +57,9 @@ final class RestWorld implements AutoCloseable {
                 return cube(MESH * (i % across) + 0.02 * random.nextDouble(), 0.3 + MESH * (i / (across * across)),
                     MESH * (i / across % across) + 0.02 * random.nextDouble(), random);
             case "dominoes":
-                return i > 0 ? new double[] {DOMINO / 2, DOMINO, 0.15 * DOMINO, 0, DOMINO / 2, 0.4 * DOMINO * i, 0, 0, 0}
-                    : new double[] {DOMINO / 2, DOMINO, 0.15 * DOMINO, 0, DOMINO / 2 * Math.cos(0.35) + 0.075 * DOMINO * Math.sin(0.35), -0.2 * DOMINO,
-                        20, 0, 0};
+                double[] domino = {DOMINO / 2, DOMINO, 0.15 * DOMINO, 0, DOMINO / 2, 0.4 * DOMINO * i, 0, 0, 0};
+                return i > 0 ? domino : new double[] {domino[0], domino[1], domino[2], 0,
+                    domino[1] / 2 * Math.cos(0.35) + domino[2] / 2 * Math.sin(0.35), -0.2 * DOMINO, 20, 0, 0};
             case "stack":
                 return new double[] {0.3, 0.2, 0.3, 0, 0.1 + 0.2 * i, 0, 0, 0, 0};
             default:

@@ -426,11 +426,7 @@ public final class Simulation implements AutoCloseable {
         return found(world.groundHeight(x, z), x, z);
     }
 
-    /**
-     * What {@link #getGroundHeight} answers in the world of a project, of which only the ground is made. Any thread.
-     *
-     * @throws ProjectException if the ground can't be made
-     */
+    /** What {@link #getGroundHeight} answers in the world of a project, of which only the ground is made (which can fail). Any thread. */
     public static double groundHeight(Project project, double x, double z) throws ProjectException {
         return found(World.ground(project).groundHeight(x, z), x, z);
     }
@@ -515,11 +511,7 @@ public final class Simulation implements AutoCloseable {
         tell(who -> who.order(order));
     }
 
-    /**
-     * Gives a thing or a robot a velocity, or has it pushed from the next step on. Simulation thread.
-     *
-     * @throws IllegalArgumentException if there is nothing of that name that can move, or the push is too strong for it
-     */
+    /** Gives a thing or a robot a velocity, or has it pushed from the next step on; throws as {@link World#order} does. Simulation thread. */
     public void order(BodyOrder order) {
         world.order(order);
         tell(who -> who.order(order));

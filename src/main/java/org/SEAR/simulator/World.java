@@ -208,7 +208,11 @@ final class World implements PhysicsWorld.Touches {
         poses = poses();
     }
 
-    /** See {@link Simulation#order(BodyOrder)}. */
+    /**
+     * See {@link Simulation#order(BodyOrder)}.
+     *
+     * @throws IllegalArgumentException if there is nothing of that name that can move, or the push is too strong for it
+     */
     void order(BodyOrder order) {
         orders.obey(order, moves.body(order.name));
     }

@@ -21,7 +21,7 @@ hut.rotate(0, 20, 0)
 hut.place(36.48325, -84.23055)
 
 rover = SEARrobot("rover")
-rover.addComponent(Dynamics("drive", 30))
+rover.addComponent(Dynamics("drive", 30, 60, 0.3, 0.4, 10000, 0.1))
 body = Box("rover body", 0.5, 0.9, 0.2, 30)
 body.setColor("orange")
 body.move(0, 0.12, 0)

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 
+import bodies
 import machine
 import page
 
@@ -35,6 +36,7 @@ FULL = {
     "steps": 3600,
     "seconds": 0.9,
     "scans": 30,
+    "bodies": bodies.SCENES,
 }
 QUICK = {
     "beams": ["hall-10", "hills-1000"],
@@ -48,6 +50,7 @@ QUICK = {
     "jmh": ["-f", "0", "-wi", "1", "-w", "50ms", "-i", "1", "-r", "50ms"],
     "seconds": 0.1,
     "scans": 2,
+    "bodies": bodies.QUICK_SCENES,
 }
 
 
@@ -67,6 +70,7 @@ class Run:
         os.makedirs(self.folder, exist_ok=True)
         home = os.environ.get("JAVA_HOME")
         self.java = os.path.join(home, "bin", "java") if home else "java"
+        self.root = ROOT
         self.began = time.time()
 
     def say(self, what):
@@ -201,6 +205,24 @@ class Run:
                     missing["%s in %s" % (engine, world)] = "failed (%s)" % status
         return results, missing
 
+    def bullet(self):
+        """The class path of native Bullet; None if there is none."""
+        written = os.path.join(ROOT, "build", "benchmark", "bullet.txt")
+        return read_text(written) if os.path.exists(written) else None
+
+    def bodies(self):
+        """Scenes that end at rest, and what is missing of them."""
+        engines = ["sear"] if self.options.no_peers else list(bodies.ENGINES)
+        scenes = self.plan["bodies"]
+        if self.options.bodies:
+            engines = self.options.bodies.split(",")
+        if self.options.scenes:
+            scenes = self.options.scenes.split(",")
+        for engine in engines:
+            if engine not in bodies.ENGINES:
+                raise SystemExit("benchmark: --bodies %s, legal: %s" % (engine, ", ".join(bodies.ENGINES)))
+        return bodies.Bodies(self, engines, scenes, LONGEST_WORLD).measure()
+
     def compare(self, peers):
         """In how many beams each engine differs from SEAR, and what physics came to; takes the long lists out of the peers' results."""
         agreement = []
@@ -233,6 +255,8 @@ class Run:
         peers, found["missing"] = self.peers()
         found["agreement"], found["outcomes"] = self.compare(peers)
         found["rates"] += peers
+        found["bodies"], missing = self.bodies()
+        found["missing"].update(missing)
         found["minutes"] = (time.time() - self.began) / 60
         return found
 
@@ -263,6 +287,10 @@ def main():
     parser.add_argument("--quick", action="store_true", help="tiny worlds and times: shows that everything runs; writes nothing into docs")
     parser.add_argument("--no-peers", action="store_true", help="without the engines from PyPI")
     parser.add_argument("--no-script", action="store_true", help="without the run in the embedded MyRobotLab")
+    parser.add_argument("--bodies", metavar="ENGINES", nargs="?", const=",".join(bodies.ENGINES),
+                        help="measure only bodies that end at rest, in these engines (default: sear,bullet,mujoco), and"
+                        " print the table; writes nothing into docs")
+    parser.add_argument("--scenes", metavar="SCENES", help="of bodies, such as pile-100,stack-10 (default: all; with --quick two)")
     parser.add_argument("--page-only", metavar="JSON", help="measure nothing: make the page from an earlier run's JSON")
     parser.add_argument("--docs", help="the folder for performance.md, performance.json and images (default: docs; with --quick: that of --work)")
     parser.add_argument("--work", default=os.path.join(ROOT, "build", "benchmark"), help="the folder for worlds and logs (default: build/benchmark)")
@@ -275,6 +303,10 @@ def main():
         if options.classpath is None:
             options.classpath = read_text(os.path.join(ROOT, "build", "benchmark", "classpath.txt"))
         run = Run(options)
+        if options.bodies:
+            results, missing = run.bodies()
+            print("\n".join(bodies.table(results) + ["%s: %s" % one for one in missing.items()]))
+            return
         found = run.everything()
         os.makedirs(docs, exist_ok=True)
         with open(os.path.join(docs, "performance.json"), "w") as out:

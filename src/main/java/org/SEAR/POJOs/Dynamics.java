@@ -4,24 +4,24 @@ package org.SEAR.POJOs;
 @Described("mass, suspension and start pose of a robot (in the world, or from where the robot was moved to), and its serial port, which speaks the"
     + " Roomba protocol. A start pose that lies on its back is set upright and turned by 180 degrees, with a warning")
 public class Dynamics extends SearObject implements SerialObject {
-    private static final double STIFFNESS = 60;
     private static final double COMPRESSION = 0.3;
     private static final double DAMPING = 0.4;
     private static final double MAX_FORCE = 10000;
-    private static final double REST_LENGTH = 0.1;
 
     @Param(doc = "mass of the whole robot", unit = "kg", min = 0.001, max = Shape.HEAVY, required = true, initial = "3")
     private double mass;
-    @Param(doc = "stiffness of the suspension, in Bullet's measure", unit = "1/s^2", max = 1e6)
-    private double stiffness = STIFFNESS;
+    @Param(doc = "stiffness of the suspension, in Bullet's measure: a wheel's spring has so many N/m for each kg of the robot; without it each spring"
+        + " gives way by a tenth of the smallest wheel's radius, at most 1 cm, under what its wheel carries", unit = "1/s^2", max = 1e6)
+    private Double stiffness;
     @Param(doc = "damping while the suspension is compressed, as a share of the critical one")
     private double compression = COMPRESSION;
     @Param(doc = "damping while the suspension is released, as a share of the critical one")
     private double damping = DAMPING;
     @Param(doc = "largest force of a wheel's suspension", unit = "N", max = 1e9)
     private double maxSuspensionForce = MAX_FORCE;
-    @Param(doc = "length of the suspension at rest", unit = "m", max = 100)
-    private double restLength = REST_LENGTH;
+    @Param(doc = "length of the suspension when nothing presses it; without it as long as the robot needs to stand level and clear of the ground,"
+        + " or 0.1 where the stiffness is given", unit = "m", max = 100)
+    private Double restLength;
     @Included
     private final SerialParameters serial = new SerialParameters(this, 57600);
     @Param(doc = "whose firmware answers at the port", values = {"roomba400", "create", "create2"})
@@ -34,7 +34,7 @@ public class Dynamics extends SearObject implements SerialObject {
     }
 
     /**
-     * With the suspension of the dissertation's Roomba, at the origin.
+     * With a suspension that suits the robot, at the origin.
      *
      * @param mass kg
      */
@@ -42,9 +42,9 @@ public class Dynamics extends SearObject implements SerialObject {
         this(name, mass, 0, 0, 0, 0, 0, 0);
     }
 
-    /** With the suspension of the dissertation's Roomba, starting at (x, y, z), metres, turned by (rx, ry, rz), degrees. */
+    /** With a suspension that suits the robot, starting at (x, y, z), metres, turned by (rx, ry, rz), degrees. */
     public Dynamics(String name, double mass, double x, double y, double z, double rx, double ry, double rz) {
-        this(name, mass, STIFFNESS, COMPRESSION, DAMPING, MAX_FORCE, REST_LENGTH, x, y, z, rx, ry, rz);
+        this(name, mass, null, COMPRESSION, DAMPING, MAX_FORCE, null, x, y, z, rx, ry, rz);
     }
 
     /** At the origin. */
@@ -60,6 +60,11 @@ public class Dynamics extends SearObject implements SerialObject {
      */
     public Dynamics(String name, double mass, double stiffness, double compression, double damping, double maxSuspensionForce,
             double restLength, double x, double y, double z, double rx, double ry, double rz) {
+        this(name, mass, Double.valueOf(stiffness), compression, damping, maxSuspensionForce, Double.valueOf(restLength), x, y, z, rx, ry, rz);
+    }
+
+    private Dynamics(String name, double mass, Double stiffness, double compression, double damping, double maxSuspensionForce,
+            Double restLength, double x, double y, double z, double rx, double ry, double rz) {
         super(name);
         this.mass = mass;
         this.stiffness = stiffness;
@@ -81,8 +86,8 @@ public class Dynamics extends SearObject implements SerialObject {
         return mass;
     }
 
-    /** In Bullet's measure, 1/s^2. */
-    public double getStiffness() {
+    /** In Bullet's measure, 1/s^2; null if it suits the robot. */
+    public Double getStiffness() {
         return stiffness;
     }
 
@@ -101,8 +106,8 @@ public class Dynamics extends SearObject implements SerialObject {
         return maxSuspensionForce;
     }
 
-    /** Metres. */
-    public double getRestLength() {
+    /** Metres; null if it suits the robot. */
+    public Double getRestLength() {
         return restLength;
     }
 

@@ -12,6 +12,10 @@ public abstract class Shape extends PlacedObject {
     static final double LIGHT = 1e-6;
     /** Heaviest thing, kg. */
     static final double HEAVY = 1e6;
+    /** Fastest thing at the start, m/s. */
+    private static final double FAST = 1000;
+    /** Fastest turning at the start, degrees a second. */
+    private static final double TURNING = 100000;
     /** The pictures of surfaces that come with SEAR, and how many metres wide and high one is. */
     private static final Map<String, Double> TILES = Map.of("textures/tiles.png", 1.0, "textures/brick.png", 1.0, "textures/grass.png", 2.0);
 
@@ -32,7 +36,7 @@ public abstract class Shape extends PlacedObject {
     private boolean visibleToSensors = true;
 
     @Param(doc = "coefficient of friction; where two objects touch the product of both counts; without it 0.8, for parts of a robot 0.3, "
-        + "for its wheels 1", max = 10)
+        + "for its wheels 1.25", max = 10)
     private Double friction;
     @Param(doc = "coefficient of restitution: 0 stays where it falls, 1 bounces back as high; where two objects touch the greater counts; "
         + "without it 0", max = 1)
@@ -40,6 +44,20 @@ public abstract class Shape extends PlacedObject {
     @Param(doc = "coefficient of rolling friction: the force that brakes what rolls, as a share of its weight; where two objects touch the sum "
         + "of both counts; without it 0.001", max = 1)
     private Double rollingFriction;
+    @Param(doc = "velocity of its centre of mass at the start, northwards; without it 0", unit = "m/s", min = -FAST, max = FAST)
+    private Double velocityX;
+    @Param(doc = "velocity of its centre of mass at the start, upwards; without it 0", unit = "m/s", min = -FAST, max = FAST)
+    private Double velocityY;
+    @Param(doc = "velocity of its centre of mass at the start, eastwards; without it 0", unit = "m/s", min = -FAST, max = FAST)
+    private Double velocityZ;
+    @Param(doc = "speed of its turning at the start about the world's x; without it 0", unit = "deg/s", min = -TURNING, max = TURNING)
+    private Double spinX;
+    @Param(doc = "speed of its turning at the start about the world's y, counter-clockwise seen from above; without it 0",
+        unit = "deg/s", min = -TURNING, max = TURNING)
+    private Double spinY;
+    @Param(doc = "speed of its turning at the start about the world's z; without it 0", unit = "deg/s", min = -TURNING, max = TURNING)
+    private Double spinZ;
+    private final int madeAfter = RunningWorld.starts();
 
     /** For reading from a file. */
     protected Shape() {
@@ -132,7 +150,11 @@ public abstract class Shape extends PlacedObject {
 
     /** @param kg 1e-6 to 1e6, or 0; 0 fixes the object in place, untouched by gravity and collisions */
     public void setMass(double kg) {
-        mass = checked("mass", kg);
+        double checkedMass = checked("mass", kg);
+        if (checkedMass == 0 && isLaunched()) {
+            throw new IllegalArgumentException(label() + ": mass is 0, legal: more than 0 kg for a thing with a velocity or a spin");
+        }
+        mass = checkedMass;
         changed();
     }
 
@@ -162,7 +184,7 @@ public abstract class Shape extends PlacedObject {
         changed();
     }
 
-    /** Coefficient of friction; null if the object has the default, 0.8 (a part of a robot 0.3, a wheel 1). */
+    /** Coefficient of friction; null if the object has the default, 0.8 (a part of a robot 0.3, a wheel 1.25). */
     public Double getFriction() {
         return friction;
     }
@@ -228,5 +250,120 @@ public abstract class Shape extends PlacedObject {
      */
     public void scale(double factor) {
         scale(factor, factor, factor);
+    }
+
+    /**
+     * Gives it a velocity: what it starts with. While a simulation runs that was started after the object was made it has this velocity there at
+     * once, between two steps, and its file and the next start stay as they are.
+     *
+     * @param newX m/s northwards, of its centre of mass, -1000 to 1000
+     * @param newY m/s upwards
+     * @param newZ m/s eastwards
+     * @throws IllegalArgumentException if it is fixed (mass 0) or a part of a robot
+     */
+    public void setVelocity(double newX, double newY, double newZ) {
+        double checkedX = checked("velocityX", newX);
+        double checkedY = checked("velocityY", newY);
+        double checkedZ = checked("velocityZ", newZ);
+        checkLaunch("velocity");
+        RunningWorld.Acts running = RunningWorld.reading(madeAfter);
+        if (running != null) {
+            running.setVelocity(getName(), checkedX, checkedY, checkedZ);
+            return;
+        }
+        velocityX = orNothing(checkedX);
+        velocityY = orNothing(checkedY);
+        velocityZ = orNothing(checkedZ);
+        changed();
+    }
+
+    /**
+     * Has it turn about its centre of mass: what it starts with; while a simulation runs, at once, as {@link #setVelocity}.
+     *
+     * @param newX degrees a second about the world's x, by the right hand, -100000 to 100000
+     * @param newY about the world's y, counter-clockwise seen from above
+     * @param newZ about the world's z
+     * @throws IllegalArgumentException if it is fixed (mass 0) or a part of a robot
+     */
+    public void setSpin(double newX, double newY, double newZ) {
+        double checkedX = checked("spinX", newX);
+        double checkedY = checked("spinY", newY);
+        double checkedZ = checked("spinZ", newZ);
+        checkLaunch("spin");
+        RunningWorld.Acts running = RunningWorld.reading(madeAfter);
+        if (running != null) {
+            running.setSpin(getName(), checkedX, checkedY, checkedZ);
+            return;
+        }
+        spinX = orNothing(checkedX);
+        spinY = orNothing(checkedY);
+        spinZ = orNothing(checkedZ);
+        changed();
+    }
+
+    private static Double orNothing(double value) {
+        return value == 0 ? null : Double.valueOf(value);
+    }
+
+    private static double orZero(Double value) {
+        return value == null ? 0 : value;
+    }
+
+    private void checkLaunch(String what) {
+        if (robot() != null) {
+            throw new IllegalArgumentException(label() + " is a part of " + robot().label() + " and has no " + what + " of its own: the robot moves");
+        }
+        if (mass == 0) {
+            throw new IllegalArgumentException(label() + " is fixed (mass 0) and can't have a " + what + ", legal: setMass(kg) before");
+        }
+    }
+
+    /** Velocity of its centre of mass at the start: m/s along the world's {x, y, z}. */
+    public final double[] getVelocity() {
+        return new double[] {orZero(velocityX), orZero(velocityY), orZero(velocityZ)};
+    }
+
+    /** Its turning at the start: degrees a second about the world's {x, y, z}. */
+    public final double[] getSpin() {
+        return new double[] {orZero(spinX), orZero(spinY), orZero(spinZ)};
+    }
+
+    /** Whether it has a velocity or a spin at the start. */
+    public final boolean isLaunched() {
+        return launching() != null;
+    }
+
+    /** Whether a parameter says how it moves at the start. */
+    static boolean isLaunching(String parameter) {
+        return parameter.matches("(velocity|spin)[XYZ]");
+    }
+
+    /** The first parameter by which it moves at the start; null if there is none. */
+    private Parameter launching() {
+        return ParameterTable.of(getClass()).getParameters().stream()
+            .filter(parameter -> isLaunching(parameter.getName()) && parameter.get(this) != null && !parameter.get(this).equals(0.0)).findFirst()
+            .orElse(null);
+    }
+
+    /** Tells that it moves at the start and must not. */
+    public final void refuseLaunch(Faults faults, String legal) {
+        Parameter launching = launching();
+        if (launching != null) {
+            faults.add(launching.getName(), launching.get(this), legal);
+        }
+    }
+
+    @Override
+    String whyNoComponent() {
+        return isLaunched() ? " has a velocity or a spin, which a component can't have, legal: setVelocity(0, 0, 0) and setSpin(0, 0, 0) before"
+            : super.whyNoComponent();
+    }
+
+    @Override
+    protected void crossCheck(Faults faults) {
+        super.crossCheck(faults);
+        if (mass == 0) {
+            refuseLaunch(faults, "0 for what is fixed; with a mass above 0 kg it can have it");
+        }
     }
 }

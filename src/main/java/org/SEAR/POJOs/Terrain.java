@@ -108,6 +108,9 @@ public class Terrain extends Shape {
             case "scaleZ":
                 return "a terrain has its true size; setSize(northSouth, eastWest, lowest, highest) says that of a map that doesn't say its own";
             default:
+                if (Shape.isLaunching(parameter)) {
+                    return "a terrain is fixed";
+                }
                 return parameter.matches("[xyz]") || PlacedObject.isPlacing(parameter) ? "the middle of a terrain's area is the world's origin;"
                     + " setArea(latitude, longitude, northSouth, eastWest) chooses another" : null;
         }

@@ -75,6 +75,7 @@ public class Wheel extends Shape {
 
     @Override
     protected void crossCheck(Faults faults) {
+        refuseLaunch(faults, "0 for a wheel, which moves with its robot");
         if (type == IDLER && (steering != null || steeringServo != null)) {
             faults.add(steering == null ? "steeringServo" : "steering", steering == null ? steeringServo : steering, whatSteers());
         }
@@ -116,6 +117,9 @@ public class Wheel extends Shape {
 
     @Override
     String whyFixed(String parameter) {
+        if (Shape.isLaunching(parameter)) {
+            return "a wheel belongs to a robot and moves with it";
+        }
         return PlacedObject.isPlacing(parameter) ? "a wheel belongs to a robot; place the robot" : null;
     }
 

@@ -2,9 +2,9 @@ package org.SEAR.collision;
 
 import java.util.Arrays;
 
-/** The points of contact of one pair in one step, and which four of them say most. Not for several threads. */
+/** The points of contact of one pair in one step, and which of them say most. Not for several threads. */
 public final class ContactPoints {
-    private static final int MOST = 4;
+    private static final int MOST = 12;
     private static final int FIELDS = 7;
 
     private double[] found = new double[16 * FIELDS];
@@ -76,23 +76,36 @@ public final class ContactPoints {
     /**
      * The lowest, and those farthest from the ones chosen so far; what touches goes before what does not.
      *
+     * @param most how many are wanted
      * @return how many
      */
-    public int choose() {
+    public int choose(int most) {
         int taken = 0;
-        while (taken < Math.min(MOST, count)) {
-            int best = -1;
-            double most = Double.NEGATIVE_INFINITY;
+        while (taken < Math.min(Math.min(most, MOST), count)) {
+            int next = -1;
+            double best = Double.NEGATIVE_INFINITY;
             for (int i = 0; i < count; i++) {
+                if (isChosen(i, taken)) {
+                    continue;
+                }
                 double worth = taken == 0 ? -height(i) : room(i, taken) - (height(i) > ManifoldClipper.SKIN ? 1e6 : 0);
-                if (worth > most) {
-                    most = worth;
-                    best = i;
+                if (worth > best) {
+                    best = worth;
+                    next = i;
                 }
             }
-            chosen[taken++] = best;
+            chosen[taken++] = next;
         }
         return taken;
+    }
+
+    private boolean isChosen(int point, int taken) {
+        for (int i = 0; i < taken; i++) {
+            if (chosen[i] == point) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** The square of the distance from the nearest chosen point. */

@@ -5,12 +5,14 @@ public final class ConvexBox implements ConvexShape {
     private final double hx;
     private final double hy;
     private final double hz;
+    private final double skin;
 
     /** @param hx half size along x, metres, likewise hy and hz */
     public ConvexBox(double hx, double hy, double hz) {
         this.hx = hx;
         this.hy = hy;
         this.hz = hz;
+        skin = Skin.of(least());
     }
 
     @Override
@@ -74,5 +76,17 @@ public final class ConvexBox implements ConvexShape {
     @Override
     public boolean isRound() {
         return false;
+    }
+
+    @Override
+    public void coreSupport(double dx, double dy, double dz, double[] into) {
+        into[0] = Math.copySign(hx - skin, dx);
+        into[1] = Math.copySign(hy - skin, dy);
+        into[2] = Math.copySign(hz - skin, dz);
+    }
+
+    @Override
+    public double skin() {
+        return skin;
     }
 }

@@ -5,12 +5,14 @@ public final class ConvexEllipsoid implements ConvexShape {
     private final double a;
     private final double b;
     private final double c;
+    private final double skin;
 
     /** @param a half size along x, metres, likewise b along y and c along z */
     public ConvexEllipsoid(double a, double b, double c) {
         this.a = a;
         this.b = b;
         this.c = c;
+        skin = isBall() ? a : Skin.of(least());
     }
 
     @Override
@@ -56,5 +58,33 @@ public final class ConvexEllipsoid implements ConvexShape {
     @Override
     public boolean isTurned() {
         return a == c;
+    }
+
+    @Override
+    public boolean isBall() {
+        return a == b && a == c;
+    }
+
+    /** A ball's core is its middle; of other ellipsoids one with shorter axes, whose normals are nearly the same. */
+    @Override
+    public void coreSupport(double dx, double dy, double dz, double[] into) {
+        if (isBall()) {
+            into[0] = 0;
+            into[1] = 0;
+            into[2] = 0;
+            return;
+        }
+        double u = a - skin;
+        double v = b - skin;
+        double w = c - skin;
+        double length = Math.sqrt(u * dx * (u * dx) + v * dy * (v * dy) + w * dz * (w * dz));
+        into[0] = u * u * dx / length;
+        into[1] = v * v * dy / length;
+        into[2] = w * w * dz / length;
+    }
+
+    @Override
+    public double skin() {
+        return skin;
     }
 }

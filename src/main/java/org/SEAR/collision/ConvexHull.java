@@ -20,6 +20,8 @@ public final class ConvexHull implements ConvexShape {
     /** Half the thickness of what has none, metres. */
     private static final double CARD = 2.5e-4;
     private static final double NOTHING = 1e-12;
+    /** Greatest share by which the core is smaller. */
+    private static final double DRAWN = 0.1;
 
     /** x, y, z of each corner, metres. */
     private final double[] corners;
@@ -29,6 +31,9 @@ public final class ConvexHull implements ConvexShape {
     private final int[][] polygons;
     private final double volume;
     private final double least;
+    private final double radius;
+    /** By what share of the distance from its centre its core is smaller. */
+    private final double drawn;
     private final double[] centre = new double[3];
     /** Mean square distance from the centre along each axis, m^2. */
     private final double[] moments = new double[3];
@@ -55,6 +60,8 @@ public final class ConvexHull implements ConvexShape {
         }
         volume = weigh(points, faces);
         least = thinnest();
+        radius = farthest();
+        drawn = Math.min(DRAWN, Skin.of(Double.POSITIVE_INFINITY) / radius);
     }
 
     /**
@@ -99,6 +106,10 @@ public final class ConvexHull implements ConvexShape {
 
     @Override
     public double radius() {
+        return radius;
+    }
+
+    private double farthest() {
         double most = 0;
         for (int i = 0; i < corners.length; i += 3) {
             most = Math.max(most, square(corners[i]) + square(corners[i + 1]) + square(corners[i + 2]));
@@ -383,5 +394,19 @@ public final class ConvexHull implements ConvexShape {
             into.add(corners[3 * corner], corners[3 * corner + 1], corners[3 * corner + 2]);
         }
         into.setNormal(planes[best], planes[best + 1], planes[best + 2]);
+    }
+
+    /** The hull drawn together towards its centre, which leaves all its faces their normals. */
+    @Override
+    public void coreSupport(double dx, double dy, double dz, double[] into) {
+        support(dx, dy, dz, into);
+        for (int axis = 0; axis < 3; axis++) {
+            into[axis] += drawn * (centre[axis] - into[axis]);
+        }
+    }
+
+    @Override
+    public double skin() {
+        return drawn * radius;
     }
 }

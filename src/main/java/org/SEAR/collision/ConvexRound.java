@@ -3,18 +3,28 @@ package org.SEAR.collision;
 /** A cylinder or cone about the y axis, centred in the origin; a cone's apex is up. Immutable. */
 public final class ConvexRound implements ConvexShape {
     /** Corners of the polygon that stands for a round face. */
-    private static final int CORNERS = 8;
+    private static final int CORNERS = 16;
     /** A direction closer to the axis than this has no side, sine. */
     private static final double ON_AXIS = 1e-3;
 
     private final double bottom;
     private final double top;
     private final double half;
+    private final double skin;
+    /** Of the core: the radius of its base, the height of its base and of its top or apex. */
+    private final double coreRadius;
+    private final double coreLow;
+    private final double coreHigh;
 
     private ConvexRound(double bottom, double top, double half) {
         this.bottom = bottom;
         this.top = top;
         this.half = half;
+        skin = Skin.of(least());
+        coreLow = -half + skin;
+        // a plane through the side of a cone that goes in by the skin meets the axis this much lower
+        coreHigh = half - (top == 0 ? skin * Math.hypot(bottom, 2 * half) / bottom : skin);
+        coreRadius = top == 0 ? bottom * (coreHigh - coreLow) / (2 * half) : bottom - skin;
     }
 
     /**
@@ -38,17 +48,31 @@ public final class ConvexRound implements ConvexShape {
 
     @Override
     public void support(double dx, double dy, double dz, double[] into) {
+        support(dx, dy, dz, bottom, -half, half, into);
+    }
+
+    @Override
+    public void coreSupport(double dx, double dy, double dz, double[] into) {
+        support(dx, dy, dz, coreRadius, coreLow, coreHigh, into);
+    }
+
+    private void support(double dx, double dy, double dz, double radius, double low, double high, double[] into) {
         double across = Math.sqrt(dx * dx + dz * dz);
         boolean cone = top == 0;
         if (cone && dy * 2 * half > across * bottom) {
             into[0] = 0;
-            into[1] = half;
+            into[1] = high;
             into[2] = 0;
             return;
         }
-        into[0] = across > 0 ? bottom * dx / across : 0;
-        into[1] = cone ? -half : Math.copySign(half, dy);
-        into[2] = across > 0 ? bottom * dz / across : 0;
+        into[0] = across > 0 ? radius * dx / across : 0;
+        into[1] = cone || dy < 0 ? low : high;
+        into[2] = across > 0 ? radius * dz / across : 0;
+    }
+
+    @Override
+    public double skin() {
+        return skin;
     }
 
     /** An end face, as a polygon, or the line along the side. */
@@ -111,5 +135,16 @@ public final class ConvexRound implements ConvexShape {
     @Override
     public boolean isTurned() {
         return true;
+    }
+
+    @Override
+    public boolean isRimmed() {
+        return true;
+    }
+
+    /** The apex of a cone. */
+    @Override
+    public boolean isCorner(double x, double y, double z) {
+        return top == 0 && y > half - skin;
     }
 }

@@ -38,8 +38,34 @@ public interface ConvexShape {
         return true;
     }
 
+    /** Whether it has a round rim. */
+    default boolean isRimmed() {
+        return false;
+    }
+
     /** Whether it looks the same when turned about its y axis. */
     default boolean isTurned() {
         return false;
     }
+
+    /** Whether a point of its surface is a corner, or may be one: where it touches something it goes along when the shape turns. */
+    default boolean isCorner(double x, double y, double z) {
+        return !isRound();
+    }
+
+    /** Whether it looks the same however it is turned. */
+    default boolean isBall() {
+        return false;
+    }
+
+    /**
+     * Adds to a direction's support point of the core: the shape with a skin of {@link #skin} taken off, whose faces have the same normals. Cores of
+     * things that touch are apart, so that the direction in which they touch is found exactly where a distance of nothing has none.
+     *
+     * @param into takes {x, y, z}, metres
+     */
+    void coreSupport(double dx, double dy, double dz, double[] into);
+
+    /** How thick the skin around the core is at its faces, metres. */
+    double skin();
 }

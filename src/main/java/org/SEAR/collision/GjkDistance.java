@@ -9,6 +9,12 @@ package org.SEAR.collision;
 public final class GjkDistance {
     /** Distances are this good, metres. */
     private static final double PRECISION = 1e-7;
+    /** And the direction so that it would not change more, metres. */
+    private static final double EXACT = 1e-7;
+    /** The same as a share of how large the sets are. */
+    private static final double EXACT_SHARE = 3e-11;
+    /** If the search ends that much short of the proved distance, what is proved counts, metres. */
+    private static final double UNPROVED = 1e-6;
     private static final int ITERATIONS = 64;
 
     /** From the second set to the first, length 1. */
@@ -36,10 +42,21 @@ public final class GjkDistance {
      * @return whether they are not farther apart than that; if not, normal and distance are those of two parallel planes that part them
      */
     public boolean measure(Convex first, Convex second, double reach) {
-        difference(first, second, 1, 0, 0, p[0], q[0]);
+        return measure(first, second, reach, -1, 0, 0);
+    }
+
+    /**
+     * Measures two sets.
+     *
+     * @param gx direction from the second to the first that is probably the answer, likewise gy and gz
+     */
+    public boolean measure(Convex first, Convex second, double reach, double gx, double gy, double gz) {
+        difference(first, second, -gx, -gy, -gz, p[0], q[0]);
         size = 1;
         share[0] = 1;
         double length = approach();
+        double proved = Double.NEGATIVE_INFINITY;
+        double exact = Math.max(EXACT, EXACT_SHARE * length);
         for (int iteration = 0; iteration < ITERATIONS && length > PRECISION; iteration++) {
             difference(first, second, -v[0], -v[1], -v[2], p[size], q[size]);
             double lower = dot(v, p[size]) / length;
@@ -50,7 +67,13 @@ public final class GjkDistance {
                 distance = lower;
                 return false;
             }
-            if (length - lower <= PRECISION || isKnown()) {
+            if (lower > proved) {
+                proved = lower;
+                nx = v[0] / length;
+                ny = v[1] / length;
+                nz = v[2] / length;
+            }
+            if (length - lower <= exact || isKnown()) {
                 break;
             }
             size++;
@@ -66,18 +89,59 @@ public final class GjkDistance {
                 break;
             }
         }
-        if (length > PRECISION) {
-            separated(length);
+        if (length > PRECISION || proved > PRECISION) {
+            separated(length, proved);
             return distance <= reach;
         }
         return epa.measure(first, second, p, q, size, this);
     }
 
-    private void separated(double length) {
-        nx = v[0] / length;
-        ny = v[1] / length;
-        nz = v[2] / length;
-        distance = length;
+    /**
+     * Puts the distance of the surfaces in the place of that of the cores that were measured.
+     *
+     * @param first set
+     * @param second set
+     * @param skin how much nearer its surface is than the second core, metres
+     */
+    public void addSkins(Convex first, Convex second, double skin) {
+        first.support(-nx, -ny, -nz, a);
+        double upper = nx * a[0] + ny * a[1] + nz * a[2];
+        second.support(nx, ny, nz, a);
+        distance = upper - nx * a[0] - ny * a[1] - nz * a[2];
+        onB[0] += skin * nx;
+        onB[1] += skin * ny;
+        onB[2] += skin * nz;
+    }
+
+    /**
+     * Puts another direction in the place of that found if it parts the sets nearly as far.
+     *
+     * @param first set
+     * @param second set
+     * @param direction from the second to the first, length 1
+     * @param less by how much less far it may part them, metres
+     */
+    public void keep(Convex first, Convex second, double[] direction, double less) {
+        first.support(-direction[0], -direction[1], -direction[2], a);
+        double parts = dot(direction, a);
+        second.support(direction[0], direction[1], direction[2], a);
+        parts -= dot(direction, a);
+        if (parts > distance - less) {
+            nx = direction[0];
+            ny = direction[1];
+            nz = direction[2];
+            distance = parts;
+        }
+    }
+
+    private void separated(double length, double proved) {
+        distance = proved;
+        if (Math.abs(length - proved) < UNPROVED) {
+            nx = v[0] / length;
+            ny = v[1] / length;
+            nz = v[2] / length;
+            distance = length;
+        }
         for (int axis = 0; axis < 3; axis++) {
             onB[axis] = 0;
             for (int i = 0; i < size; i++) {

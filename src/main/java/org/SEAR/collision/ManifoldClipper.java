@@ -20,6 +20,12 @@ public final class ManifoldClipper {
     public final ContactFeature ofA = new ContactFeature();
     public final ContactFeature ofB = new ContactFeature();
     private final int[] chosen = new int[CORNERS];
+    private double reach = BREAKING;
+
+    /** @param metres how far apart two points may be */
+    public void setReach(double metres) {
+        reach = metres;
+    }
 
     /**
      * Adds the points of contact.
@@ -63,7 +69,7 @@ public final class ManifoldClipper {
     /** The lowest corner, the one farthest from it, and those farthest from their line to either side. */
     private int choose(ContactFeature reference, ContactFeature incident) {
         int lowest = -1;
-        double least = BREAKING;
+        double least = reach;
         for (int i = 0; i < incident.count; i++) {
             double height = reference.height(incident.x(i), incident.y(i), incident.z(i));
             if (height < least) {
@@ -81,7 +87,7 @@ public final class ManifoldClipper {
         for (int i = 0; i < incident.count; i++) {
             double distance = square(incident.x(i) - incident.x(lowest)) + square(incident.y(i) - incident.y(lowest))
                 + square(incident.z(i) - incident.z(lowest));
-            if (distance > most && reference.height(incident.x(i), incident.y(i), incident.z(i)) < BREAKING) {
+            if (distance > most && reference.height(incident.x(i), incident.y(i), incident.z(i)) < reach) {
                 most = distance;
                 far = i;
             }
@@ -95,7 +101,7 @@ public final class ManifoldClipper {
             most = 0;
             for (int i = 0; i < incident.count; i++) {
                 double area = side * area(reference, incident, lowest, far, i);
-                if (area > most + SKIN * SKIN && reference.height(incident.x(i), incident.y(i), incident.z(i)) < BREAKING) {
+                if (area > most + SKIN * SKIN && reference.height(incident.x(i), incident.y(i), incident.z(i)) < reach) {
                     most = area;
                     best = i;
                 }

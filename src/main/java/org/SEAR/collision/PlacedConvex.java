@@ -6,6 +6,7 @@ import org.SEAR.geometry.Placement;
 public final class PlacedConvex implements Convex {
     private ConvexShape shape;
     private final Placement at = new Placement();
+    private final Convex core = this::coreSupport;
 
     /**
      * Takes a shape.
@@ -30,5 +31,16 @@ public final class PlacedConvex implements Convex {
         shape.feature(at.m00 * dx + at.m10 * dy + at.m20 * dz, at.m01 * dx + at.m11 * dy + at.m21 * dz,
             at.m02 * dx + at.m12 * dy + at.m22 * dz, into);
         into.place(at);
+    }
+
+    /** Its core, see {@link ConvexShape#coreSupport}, where it stands. */
+    public Convex core() {
+        return core;
+    }
+
+    private void coreSupport(double dx, double dy, double dz, double[] into) {
+        shape.coreSupport(at.m00 * dx + at.m10 * dy + at.m20 * dz, at.m01 * dx + at.m11 * dy + at.m21 * dz,
+            at.m02 * dx + at.m12 * dy + at.m22 * dz, into);
+        at.transform(into[0], into[1], into[2], into, 0);
     }
 }

@@ -1,37 +1,30 @@
 package org.SEAR.physics;
 
+import com.bulletphysics.collision.dispatch.CollisionFlags;
 import com.bulletphysics.collision.dispatch.CollisionObject;
-import com.bulletphysics.collision.shapes.CollisionShape;
-import com.bulletphysics.collision.shapes.CompoundShape;
-import com.bulletphysics.dynamics.RigidBody;
-import com.bulletphysics.dynamics.RigidBodyConstructionInfo;
 import com.bulletphysics.linearmath.Transform;
 import java.util.List;
 import javax.vecmath.Quat4f;
-import javax.vecmath.Vector3f;
+import org.SEAR.collision.ConvexShape;
 import org.SEAR.geometry.Frame;
 import org.SEAR.geometry.Placement;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.solid.Solid;
 
 /**
- * One thing that can be touched: an environment object or a robot's body. Its frame is that of the object; jbullet's body sits in the centre of
- * mass, (cx, cy, cz) of that frame. Simulation thread.
+ * One thing that can be touched: an environment object or a robot's body. Its frame is that of the object; what the solver moves has its origin in
+ * the centre of mass, (cx, cy, cz) of that frame. Simulation thread.
  */
 public final class Body {
     /** Smallest moment of inertia, as a share of mass times square metre, that a thin body is given so that it can be solved. */
-    private static final float LEAST_INERTIA = 1e-4f;
-
-    /** For how many steps a body has to stay where it is before it may sleep. */
-    private static final int STILL_STEPS = 60;
-    private static final double TURN_PER_METRE = 10;
-    /** More than jbullet's two seconds, after which a slow body falls asleep. */
-    private static final float DEACTIVATED = 10;
+    private static final double LEAST_INERTIA = 1e-4;
 
     public final String name;
     public final double mass;
     /** Its place in the order of the world. */
     int number;
+    /** Over how many bodies it stands on something fixed, as the solver counts. */
+    int level;
     public final List<Solid> solids;
     /** Where each solid stands in the body's frame. */
     public final Pose[] places;
@@ -39,27 +32,33 @@ public final class Body {
     private final double cx;
     private final double cy;
     private final double cz;
-    private final CollisionShape collision;
+    private final PlacedSolid[] placed;
+    private long placedAt = -1;
+    private int shapeVersion;
     private double leastReach;
+    private double reach;
+    private double leastHalf;
     private boolean robot;
-    private ApproachConstraints approach;
     private boolean driven;
-    private Pose anchor;
-    private int still;
+    private boolean carried;
+    private boolean touching;
+    private int group;
+    private int contacts;
+    private boolean rolls;
+    private final double[] room = new double[6];
+    private Symmetry symmetry = Symmetry.NONE;
     /** Where it starts. */
     private Pose start;
     private Pose pose;
-    private RigidBody rigid;
-    private final Transform home = new Transform();
-    private Motion motion;
-    private RollingResistance rolling;
+    private final CollisionObject rigid = new CollisionObject();
+    private final SolverBody solver = new SolverBody();
+    private final Stillness rest = new Stillness();
     private final Frame frame = new Frame();
-    private final Transform transform = new Transform();
-    private final Quat4f rotation = new Quat4f();
-    private final Vector3f low = new Vector3f();
-    private final Vector3f high = new Vector3f();
-    private final Vector3f position = new Vector3f();
-    private final Vector3f axis = new Vector3f();
+
+    /** About which axes it looks the same however it is turned. */
+    private enum Symmetry {
+        NONE, ABOUT_Y, BALL
+    }
 
     /**
      * @param mass kg, 0 = fixed
@@ -75,50 +74,14 @@ public final class Body {
         this.cz = centre[2];
         this.start = start;
         this.pose = start;
-        this.collision = makeShape();
-    }
-
-    private CollisionShape makeShape() {
-        if (solids.size() == 1 && isAtCentre(places[0])) {
-            return solids.get(0).collision(mass > 0);
+        placed = new PlacedSolid[places.length];
+        for (int i = 0; i < placed.length; i++) {
+            placed[i] = new PlacedSolid(solids.get(i), solids.get(i).collision(mass > 0), mass > 0);
         }
-        CompoundShape compound = new CompoundShape();
-        for (int i = 0; i < places.length; i++) {
-            Transform child = new Transform();
-            centred(places[i], child);
-            compound.addChildShape(child, solids.get(i).collision(mass > 0));
+        if (solids.size() == 1 && mass > 0 && places[0].qw == 1) {
+            ConvexShape shape = solids.get(0).convex();
+            symmetry = shape.isBall() ? Symmetry.BALL : shape.isTurned() ? Symmetry.ABOUT_Y : Symmetry.NONE;
         }
-        return compound;
-    }
-
-    /** Whether its solids are children of one shape; else its only solid is where its centre of mass is. */
-    boolean isCompound() {
-        return collision instanceof CompoundShape;
-    }
-
-    private boolean isAtCentre(Pose place) {
-        return place.x == cx && place.y == cy && place.z == cz && place.qw == 1;
-    }
-
-    static void toTransform(Pose pose, Transform to) {
-        to.setRotation(new Quat4f((float) pose.qx, (float) pose.qy, (float) pose.qz, (float) pose.qw));
-        to.origin.set((float) pose.x, (float) pose.y, (float) pose.z);
-    }
-
-    /** Copies where jbullet has something. */
-    static void toPlacement(Transform from, Placement into) {
-        into.m00 = from.basis.m00;
-        into.m01 = from.basis.m01;
-        into.m02 = from.basis.m02;
-        into.m10 = from.basis.m10;
-        into.m11 = from.basis.m11;
-        into.m12 = from.basis.m12;
-        into.m20 = from.basis.m20;
-        into.m21 = from.basis.m21;
-        into.m22 = from.basis.m22;
-        into.x = from.origin.x;
-        into.y = from.origin.y;
-        into.z = from.origin.z;
     }
 
     /**
@@ -144,48 +107,73 @@ public final class Body {
         }
     }
 
-    /** A fresh jbullet body at the start pose. */
+    /** Back to the start pose, at rest. */
     void restart() {
         pose = start;
-        anchor = start;
-        still = 0;
-        Vector3f inertia = new Vector3f();
-        if (mass > 0) {
-            if (solids.size() == 1 && places[0].qw == 1) {
-                double[] moments = solids.get(0).convex().inertia();
-                inertia.set((float) (mass * moments[0]), (float) (mass * moments[1]), (float) (mass * moments[2]));
-            } else {
-                collision.calculateLocalInertia((float) mass, inertia);
-            }
-            float least = (float) mass * LEAST_INERTIA;
-            inertia.set(Math.max(inertia.x, least), Math.max(inertia.y, least), Math.max(inertia.z, least));
-        }
-        RigidBodyConstructionInfo info = new RigidBodyConstructionInfo((float) mass, null, collision, inertia);
-        toTransform(centred(start), info.startWorldTransform);
-        rigid = new RigidBody(info);
+        reach = reach();
+        leastHalf = mass > 0 ? solids.stream().mapToDouble(solid -> solid.convex().least()).min().orElse(0) : 0;
+        rolls = !robot && mass > 0 && solids.stream().anyMatch(solid -> solid.convex().isRound());
+        double[] moments = mass > 0 ? moments() : new double[3];
+        double least = mass * LEAST_INERTIA;
+        solver.setMass(mass, Math.max(moments[0], least), Math.max(moments[1], least), Math.max(moments[2], least));
+        put(start);
+        rigid.setCollisionShape(placed[0].getShape());
         rigid.setUserPointer(this);
-        home.set(info.startWorldTransform);
-        motion = mass > 0 ? new Motion(rigid, reach(), getRestitution() > 0) : null;
-        rolling = mass > 0 && canRoll() ? new RollingResistance(rigid) : null;
-        rigid.setActivationState(mass > 0 ? CollisionObject.ACTIVE_TAG : CollisionObject.ISLAND_SLEEPING);
+        rigid.setCollisionFlags(mass > 0 ? 0 : CollisionFlags.STATIC_OBJECT);
+        carried = false;
+        group = 0;
+        rigid.forceActivationState(mass > 0 ? CollisionObject.ACTIVE_TAG : CollisionObject.ISLAND_SLEEPING);
+    }
+
+    private void put(Pose at) {
+        double[] centre = at.transform(cx, cy, cz);
+        solver.put(centre[0], centre[1], centre[2], at);
+        rest.begin(solver);
+        touching = false;
+        Transform transform = new Transform();
+        transform.setRotation(new Quat4f((float) at.qx, (float) at.qy, (float) at.qz, (float) at.qw));
+        transform.origin.set((float) centre[0], (float) centre[1], (float) centre[2]);
+        rigid.setWorldTransform(transform);
+    }
+
+    /** About the axes through its centre of mass, kg m^2: of one solid its own, of several those of the box around them. */
+    private double[] moments() {
+        if (solids.size() == 1 && places[0].qw == 1) {
+            double[] each = solids.get(0).convex().inertia();
+            return new double[] {mass * each[0], mass * each[1], mass * each[2]};
+        }
+        double[] half = new double[3];
+        double[] low = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE};
+        double[] high = {-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
+        for (int i = 0; i < placed.length; i++) {
+            set(places[i], placed[i].place);
+            placed[i].bound();
+            for (int axis = 0; axis < 3; axis++) {
+                low[axis] = Math.min(low[axis], placed[i].box[axis]);
+                high[axis] = Math.max(high[axis], placed[i].box[axis + 3]);
+            }
+        }
+        placedAt = -1;
+        for (int axis = 0; axis < 3; axis++) {
+            half[axis] = (high[axis] - low[axis]) / 2;
+        }
+        return new double[] {mass / 3 * (half[1] * half[1] + half[2] * half[2]), mass / 3 * (half[0] * half[0] + half[2] * half[2]),
+            mass / 3 * (half[0] * half[0] + half[1] * half[1])};
+    }
+
+    private static void set(Pose pose, Placement into) {
+        into.setRotation(pose.qx, pose.qy, pose.qz, pose.qw);
+        into.x = pose.x;
+        into.y = pose.y;
+        into.z = pose.z;
     }
 
     /** Puts it elsewhere at once, at rest, and says where the next start of the world finds it. */
     void moveTo(Pose newStart, Pose to) {
         start = newStart;
         pose = to;
-        anchor = to;
-        still = 0;
-        toTransform(centred(to), home);
-        rigid.setCenterOfMassTransform(home);
-        rigid.setInterpolationWorldTransform(home);
+        put(to);
         if (mass > 0) {
-            low.set(0, 0, 0);
-            rigid.setLinearVelocity(low);
-            rigid.setAngularVelocity(low);
-            rigid.clearForces();
-            rigid.setSleepingThresholds(0, 0);
-            rigid.setDeactivationTime(0);
             rigid.forceActivationState(CollisionObject.ACTIVE_TAG);
         }
     }
@@ -196,31 +184,44 @@ public final class Body {
     }
 
     /**
-     * Moves one of its solids in its own frame. A body of a single solid that stands in its centre of mass goes on to collide as before.
+     * Moves one of its solids in its own frame.
      *
      * @param solid its number
      */
     public void setPlace(int solid, Pose place) {
         places[solid] = place;
-        if (isCompound()) {
-            CompoundShape compound = (CompoundShape) collision;
-            centred(place, compound.getChildList().getQuick(solid).transform);
-            compound.recalculateLocalAabb();
-        }
+        shapeVersion++;
+        placedAt = -1;
     }
 
-    /** Where a solid is seen from the centre of mass. */
-    private void centred(Pose place, Transform child) {
-        toTransform(place, child);
-        child.origin.x -= (float) cx;
-        child.origin.y -= (float) cy;
-        child.origin.z -= (float) cz;
+    /** Grows when its solids move in it. */
+    int getShapeVersion() {
+        return shapeVersion;
+    }
+
+    /** Its solids where they stand now. */
+    PlacedSolid[] place() {
+        if (placedAt == solver.getMoves()) {
+            return placed;
+        }
+        placedAt = solver.getMoves();
+        Placement at = solver.place;
+        for (int i = 0; i < placed.length; i++) {
+            Placement into = placed[i].place;
+            set(places[i], into);
+            into.x -= cx;
+            into.y -= cy;
+            into.z -= cz;
+            into.within(at);
+            placed[i].bound();
+        }
+        return placed;
     }
 
     /** Distance of its farthest point from its centre of mass, metres, or more. */
     private double reach() {
         double farthest = leastReach;
-        for (int i = 0; i < places.length; i++) {
+        for (int i = 0; i < places.length && mass > 0; i++) {
             double off = Math.sqrt((places[i].x - cx) * (places[i].x - cx) + (places[i].y - cy) * (places[i].y - cy)
                 + (places[i].z - cz) * (places[i].z - cz));
             farthest = Math.max(farthest, off + solids.get(i).convex().radius());
@@ -228,92 +229,133 @@ public final class Body {
         return farthest;
     }
 
-    private boolean canRoll() {
-        return !robot && solids.stream().anyMatch(solid -> solid.convex().isRound());
+    /** Distance of its farthest point from its centre of mass, metres. */
+    double getReach() {
+        return reach;
     }
 
-    /** The greatest of its solids' restitutions. */
-    private double getRestitution() {
-        return solids.stream().mapToDouble(solid -> solid.getSurface().restitution()).max().orElse(0);
+    /** Half of the least size of its solids, metres. */
+    double getLeast() {
+        return leastHalf;
     }
 
-    /** The axis about which it can turn without looking different, in the world; null if there is none. */
-    Vector3f turningAxis() {
-        if (solids.size() != 1 || !solids.get(0).convex().isTurned() || places[0].qw != 1) {
-            return null;
+    /** Whether rolling friction brakes it: robots roll on wheels. */
+    boolean canRoll() {
+        return rolls;
+    }
+
+    /** How fast the surface of it moves by turning, at most, m/s; what turns about the axis of its own symmetry does not. */
+    double turningSpeed() {
+        double[] v = solver.v;
+        double square = v[3] * v[3] + v[4] * v[4] + v[5] * v[5];
+        if (square == 0 || symmetry == Symmetry.BALL) {
+            return 0;
         }
-        rigid.getCenterOfMassTransform(transform);
-        axis.set(transform.basis.m01, transform.basis.m11, transform.basis.m21);
-        return axis;
-    }
-
-    /** Where its centre of mass is when a step begins. jbullet itself shows the place of one solid while it looks at the contacts of several. */
-    Transform getPlace() {
-        return motion == null ? home : motion.start();
-    }
-
-    /** How it moves within a step; null if it never does. */
-    Motion getMotion() {
-        return motion;
-    }
-
-    /** What brakes it when it rolls; null for what can't roll. */
-    RollingResistance getRolling() {
-        return rolling;
-    }
-
-    private Pose centred(Pose frame) {
-        double[] centre = frame.transform(cx, cy, cz);
-        return new Pose(centre[0], centre[1], centre[2], frame.qx, frame.qy, frame.qz, frame.qw);
-    }
-
-    /** Takes over where jbullet has moved it. */
-    void follow() {
-        rigid.getCenterOfMassTransform(transform);
-        Turning.quaternion(transform.basis, rotation);
-        double length = Math.sqrt((double) rotation.x * rotation.x + (double) rotation.y * rotation.y + (double) rotation.z * rotation.z
-            + (double) rotation.w * rotation.w);
-        double qx = rotation.x / length;
-        double qy = rotation.y / length;
-        double qz = rotation.z / length;
-        double qw = rotation.w / length;
-        double tx = 2 * (qy * cz - qz * cy);
-        double ty = 2 * (qz * cx - qx * cz);
-        double tz = 2 * (qx * cy - qy * cx);
-        pose = new Pose(transform.origin.x - (cx + qw * tx + qy * tz - qz * ty), transform.origin.y - (cy + qw * ty + qz * tx - qx * tz),
-            transform.origin.z - (cz + qw * tz + qx * ty - qy * tx), qx, qy, qz, qw);
+        if (symmetry == Symmetry.ABOUT_Y) {
+            Placement at = solver.place;
+            double about = v[3] * at.m01 + v[4] * at.m11 + v[5] * at.m21;
+            square = Math.max(0, square - about * about);
+        }
+        return Math.sqrt(square) * reach;
     }
 
     /**
-     * Lets jbullet put the body to sleep when it has stayed within a band for a while; measured on poses, because the speeds of a body at rest
-     * tremble more than slow bodies move.
+     * Whether a point of its surface is a corner, which turns with it.
      *
-     * @param band metres, and radians times ten
+     * @param at in the frame of its centre of mass, metres
      */
-    void rest(double band, boolean mayRest) {
-        double dx = pose.x - anchor.x;
-        double dy = pose.y - anchor.y;
-        double dz = pose.z - anchor.z;
-        double cosine = Math.abs(pose.qx * anchor.qx + pose.qy * anchor.qy + pose.qz * anchor.qz + pose.qw * anchor.qw);
-        if (!mayRest || dx * dx + dy * dy + dz * dz > band * band || cosine < Math.cos(TURN_PER_METRE * band / 2)) {
-            anchor = pose;
-            still = 0;
-            rigid.setSleepingThresholds(0, 0);
-        } else if (++still == STILL_STEPS) {
-            rigid.setSleepingThresholds(Float.MAX_VALUE, Float.MAX_VALUE);
-            rigid.setDeactivationTime(DEACTIVATED);
+    boolean isCorner(int solid, double[] at) {
+        Pose place = places[solid];
+        double[] own = place.rotateBack(at[0] + cx - place.x, at[1] + cy - place.y, at[2] + cz - place.z);
+        return solids.get(solid).convex().isCorner(own[0], own[1], own[2]);
+    }
+
+    /** A new search for contacts begins. */
+    void clearContacts() {
+        contacts = 0;
+    }
+
+    /**
+     * Counts one that it may touch.
+     *
+     * @return how many there are; 0 for what is fixed
+     */
+    int countContact() {
+        return mass > 0 ? ++contacts : 0;
+    }
+
+    /** Whether it rolls about its y axis alone: over its rims it tips. */
+    boolean isRoundAboutAxis() {
+        return symmetry == Symmetry.ABOUT_Y && solids.get(0).convex().isRimmed();
+    }
+
+    /** Whether it looks the same however it is turned. */
+    boolean isBall() {
+        return symmetry == Symmetry.BALL;
+    }
+
+    /** Whether it collides by triangles. */
+    boolean isMesh() {
+        return placed[0].isMesh();
+    }
+
+    /** How it moves. */
+    SolverBody getSolver() {
+        return solver;
+    }
+
+    /** Takes over where the solver has moved it. */
+    void follow() {
+        Spin spin = solver.spin();
+        double qx = spin.qx();
+        double qy = spin.qy();
+        double qz = spin.qz();
+        double qw = spin.qw();
+        double tx = 2 * (qy * cz - qz * cy);
+        double ty = 2 * (qz * cx - qx * cz);
+        double tz = 2 * (qx * cy - qy * cx);
+        pose = new Pose(solver.place.x - (cx + qw * tx + qy * tz - qz * ty), solver.place.y - (cy + qw * ty + qz * tx - qx * tz),
+            solver.place.z - (cz + qw * tz + qx * ty - qy * tx), qx, qy, qz, qw);
+    }
+
+    /** Whether it may sleep, see {@link Stillness}. */
+    Stillness getStillness() {
+        return rest;
+    }
+
+    /** The box around it in the world. */
+    void bounds(double[] into) {
+        place();
+        System.arraycopy(placed[0].box, 0, into, 0, 6);
+        for (int i = 1; i < placed.length; i++) {
+            for (int axis = 0; axis < 3; axis++) {
+                into[axis] = Math.min(into[axis], placed[i].box[axis]);
+                into[axis + 3] = Math.max(into[axis + 3], placed[i].box[axis + 3]);
+            }
         }
     }
 
-    /** The box around it in the world, margin included. */
-    void bounds(double[] into) {
-        rigid.getAabb(low, high);
-        into[0] = low.x;
-        into[1] = low.y;
-        into[2] = low.z;
-        into[3] = high.x;
-        into[4] = high.y;
-        into[5] = high.z;
+    /** The box that the broad phase knows of it, without its margin. */
+    double[] getRoom() {
+        return room;
+    }
+
+    /** Whether a box lies in that. */
+    boolean isWithin(double[] box) {
+        return box[0] >= room[0] && box[1] >= room[1] && box[2] >= room[2] && box[3] <= room[3] && box[4] <= room[4] && box[5] <= room[5];
+    }
+
+    /** Widens a box around it by where it may go in a while. */
+    void widen(double[] box, double seconds) {
+        if (isFixed() || !isActive()) {
+            return;
+        }
+        double turn = turningSpeed() * seconds;
+        for (int axis = 0; axis < 3; axis++) {
+            double way = solver.v[axis] * seconds;
+            box[axis] += Math.min(0, way) - turn;
+            box[axis + 3] += Math.max(0, way) + turn;
+        }
     }
 
     /**
@@ -322,15 +364,13 @@ public final class Body {
      * @param into takes {x, y, z}
      */
     public void velocityAt(double x, double y, double z, double[] into) {
-        rigid.getCenterOfMassPosition(low);
-        double rx = x - low.x;
-        double ry = y - low.y;
-        double rz = z - low.z;
-        rigid.getLinearVelocity(low);
-        rigid.getAngularVelocity(high);
-        into[0] = low.x + high.y * rz - high.z * ry;
-        into[1] = low.y + high.z * rx - high.x * rz;
-        into[2] = low.z + high.x * ry - high.y * rx;
+        double[] v = solver.v;
+        double rx = x - solver.place.x;
+        double ry = y - solver.place.y;
+        double rz = z - solver.place.z;
+        into[0] = v[0] + v[4] * rz - v[5] * ry;
+        into[1] = v[1] + v[5] * rx - v[3] * rz;
+        into[2] = v[2] + v[3] * ry - v[4] * rx;
     }
 
     /**
@@ -339,48 +379,12 @@ public final class Body {
      * @param into takes {x, y, z}
      */
     public void angularVelocity(double[] into) {
-        rigid.getAngularVelocity(high);
-        into[0] = high.x;
-        into[1] = high.y;
-        into[2] = high.z;
+        System.arraycopy(solver.v, 3, into, 0, 3);
     }
 
     /** Says that it is a robot's body: nothing brakes it but its wheels. */
     public void setRobot() {
         robot = true;
-        approach = new ApproachConstraints();
-    }
-
-    /**
-     * Says that something stands near a robot's body.
-     *
-     * @param nx from there to the body, world frame
-     * @param x of its surface
-     * @param gap metres
-     */
-    void near(Body other, double nx, double ny, double nz, double x, double y, double z, double gap) {
-        if (approach != null) {
-            approach.add(other, nx, ny, nz, x, y, z, gap);
-        }
-    }
-
-    /** Forgets what stands near a robot's body; each step finds it anew. */
-    public void forgetObstacles() {
-        approach.clear();
-    }
-
-    /** Gives what stood near a robot's body, where it can move, what it took to stop before it. */
-    public void pushObstacles(double[] impulse, double[] at) {
-        for (int i = 0; i < approach.size(); i++) {
-            if (approach.reaction(i, impulse, at)) {
-                approach.body(i).push(impulse, at);
-            }
-        }
-    }
-
-    /** What keeps a robot's body from entering what it comes near to; null if this is none. */
-    ApproachConstraints getApproach() {
-        return approach;
     }
 
     /**
@@ -390,10 +394,24 @@ public final class Body {
      * @param at the point of the body where it acts, world frame
      */
     public void push(double[] impulse, double[] at) {
-        rigid.getCenterOfMassPosition(position);
-        low.set((float) impulse[0], (float) impulse[1], (float) impulse[2]);
-        high.set((float) (at[0] - position.x), (float) (at[1] - position.y), (float) (at[2] - position.z));
-        rigid.applyImpulse(low, high);
+        solver.push(impulse[0], impulse[1], impulse[2], at[0] - solver.place.x, at[1] - solver.place.y, at[2] - solver.place.z);
+    }
+
+    /** Gives it these velocities at once and wakes it: of its centre of mass, m/s, and of its turning, rad/s, world frame. */
+    public void setVelocities(double vx, double vy, double vz, double wx, double wy, double wz) {
+        double[] v = solver.v;
+        v[0] = vx;
+        v[1] = vy;
+        v[2] = vz;
+        v[3] = wx;
+        v[4] = wy;
+        v[5] = wz;
+        wake();
+    }
+
+    /** A force in its centre of mass for the next step, N, world frame; it adds to others of the step. */
+    public void pull(double x, double y, double z) {
+        solver.pull(x, y, z);
     }
 
     /**
@@ -402,24 +420,25 @@ public final class Body {
      * @param v takes {vx, vy, vz, wx, wy, wz}, m/s and rad/s
      */
     public void velocities(double[] v) {
-        rigid.getLinearVelocity(low);
-        rigid.getAngularVelocity(high);
-        v[0] = low.x;
-        v[1] = low.y;
-        v[2] = low.z;
-        v[3] = high.x;
-        v[4] = high.y;
-        v[5] = high.z;
+        System.arraycopy(solver.v, 0, v, 0, v.length);
     }
 
-    /** Whether a robot's body touched nothing, and came near nothing, in the last step. */
+    /** Whether it touched nothing, and came near nothing, in the last step. */
     public boolean isFree() {
-        return approach.size() == 0 && !motion.isTouching();
+        return !touching;
+    }
+
+    void setTouching(boolean on) {
+        touching = on;
     }
 
     /** Says whether wheels on the ground carry it. */
     public void setCarried(boolean on) {
-        motion.setCarried(on);
+        carried = on;
+    }
+
+    boolean isCarried() {
+        return carried;
     }
 
     /** Whether it does not sleep. */
@@ -427,20 +446,48 @@ public final class Body {
         return rigid.isActive();
     }
 
+    /** Whether contacts and gravity move it in this step. */
+    boolean isSolved() {
+        return mass > 0 && rigid.isActive();
+    }
+
     /** Takes it out of the physics until the world starts anew; it stays where it is. */
     public void stop() {
-        rigid.setActivationState(CollisionObject.DISABLE_SIMULATION);
+        rigid.forceActivationState(CollisionObject.DISABLE_SIMULATION);
     }
 
     /** The height of its lowest point, world frame, metres. */
     public double lowest() {
-        rigid.getAabb(low, high);
-        return low.y;
+        double least = Double.POSITIVE_INFINITY;
+        for (PlacedSolid one : place()) {
+            least = Math.min(least, one.box[1]);
+        }
+        return least;
     }
 
     /** Ends its sleep. */
     public void wake() {
-        rigid.activate();
+        if (mass > 0 && rigid.getActivationState() == CollisionObject.ISLAND_SLEEPING) {
+            rigid.forceActivationState(CollisionObject.ACTIVE_TAG);
+            rest.begin(solver);
+        }
+    }
+
+    /** Whether it can move but sleeps. */
+    boolean canWake() {
+        return mass > 0 && rigid.getActivationState() == CollisionObject.ISLAND_SLEEPING;
+    }
+
+    /** Who fell asleep together has the same number; 0 before the first time. */
+    int getGroup() {
+        return group;
+    }
+
+    /** Puts it to sleep, with others. */
+    void sleep(int newGroup) {
+        group = newGroup;
+        solver.halt();
+        rigid.forceActivationState(CollisionObject.ISLAND_SLEEPING);
     }
 
     /** Whether the robot's motors turn: then it does not sleep. */
@@ -448,7 +495,8 @@ public final class Body {
         driven = on;
     }
 
-    boolean isRobot() {
+    /** Whether it is that of a robot. */
+    public boolean isRobot() {
         return robot;
     }
 
@@ -469,12 +517,13 @@ public final class Body {
         return start;
     }
 
-    void setStart(Pose newStart) {
+    /** Says where it starts. Before the world starts. */
+    public void setStart(Pose newStart) {
         start = newStart;
         pose = newStart;
     }
 
-    RigidBody getRigid() {
+    CollisionObject getRigid() {
         return rigid;
     }
 

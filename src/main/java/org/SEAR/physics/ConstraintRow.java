@@ -1,7 +1,5 @@
 package org.SEAR.physics;
 
-import javax.vecmath.Matrix3f;
-
 /**
  * One direction in which an impulse acts on a rigid body at a point: a row of the constraint matrix. Velocities are {vx, vy, vz, wx, wy, wz} of the
  * centre of mass, world frame. Simulation thread.
@@ -29,19 +27,18 @@ public final class ConstraintRow {
      * @param x where the impulse acts, metres, likewise y and z; all in the world frame
      */
     public void set(double dx, double dy, double dz, double x, double y, double z, SolverBody body) {
-        double rx = x - body.centre[0];
-        double ry = y - body.centre[1];
-        double rz = z - body.centre[2];
-        Matrix3f inverseInertia = body.inverseInertia;
+        double rx = x - body.place.x;
+        double ry = y - body.place.y;
+        double rz = z - body.place.z;
         lx = dx;
         ly = dy;
         lz = dz;
         ax = ry * dz - rz * dy;
         ay = rz * dx - rx * dz;
         az = rx * dy - ry * dx;
-        ix = inverseInertia.m00 * ax + inverseInertia.m01 * ay + inverseInertia.m02 * az;
-        iy = inverseInertia.m10 * ax + inverseInertia.m11 * ay + inverseInertia.m12 * az;
-        iz = inverseInertia.m20 * ax + inverseInertia.m21 * ay + inverseInertia.m22 * az;
+        ix = body.i00 * ax + body.i01 * ay + body.i02 * az;
+        iy = body.i01 * ax + body.i11 * ay + body.i12 * az;
+        iz = body.i02 * ax + body.i12 * ay + body.i22 * az;
         inverseMass = body.inverseMass;
         mobility = inverseMass + ax * ix + ay * iy + az * iz;
     }

@@ -1,58 +1,287 @@
 package org.SEAR.physics;
 
-import com.bulletphysics.collision.broadphase.Dispatcher;
-import com.bulletphysics.collision.dispatch.CollisionObject;
-import com.bulletphysics.collision.narrowphase.PersistentManifold;
-import com.bulletphysics.dynamics.constraintsolver.ContactSolverInfo;
-import com.bulletphysics.dynamics.constraintsolver.SequentialImpulseConstraintSolver;
-import com.bulletphysics.dynamics.constraintsolver.TypedConstraint;
-import com.bulletphysics.linearmath.IDebugDraw;
-import com.bulletphysics.util.ObjectArrayList;
+import java.util.ArrayList;
+import java.util.List;
 
-/** jbullet's solver, with as many iterations as the bodies that hang together need. Simulation thread. */
-final class IslandSolver extends SequentialImpulseConstraintSolver {
-    /** A body that touches nothing that moves: its few contacts need not pass impulses on. */
-    private static final int ITERATIONS_ALONE = 10;
-    /** A few bodies. */
-    private static final int ITERATIONS_TOGETHER = 40;
-    /** For each body of a tall stack: a stack of 40 boxes stands. */
-    private static final int ITERATIONS_EACH = 5;
-    /** Iterations times bodies; a heap of more bodies is no tower. */
-    private static final int MOST_WORK = 20_000;
+/**
+ * Moves the bodies of an island, which touch each other or may within the step, through a step. It goes in small substeps: gravity, what pushed
+ * before, one pass over all contacts that also takes penetrations back, the way, and a pass that takes out of the velocities what taking back put in
+ * (Macklin 2019, "Small steps in physics simulation"; Catto 2024, "Solver2D"). Impulses find their way through tall stacks and great ratios of
+ * masses from substep to substep, because each begins with those of the last. Simulation thread.
+ */
+final class IslandSolver {
+    /** Substeps of a step where things touch. */
+    static final int SUBSTEPS = 8;
+    /** Where nothing touches, the wheels of a robot are solved by so many passes. */
+    private static final int PASSES_ALONE = 10;
+    /** Passes over the wheels for each over the contacts. */
+    private static final int WHEEL_PASSES = 3;
+    /** Ratio of the masses of bodies that touch each other up to which the usual substeps do; beyond it they grow with its root. */
+    private static final double RATIO = 12;
+    private static final int MOST_SUBSTEPS = 128;
+    /** What turns faster than by this in a substep gets more of them, radians. */
+    private static final double MOST_TURN = 0.015;
+    /** Bodies of an island for which that is paid. */
+    private static final int FEW = 4;
+    /** Points times substeps of a step, beyond which there are fewer substeps, but no fewer than {@link #LEAST_SUBSTEPS}. */
+    private static final int MOST_WORK = 200_000;
+    /** Passes in a substep for each body of the highest stack: what carries must hear of what is on top of it. */
+    private static final double PASSES_EACH = 0.3;
+    /** Passes in a substep for a ratio of masses of 1: what is heavy on what is light is stopped by little and little. */
+    private static final double PASSES_RATIO = 0.1;
+    /** Points times substeps times passes, beyond which there are fewer passes. */
+    private static final int MOST_PASSES_WORK = 240_000;
+    private static final int LEAST_SUBSTEPS = 4;
+    /** What is left of a step, as a share of a substep, that is no substep of its own. */
+    private static final double REST = 1e-6;
 
-    private long iterations;
+    private List<Body> bodies;
+    private List<PairContacts> pairs;
+    private List<WheelDrive> drives;
+    private final List<Manifold> manifolds = new ArrayList<>();
+    private final Impacts impacts = new Impacts();
+    private final double gravity;
+    private long passes;
+    private int rounds;
 
-    /** Called for each group of moving bodies that touch each other; what is fixed does not count among them. */
-    @Override
-    public float solveGroup(ObjectArrayList<CollisionObject> bodies, int bodyCount, ObjectArrayList<PersistentManifold> manifolds,
-            int firstManifold, int manifoldCount, ObjectArrayList<TypedConstraint> constraints, int firstConstraint, int constraintCount,
-            ContactSolverInfo info, IDebugDraw drawer, Dispatcher dispatcher) {
-        info.numIterations = bodyCount == 1 && !bounces(manifolds, firstManifold, manifoldCount) ? ITERATIONS_ALONE : iterations(bodyCount);
-        iterations += manifoldCount + constraintCount > 0 ? info.numIterations : 0;
-        return super.solveGroup(bodies, bodyCount, manifolds, firstManifold, manifoldCount, constraints, firstConstraint, constraintCount, info,
-            drawer, dispatcher);
+    /** The wheels of a robot. */
+    static final class WheelDrive {
+        final Body body;
+        final PhysicsWorld.Drive drive;
+
+        WheelDrive(Body body, PhysicsWorld.Drive drive) {
+            this.body = body;
+            this.drive = drive;
+        }
     }
 
-    /** The more bodies carry each other, the more iterations, as long as that can be paid for. */
-    private static int iterations(int bodies) {
-        return Math.max(ITERATIONS_TOGETHER, Math.min(ITERATIONS_EACH * bodies, MOST_WORK / bodies));
+    /** @param gravity m/s^2 downwards */
+    IslandSolver(double gravity) {
+        this.gravity = gravity;
     }
 
-    /** Whether something is thrown back: all points of a face have to agree how fast, or it would tumble. */
-    private static boolean bounces(ObjectArrayList<PersistentManifold> manifolds, int first, int count) {
-        for (int i = first; i < first + count; i++) {
-            PersistentManifold manifold = manifolds.getQuick(i);
-            for (int k = 0; k < manifold.getNumContacts(); k++) {
-                if (manifold.getContactPoint(k).combinedRestitution > 0) {
-                    return true;
-                }
+    /** Passes over contacts and wheels so far. */
+    long getPasses() {
+        return passes;
+    }
+
+    /** Moves an island through a step. */
+    void step(Islands.Island island, double seconds) {
+        bodies = island.bodies;
+        pairs = island.pairs;
+        drives = island.drives;
+        if (pairs.isEmpty()) {
+            stepAlone(seconds);
+            return;
+        }
+        collect();
+        double substep = seconds / substeps(seconds);
+        prepare(substep);
+        double left = seconds;
+        impacts.begin();
+        boolean first = true;
+        while (left > REST * substep) {
+            double next = Math.min(substep, left);
+            if (!first) {
+                refresh(next);
+            }
+            first = false;
+            left -= substep(next);
+        }
+        settle();
+    }
+
+    /** Nothing touches: there is nothing to solve but wheels. */
+    private void stepAlone(double seconds) {
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.get(i).getSolver().fall(seconds, gravity);
+        }
+        for (int i = 0; i < drives.size(); i++) {
+            prepare(drives.get(i));
+        }
+        for (int pass = 0; pass < PASSES_ALONE && !drives.isEmpty(); pass++) {
+            passes++;
+            for (int i = 0; i < drives.size(); i++) {
+                drives.get(i).drive.solve(drives.get(i).body.getSolver());
             }
         }
-        return false;
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.get(i).getSolver().advance(gravity);
+        }
     }
 
-    /** Iterations so far, of all groups that touched anything: the work it has done. */
-    long getIterations() {
-        return iterations;
+    private static void prepare(WheelDrive wheels) {
+        wheels.body.getSolver().pressed |= wheels.body.isCarried();
+        wheels.drive.prepare(wheels.body.getSolver());
+    }
+
+    private void collect() {
+        manifolds.clear();
+        for (int i = 0; i < pairs.size(); i++) {
+            PairContacts pair = pairs.get(i);
+            for (int k = 0; k < pair.size(); k++) {
+                Manifold manifold = pair.get(k);
+                manifolds.add(manifold);
+            }
+        }
+    }
+
+    private void prepare(double ahead) {
+        for (int i = 0; i < manifolds.size(); i++) {
+            manifolds.get(i).prepare(ahead);
+        }
+    }
+
+    private int substeps(double seconds) {
+        double lightest = 0;
+        double heaviest = Double.POSITIVE_INFINITY;
+        int points = 0;
+        for (int i = 0; i < manifolds.size(); i++) {
+            Manifold manifold = manifolds.get(i);
+            points += manifold.count;
+            if (manifold.bodyA.isSolved() && manifold.bodyB.isSolved()) {
+                lightest = Math.max(lightest, Math.max(manifold.a.inverseMass, manifold.b.inverseMass));
+                heaviest = Math.min(heaviest, Math.min(manifold.a.inverseMass, manifold.b.inverseMass));
+            }
+        }
+        double ratio = lightest > 0 ? lightest / heaviest : 1;
+        double turning = bodies.size() > FEW ? 0 : fastest() * seconds / MOST_TURN;
+        double wanted = Math.max(SUBSTEPS * Math.sqrt(Math.max(1, ratio / RATIO)), turning);
+        double paid = Math.max(LEAST_SUBSTEPS, MOST_WORK / Math.max(1, points));
+        int substeps = (int) Math.ceil(Math.min(Math.min(wanted, MOST_SUBSTEPS), paid));
+        double needed = Math.max(PASSES_EACH * height(), PASSES_RATIO * ratio);
+        rounds = (int) Math.max(1, Math.min(needed, (double) MOST_PASSES_WORK / Math.max(1, points * substeps)));
+        return substeps;
+    }
+
+    /** How fast what is no ball turns, rad/s. */
+    private double fastest() {
+        double most = 0;
+        for (int i = 0; i < bodies.size(); i++) {
+            double[] v = bodies.get(i).getSolver().v;
+            if (!bodies.get(i).isBall()) {
+                most = Math.max(most, v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
+            }
+        }
+        return Math.sqrt(most);
+    }
+
+    /** Over how many bodies the one that is farthest from all that is fixed stands on that. */
+    private int height() {
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.get(i).level = bodies.size();
+        }
+        int highest = 0;
+        boolean changed = true;
+        while (changed) {
+            changed = false;
+            for (int i = 0; i < pairs.size(); i++) {
+                changed |= lower(pairs.get(i).getA(), pairs.get(i).getB()) | lower(pairs.get(i).getB(), pairs.get(i).getA());
+            }
+        }
+        for (int i = 0; i < bodies.size(); i++) {
+            highest = Math.max(highest, bodies.get(i).level);
+        }
+        return highest;
+    }
+
+    private static boolean lower(Body on, Body under) {
+        int level = under.isSolved() ? under.level + 1 : 1;
+        if (!on.isSolved() || on.level <= level) {
+            return false;
+        }
+        on.level = level;
+        return true;
+    }
+
+    private void refresh(double seconds) {
+        boolean changed = false;
+        for (int i = 0; i < pairs.size(); i++) {
+            changed |= pairs.get(i).refresh(seconds);
+        }
+        if (changed) {
+            manifolds.clear();
+            for (int i = 0; i < pairs.size(); i++) {
+                PairContacts pair = pairs.get(i);
+                for (int k = 0; k < pair.size(); k++) {
+                    if (pair.isFresh()) {
+                        pair.get(k).prepare(seconds);
+                    }
+                    manifolds.add(pair.get(k));
+                }
+                pair.setFresh(false);
+            }
+        }
+    }
+
+    /**
+     * @param seconds that it may take
+     * @return how many it took: it ends where something bounces
+     */
+    private double substep(double seconds) {
+        double taken = impacts.next(manifolds, seconds, gravity);
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.get(i).getSolver().fall(taken, gravity);
+        }
+        for (int i = 0; i < manifolds.size(); i++) {
+            manifolds.get(i).begin(taken);
+        }
+        for (int i = 0; i < drives.size(); i++) {
+            prepare(drives.get(i));
+        }
+        for (int i = 0; i < rounds; i++) {
+            press(i == rounds - 1);
+        }
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.get(i).getSolver().advance(gravity);
+        }
+        for (int i = 0; i < pairs.size(); i++) {
+            pairs.get(i).stopBeforeMesh(taken);
+        }
+        for (int i = 0; i < rounds; i++) {
+            relax(i == 0, i == rounds - 1);
+        }
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.get(i).getSolver().slow();
+            if (!bodies.get(i).isCarried()) {
+                bodies.get(i).getSolver().even();
+            }
+        }
+        for (int i = 0; i < pairs.size(); i++) {
+            pairs.get(i).moved(taken);
+        }
+        return taken;
+    }
+
+    /** A pass that takes penetrations back. */
+    private void press(boolean last) {
+        passes++;
+        solveWheels();
+        for (int i = 0; i < manifolds.size(); i++) {
+            manifolds.get(i).press(last);
+        }
+    }
+
+    /** A pass that takes out of the velocities what the others put in to take penetrations back. */
+    private void relax(boolean first, boolean last) {
+        passes++;
+        solveWheels();
+        for (int i = 0; i < manifolds.size(); i++) {
+            manifolds.get(i).relax(first, last);
+        }
+    }
+
+    private void solveWheels() {
+        for (int k = 0; k < WHEEL_PASSES && !drives.isEmpty(); k++) {
+            for (int i = 0; i < drives.size(); i++) {
+                drives.get(i).drive.solve(drives.get(i).body.getSolver());
+            }
+        }
+    }
+
+    private void settle() {
+        for (int i = 0; i < pairs.size(); i++) {
+            pairs.get(i).settle();
+        }
     }
 }

@@ -1,17 +1,22 @@
 package org.SEAR.physics;
 
+import com.bulletphysics.collision.broadphase.BroadphaseNativeType;
 import com.bulletphysics.collision.broadphase.BroadphasePair;
+import com.bulletphysics.collision.broadphase.BroadphaseProxy;
 import com.bulletphysics.collision.broadphase.Dbvt;
 import com.bulletphysics.collision.broadphase.DbvtAabbMm;
 import com.bulletphysics.collision.broadphase.DbvtBroadphase;
 import com.bulletphysics.collision.broadphase.DbvtProxy;
 import com.bulletphysics.collision.broadphase.Dispatcher;
 import com.bulletphysics.util.ObjectArrayList;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import javax.vecmath.Vector3f;
 
 /**
- * jbullet's search for pairs of bodies that may touch, in the same order and with the same result, but with stacks that are kept: jbullet's own
- * makes two new ones of a kilobyte in each step. Simulation thread.
+ * jbullet's search for pairs of bodies that may touch, but only those are looked for whose boxes have changed, and with stacks that are kept:
+ * jbullet's own makes two new ones of a kilobyte in each step. Simulation thread.
  */
 final class PairSearch extends DbvtBroadphase {
     private static final int PER_CENT = 100;
@@ -19,12 +24,34 @@ final class PairSearch extends DbvtBroadphase {
     private Dbvt.Node[] left = new Dbvt.Node[64];
     private Dbvt.Node[] right = new Dbvt.Node[64];
     private int depth;
+    private final List<DbvtProxy> changed = new ArrayList<>();
+
+    @Override
+    public BroadphaseProxy createProxy(Vector3f low, Vector3f high, BroadphaseNativeType type, Object user, short group, short mask,
+            Dispatcher dispatcher, Object more) {
+        BroadphaseProxy proxy = super.createProxy(low, high, type, user, group, mask, dispatcher, more);
+        changed.add((DbvtProxy) proxy);
+        return proxy;
+    }
+
+    @Override
+    public void setAabb(BroadphaseProxy proxy, Vector3f low, Vector3f high, Dispatcher dispatcher) {
+        super.setAabb(proxy, low, high, dispatcher);
+        changed.add((DbvtProxy) proxy);
+    }
+
+    @Override
+    public void destroyProxy(BroadphaseProxy proxy, Dispatcher dispatcher) {
+        super.destroyProxy(proxy, dispatcher);
+        changed.removeIf(one -> one == proxy);
+    }
 
     @Override
     public void collide(Dispatcher dispatcher) {
         if (stageRoots[(stageCurrent + 1) % STAGECOUNT] != null) {
             // a body came to rest since last time and changes its tree; that is rare
             super.collide(dispatcher);
+            changed.clear();
             return;
         }
         Dbvt moving = sets[DYNAMIC_SET];
@@ -32,9 +59,14 @@ final class PairSearch extends DbvtBroadphase {
         moving.optimizeIncremental(1 + moving.leaves * dupdates / PER_CENT);
         resting.optimizeIncremental(1 + resting.leaves * fupdates / PER_CENT);
         stageCurrent = (stageCurrent + 1) % STAGECOUNT;
-        meet(moving.root, resting.root);
-        meet(moving.root, moving.root);
-        forgetParted(dispatcher);
+        for (int i = 0; i < changed.size(); i++) {
+            meet(changed.get(i).leaf, resting.root);
+            meet(changed.get(i).leaf, moving.root);
+        }
+        if (!changed.isEmpty()) {
+            forgetParted(dispatcher);
+        }
+        changed.clear();
         pid++;
     }
 

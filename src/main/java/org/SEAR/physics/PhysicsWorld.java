@@ -1,14 +1,8 @@
 package org.SEAR.physics;
 
-import com.bulletphysics.collision.dispatch.CollisionDispatcher;
-import com.bulletphysics.collision.dispatch.CollisionObject;
-import com.bulletphysics.collision.narrowphase.ManifoldPoint;
-import com.bulletphysics.collision.narrowphase.PersistentManifold;
-import com.bulletphysics.dynamics.RigidBody;
 import java.util.ArrayList;
 import java.util.List;
 import javax.vecmath.Vector3f;
-import org.SEAR.collision.ManifoldClipper;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 
@@ -27,16 +21,13 @@ public final class PhysicsWorld {
     /** A body closer than this to the end of its zone gets a new one, metres. */
     private static final double EDGE = 0.1;
     /** Where a body is this much later it must still be in its zone, seconds: the way of a step and of the time that a bounce owes. */
-    private static final float SOON = (float) (3 * TimeStep.SECONDS);
-    private static final int NO_ISLAND = -1;
+    private static final double SOON = 3 * TimeStep.SECONDS;
     /** Sleeping bodies this close to each other wake together, metres. */
     private static final double NEIGHBOUR = 0.05;
-    /** An object that stays within this distance for a second falls asleep, metres. */
-    private static final double OBJECT_REST = 6e-3;
-    /** The same for a robot whose motors stand. */
-    private static final double ROBOT_REST = 1e-4;
     /** Surfaces closer than this touch, metres. */
-    private static final float TOUCH = 0.002f;
+    private static final double TOUCH = 0.002;
+    /** What sleeps wakes when something comes as near as this within the step, metres. */
+    private static final double WAKING = 5e-4;
 
     /** Takes the contacts of a step. */
     public interface Touches {
@@ -48,20 +39,23 @@ public final class PhysicsWorld {
         void touch(Body a, int solidOfA, Body b, int solidOfB, Vector3f at, Vector3f normal);
     }
 
-    /** Constraints that a robot's wheels put on its body; jbullet solves them together with the contacts. */
+    /** Constraints that a robot's wheels put on its body; they are solved together with the contacts. */
     public interface Drive {
-        /** Makes the rows of a step; what is known of their impulses may already act (warm starting). */
+        /** Makes the rows of a substep; what is known of their impulses may already act (warm starting). */
         void prepare(SolverBody body);
 
-        /** One iteration: brings the velocities of the body nearer to what the wheels allow. */
+        /** One pass: brings the velocities of the body nearer to what the wheels allow. */
         void solve(SolverBody body);
     }
 
     private final List<Body> bodies = new ArrayList<>();
     private final List<Body> movable = new ArrayList<>();
-    private SweptWorld world;
-    private CollisionDispatcher dispatcher;
+    private final List<IslandSolver.WheelDrive> drives = new ArrayList<>();
+    private final Islands islands = new Islands();
+    private ContactFinder finder;
+    private SteppedWorld world;
     private IslandSolver solver;
+    private int sleepers;
     private double[][] bounds;
     private double[][] zones;
     private boolean[] inside;
@@ -69,7 +63,8 @@ public final class PhysicsWorld {
     private boolean[] wanted;
     private int[] queue;
     private boolean redraw;
-    private final Vector3f velocity = new Vector3f();
+    private final Vector3f at = new Vector3f();
+    private final Vector3f normal = new Vector3f();
     private final double[] beside = new double[6];
 
     /** Adds a body; then {@link #restart}. */
@@ -87,12 +82,11 @@ public final class PhysicsWorld {
 
     /** Everything back to its start, in a new world. */
     public void restart() {
-        ContactConfiguration configuration = new ContactConfiguration();
-        dispatcher = new CollisionDispatcher(configuration);
-        solver = new IslandSolver();
-        world = new SweptWorld(dispatcher, new PairSearch(), solver, configuration, (float) TimeStep.SECONDS, (float) GRAVITY);
-        world.getSolverInfo().splitImpulse = true;
-        world.getSolverInfo().linearSlop = ManifoldClipper.SKIN;
+        finder = new ContactFinder(TimeStep.SECONDS, GRAVITY);
+        world = new SteppedWorld(finder);
+        solver = new IslandSolver(GRAVITY);
+        drives.clear();
+        sleepers = 0;
         int count = bodies.size();
         bounds = new double[count][6];
         zones = new double[count][6];
@@ -103,9 +97,6 @@ public final class PhysicsWorld {
         for (Body body : bodies) {
             body.restart();
             body.bounds(bounds[body.number]);
-            if (body.getRolling() != null) {
-                world.addConstraint(body.getRolling());
-            }
             awake[body.number] = !body.isFixed();
         }
         redraw = true;
@@ -113,7 +104,7 @@ public final class PhysicsWorld {
 
     /** Joins the drive of a robot's body to the new world. */
     public void add(Body body, Drive drive) {
-        world.addConstraint(new DriveConstraint(body, drive));
+        drives.add(new IslandSolver.WheelDrive(body, drive));
     }
 
     /**
@@ -146,11 +137,8 @@ public final class PhysicsWorld {
     }
 
     private void leave(Body body) {
-        RigidBody rigid = body.getRigid();
         inside[body.number] = false;
-        world.removeRigidBody(rigid);
-        rigid.setIslandTag(NO_ISLAND);
-        rigid.setCompanionId(NO_ISLAND);
+        world.remove(body);
     }
 
     /** One step of the world; costs nothing while everything sleeps. */
@@ -161,6 +149,7 @@ public final class PhysicsWorld {
             Body body = movable.get(i);
             if (awake[body.number]) {
                 busy = true;
+                body.getSolver().begin();
                 redraw |= leavesZone(body.number);
             }
         }
@@ -168,48 +157,118 @@ public final class PhysicsWorld {
             drawZones();
         }
         if (busy) {
-            world.stepSimulation((float) TimeStep.SECONDS, 0, (float) TimeStep.SECONDS);
+            findContacts();
+            solve();
         }
         for (int i = 0; i < movable.size(); i++) {
             Body body = movable.get(i);
             if (awake[body.number]) {
+                body.getSolver().end();
                 body.follow();
                 body.bounds(bounds[body.number]);
-                body.rest(body.isRobot() ? ROBOT_REST : OBJECT_REST, !body.isDriven());
             }
         }
         noticeWaking();
+    }
+
+    /** What is about to be hit wakes, and those it sleeps with: then the contacts among them are looked for, too. */
+    private void findContacts() {
+        boolean complete = false;
+        while (!complete) {
+            finder.clear();
+            for (int i = 0; i < movable.size(); i++) {
+                movable.get(i).clearContacts();
+            }
+            world.performDiscreteCollisionDetection();
+            complete = true;
+            for (int i = 0; i < finder.getPairs().size(); i++) {
+                PairContacts pair = finder.getPairs().get(i);
+                Body sleeper = sleeper(pair);
+                if (sleeper != null && pair.soon(TimeStep.SECONDS) < WAKING) {
+                    wakeGroup(sleeper);
+                    complete = false;
+                }
+            }
+        }
+    }
+
+    /** The one of a pair that sleeps; null if none does. */
+    private static Body sleeper(PairContacts pair) {
+        if (!pair.getA().isSolved() && pair.getA().canWake()) {
+            return pair.getA();
+        }
+        return !pair.getB().isSolved() && pair.getB().canWake() ? pair.getB() : null;
+    }
+
+    private void wakeGroup(Body first) {
+        int group = first.getGroup();
+        for (int i = 0; i < movable.size(); i++) {
+            Body body = movable.get(i);
+            if (body == first || group > 0 && body.getGroup() == group) {
+                body.wake();
+                body.getSolver().begin();
+                awake[body.number] = true;
+                redraw = true;
+            }
+        }
+    }
+
+    private void solve() {
+        islands.build(movable, finder.getPairs(), drives, bodies.size());
+        for (int i = 0; i < islands.size(); i++) {
+            Islands.Island island = islands.get(i);
+            solver.step(island, TimeStep.SECONDS);
+            look(island);
+        }
+    }
+
+    /** Finds out who touched something, and puts to sleep what rests. */
+    private void look(Islands.Island island) {
+        boolean rests = true;
+        boolean stands = false;
+        for (int i = 0; i < island.bodies.size(); i++) {
+            Body body = island.bodies.get(i);
+            body.setTouching(false);
+            body.getStillness().look(body);
+            rests &= body.getStillness().isOver();
+            stands |= body.isCarried();
+        }
+        for (int i = 0; i < island.pairs.size(); i++) {
+            PairContacts pair = island.pairs.get(i);
+            pair.getA().setTouching(true);
+            pair.getB().setTouching(true);
+            stands |= !(pair.getA().isSolved() && pair.getB().isSolved()) && pair.gap() < TOUCH;
+        }
+        if (rests && stands) {
+            sleepers++;
+            for (int i = 0; i < island.bodies.size(); i++) {
+                island.bodies.get(i).sleep(sleepers);
+            }
+        }
     }
 
     /** Bodies that fell asleep or woke since last time. */
     private void noticeWaking() {
         for (int i = 0; i < movable.size(); i++) {
             Body body = movable.get(i);
-            boolean active = body.getRigid().isActive();
+            boolean active = body.isActive();
             if (active != awake[body.number]) {
                 awake[body.number] = active;
                 redraw = true;
-                if (!active) {
-                    stop(body.getRigid());
+                if (active) {
+                    wakeGroup(body);
                 }
             }
         }
     }
 
-    private void stop(RigidBody rigid) {
-        velocity.set(0, 0, 0);
-        rigid.setLinearVelocity(velocity);
-        rigid.setAngularVelocity(velocity);
-    }
-
     private boolean leavesZone(int number) {
         double[] box = bounds[number];
         double[] zone = zones[number];
-        bodies.get(number).getRigid().getLinearVelocity(velocity);
-        velocity.scale(SOON);
-        return box[0] - EDGE + Math.min(0, velocity.x) < zone[0] || box[3] + EDGE + Math.max(0, velocity.x) > zone[3]
-            || box[1] - EDGE + Math.min(0, velocity.y) < zone[1] || box[4] + EDGE + Math.max(0, velocity.y) > zone[4]
-            || box[2] - EDGE + Math.min(0, velocity.z) < zone[2] || box[5] + EDGE + Math.max(0, velocity.z) > zone[5];
+        double[] v = bodies.get(number).getSolver().v;
+        return box[0] - EDGE + Math.min(0, v[0] * SOON) < zone[0] || box[3] + EDGE + Math.max(0, v[0] * SOON) > zone[3]
+            || box[1] - EDGE + Math.min(0, v[1] * SOON) < zone[1] || box[4] + EDGE + Math.max(0, v[1] * SOON) > zone[4]
+            || box[2] - EDGE + Math.min(0, v[2] * SOON) < zone[2] || box[5] + EDGE + Math.max(0, v[2] * SOON) > zone[5];
     }
 
     private void drawZones() {
@@ -237,7 +296,7 @@ public final class PhysicsWorld {
             if (wanted[i] != inside[i]) {
                 if (wanted[i]) {
                     inside[i] = true;
-                    world.addRigidBody(bodies.get(i).getRigid());
+                    world.add(bodies.get(i));
                 } else {
                     leave(bodies.get(i));
                 }
@@ -247,15 +306,15 @@ public final class PhysicsWorld {
 
     private void drawZone(int number) {
         double reach = awake[number] ? REACH : NEIGHBOUR;
-        bodies.get(number).getRigid().getLinearVelocity(velocity);
+        double[] v = bodies.get(number).getSolver().v;
         double[] box = bounds[number];
         double[] zone = zones[number];
-        zone[0] = box[0] - reach + Math.min(0, velocity.x * AHEAD);
-        zone[1] = box[1] - reach + Math.min(0, velocity.y * AHEAD);
-        zone[2] = box[2] - reach + Math.min(0, velocity.z * AHEAD);
-        zone[3] = box[3] + reach + Math.max(0, velocity.x * AHEAD);
-        zone[4] = box[4] + reach + Math.max(0, velocity.y * AHEAD);
-        zone[5] = box[5] + reach + Math.max(0, velocity.z * AHEAD);
+        zone[0] = box[0] - reach + Math.min(0, v[0] * AHEAD);
+        zone[1] = box[1] - reach + Math.min(0, v[1] * AHEAD);
+        zone[2] = box[2] - reach + Math.min(0, v[2] * AHEAD);
+        zone[3] = box[3] + reach + Math.max(0, v[0] * AHEAD);
+        zone[4] = box[4] + reach + Math.max(0, v[1] * AHEAD);
+        zone[5] = box[5] + reach + Math.max(0, v[2] * AHEAD);
     }
 
     private static boolean overlap(double[] a, double[] b) {
@@ -269,20 +328,26 @@ public final class PhysicsWorld {
 
     /** Tells of everything that touches now. */
     public void touches(Touches touches) {
-        int count = dispatcher.getNumManifolds();
-        for (int i = 0; i < count; i++) {
-            PersistentManifold manifold = dispatcher.getManifoldByIndexInternal(i);
-            for (int k = 0; k < manifold.getNumContacts(); k++) {
-                ManifoldPoint point = manifold.getContactPoint(k);
-                if (point.distance1 < TOUCH) {
-                    touches.touch((Body) ((CollisionObject) manifold.getBody0()).getUserPointer(), point.index0,
-                        (Body) ((CollisionObject) manifold.getBody1()).getUserPointer(), point.index1, point.positionWorldOnB, point.normalWorldOnB);
-                }
+        for (int i = 0; i < finder.getPairs().size(); i++) {
+            PairContacts pair = finder.getPairs().get(i);
+            for (int k = 0; k < pair.size(); k++) {
+                touches(pair.get(k), touches);
             }
         }
     }
 
-    /** How many bodies jbullet looks at now. */
+    private void touches(Manifold manifold, Touches touches) {
+        for (int i = 0; i < manifold.count; i++) {
+            ContactPoint point = manifold.points[i];
+            if (point.gap < TOUCH) {
+                at.set((float) point.x, (float) point.y, (float) point.z);
+                normal.set((float) manifold.nx, (float) manifold.ny, (float) manifold.nz);
+                touches.touch(manifold.bodyA, manifold.numberA(), manifold.bodyB, manifold.numberB(), at, normal);
+            }
+        }
+    }
+
+    /** How many bodies are near something awake now. */
     public int getBusyBodies() {
         int count = 0;
         for (boolean one : inside) {
@@ -291,8 +356,8 @@ public final class PhysicsWorld {
         return count;
     }
 
-    /** Iterations of the contact solver since {@link #restart}. */
+    /** Passes of the contact solver since {@link #restart}. */
     public long getSolverIterations() {
-        return solver.getIterations();
+        return solver.getPasses();
     }
 }

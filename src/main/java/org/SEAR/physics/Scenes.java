@@ -72,7 +72,7 @@ public final class Scenes {
     }
 
     /** All bodies that are ground. */
-    Set<Body> grounds() {
+    public Set<Body> grounds() {
         return grounds;
     }
 

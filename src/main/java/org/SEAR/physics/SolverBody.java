@@ -1,47 +1,317 @@
 package org.SEAR.physics;
 
-import com.bulletphysics.dynamics.RigidBody;
-import javax.vecmath.Matrix3f;
-import javax.vecmath.Vector3f;
+import org.SEAR.geometry.Placement;
+import org.SEAR.geometry.Pose;
 
-/** A rigid body as constraints see it while jbullet's solver runs. Simulation thread. */
+/**
+ * How a rigid body stands and moves, in double precision: what contacts and wheels change and what is integrated in each substep. Its frame has its
+ * origin in the centre of mass and the axes of the body's own frame. Simulation thread.
+ */
 public final class SolverBody {
+    /** Normals whose cosine is greater are the same. */
+    private static final double SAME = 0.9999;
+    /** Speeds up to which what is far in others may be moved out of them, m/s and rad/s. */
+    private static final double MOST_OUT = 0.5;
+    private static final double MOST_OUT_TURNING = 3;
+    /** For so many substeps after it was far in another. */
+    private static final int DEEP_FOR = 40;
+
     /** Velocities of the centre of mass, world frame: {vx, vy, vz, wx, wy, wz}, m/s and rad/s. Constraints change them. */
     public final double[] v = new double[6];
-    /** The centre of mass in the world: {x, y, z}, metres. */
-    final double[] centre = new double[3];
-    /** 1/kg. */
+    /** How far it went since the step began, world frame: metres along, radians about x, y and z. */
+    final double[] moved = new double[6];
+    /** Where it stands in the world. */
+    final Placement place = new Placement();
+    /** 1/kg; 0 of what does not move. */
     double inverseMass;
-    /** World frame, 1/(kg m^2). */
-    final Matrix3f inverseInertia = new Matrix3f();
-    private final Vector3f linear = new Vector3f();
-    private final Vector3f angular = new Vector3f();
+    /** Inverse of the moments of inertia in the world, 1/(kg m^2): a symmetric matrix. */
+    double i00;
+    double i01;
+    double i02;
+    double i11;
+    double i12;
+    double i22;
+    /** Whether a contact or a wheel acts on it in this substep: else it falls as a parabola. */
+    boolean pressed;
+    private final double[] before = new double[6];
+    private final double[] from = new double[3];
+    private double nx;
+    private double ny;
+    private double nz;
+    private boolean oneNormal;
+    /** For how many substeps it still counts as far in another. */
+    private int deep;
+    private final Spin spin = new Spin();
+    /** Acceleration of this step by forces from outside, m/s^2. */
+    private final double[] pull = new double[3];
+    private double seconds;
+    private double fallen;
+    private long moves;
 
-    /** Takes over what stays the same in all iterations of a step. */
-    void prepare(RigidBody rigid) {
-        rigid.getInvInertiaTensorWorld(inverseInertia);
-        rigid.getCenterOfMassPosition(linear);
-        centre[0] = linear.x;
-        centre[1] = linear.y;
-        centre[2] = linear.z;
-        inverseMass = rigid.getInvMass();
+    /**
+     * Gives it a mass.
+     *
+     * @param mass kg, 0 = it never moves
+     * @param x moment of inertia about its x axis, kg m^2, likewise y and z
+     */
+    void setMass(double mass, double x, double y, double z) {
+        inverseMass = mass > 0 ? 1 / mass : 0;
+        spin.setMoments(mass > 0 ? x : 0, mass > 0 ? y : 0, mass > 0 ? z : 0);
+        refresh();
     }
 
-    void read(RigidBody rigid) {
-        rigid.getLinearVelocity(linear);
-        rigid.getAngularVelocity(angular);
-        v[0] = linear.x;
-        v[1] = linear.y;
-        v[2] = linear.z;
-        v[3] = angular.x;
-        v[4] = angular.y;
-        v[5] = angular.z;
+    /** Puts it somewhere, at rest. */
+    void put(double x, double y, double z, Pose turned) {
+        place.x = x;
+        place.y = y;
+        place.z = z;
+        spin.set(turned.qx, turned.qy, turned.qz, turned.qw);
+        halt();
+        begin();
+        end();
+        refresh();
     }
 
-    void write(RigidBody rigid) {
-        linear.set((float) v[0], (float) v[1], (float) v[2]);
-        angular.set((float) v[3], (float) v[4], (float) v[5]);
-        rigid.setLinearVelocity(linear);
-        rigid.setAngularVelocity(angular);
+    /** Takes its speed away. */
+    void halt() {
+        for (int i = 0; i < v.length; i++) {
+            v[i] = 0;
+        }
+    }
+
+    /** A force for the step that comes, N, world frame. */
+    void pull(double x, double y, double z) {
+        pull[0] += x * inverseMass;
+        pull[1] += y * inverseMass;
+        pull[2] += z * inverseMass;
+    }
+
+    /** A step has ended: forces of it end. */
+    void end() {
+        pull[0] = 0;
+        pull[1] = 0;
+        pull[2] = 0;
+    }
+
+    /** A step begins. */
+    void begin() {
+        for (int i = 0; i < moved.length; i++) {
+            moved[i] = 0;
+        }
+    }
+
+    /** A substep begins: gravity acts. */
+    void fall(double newSeconds, double gravity) {
+        seconds = newSeconds;
+        pressed = false;
+        oneNormal = false;
+        deep = Math.max(0, deep - 1);
+        System.arraycopy(v, 0, before, 0, before.length);
+        from[0] = place.x;
+        from[1] = place.y;
+        from[2] = place.z;
+        for (int axis = 0; axis < 3; axis++) {
+            v[axis] += pull[axis] * seconds;
+        }
+        fallen = gravity * seconds;
+        v[1] -= fallen;
+        // half of what inertia does to its turning before constraints see it, half afterwards: so they hold on the whole way
+        spin.gyrate(v, seconds / 2);
+    }
+
+    /** Says that a contact pushes it along a normal, one way or the other. */
+    void press(double x, double y, double z) {
+        oneNormal = !pressed || oneNormal && Math.abs(x * nx + y * ny + z * nz) > SAME;
+        pressed = true;
+        nx = x;
+        ny = y;
+        nz = z;
+    }
+
+    /** Says that it is far in another. */
+    void setDeep() {
+        deep = DEEP_FOR;
+    }
+
+    /** What is far in others does not become fast by being moved out of them. */
+    void slow() {
+        if (deep > 0) {
+            limit(0, MOST_OUT);
+            limit(3, MOST_OUT_TURNING);
+        }
+    }
+
+    private void limit(int from, double most) {
+        double falls = before[from + 1] - (from == 0 ? fallen : 0);
+        double was = Math.sqrt(before[from] * before[from] + falls * falls + before[from + 2] * before[from + 2]);
+        double is = Math.sqrt(v[from] * v[from] + v[from + 1] * v[from + 1] + v[from + 2] * v[from + 2]);
+        double scale = Math.max(was, most) / is;
+        for (int i = from; i < from + 3 && scale < 1; i++) {
+            v[i] *= scale;
+        }
+    }
+
+    /** Along the one surface that it touches its speed has changed evenly: the way is shorter, or longer, by half of what the change makes. */
+    void even() {
+        if (!oneNormal) {
+            return;
+        }
+        double x = v[0] - before[0];
+        double y = v[1] - before[1];
+        double z = v[2] - before[2];
+        double along = x * nx + y * ny + z * nz;
+        shift(-seconds / 2 * (x - along * nx), -seconds / 2 * (y - along * ny), -seconds / 2 * (z - along * nz));
+    }
+
+    private void shift(double x, double y, double z) {
+        place.x += x;
+        place.y += y;
+        place.z += z;
+        moved[0] += x;
+        moved[1] += y;
+        moved[2] += z;
+        moves++;
+    }
+
+    /** The substep ends: it goes where its velocities bring it. */
+    void advance(double gravity) {
+        double late = pressed ? 0 : seconds * seconds / 2;
+        shift(v[0] * seconds - late * pull[0], v[1] * seconds - late * (pull[1] - gravity), v[2] * seconds - late * pull[2]);
+        for (int i = 3; i < moved.length; i++) {
+            moved[i] += v[i] * seconds;
+        }
+        if (v[3] != 0 || v[4] != 0 || v[5] != 0) {
+            turn();
+        }
+        refresh();
+    }
+
+    /** Where its centre of mass was when the substep began: {x, y, z}, world frame, metres. */
+    double[] getFrom() {
+        return from;
+    }
+
+    /**
+     * Puts it back on its way to where something is.
+     *
+     * @param share of the way of this substep that it may go
+     * @param x normal of what is there, likewise y and z: it comes no nearer along that
+     */
+    void stopAt(double share, double x, double y, double z) {
+        double back = 1 - share;
+        oneNormal = false;
+        shift(-back * (place.x - from[0]), -back * (place.y - from[1]), -back * (place.z - from[2]));
+        double along = v[0] * x + v[1] * y + v[2] * z;
+        v[0] -= along * x;
+        v[1] -= along * y;
+        v[2] -= along * z;
+    }
+
+    /** Moves it along a direction at once, metres, and takes away what speed it has against that. */
+    void lift(double x, double y, double z, double metres) {
+        shift(metres * x, metres * y, metres * z);
+        oneNormal = false;
+        double against = Math.min(0, v[0] * x + v[1] * y + v[2] * z);
+        v[0] -= against * x;
+        v[1] -= against * y;
+        v[2] -= against * z;
+    }
+
+    private void turn() {
+        if (pressed) {
+            spin.turnHeld(v, seconds);
+            spin.gyrate(v, seconds / 2);
+        } else {
+            System.arraycopy(before, 3, v, 3, 3);
+            spin.turn(v, seconds);
+        }
+    }
+
+    private void refresh() {
+        moves++;
+        spin.matrix(place);
+        double x = spin.inverseX();
+        double y = spin.inverseY();
+        double z = spin.inverseZ();
+        i00 = place.m00 * place.m00 * x + place.m01 * place.m01 * y + place.m02 * place.m02 * z;
+        i01 = place.m00 * place.m10 * x + place.m01 * place.m11 * y + place.m02 * place.m12 * z;
+        i02 = place.m00 * place.m20 * x + place.m01 * place.m21 * y + place.m02 * place.m22 * z;
+        i11 = place.m10 * place.m10 * x + place.m11 * place.m11 * y + place.m12 * place.m12 * z;
+        i12 = place.m10 * place.m20 * x + place.m11 * place.m21 * y + place.m12 * place.m22 * z;
+        i22 = place.m20 * place.m20 * x + place.m21 * place.m21 * y + place.m22 * place.m22 * z;
+    }
+
+    /** Another number whenever it has moved. */
+    long getMoves() {
+        return moves;
+    }
+
+    /**
+     * The way from the centre of mass to a point.
+     *
+     * @param x of the point, world frame, metres, likewise y and z
+     * @param ahead for how long the point turns on with the body, seconds
+     * @param into takes {x, y, z}, metres
+     */
+    void arm(double x, double y, double z, double ahead, double[] into) {
+        double rx = x - place.x;
+        double ry = y - place.y;
+        double rz = z - place.z;
+        into[0] = rx + ahead * (v[4] * rz - v[5] * ry);
+        into[1] = ry + ahead * (v[5] * rx - v[3] * rz);
+        into[2] = rz + ahead * (v[3] * ry - v[4] * rx);
+    }
+
+    /** How fast it turns, rad/s. */
+    double turning() {
+        return Math.sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
+    }
+
+    /** How it is turned. */
+    Spin spin() {
+        return spin;
+    }
+
+    /** Length of the substep in which constraints are being solved, seconds. */
+    public double seconds() {
+        return seconds;
+    }
+
+    /**
+     * How far a point of it has moved along a direction since the step began, metres.
+     *
+     * @param nx unit direction, world frame, likewise ny and nz
+     * @param x where the point was when the step began, world frame, metres, likewise y and z
+     */
+    public double travel(double nx, double ny, double nz, double x, double y, double z) {
+        double rx = x - (place.x - moved[0]);
+        double ry = y - (place.y - moved[1]);
+        double rz = z - (place.z - moved[2]);
+        return nx * moved[0] + ny * moved[1] + nz * moved[2] + (ry * nz - rz * ny) * moved[3] + (rz * nx - rx * nz) * moved[4]
+            + (rx * ny - ry * nx) * moved[5];
+    }
+
+    /**
+     * Changes its velocities.
+     *
+     * @param px impulse, Ns, world frame, likewise py and pz
+     * @param rx where it acts, from the centre of mass, metres, world frame, likewise ry and rz
+     */
+    void push(double px, double py, double pz, double rx, double ry, double rz) {
+        v[0] += px * inverseMass;
+        v[1] += py * inverseMass;
+        v[2] += pz * inverseMass;
+        twist(ry * pz - rz * py, rz * px - rx * pz, rx * py - ry * px);
+    }
+
+    /**
+     * Changes how it turns.
+     *
+     * @param tx angular impulse, Nms, world frame, likewise ty and tz
+     */
+    void twist(double tx, double ty, double tz) {
+        v[3] += i00 * tx + i01 * ty + i02 * tz;
+        v[4] += i01 * tx + i11 * ty + i12 * tz;
+        v[5] += i02 * tx + i12 * ty + i22 * tz;
     }
 }

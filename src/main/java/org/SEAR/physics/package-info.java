@@ -1,5 +1,10 @@
 /**
- * Bodies, contacts and what solves them, on jbullet, which above it only wheels know. May use {@link org.SEAR.collision}, {@link org.SEAR.raycast},
+ * Bodies, their contacts and what solves them, on jbullet's collision world. May use {@link org.SEAR.collision}, {@link org.SEAR.raycast},
  * {@link org.SEAR.project} and below. Simulation thread.
+ *
+ * <p>The way of a step ({@link PhysicsWorld#step}): {@code SteppedWorld} (jbullet) finds pairs, {@code ContactFinder} fills the manifolds of each
+ * {@code PairContacts}, {@code Islands} parts the bodies, {@code IslandSolver} moves each island in substeps by {@code Manifold}s
+ * ({@code NormalBlock}, {@code FrictionPatch}), {@code Impacts} (what bounces) and {@code Spin} (what turns freely), and {@code Stillness} says what
+ * may sleep.
  */
 package org.SEAR.physics;

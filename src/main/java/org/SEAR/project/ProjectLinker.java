@@ -15,6 +15,7 @@ import org.SEAR.POJOs.PlacedObject;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SerialObject;
+import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Terrain;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.problems.ProblemList;
@@ -174,6 +175,11 @@ final class ProjectLinker {
             String element = placed.hasPlaceOnEarth() ? "placeLatitude" : "onGround";
             problems.add(parsed.file, parsed.line(element), element, placed.hasPlaceOnEarth() ? Parameter.format(placed.getPlaceLatitude()) : "true",
                 "none for " + placed + ", a part of a robot; the robot may have it");
+        }
+        if (part instanceof Shape && !(part instanceof Wheel)) {
+            ((Shape) part).refuseLaunch((element, value, legal) ->
+                problems.add(parsed.file, parsed.line(element), element, Parameter.format((Double) value), legal),
+                "0 for " + part + ", a part of a robot, which moves with it");
         }
     }
 

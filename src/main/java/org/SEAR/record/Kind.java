@@ -17,8 +17,9 @@ final class Kind {
     static final int ORDER = 13;
     static final int MOVED = 14;
     static final int ATTENDED = 15;
+    static final int BODY_ORDER = 16;
     /** The last one. */
-    static final int MOST = ATTENDED;
+    static final int MOST = BODY_ORDER;
 
     private Kind() {
     }

@@ -24,6 +24,7 @@ import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.RunTap;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.Snapshot;
+import org.SEAR.simulator.orders.BodyOrder;
 
 /**
  * Writes a run into a file while it goes on: each step, what went in and out, and at every second step where everything is and what the sensors read.
@@ -246,6 +247,12 @@ public final class Recorder implements RunTap {
     @Override
     public void order(ActuatorOrder order) {
         text(out.put(Kind.ORDER).put(order.kind.ordinal()).putDouble(order.value), order.name);
+    }
+
+    @Override
+    public void order(BodyOrder order) {
+        out.put(Kind.BODY_ORDER).put(order.kind.ordinal()).putDouble(order.x).putDouble(order.y).putDouble(order.z).putDouble(order.seconds);
+        text(out, order.name);
     }
 
     @Override

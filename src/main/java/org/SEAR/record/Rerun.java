@@ -18,6 +18,7 @@ import org.SEAR.simulator.ActuatorOrder;
 import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.RunTap;
 import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.orders.BodyOrder;
 
 /**
  * Gives the commands of a record to a fresh world of the same project and compares what comes out of each port. The world belongs to nobody else: it
@@ -178,6 +179,11 @@ public final class Rerun implements RunRecord.Visitor {
     }
 
     @Override
+    public void order(BodyOrder order) {
+        commands.add(run -> run.order(order));
+    }
+
+    @Override
     public void power(String device, boolean on) {
         commands.add(run -> run.power(device, on));
     }
@@ -226,6 +232,11 @@ public final class Rerun implements RunRecord.Visitor {
 
         @Override
         public void order(ActuatorOrder order) {
+            // the record has it
+        }
+
+        @Override
+        public void order(BodyOrder order) {
             // the record has it
         }
 

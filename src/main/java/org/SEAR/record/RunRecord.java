@@ -12,6 +12,7 @@ import java.util.Arrays;
 import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.ActuatorOrder;
 import org.SEAR.simulator.DriveCommand;
+import org.SEAR.simulator.orders.BodyOrder;
 
 /**
  * A record on the disk, read from its beginning to its end, one event at a time: however large it is and whatever it claims, that takes the memory of
@@ -23,6 +24,7 @@ public final class RunRecord {
     /** Of one robot; it can't have more components. */
     private static final int MOST_LIGHTS = 1000;
     private static final ActuatorOrder.Kind[] ORDERS = ActuatorOrder.Kind.values();
+    private static final BodyOrder.Kind[] BODY_ORDERS = BodyOrder.Kind.values();
     /** How far from 1 the length of a quaternion may be. */
     private static final double ROUNDED = 1e-3;
 
@@ -75,6 +77,9 @@ public final class RunRecord {
         }
 
         default void order(ActuatorOrder order) {
+        }
+
+        default void order(BodyOrder order) {
         }
 
         default void power(String device, boolean on) {
@@ -224,6 +229,9 @@ public final class RunRecord {
                 case Kind.ORDER:
                     visitor.order(order());
                     return true;
+                case Kind.BODY_ORDER:
+                    visitor.order(bodyOrder());
+                    return true;
                 case Kind.POWER:
                     boolean on = in.readBoolean();
                     visitor.power(RecordHeader.readText(in), on);
@@ -352,6 +360,21 @@ public final class RunRecord {
             }
             double value = in.readDouble();
             return new ActuatorOrder(ORDERS[kind], RecordHeader.readText(in), value);
+        }
+
+        private BodyOrder bodyOrder() throws IOException {
+            int kind = in.readUnsignedByte();
+            if (kind >= BODY_ORDERS.length) {
+                throw illegal("order to a body", kind, BODY_ORDERS.length);
+            }
+            double[] numbers = new double[4];
+            read(numbers, 0, numbers.length);
+            String name = RecordHeader.readText(in);
+            try {
+                return new BodyOrder(BODY_ORDERS[kind], name, numbers[0], numbers[1], numbers[2], numbers[3]);
+            } catch (IllegalArgumentException e) {
+                throw new RecordException("after " + steps + " steps: " + e.getMessage());
+            }
         }
 
         private RecordException illegal(String what, int number, int count) {

@@ -22,13 +22,18 @@ final class PartTouches {
         any = false;
     }
 
-    /** @param solid its number in the body; a wheel is none of the parts */
-    void add(int solid) {
-        touched[solid] = true;
-        any |= solid < wheelsFrom;
+    /** Whether a solid is a wheel's. */
+    boolean isWheel(int solid) {
+        return solid >= wheelsFrom;
     }
 
-    /** @param part name of a component; null for any of them */
+    /** @param solid its number in the body */
+    void add(int solid) {
+        touched[solid] = true;
+        any = true;
+    }
+
+    /** @param part name of a component; null for any of them, wheels too */
     boolean is(String part) {
         Integer solid = part == null ? null : solids.get(part);
         return part == null ? any : solid != null && touched[solid];

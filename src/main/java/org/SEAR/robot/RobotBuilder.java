@@ -12,7 +12,6 @@ import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
-import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
 import org.SEAR.physics.solid.BoxSolid;
 import org.SEAR.physics.solid.RoundSolid;
@@ -22,14 +21,16 @@ import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.robot.wheel.CentreOfMass;
+import org.SEAR.robot.wheel.Obstacle;
+import org.SEAR.robot.wheel.Spring;
+import org.SEAR.robot.wheel.SpringDesign;
 
 /**
  * Makes a robot's rigid body out of its components: their shapes, the mass of its Dynamics, and for each wheel a smaller cylinder at the top of its
  * travel, which meets walls but never the floor.
  */
 public final class RobotBuilder {
-    /** Radius of the cylinder that keeps a wheel out of walls, as a share of the wheel's. */
-    static final double GUARD = 0.8;
     /** A robot without shapes gets a box this high around its wheels, metres; the same is the least size of that box. */
     private static final double BARE = 0.02;
     /** A centre of mass that was put elsewhere is so far from where it was, metres, or farther. */
@@ -40,6 +41,7 @@ public final class RobotBuilder {
     final List<Solid> wheelSolids = new ArrayList<>();
     public final Body body;
     final Stability stability;
+    final Spring[] springs;
     /** Greatest distance of the components from the vertical axis, metres. */
     final double radius;
     /** Of the components and wheels that have one. */
@@ -60,12 +62,13 @@ public final class RobotBuilder {
         radius = reach();
         double[] centroid = centroid();
         double[] centre = CentreOfMass.place(centroid, weighed(), robot.getWheels());
+        springs = SpringDesign.of(dynamics, robot.getWheels(), centre, lowest());
         for (Wheel wheel : robot.getWheels()) {
             Solid solid = Solids.of(wheel, project);
             wheelSolids.add(solid);
             shapes.put(wheel, solid);
             Pose at = Pose.ofDegrees(wheel.getX(), wheel.getY(), wheel.getZ(), 0, wheel.getRy(), 0);
-            add(RoundSolid.wheel(solid.halfX * GUARD, solid.halfY), at, false, 0);
+            add(RoundSolid.wheel(solid.halfX * Obstacle.GUARD, solid.halfY), at, false, 0);
         }
         Pose[] all = new Pose[solids.size()];
         for (int i = 0; i < all.length; i++) {
@@ -132,15 +135,11 @@ public final class RobotBuilder {
 
     /** Where its wheels touch when it stands level, castors as when it drives forward: {x, y, z} in the body frame. */
     public double[][] feet() {
-        int wheels = wheelSolids.size();
-        double[][] feet = new double[wheels][];
-        double sag = wheels == 0 || dynamics.getStiffness() == 0 ? 0 : PhysicsWorld.GRAVITY / (wheels * dynamics.getStiffness());
-        for (int i = 0; i < wheels; i++) {
+        double[][] feet = new double[springs.length][];
+        for (int i = 0; i < feet.length; i++) {
             Wheel wheel = object.getWheels().get(i);
-            double hangs = Math.max(0, dynamics.getRestLength() - sag);
-            double heading = Math.toRadians(wheel.getRy());
-            feet[i] = new double[] {wheel.getX() - wheel.getTrail() * Math.sin(heading),
-                wheel.getY() - hangs - wheel.getRadius() * wheel.getScaleY(), wheel.getZ() - wheel.getTrail() * Math.cos(heading)};
+            feet[i] = new double[] {CentreOfMass.footX(wheel), wheel.getY() - springs[i].hangs - wheel.getRadius() * wheel.getScaleY(),
+                CentreOfMass.footZ(wheel)};
         }
         return feet;
     }
@@ -168,6 +167,18 @@ public final class RobotBuilder {
             total += weight;
         }
         return new double[] {sum[0] / total, sum[1] / total, sum[2] / total};
+    }
+
+    /** The y of the lowest point of the components in the body frame, metres. */
+    private double lowest() {
+        double lowest = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < solids.size(); i++) {
+            Pose place = places.get(i).times(solids.get(i).offset);
+            double[] down = place.rotateBack(0, -1, 0);
+            double[] point = solids.get(i).farthest(down[0], down[1], down[2]);
+            lowest = Math.min(lowest, place.transform(point[0], point[1], point[2])[1]);
+        }
+        return lowest;
     }
 
     private double reach() {

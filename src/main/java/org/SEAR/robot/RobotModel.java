@@ -18,6 +18,11 @@ import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
 import org.SEAR.physics.solid.Solid;
+import org.SEAR.robot.wheel.DriveTrain;
+import org.SEAR.robot.wheel.MotorDrive;
+import org.SEAR.robot.wheel.Obstacle;
+import org.SEAR.robot.wheel.RaycastWheel;
+import org.SEAR.robot.wheel.Spring;
 import org.SEAR.sensors.Sensor;
 
 /** A robot of the world, and its hardware as firmware sees it. Simulation thread. */
@@ -47,6 +52,8 @@ public final class RobotModel implements Robot, RobotHardware {
     private final Turrets turrets;
     private final LedLights lights;
     private final Stability stability;
+    private final Spring[] springs;
+    private final Consumer<String> told;
     private DriveTrain train;
     private SEARrobot written;
     private final Frame frame = new Frame();
@@ -77,6 +84,8 @@ public final class RobotModel implements Robot, RobotHardware {
         this.turrets = new Turrets(from, told);
         this.lights = new LedLights(from);
         this.stability = from.stability;
+        this.springs = from.springs;
+        this.told = told;
         for (SearObject part : object.getComponents()) {
             if (part instanceof Motor) {
                 motors.add(new MotorDrive((Motor) part, object.getName()));
@@ -100,7 +109,7 @@ public final class RobotModel implements Robot, RobotHardware {
 
     /** Back to the start, in a new physics world. */
     public void restart(PhysicsWorld physics) {
-        train = new DriveTrain(body, object.getWheels(), motors, turrets, dynamics, number);
+        train = new DriveTrain(body, object.getWheels(), springs, motors, turrets::find, number, told);
         if (!train.getWheels().isEmpty()) {
             physics.add(body, train);
         }
@@ -161,6 +170,12 @@ public final class RobotModel implements Robot, RobotHardware {
         }
         bumpedLeft = false;
         bumpedRight = false;
+        for (int i = 0; awake && i < wheelShapes.length; i++) {
+            Obstacle obstacle = train.getWheels().get(i).getObstacle();
+            if (obstacle.isPressed()) {
+                press(body.solids.size() - wheelShapes.length + i, obstacle.point.x, obstacle.point.y, obstacle.point.z);
+            }
+        }
     }
 
     /** Moves its shapes in the scenes to where it is. */
@@ -181,12 +196,18 @@ public final class RobotModel implements Robot, RobotHardware {
      * @param normal of the surface that touches, vertical part decides whether it is an obstacle
      */
     public void touch(int solid, Vector3f at, Vector3f normal) {
-        truth.touches().add(solid);
-        if (Math.abs(normal.y) > LEVEL) {
-            return;
+        if (Math.abs(normal.y) <= LEVEL) {
+            press(solid, at.x, at.y, at.z);
+        } else if (!truth.touches().isWheel(solid)) {
+            truth.touches().add(solid);
         }
+    }
+
+    /** An obstacle touches a solid of it at a point of the world. */
+    private void press(int solid, double x, double y, double z) {
+        truth.touches().add(solid);
         Pose pose = body.getPose();
-        double[] inBody = pose.rotateBack(at.x - pose.x, at.y - pose.y, at.z - pose.z);
+        double[] inBody = pose.rotateBack(x - pose.x, y - pose.y, z - pose.z);
         double angle = Math.atan2(inBody[0], inBody[2]);
         bumpedLeft |= angle >= -BUMPER_OVERLAP && angle <= Math.PI / 2;
         bumpedRight |= angle <= BUMPER_OVERLAP && angle >= -Math.PI / 2;
@@ -223,6 +244,11 @@ public final class RobotModel implements Robot, RobotHardware {
 
     public Dynamics getDynamics() {
         return dynamics;
+    }
+
+    /** Those of its wheels, in their order. */
+    Spring[] getSprings() {
+        return springs;
     }
 
     @Override
@@ -287,6 +313,9 @@ public final class RobotModel implements Robot, RobotHardware {
             double along = radius == 0 ? Math.abs(speed) : speed;
             setWheelSpeeds(along, along);
             return;
+        }
+        if (Double.isFinite(radius) && speed != 0) {
+            train.turnBySpeeds();
         }
         double half = getWheelBase() / 2;
         if (Double.isInfinite(radius)) {
@@ -438,7 +467,7 @@ public final class RobotModel implements Robot, RobotHardware {
     }
 
     private boolean hangs(RaycastWheel wheel) {
-        return !wheel.isGrounded() || dynamics.getRestLength() > 0 && wheel.getLength() > DROPPED * dynamics.getRestLength();
+        return !wheel.isGrounded() || wheel.getRest() > 0 && wheel.getLength() > DROPPED * wheel.getRest();
     }
 
     @Override

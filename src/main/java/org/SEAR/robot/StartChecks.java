@@ -4,16 +4,21 @@ import java.util.List;
 import java.util.Locale;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.OpenInterfaceBody;
+import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Scenes;
 import org.SEAR.raycast.Hit;
+import org.SEAR.robot.wheel.SpringDesign;
 
 /** What a user should know of a robot before it is driven. Simulation thread. */
 public final class StartChecks {
     /** By how much dimensions may differ from those that drivers take for granted, as a share. */
     private static final double ALIKE = 0.02;
+
+    /** So many times as stiff as what just holds. */
+    private static final double STIFF = 10;
 
     private StartChecks() {
     }
@@ -33,11 +38,25 @@ public final class StartChecks {
         if (robot.getStability().isCritical()) {
             warnings.add("robot " + name + " " + robot.getStability().getWords());
         }
+        checkSprings(robot, false, "forwards or backwards", warnings);
+        checkSprings(robot, true, "sideways", warnings);
         Pose pose = robot.getPose();
         double down = scenes.ground.cast(pose.x, pose.y, pose.z, 0, -1, 0, Double.MAX_VALUE, robot.getOwner(), new Hit());
         if (down == Double.POSITIVE_INFINITY) {
             warnings.add(String.format(Locale.ROOT, "robot %s has no ground below its start at x %.2f, y %.2f, z %.2f and will fall:"
                 + " Floor(\"floor\", 20, 20) makes one at height 0", name, pose.x, pose.y, pose.z));
+        }
+    }
+
+    private static void checkSprings(RobotModel robot, boolean sideways, String way, List<String> warnings) {
+        double[] centre = robot.getBody().getCentre();
+        double times = SpringDesign.tooSoft(robot.getSprings(), robot.getObject().getWheels(), centre, robot.getBody().mass, sideways);
+        Double stiffness = robot.getDynamics().getStiffness();
+        if (stiffness != null && times > 1) {
+            warnings.add(String.format(Locale.ROOT, "robot %s falls over %s where it stands: its springs, of stiffness %s, are too soft for its"
+                + " centre of mass, at x %.3f, y %.3f, z %.3f of its frame; a stiffness of %.0f holds it, or Dynamics(name, mass), which finds one",
+                robot.getObject().getName(), way, Parameter.format(stiffness), centre[0] + 0.0, centre[1] + 0.0, centre[2] + 0.0,
+                Math.ceil(STIFF * times * stiffness)));
         }
     }
 

@@ -9,7 +9,7 @@ import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.Scenes;
-import org.SEAR.physics.StartPoses;
+import org.SEAR.physics.start.StartPoses;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.problems.ProjectException;
 

@@ -12,7 +12,7 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
-import org.SEAR.physics.StartPoses;
+import org.SEAR.physics.start.StartPoses;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.RobotBuilder;
@@ -56,7 +56,8 @@ final class Moves {
         done.clear();
     }
 
-    private Body body(String name) {
+    /** The body of a thing or robot; null if there is none of that name. */
+    Body body(String name) {
         return robots.containsKey(name) ? robots.get(name).getBody() : things.get(name);
     }
 

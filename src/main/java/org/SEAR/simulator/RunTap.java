@@ -2,6 +2,7 @@ package org.SEAR.simulator;
 
 import org.SEAR.devices.LineTap;
 import org.SEAR.geometry.Pose;
+import org.SEAR.simulator.orders.BodyOrder;
 
 /** Looks at everything that goes into a run and comes out of it, in its order, without changing anything. Simulation thread. */
 public interface RunTap extends LineTap {
@@ -10,6 +11,9 @@ public interface RunTap extends LineTap {
 
     /** Between two steps a motor, servo, light or steering was told to do something. */
     void order(ActuatorOrder order);
+
+    /** Between two steps a thing or a robot got a velocity, or somebody began to push it. */
+    void order(BodyOrder order);
 
     /** Between two steps a device was switched on or off. */
     void power(String device, boolean on);

@@ -24,6 +24,7 @@ import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.Robot;
 import org.SEAR.sensors.Sensor;
+import org.SEAR.simulator.orders.BodyOrder;
 
 /**
  * A running world: physics, robots, sensors and devices, advanced in steps of 1/60 s.
@@ -425,11 +426,7 @@ public final class Simulation implements AutoCloseable {
         return found(world.groundHeight(x, z), x, z);
     }
 
-    /**
-     * What {@link #getGroundHeight} answers in the world of a project, of which only the ground is made. Any thread.
-     *
-     * @throws ProjectException if the ground can't be made
-     */
+    /** What {@link #getGroundHeight} answers in the world of a project, of which only the ground is made (which can fail). Any thread. */
     public static double groundHeight(Project project, double x, double z) throws ProjectException {
         return found(World.ground(project).groundHeight(x, z), x, z);
     }
@@ -511,6 +508,12 @@ public final class Simulation implements AutoCloseable {
      */
     public void order(ActuatorOrder order) {
         order.giveTo(this);
+        tell(who -> who.order(order));
+    }
+
+    /** Gives a thing or a robot a velocity, or has it pushed from the next step on; throws as {@link World#order} does. Simulation thread. */
+    public void order(BodyOrder order) {
+        world.order(order);
         tell(who -> who.order(order));
     }
 

@@ -18,7 +18,7 @@ import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
-import org.SEAR.physics.StartPoses;
+import org.SEAR.physics.start.StartPoses;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.physics.solid.Solids;
 import org.SEAR.project.ObjectPose;
@@ -32,6 +32,8 @@ import org.SEAR.robot.StartChecks;
 import org.SEAR.robot.VirtualWalls;
 import org.SEAR.robot.surface.SurfaceColors;
 import org.SEAR.sensors.Earth;
+import org.SEAR.simulator.orders.BodyOrder;
+import org.SEAR.simulator.orders.BodyOrders;
 
 /** The things of a project: environment and robots in physics and before the beams. Simulation thread. */
 final class World implements PhysicsWorld.Touches {
@@ -53,6 +55,7 @@ final class World implements PhysicsWorld.Touches {
 
     private final Fallen fallen;
     private final Moves moves;
+    private final BodyOrders orders = new BodyOrders();
 
     /**
      * Builds the world of a project.
@@ -70,6 +73,7 @@ final class World implements PhysicsWorld.Touches {
             if (body != null) {
                 shapes.put(object, body.solids.get(0));
                 physics.add(body);
+                orders.add(object, body);
                 Shape shape = (Shape) object;
                 if (shape instanceof Terrain) {
                     colors.addTerrain((Terrain) shape, body.solids.get(0), project.getGround());
@@ -177,6 +181,7 @@ final class World implements PhysicsWorld.Touches {
     void restart() {
         robots.forEach(RobotModel::rewind);
         physics.restart();
+        orders.restart();
         fallen.restart();
         moves.restart();
         for (Body body : environment) {
@@ -196,9 +201,19 @@ final class World implements PhysicsWorld.Touches {
     /** Puts something elsewhere, see {@link Moves}. */
     void move(String name, Pose start, Pose to) {
         moves.move(name, start, to);
+        orders.forget(moves.body(name));
         fallen.restart();
         scenes.commit();
         poses = poses();
+    }
+
+    /**
+     * See {@link Simulation#order(BodyOrder)}.
+     *
+     * @throws IllegalArgumentException if there is nothing of that name that can move, or the push is too strong for it
+     */
+    void order(BodyOrder order) {
+        orders.obey(order, moves.body(order.name));
     }
 
     Moves getMoves() {
@@ -219,6 +234,7 @@ final class World implements PhysicsWorld.Touches {
         for (int i = 0; i < robots.size(); i++) {
             robots.get(i).prepare();
         }
+        orders.act();
         physics.step();
         fallen.look();
         boolean moved = false;

@@ -455,6 +455,51 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         return calls.attempt(() -> parts.actuators().brightness(name));
     }
 
+    // ---- things that are thrown and pushed (a simulation must run) -------------------------------------------------
+
+    /**
+     * Pushes a thing or a robot at its centre of mass with a force, from the next step on, whatever direction it looks in. The call returns at once.
+     * Several pushes add up; what slept wakes.
+     *
+     * @param name of a thing with a mass, or of a robot
+     * @param force {@code [x, y, z]} in N along the world's axes: north, up, east
+     * @param seconds simulated, above 0, at most 3600
+     * @throws IllegalArgumentException if nothing of that name can move, or the force is too strong for its mass (1000 m/s more in a step)
+     * @example sear.push("crate 1", [50, 0, 0], 0.2)
+     */
+    public void push(String name, List<?> force, double seconds) {
+        calls.act(() -> parts.bodies().push(name, force, seconds));
+    }
+
+    /**
+     * Gives a thing or a robot a velocity at once, between two steps. Files and the next start stay as they are: {@code crate.setVelocity(x, y, z)}
+     * before the start says what a thing starts with.
+     *
+     * @param name of a thing with a mass, or of a robot
+     * @param x m/s of its centre of mass along the world's x, north, -1000 to 1000
+     * @param y upwards
+     * @param z along the world's z, east
+     * @throws IllegalArgumentException if nothing of that name can move, or with the legal range
+     * @example sear.setVelocity("crate 1", 0.5, 2, 0)
+     */
+    public void setVelocity(String name, double x, double y, double z) {
+        calls.act(() -> parts.bodies().velocity(name, x, y, z));
+    }
+
+    /**
+     * Has a thing or a robot turn about its centre of mass at once, between two steps.
+     *
+     * @param name of a thing with a mass, or of a robot
+     * @param x degrees a second about the world's x, by the right hand, -100000 to 100000
+     * @param y about the world's y, counter-clockwise seen from above
+     * @param z about the world's z
+     * @throws IllegalArgumentException if nothing of that name can move, or with the legal range
+     * @example sear.setSpin("crate 1", 0, 90, 0)
+     */
+    public void setSpin(String name, double x, double y, double z) {
+        calls.act(() -> parts.bodies().spin(name, x, y, z));
+    }
+
     // ---- reading (a simulation must run) ---------------------------------------------------------------------------
 
     /**

@@ -24,6 +24,7 @@ import org.myrobotlab.service.sear.panel.TerrainMap;
 import org.myrobotlab.service.sear.panel.WorldFeed;
 import org.myrobotlab.service.sear.readings.Publisher;
 import org.myrobotlab.service.sear.readings.ScriptActuators;
+import org.myrobotlab.service.sear.readings.ScriptBodies;
 import org.myrobotlab.service.sear.readings.ScriptDriving;
 import org.myrobotlab.service.sear.readings.ScriptReadings;
 import org.myrobotlab.service.sear.records.Recording;
@@ -42,6 +43,7 @@ final class SearParts {
     private final ScriptReadings readings;
     private final ScriptDriving driving;
     private final ScriptActuators actuators;
+    private final ScriptBodies bodies;
     private final Projects projects;
     private final Edits edits;
     private final Publisher publisher;
@@ -59,6 +61,8 @@ final class SearParts {
         readings = new ScriptReadings(control);
         driving = new ScriptDriving(control);
         actuators = new ScriptActuators(control);
+        bodies = new ScriptBodies(control);
+        control.setActs(bodies);
         projects = new Projects(control, host);
         edits = new Edits(control);
         publisher = new Publisher(host, control, readings);
@@ -99,6 +103,11 @@ final class SearParts {
 
     public ScriptActuators actuators() {
         return actuators;
+    }
+
+    /** See {@link ScriptBodies}. */
+    public ScriptBodies bodies() {
+        return bodies;
     }
 
     public Projects projects() {

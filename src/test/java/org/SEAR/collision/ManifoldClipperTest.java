@@ -79,7 +79,7 @@ public class ManifoldClipperTest {
             double angle = 2 * Math.PI * i / 40;
             points.add(0, 1, 0, Math.cos(angle), 0, Math.sin(angle), i == 7 ? -1e-4 : 0);
         }
-        assertEquals(4, points.choose());
+        assertEquals(4, points.choose(4));
         assertEquals(7, points.chosen(0));
         assertEquals(27, points.chosen(1));
     }

@@ -50,8 +50,8 @@ public class StabilityTest {
         Stability stability = at(0, 0.3, 0.35, FEET);
         assertEquals(-Math.toDegrees(Math.atan2(0.05, 0.4)), stability.degrees, EXACT);
         assertTrue(stability.isCritical());
-        assertEquals("falls over forwards where it stands: its centre of mass lies 0.050 m outside of its wheels; put weight lower or farther"
-            + " inwards, or its wheels farther apart", stability.getWords());
+        assertEquals("falls over forwards where it stands: its centre of mass, at x 0.000, y 0.300, z 0.350 of its frame, lies 0.050 m"
+            + " outside of its wheels; put weight lower or farther inwards, or its wheels farther apart", stability.getWords());
     }
 
     @Test

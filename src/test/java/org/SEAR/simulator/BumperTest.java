@@ -112,6 +112,33 @@ public class BumperTest {
         assertEquals("steps", 60, pressed);
     }
 
+    /** Its wheels stand out before its body: what they meet is felt, and pushed if it can move. */
+    @Test
+    public void whatWheelsMeetPressesAndIsPushed() throws Exception {
+        for (double mass : new double[] {0, 2}) {
+            new Floor("floor", 50, 50);
+            SEARrobot rover = new SEARrobot("rover");
+            rover.addComponent(new Dynamics("dynamics", 4, 0, 0.06, 0, 0, 0, 0));
+            rover.addComponent(box("body", 0.2, 0.2, 0.06, 4, 0, 0, 0));
+            for (int side : new int[] {1, -1}) {
+                rover.addWheel(new Wheel(side > 0 ? "frontLeft" : "frontRight", 0.05, 0.03, 1, side * 0.13, 0, 0.15));
+                rover.addWheel(new Wheel(side > 0 ? "rearLeft" : "rearRight", 0.05, 0.03, 2, side * 0.13, 0, -0.15));
+            }
+            rover.addComponent(new Bumper("any"));
+            box("crate", 0.5, 0.3, 0.3, mass, 0, 0.15, 0.6);
+            start();
+            driveUntil("any");
+            assertEquals("front of the wheels", 0.45, simulation.getPose("rover").z + 0.2, 0.015);
+            assertTrue(simulation.getRobots().get(0).getHardware().isBumpedLeft() && simulation.getRobots().get(0).getHardware().isBumpedRight());
+            Worlds.run(simulation, 3);
+            double pushed = simulation.getPose("crate").z - 0.6;
+            assertEquals("a crate of " + mass + " kg is pushed", mass == 0 ? 0 : 0.3, pushed, 0.05);
+            drive(-0.1);
+            Worlds.run(simulation, 1);
+            assertFalse("it drove back", isPressed("any"));
+        }
+    }
+
     @Test
     public void robotsPressEachOthersBumpers() throws Exception {
         rover(0);

@@ -95,7 +95,8 @@ public class SnapshotTest {
         if (object instanceof Map) {
             assertHarmless(((Map<?, ?>) object).values(), seen);
         } else if (name.startsWith("org.SEAR.")) {
-            assertTrue("a snapshot holds a " + name, name.matches("org\\.SEAR\\.(simulator\\.Snapshot.*|robot\\.WheelPoses|geometry\\.Pose)"));
+            assertTrue("a snapshot holds a " + name,
+                name.matches("org\\.SEAR\\.(simulator\\.Snapshot.*|robot\\.wheel\\.WheelPoses|geometry\\.Pose)"));
             for (Field field : object.getClass().getDeclaredFields()) {
                 if (!Modifier.isStatic(field.getModifiers()) && !field.getType().isPrimitive()) {
                     field.setAccessible(true);

@@ -140,12 +140,12 @@ public class StepWorkTest {
     @Test
     public void bodiesThatLieApartAreSolvedWithFewTurns() throws Exception {
         long turns = turns(new double[] {0, 3, 6, 9});
-        assertTrue("turns: " + turns, turns > 0 && turns <= 4 * 10 * TURNING_STEPS);
+        assertTrue("turns: " + turns, turns > 0 && turns <= 4 * 16 * TURNING_STEPS);
     }
 
     @Test
     public void aStackIsSolvedWithManyTurns() throws Exception {
         long turns = turns(new double[] {0, 0});
-        assertTrue("turns: " + turns, turns > 10 * 40 && turns <= 2 * 40 * TURNING_STEPS);
+        assertTrue("turns: " + turns, turns > 10 * 16 && turns <= 2 * 40 * TURNING_STEPS);
     }
 }

@@ -104,8 +104,9 @@ public class TippingTest {
         tower(1, 3, 0.3, 0.1);
         assertEquals(Worlds.start(project).snapshot().warnings, ProjectCheck.warnings(Project.read(project.folder())));
         Simulation simulation = Worlds.start(project);
-        assertEquals("[robot tower falls over to the left where it stands: its centre of mass lies 0.075 m outside of its wheels; put weight lower or"
-            + " farther inwards, or its wheels farther apart]", simulation.snapshot().warnings.toString());
+        assertEquals("[robot tower falls over to the left where it stands: its centre of mass, at x 0.225, y 0.075, z 0.000 of its frame, lies"
+            + " 0.075 m outside of its wheels; put weight lower or farther inwards, or its wheels farther apart]",
+            simulation.snapshot().warnings.toString());
         Worlds.run(simulation, 3);
         assertTrue("it lies on its side", simulation.getPose("tower").rotate(0, 1, 0)[1] < 0.9);
     }

@@ -152,7 +152,8 @@ public final class DebugShapes {
     private void rays(int robot) {
         float rest = 0;
         for (SearObject part : robots.get(robot).getComponents()) {
-            rest = part instanceof Dynamics ? (float) ((Dynamics) part).getRestLength() : rest;
+            Double length = part instanceof Dynamics ? ((Dynamics) part).getRestLength() : null;
+            rest = length == null ? rest : length.floatValue();
         }
         List<Wheel> wheels = robots.get(robot).getWheels();
         for (int i = 0; i < wheels.size(); i++) {

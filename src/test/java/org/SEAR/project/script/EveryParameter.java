@@ -72,7 +72,7 @@ final class EveryParameter {
         }
         for (int i = from; i < parameters.size() && more > 0; i++) {
             Parameter companion = parameters.get(i);
-            if (!values.containsKey(companion) && (!companion.getType().isPrimitive() || companion.isList())) {
+            if (!values.containsKey(companion) && (!companion.getType().isPrimitive() || companion.isList() || companion.getName().equals("mass"))) {
                 Map<Parameter, Object> larger = new LinkedHashMap<>(values);
                 larger.put(companion, another(companion));
                 Map<Parameter, Object> found = whole(larger, i + 1, more - 1);

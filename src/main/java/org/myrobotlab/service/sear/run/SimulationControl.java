@@ -9,6 +9,7 @@ import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.SEAR.POJOs.Notices;
+import org.SEAR.POJOs.RunningWorld;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
@@ -24,6 +25,7 @@ public final class SimulationControl {
     private Double speed;
     private Boolean lockStep;
     private volatile boolean groundVisible = true;
+    private RunningWorld.Acts acts;
     private SimulationSession.StepListener stepListener = published -> { };
     private Consumer<Simulation> startListener = world -> { };
 
@@ -56,6 +58,7 @@ public final class SimulationControl {
             running = this;
             session.known();
             Notices.setSimulating(this::isRunning);
+            RunningWorld.begin(acts, this::isRunning);
         }
         tellOthers(session().getSimulation().getProject());
     }
@@ -75,6 +78,11 @@ public final class SimulationControl {
         boolean stepped = lockStep == null ? fromSystem.lockStep : lockStep;
         double defaultSpeed = stepped ? Double.POSITIVE_INFINITY : fromSystem.speed;
         return new RunSettings(fromSystem.headless, speed == null ? defaultSpeed : speed, stepped, fromSystem.seed, groundVisible);
+    }
+
+    /** What objects that were made before a start do in its world. Before the first start. */
+    public void setActs(RunningWorld.Acts forObjects) {
+        acts = forObjects;
     }
 
     /** Called after each step of lock-step, on the thread that advances time. Before the first start. */
@@ -97,6 +105,7 @@ public final class SimulationControl {
             if (running == this) {
                 running = null;
                 Notices.setSimulating(() -> false);
+                RunningWorld.end();
             }
         }
     }

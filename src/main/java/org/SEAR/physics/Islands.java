@@ -1,0 +1,100 @@
+package org.SEAR.physics;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Parts the bodies that move into those that touch each other, directly or by others. Simulation thread. */
+final class Islands {
+    private int[] parent = {};
+    private final List<Island> all = new ArrayList<>();
+    private int count;
+    private Island[] ofRoot = {};
+
+    /** Bodies that touch each other. */
+    static final class Island {
+        final List<Body> bodies = new ArrayList<>();
+        final List<PairContacts> pairs = new ArrayList<>();
+        final List<IslandSolver.WheelDrive> drives = new ArrayList<>();
+    }
+
+    /**
+     * Makes them anew.
+     *
+     * @param bodies that can move, in the order of their numbers
+     * @param total how many bodies the world has
+     */
+    void build(List<Body> bodies, List<PairContacts> pairs, List<IslandSolver.WheelDrive> drives, int total) {
+        if (parent.length < total) {
+            parent = new int[total];
+            ofRoot = new Island[total];
+        }
+        for (int i = 0; i < bodies.size(); i++) {
+            int number = bodies.get(i).number;
+            parent[number] = number;
+            ofRoot[number] = null;
+        }
+        for (int i = 0; i < pairs.size(); i++) {
+            PairContacts pair = pairs.get(i);
+            if (pair.getA().isSolved() && pair.getB().isSolved()) {
+                join(pair.getA().number, pair.getB().number);
+            }
+        }
+        count = 0;
+        for (int i = 0; i < bodies.size(); i++) {
+            Body body = bodies.get(i);
+            if (body.isSolved()) {
+                of(body).bodies.add(body);
+            }
+        }
+        for (int i = 0; i < pairs.size(); i++) {
+            PairContacts pair = pairs.get(i);
+            if (pair.getA().isSolved() || pair.getB().isSolved()) {
+                of(pair.getA().isSolved() ? pair.getA() : pair.getB()).pairs.add(pair);
+            }
+        }
+        for (int i = 0; i < drives.size(); i++) {
+            if (drives.get(i).body.isSolved()) {
+                of(drives.get(i).body).drives.add(drives.get(i));
+            }
+        }
+    }
+
+    private Island of(Body body) {
+        int root = root(body.number);
+        if (ofRoot[root] == null) {
+            if (count == all.size()) {
+                all.add(new Island());
+            }
+            Island island = all.get(count++);
+            island.bodies.clear();
+            island.pairs.clear();
+            island.drives.clear();
+            ofRoot[root] = island;
+        }
+        return ofRoot[root];
+    }
+
+    /** The lesser number leads, so that the order of islands is that of their first bodies. */
+    private void join(int one, int other) {
+        int a = root(one);
+        int b = root(other);
+        parent[Math.max(a, b)] = Math.min(a, b);
+    }
+
+    private int root(int number) {
+        int at = number;
+        while (parent[at] != at) {
+            parent[at] = parent[parent[at]];
+            at = parent[at];
+        }
+        return at;
+    }
+
+    int size() {
+        return count;
+    }
+
+    Island get(int i) {
+        return all.get(i);
+    }
+}

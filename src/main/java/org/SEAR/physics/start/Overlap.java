@@ -1,0 +1,150 @@
+package org.SEAR.physics.start;
+
+import org.SEAR.collision.Convex;
+import org.SEAR.collision.GjkDistance;
+import org.SEAR.geometry.Pose;
+import org.SEAR.physics.Body;
+import org.SEAR.physics.solid.Solid;
+
+/** Whether bodies overlap at poses they may be given, computed in double precision from the shapes themselves. Not for each step. */
+final class Overlap {
+    /** Ways to lean, metres a metre along x and z. */
+    private static final double[][] LEANS = {{0, 0}, {0.1, 0.1}, {0.1, -0.1}, {-0.1, 0.1}, {-0.1, -0.1}, {0.2, 0}, {-0.2, 0}, {0, 0.2}, {0, -0.2}};
+
+    private final Body body;
+    private final GjkDistance gjk = new GjkDistance();
+
+    Overlap(Body body) {
+        this.body = body;
+    }
+
+    /** The box around the body at a pose: {x, y, z} low, {x, y, z} high. */
+    double[] bounds(Pose pose) {
+        double[] box = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
+        double[] point = new double[3];
+        for (int i = 0; i < body.solids.size(); i++) {
+            Placed part = new Placed(body.solids.get(i), pose.times(body.places[i]));
+            for (int axis = 0; axis < 3; axis++) {
+                part.support(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0, point);
+                box[axis + 3] = Math.max(box[axis + 3], point[axis]);
+                part.support(axis == 0 ? -1 : 0, axis == 1 ? -1 : 0, axis == 2 ? -1 : 0, point);
+                box[axis] = Math.min(box[axis], point[axis]);
+            }
+        }
+        return box;
+    }
+
+    /** Points of the body's frame that are lowest at a pose, and where it leans a little to any side. */
+    double[][] lowest(Pose pose) {
+        double[][] points = new double[body.solids.size() * LEANS.length][];
+        for (int i = 0; i < points.length; i++) {
+            int part = i / LEANS.length;
+            double[] lean = LEANS[i % LEANS.length];
+            double[] down = pose.times(body.places[part]).rotateBack(lean[0], -1, lean[1]);
+            double[] point = body.solids.get(part).farthest(down[0], down[1], down[2]);
+            points[i] = body.places[part].transform(point[0], point[1], point[2]);
+        }
+        return points;
+    }
+
+    boolean isApart(double[] a, double[] b) {
+        return a[0] > b[3] || b[0] > a[3] || a[1] > b[4] || b[1] > a[4] || a[2] > b[5] || b[2] > a[5];
+    }
+
+    /** Whether the body at a pose overlaps another at its start by more than {@code allowed} metres. */
+    boolean overlaps(Pose pose, Overlap other, double allowed) {
+        return overlaps(pose, other, other.body.getStart(), allowed);
+    }
+
+    /** The same with the other one at another pose. */
+    boolean overlaps(Pose pose, Overlap other, Pose otherPose, double allowed) {
+        for (int i = 0; i < body.solids.size(); i++) {
+            Placed mine = new Placed(body.solids.get(i), pose.times(body.places[i]));
+            for (int k = 0; k < other.body.solids.size(); k++) {
+                Solid solid = other.body.solids.get(k);
+                Pose place = otherPose.times(other.body.places[k]);
+                if (solid.isMesh() ? meets(mine, bounds(pose), solid, place, allowed) : isDeeper(mine, new Placed(solid, place), allowed)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private boolean isDeeper(Convex mine, Convex other, double allowed) {
+        return gjk.measure(mine, other, 0) && gjk.distance < -allowed;
+    }
+
+    private boolean meets(Placed mine, double[] box, Solid solid, Pose place, double allowed) {
+        Corners corners = new Corners();
+        return solid.anyTriangle(inFrame(box, place), at -> {
+            corners.set(at, place);
+            return corners.near(box) && isDeeper(mine, corners, allowed);
+        });
+    }
+
+    /** The box around a box, in a frame. */
+    private static double[] inFrame(double[] box, Pose frame) {
+        double[] around = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
+        for (int corner = 0; corner < 8; corner++) {
+            double[] at = frame.rotateBack(box[corner % 2 * 3] - frame.x, box[1 + corner / 2 % 2 * 3] - frame.y, box[2 + corner / 4 * 3] - frame.z);
+            for (int axis = 0; axis < 3; axis++) {
+                around[axis] = Math.min(around[axis], at[axis]);
+                around[axis + 3] = Math.max(around[axis + 3], at[axis]);
+            }
+        }
+        return around;
+    }
+
+    /** A solid at a pose. */
+    private static final class Placed implements Convex {
+        private final Solid solid;
+        private final Pose pose;
+
+        Placed(Solid solid, Pose pose) {
+            this.solid = solid;
+            this.pose = pose;
+        }
+
+        @Override
+        public void support(double dx, double dy, double dz, double[] into) {
+            double[] inside = pose.rotateBack(dx, dy, dz);
+            double[] point = solid.farthest(inside[0], inside[1], inside[2]);
+            double[] world = pose.transform(point[0], point[1], point[2]);
+            System.arraycopy(world, 0, into, 0, 3);
+        }
+    }
+
+    /** A triangle. */
+    private static final class Corners implements Convex {
+        private final double[][] at = new double[3][];
+
+        void set(double[] corners, Pose place) {
+            for (int i = 0; i < at.length; i++) {
+                at[i] = place.transform(corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]);
+            }
+        }
+
+        boolean near(double[] box) {
+            for (int axis = 0; axis < 3; axis++) {
+                if (Math.min(at[0][axis], Math.min(at[1][axis], at[2][axis])) > box[axis + 3]
+                    || Math.max(at[0][axis], Math.max(at[1][axis], at[2][axis])) < box[axis]) {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        @Override
+        public void support(double dx, double dy, double dz, double[] into) {
+            double best = Double.NEGATIVE_INFINITY;
+            for (double[] corner : at) {
+                double along = corner[0] * dx + corner[1] * dy + corner[2] * dz;
+                if (along > best) {
+                    best = along;
+                    System.arraycopy(corner, 0, into, 0, 3);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,185 @@
+package org.SEAR.physics.start;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.SEAR.geometry.Pose;
+import org.SEAR.physics.Body;
+import org.SEAR.physics.Scenes;
+
+/** Start poses that can't be meant are put right, each with a warning. */
+public final class StartPoses {
+    /** How much two bodies may overlap at the start, metres. */
+    private static final double ALLOWED = 1e-3;
+    /** What counts as touching, metres. */
+    private static final double TOUCHING = 1e-6;
+    /** More overlaps are not named one by one. */
+    private static final int MOST_TOLD = 20;
+    /** Pairs that start inside one another; with more a step takes seconds. */
+    private static final int MOST_PAIRS = 20_000;
+    /** Rounds of lifting: what is lifted out of one thing may be inside the next. */
+    private static final int ROUNDS = 16;
+    private static final int HALVINGS = 24;
+
+    private StartPoses() {
+    }
+
+    /** Lifts everything with mass out of everything fixed. */
+    public static void lift(List<Body> bodies, List<String> warnings) {
+        List<Body> fixed = bodies.stream().filter(Body::isFixed).collect(Collectors.toList());
+        for (Body body : bodies) {
+            if (!body.isFixed()) {
+                double lifted = liftOut(body, fixed);
+                if (lifted > 0) {
+                    warnings.add(String.format(Locale.ROOT, "%s started inside something fixed; it was lifted by %.3f m", body.name, lifted));
+                }
+            }
+        }
+    }
+
+    /**
+     * Lifts the start of a body out of others where they are now.
+     *
+     * @return by how much, metres
+     */
+    public static double liftOut(Body body, List<Body> others) {
+        double before = body.getStart().y;
+        int round = 0;
+        while (round < ROUNDS && liftOnce(body, others)) {
+            round++;
+        }
+        return body.getStart().y - before;
+    }
+
+    /**
+     * Where too many things with mass lie on one spot: each step would look at every pair of them.
+     *
+     * @return which they are; null if there are not too many
+     */
+    public static String crowd(List<Body> bodies) {
+        List<Body> moving = bodies.stream().filter(body -> !body.isFixed()).collect(Collectors.toList());
+        List<double[]> boxes = moving.stream().map(body -> new Overlap(body).bounds(body.getStart())).collect(Collectors.toList());
+        Integer[] order = IntStream.range(0, boxes.size()).boxed().sorted(Comparator.comparingDouble(i -> boxes.get(i)[0]))
+            .toArray(Integer[]::new);
+        int pairs = 0;
+        for (int i = 0; i < order.length; i++) {
+            double[] box = boxes.get(order[i]);
+            for (int k = i + 1; k < order.length && boxes.get(order[k])[0] <= box[3]; k++) {
+                double[] other = boxes.get(order[k]);
+                pairs += box[1] <= other[4] && other[1] <= box[4] && box[2] <= other[5] && other[2] <= box[5] ? 1 : 0;
+                if (pairs > MOST_PAIRS) {
+                    return "more than " + MOST_PAIRS + " pairs of things with mass start inside one another, as " + moving.get(order[i]).name
+                        + " and " + moving.get(order[k]).name;
+                }
+            }
+        }
+        return null;
+    }
+
+    /** Tells about things with mass that start inside one another: the first step will throw them apart. */
+    public static void tellOverlaps(List<Body> bodies, List<String> warnings) {
+        List<Body> moving = bodies.stream().filter(body -> !body.isFixed()).collect(Collectors.toList());
+        List<Overlap> overlaps = moving.stream().map(Overlap::new).collect(Collectors.toList());
+        List<double[]> boxes = new ArrayList<>();
+        int told = 0;
+        for (int i = 0; i < moving.size(); i++) {
+            Overlap mine = overlaps.get(i);
+            Pose start = moving.get(i).getStart();
+            boxes.add(mine.bounds(start));
+            for (int k = 0; k < i; k++) {
+                if (told == MOST_TOLD) {
+                    warnings.add("more things start inside one another; only the first " + MOST_TOLD + " are named");
+                    return;
+                }
+                if (!mine.isApart(boxes.get(i), boxes.get(k)) && mine.overlaps(start, overlaps.get(k), ALLOWED)) {
+                    told++;
+                    warnings.add(String.format(Locale.ROOT, "%s and %s start inside one another and will be pushed apart; move one of them",
+                        moving.get(k).name, moving.get(i).name));
+                }
+            }
+        }
+    }
+
+    /**
+     * Sets a body down on the ground: it starts as low as it can with nothing of it below the ground. Scenes have the ground where it starts.
+     *
+     * @param at its pose; the height doesn't count
+     * @param feet points of the body's frame that it stands on, such as where wheels touch; none for those of its solids that are lowest
+     * @return whether there is ground below
+     */
+    public static boolean stand(Body body, Pose at, double[][] feet, Scenes scenes) {
+        Pose level = new Pose(at.x, 0, at.z, at.qx, at.qy, at.qz, at.qw);
+        Overlap mine = new Overlap(body);
+        double height = Double.NEGATIVE_INFINITY;
+        for (double[] foot : feet.length > 0 ? feet : mine.lowest(level)) {
+            double[] point = level.transform(foot[0], foot[1], foot[2]);
+            double ground = scenes.groundHeight(point[0], point[2]);
+            height = ground - point[1] > height ? ground - point[1] : height;
+        }
+        if (height == Double.NEGATIVE_INFINITY) {
+            return false;
+        }
+        double in = height;
+        double out = height;
+        for (double more = ALLOWED; overlapsGround(body, mine, up(level, out), scenes); more *= 2) {
+            in = out;
+            out += more;
+        }
+        for (int i = 0; i < HALVINGS && in < out; i++) {
+            double middle = (in + out) / 2;
+            if (overlapsGround(body, mine, up(level, middle), scenes)) {
+                in = middle;
+            } else {
+                out = middle;
+            }
+        }
+        body.setStart(up(level, out));
+        return true;
+    }
+
+    private static boolean overlapsGround(Body body, Overlap mine, Pose pose, Scenes scenes) {
+        double[] box = mine.bounds(pose);
+        for (Body ground : scenes.grounds()) {
+            Overlap other = new Overlap(ground);
+            if (ground != body && !mine.isApart(box, other.bounds(ground.getStart())) && mine.overlaps(pose, other, TOUCHING)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static boolean liftOnce(Body body, List<Body> others) {
+        Overlap mine = new Overlap(body);
+        double[] box = mine.bounds(body.getStart());
+        boolean lifted = false;
+        for (Body obstacle : others) {
+            Overlap other = new Overlap(obstacle);
+            Pose there = obstacle.getPose();
+            double[] around = other.bounds(there);
+            if (mine.isApart(box, around) || !mine.overlaps(body.getStart(), other, there, ALLOWED)) {
+                continue;
+            }
+            double in = 0;
+            double out = around[4] - box[1] + ALLOWED;
+            for (int i = 0; i < HALVINGS; i++) {
+                double middle = (in + out) / 2;
+                if (mine.overlaps(up(body.getStart(), middle), other, there, 0)) {
+                    in = middle;
+                } else {
+                    out = middle;
+                }
+            }
+            body.setStart(up(body.getStart(), out));
+            box = mine.bounds(body.getStart());
+            lifted = true;
+        }
+        return lifted;
+    }
+
+    private static Pose up(Pose pose, double metres) {
+        return new Pose(pose.x, pose.y + metres, pose.z, pose.qx, pose.qy, pose.qz, pose.qw);
+    }
+}

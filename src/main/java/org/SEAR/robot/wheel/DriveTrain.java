@@ -1,0 +1,260 @@
+package org.SEAR.robot.wheel;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.SEAR.POJOs.Wheel;
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.Vec3;
+import org.SEAR.physics.Body;
+import org.SEAR.physics.PhysicsWorld;
+import org.SEAR.physics.Scenes;
+import org.SEAR.physics.SolverBody;
+import org.SEAR.robot.servo.ServoDrive;
+
+/**
+ * The wheels of one robot. The physics solves them together with the contacts of the body: a motor on each driven wheel, grip along and across it,
+ * springs on all; idlers roll freely in every direction. Simulation thread.
+ */
+public final class DriveTrain implements PhysicsWorld.Drive {
+    /** A robot slower than this stands, m/s. */
+    private static final double LEAST_SPEED = 0.01;
+
+    private final Body body;
+    private final List<RaycastWheel> wheels = new ArrayList<>();
+    private final List<GearedMotor> geared = new ArrayList<>();
+    private final List<MotorDrive> motors;
+    /** Null if no wheel is steered. */
+    private final Steering steering;
+    private final DriveForces forces;
+    private final DriveOrders orders;
+    private final boolean swivels;
+    /** The z of the line on which it turns, in the body frame, metres. */
+    private final double centre;
+    private final int owner;
+    private final double frontAxle;
+    private final double[] mounts;
+    private final double[] v = new double[6];
+    private final Vec3 ahead = new Vec3();
+    private final Vec3 up = new Vec3();
+    private final Vec3 sideways = new Vec3();
+    private final double[] impulse = new double[3];
+    private final double[] point = new double[3];
+
+    /**
+     * Of a robot that starts anew.
+     *
+     * @param springs of its wheels
+     * @param motors of the robot, which get their wheels here
+     * @param servos by their names
+     * @param told takes what the user should know during the run
+     */
+    public DriveTrain(Body body, List<Wheel> objects, Spring[] springs, List<MotorDrive> motors, Function<String, ServoDrive> servos, int owner,
+            Consumer<String> told) {
+        this.body = body;
+        this.motors = motors;
+        this.owner = owner;
+        for (int i = 0; i < springs.length; i++) {
+            wheels.add(new RaycastWheel(objects.get(i), springs[i]));
+        }
+        motors.forEach(motor -> motor.restart(wheels));
+        for (RaycastWheel wheel : wheels) {
+            if (wheel.isDriven() && wheel.getMotor() == null) {
+                geared.add(new GearedMotor());
+                wheel.setMotor(geared.get(geared.size() - 1));
+            }
+        }
+        mounts = WheelPoses.mounts(wheels);
+        steering = Steering.of(wheels, servos, body.name);
+        swivels = wheels.stream().anyMatch(wheel -> wheel.getSwivel() != null);
+        centre = steering != null ? steering.getCentre() : wheels.stream().filter(RaycastWheel::isDriven).mapToDouble(wheel -> wheel.z).average()
+            .orElse(0);
+        frontAxle = wheels.stream().mapToDouble(wheel -> wheel.z).max().orElse(0);
+        forces = new DriveForces(body, wheels);
+        orders = new DriveOrders(body.name, wheels, forces, told);
+    }
+
+    /** @param newLeft m/s over ground, likewise newRight */
+    public void setSpeeds(double newLeft, double newRight) {
+        orders.set(newLeft, newRight);
+        motors.forEach(MotorDrive::follow);
+    }
+
+    /** An emergency stop, until the next command that moves. */
+    public void brake() {
+        orders.brake();
+        motors.forEach(MotorDrive::follow);
+    }
+
+    /** Whether the motors are to turn. */
+    public boolean isCommanded() {
+        return orders.isCommanded() || isMotorCommanded() || steering != null && steering.isMoving();
+    }
+
+    private boolean isMotorCommanded() {
+        for (int i = 0; i < motors.size(); i++) {
+            if (motors.get(i).isCommanded()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether the motors have orders of their own that turn the robot. */
+    private boolean isTurnedByMotors() {
+        double first = motors.isEmpty() ? Double.NaN : motors.get(0).getWanted();
+        for (int i = 1; i < motors.size(); i++) {
+            double other = motors.get(i).getWanted();
+            if (!Double.isNaN(other) && other != first) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Tells each wheel what it is to do in this step. */
+    private void tellWheels() {
+        orders.approach();
+        double turn = orders.turn();
+        double curvature = 0;
+        if (steering != null) {
+            steering.step();
+            curvature = steering.curvature();
+            turn += orders.middle() * curvature;
+        }
+        boolean scrubs = turn != 0 || isTurnedByMotors();
+        for (int i = 0; i < wheels.size(); i++) {
+            RaycastWheel wheel = wheels.get(i);
+            Swivel swivel = wheel.getSwivel();
+            if (swivel == null) {
+                wheel.follow(orders.middle() - turn * wheel.x, 1 - curvature * wheel.x);
+            } else {
+                wheel.follow(swivel.along(orders.middle(), turn, centre), swivel.along(1, curvature, centre));
+            }
+            wheel.getGrip().setScrubbing(scrubs ? forces.scrubbing : 0);
+        }
+    }
+
+    /** Looks for the ground under each wheel, and for what stands before it, before the physics' step. */
+    public void look(Scenes scenes) {
+        tellWheels();
+        Pose pose = body.getPose();
+        up.rotate(pose, 0, 1, 0);
+        ahead.rotate(pose, 0, 0, 1);
+        if (swivels) {
+            aim();
+        }
+        body.velocities(v);
+        double speed = v[0] * ahead.x + v[1] * ahead.y + v[2] * ahead.z;
+        double coasting = Math.abs(speed) > LEAST_SPEED ? speed : 0;
+        boolean carried = false;
+        boolean free = body.isFree();
+        for (int i = 0; i < wheels.size(); i++) {
+            RaycastWheel wheel = wheels.get(i);
+            wheel.look(scenes, pose, owner, up, ahead, coasting);
+            carried |= wheel.isGrounded();
+            free &= wheel.getObstacle().body() == null;
+        }
+        for (int i = 0; i < geared.size(); i++) {
+            // pressed against a wall the gears would hold the pressure, and with it the robot askew
+            geared.get(i).setGeared(free);
+        }
+        body.setCarried(carried);
+    }
+
+    /** Finds out where wheels point that do not just point ahead. */
+    private void aim() {
+        sideways.cross(up, ahead);
+        for (int i = 0; i < wheels.size(); i++) {
+            if (wheels.get(i).getSwivel() != null) {
+                wheels.get(i).getSwivel().aim(ahead, sideways);
+            }
+        }
+    }
+
+    @Override
+    public void prepare(SolverBody solver) {
+        for (int i = 0; i < wheels.size(); i++) {
+            wheels.get(i).prepare(solver, ahead);
+        }
+    }
+
+    @Override
+    public void solve(SolverBody solver) {
+        for (int i = 0; i < wheels.size(); i++) {
+            wheels.get(i).solve(solver.v);
+        }
+    }
+
+    /** Turns the wheels and pushes the ground, and what stands in the way, after the physics' step. */
+    public void roll() {
+        for (int i = 0; i < wheels.size(); i++) {
+            wheels.get(i).roll();
+            wheels.get(i).trail(body, point);
+            wheels.get(i).react(impulse, point);
+        }
+    }
+
+    /**
+     * Steers by its steered wheels.
+     *
+     * @param degrees of a wheel in the middle, + to the left
+     * @throws IllegalArgumentException if it has none, or a servo steers them, or that is out of their range
+     */
+    public void steer(double degrees) {
+        if (steering == null) {
+            throw new IllegalArgumentException("robot " + body.name + " has no steered wheels: wheel.setSteering(30) makes one");
+        }
+        steering.steer(degrees);
+    }
+
+    /** Whether it has steered wheels that no servo steers. */
+    public boolean canSteer() {
+        return steering != null && steering.isFree();
+    }
+
+    /**
+     * Steers to a circle, or as far as it can.
+     *
+     * @param radius metres, + to the left, infinite = straight, 0 = the smallest, to the left with a positive speed
+     * @param speed m/s
+     */
+    public void steerTo(double radius, double speed) {
+        steering.follow(radius == 0 ? Math.signum(speed) * Double.POSITIVE_INFINITY : 1 / radius);
+        if (speed != 0) {
+            orders.tellTight(Math.abs(radius), steering, speed);
+        }
+    }
+
+    /** Is told to drive on a circle where wheel speeds alone can make one. */
+    public void turnBySpeeds() {
+        if (steering != null) {
+            orders.tellServo(steering.getServo());
+        }
+    }
+
+    /** Degrees, + to the left; 0 without steered wheels. */
+    public double getSteering() {
+        return steering == null ? 0 : steering.getDegrees();
+    }
+
+    public List<RaycastWheel> getWheels() {
+        return wheels;
+    }
+
+    /** Distance of the left from the right driven wheels, metres. */
+    public double getTrack() {
+        return forces.track;
+    }
+
+    /** How far before the body's middle the foremost wheel is fastened, metres; 0 without wheels. */
+    public double getFrontAxle() {
+        return frontAxle;
+    }
+
+    /** Where the wheels are now in the body frame, spin included; immutable, of no use to the running world. */
+    public List<Pose> getWheelPoses() {
+        return WheelPoses.of(wheels, mounts, swivels);
+    }
+}

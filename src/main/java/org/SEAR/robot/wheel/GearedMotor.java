@@ -1,0 +1,96 @@
+package org.SEAR.robot.wheel;
+
+import org.SEAR.physics.ConstraintRow;
+
+/**
+ * The motor of a wheel that no {@link org.SEAR.POJOs.Motor} turns: a servo of limited force. Its gears hold the wheel with all that the tyre can: it
+ * neither rolls back nor coasts on. Simulation thread.
+ */
+final class GearedMotor implements WheelMotor {
+    /** A motor that has stalled this long, seconds, gets less current, as motor controllers do, down to this share of its force. */
+    private static final double STALL_TIME = 0.25;
+    private static final double STALL_SHARE = 0.05;
+    /** How much slower the force comes back when the wheel turns again. */
+    private static final double RECOVERY = 0.25;
+    /** A wheel slower than this share of what it is told to do has stalled. */
+    private static final double STALLED = 0.5;
+    /** And slower than this, m/s. */
+    private static final double STANDING = 0.03;
+
+    private double force;
+    private double target;
+    private double stalled;
+    private boolean geared;
+    private double load;
+
+    /** @param newForce its greatest, N */
+    void setForce(double newForce) {
+        force = newForce;
+    }
+
+    /** @param on whether gears hold the wheel where its motor alone is too weak */
+    void setGeared(boolean on) {
+        geared = on;
+    }
+
+    @Override
+    public void follow(double speed, double part) {
+        if (speed * target <= 0) {
+            stalled = 0;
+        }
+        target = speed;
+    }
+
+    @Override
+    public boolean holds() {
+        return target == 0 && geared;
+    }
+
+    @Override
+    public double holding(double seconds) {
+        return Double.POSITIVE_INFINITY;
+    }
+
+    @Override
+    public void solve(ConstraintRow row, double[] v, double rolling, double grip, double seconds) {
+        double motor = Math.min(grip, force * seconds * strength());
+        double least = -motor;
+        double most = motor;
+        if (geared) {
+            double standing = row.impulse - rolling / row.mobility;
+            least = target < 0 ? -Math.min(grip, Math.max(motor, -standing)) : -grip;
+            most = target > 0 ? Math.min(grip, Math.max(motor, standing)) : grip;
+        }
+        row.add(v, (target - rolling) / row.mobility, least, most);
+    }
+
+    /** Share of the motor's force that its controller allows now. */
+    private double strength() {
+        return Math.max(STALL_SHARE, Math.min(1, 2 - stalled / STALL_TIME));
+    }
+
+    @Override
+    public void feel(double impulse, double rolled, boolean grounded, double seconds) {
+        load = 0;
+        if (grounded) {
+            load = force > 0 ? Math.min(1, Math.abs(impulse) / (force * seconds * strength())) : 0;
+            boolean stands = rolled * Math.signum(target) < Math.min(STALLED * Math.abs(target), STANDING);
+            stalled = target != 0 && stands ? Math.min(stalled + seconds, 2 * STALL_TIME) : Math.max(0, stalled - RECOVERY * seconds);
+        }
+    }
+
+    @Override
+    public double slipping(double given) {
+        return target;
+    }
+
+    @Override
+    public double load() {
+        return load;
+    }
+
+    @Override
+    public double fastest() {
+        return Double.POSITIVE_INFINITY;
+    }
+}

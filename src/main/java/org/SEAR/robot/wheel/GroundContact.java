@@ -1,0 +1,89 @@
+package org.SEAR.robot.wheel;
+
+import org.SEAR.geometry.Vec3;
+import org.SEAR.physics.Body;
+import org.SEAR.physics.Scenes;
+import org.SEAR.physics.SolverBody;
+import org.SEAR.raycast.Hit;
+
+/** Where one wheel meets the ground: found by one ray a step along its suspension, and followed from substep to substep. Simulation thread. */
+final class GroundContact {
+    /** Ground that leans more than this (cosine of the angle to the suspension) is a wall and carries no wheel. */
+    private static final double STEEPEST = 0.35;
+
+    /** Of the ground, world frame. */
+    final Vec3 normal = new Vec3();
+    final Vec3 point = new Vec3();
+    private final Vec3 velocity = new Vec3();
+    private final double[] moving = new double[3];
+    private final Hit hit = new Hit();
+    private Body under;
+    private boolean touches;
+    private double seen;
+    private double elapsed;
+    private double gap;
+
+    /**
+     * Looks for ground, once a step.
+     *
+     * @param from where the ray starts, world frame
+     * @param up along the suspension
+     * @param wheel from there to the lowest point of the wheel when its suspension is wholly compressed, metres
+     * @param rest how much farther that point is when nothing presses the wheel, metres
+     * @param owner whose parts are not ground
+     */
+    void look(Scenes scenes, Vec3 from, Vec3 up, double wheel, double rest, int owner) {
+        double distance = scenes.ground.cast(from.x, from.y, from.z, -up.x, -up.y, -up.z, wheel + rest, owner, hit);
+        normal.set(hit.nx, hit.ny, hit.nz);
+        double lean = normal.dot(up);
+        if (lean < 0) {
+            normal.scale(-1);
+        }
+        touches = distance < wheel + rest && Math.abs(lean) > STEEPEST;
+        seen = distance - wheel;
+        elapsed = 0;
+        under = touches ? scenes.body(hit.shape) : null;
+        point.set(from).add(-distance, up);
+    }
+
+    /** Friction of what is below. */
+    double friction(Scenes scenes) {
+        return scenes.solid(hit.shape).getSurface().friction(under.isRobot());
+    }
+
+    /** Takes over where the wheel and the ground are now. */
+    void prepare(SolverBody body) {
+        velocity.set(0, 0, 0);
+        if (!under.isFixed()) {
+            under.velocityAt(point.x, point.y, point.z, moving);
+            velocity.set(moving);
+        }
+        gap = seen + body.travel(normal.x, normal.y, normal.z, point.x, point.y, point.z) - elapsed * velocity.dot(normal);
+        elapsed += body.seconds();
+    }
+
+    /** How fast the ground moves along a direction, m/s. */
+    double speed(double dx, double dy, double dz) {
+        return velocity.x * dx + velocity.y * dy + velocity.z * dz;
+    }
+
+    /** Whether the wheel is on the ground. */
+    boolean touches() {
+        return touches;
+    }
+
+    /** How far the wheel hangs when it just touches the ground, metres; negative if it can't go up so far. As the ray has seen it. */
+    double seen() {
+        return seen;
+    }
+
+    /** The same now. */
+    double gap() {
+        return gap;
+    }
+
+    /** What it stands on; null in the air. */
+    Body under() {
+        return under;
+    }
+}

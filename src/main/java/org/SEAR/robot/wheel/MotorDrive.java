@@ -1,0 +1,151 @@
+package org.SEAR.robot.wheel;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.SEAR.POJOs.Motor;
+import org.SEAR.POJOs.Parameter;
+import org.SEAR.devices.MotorHardware;
+
+/**
+ * A motor and its gear. At a wheel that rolls at v over ground its force is a * power - b * v, a straight line from the stall torque to the speed
+ * without load; with several wheels each has its share of it at its own speed, see {@link MotorShare}. Simulation thread.
+ */
+public final class MotorDrive implements MotorHardware {
+    private static final double LEAST_PART = 1e-6;
+
+    enum Order { FOLLOW, POWER, SPEED }
+
+    private final Motor object;
+    private final String robot;
+    private final List<RaycastWheel> wheels = new ArrayList<>();
+    private final List<MotorShare> shares = new ArrayList<>();
+    private Order order = Order.FOLLOW;
+    private double power;
+    private double speed;
+
+    public MotorDrive(Motor object, String robot) {
+        this.object = object;
+        this.robot = robot;
+    }
+
+    /** As at the start, on wheels that were made anew. */
+    void restart(List<RaycastWheel> all) {
+        wheels.clear();
+        shares.clear();
+        order = Order.FOLLOW;
+        power = 0;
+        speed = 0;
+        for (RaycastWheel wheel : all) {
+            if (object.getWheelNames().contains(wheel.object.getName())) {
+                wheels.add(wheel);
+                shares.add(new MotorShare(this, wheel.reach));
+                wheel.setMotor(shares.get(shares.size() - 1));
+            }
+        }
+    }
+
+    @Override
+    public String getName() {
+        return object.getName();
+    }
+
+    /** It has its wheels roll as the robot is told to drive, until it gets an order of its own. */
+    void follow() {
+        order = Order.FOLLOW;
+    }
+
+    @Override
+    public void setPower(double newPower) {
+        power = legal("power", newPower, 1, "");
+        order = Order.POWER;
+    }
+
+    @Override
+    public void setSpeed(double newSpeed) {
+        speed = legal("speed", newSpeed, object.getNoLoadSpeed() / object.getGearRatio(), " rad/s, which its wheels reach without load");
+        order = Order.SPEED;
+    }
+
+    private double legal(String what, double value, double most, String unit) {
+        if (!(Math.abs(value) <= most)) {
+            throw new IllegalArgumentException("motor " + object.getName() + " of robot " + robot + ": " + what + " is " + value + ", legal: "
+                + Parameter.format(-most) + " to " + Parameter.format(most) + unit);
+        }
+        return value;
+    }
+
+    /** Whether it has an order of its own to move. */
+    boolean isCommanded() {
+        return order == Order.POWER && power != 0 || order == Order.SPEED && speed != 0;
+    }
+
+    /** How fast its wheels are told to turn, or would without load, rad/s; NaN if they follow the robot. */
+    double getWanted() {
+        return order == Order.FOLLOW ? Double.NaN : order == Order.SPEED ? speed : power * object.getNoLoadSpeed() / object.getGearRatio();
+    }
+
+    Order getOrder() {
+        return order;
+    }
+
+    /** Share of the voltage that it was told, -1 to 1. */
+    double getPower() {
+        return power;
+    }
+
+    /** The mean speed of its wheels that it was told, rad/s. */
+    double getTold() {
+        return speed;
+    }
+
+    /** What a wheel turns for each turn of the mean of all, if it rolls {@code part} metres for each of the robot's middle. */
+    double share(double part) {
+        double sum = 0;
+        for (int i = 0; i < shares.size(); i++) {
+            sum += shares.get(i).getPart();
+        }
+        return Math.abs(sum) < LEAST_PART ? 1 : part * shares.size() / sum;
+    }
+
+    /** Greatest force of one wheel at full power and standstill, N. */
+    double stall(double reach) {
+        return object.getStallTorque() * object.getGearRatio() / (wheels.size() * reach);
+    }
+
+    /** How much less that is for each m/s, N s/m. */
+    double slope(double reach) {
+        return stall(reach) / fastest(reach);
+    }
+
+    /** Speed of its wheels at full power without load, m/s. */
+    double fastest(double reach) {
+        return object.getNoLoadSpeed() * reach / object.getGearRatio();
+    }
+
+    @Override
+    public double getSpeed() {
+        double sum = 0;
+        for (RaycastWheel wheel : wheels) {
+            sum += wheel.getSpin();
+        }
+        return sum / wheels.size();
+    }
+
+    @Override
+    public long getCounts() {
+        double sum = 0;
+        for (RaycastWheel wheel : wheels) {
+            sum += wheel.getAngle();
+        }
+        return (long) Math.floor(sum / wheels.size() * object.getGearRatio() * object.getEncoderCounts() / (2 * Math.PI));
+    }
+
+    @Override
+    public double getLoad() {
+        double sum = 0;
+        for (RaycastWheel wheel : wheels) {
+            sum += wheel.getLoad();
+        }
+        return sum / wheels.size();
+    }
+}

@@ -1,0 +1,84 @@
+package org.SEAR.robot.wheel;
+
+import org.SEAR.physics.ConstraintRow;
+
+/**
+ * One wheel's share of a motor. The straight line from stall to no load is solved implicitly, together with what the ground gives. A speed that the
+ * motor was told is the mean of its wheels: each gets that part of it at which it rolls on the way that the robot is steered. Simulation thread.
+ */
+final class MotorShare implements WheelMotor {
+    private final MotorDrive motor;
+    private final double reach;
+    private double following;
+    private double part = 1;
+    private double load;
+
+    /** @param reach metres that the wheel rolls for each radian */
+    MotorShare(MotorDrive motor, double reach) {
+        this.motor = motor;
+        this.reach = reach;
+    }
+
+    @Override
+    public void follow(double speed, double newPart) {
+        following = speed;
+        part = newPart;
+    }
+
+    double getPart() {
+        return part;
+    }
+
+    @Override
+    public boolean holds() {
+        return motor.getOrder() != MotorDrive.Order.POWER && target() == 0;
+    }
+
+    @Override
+    public double holding(double seconds) {
+        return motor.stall(reach) * seconds;
+    }
+
+    @Override
+    public void solve(ConstraintRow row, double[] v, double rolling, double grip, double seconds) {
+        double stall = motor.stall(reach) * seconds;
+        double braking = motor.slope(reach) * seconds;
+        double soft = 1 + braking * row.mobility;
+        double free = -braking * rolling - row.impulse;
+        double change;
+        if (motor.getOrder() == MotorDrive.Order.POWER) {
+            change = (stall * motor.getPower() + free) / soft;
+        } else {
+            change = Math.max((free - stall) / soft, Math.min((free + stall) / soft, (target() - rolling) / row.mobility));
+        }
+        row.add(v, change, -grip, grip);
+    }
+
+    private double target() {
+        return motor.getOrder() == MotorDrive.Order.SPEED ? motor.getTold() * reach * motor.share(part) : following;
+    }
+
+    @Override
+    public void feel(double impulse, double rolled, boolean grounded, double seconds) {
+        load = Math.max(-1, Math.min(1, impulse / (seconds * motor.stall(reach))));
+    }
+
+    @Override
+    public double slipping(double force) {
+        double stall = motor.stall(reach);
+        if (motor.getOrder() == MotorDrive.Order.POWER) {
+            return (stall * motor.getPower() - force) / motor.slope(reach);
+        }
+        return Math.max((-stall - force) / motor.slope(reach), Math.min((stall - force) / motor.slope(reach), target()));
+    }
+
+    @Override
+    public double load() {
+        return load;
+    }
+
+    @Override
+    public double fastest() {
+        return motor.fastest(reach);
+    }
+}

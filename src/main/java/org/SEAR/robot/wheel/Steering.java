@@ -1,0 +1,129 @@
+package org.SEAR.robot.wheel;
+
+import java.util.List;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.SEAR.POJOs.Parameter;
+import org.SEAR.POJOs.Wheel;
+import org.SEAR.geometry.TimeStep;
+import org.SEAR.robot.servo.ServoDrive;
+
+/**
+ * The steered wheels of one robot, by Ackermann's geometry: all axles point to the one point about which it turns, which lies on the line of the
+ * axle that is not steered; with all wheels steered, on the line midway between them. Simulation thread.
+ */
+final class Steering {
+    /** How fast wheels are steered that no servo steers, rad/s. */
+    private static final double SPEED = Math.toRadians(200);
+
+    private final List<RaycastWheel> steered;
+    private final ServoDrive servo;
+    private final String robot;
+    private final double most;
+    private final double centre;
+    private final double length;
+    private double wanted;
+    private double angle;
+
+    private Steering(List<RaycastWheel> wheels, List<RaycastWheel> steered, ServoDrive servo, String robot) {
+        this.steered = steered;
+        this.servo = servo;
+        this.robot = robot;
+        most = steered.stream().mapToDouble(wheel -> wheel.object.getSteering() == null ? Double.POSITIVE_INFINITY : wheel.object.getSteering())
+            .min().orElse(0);
+        List<Wheel> objects = wheels.stream().map(wheel -> wheel.object).collect(Collectors.toList());
+        centre = Wheel.turningLine(objects);
+        length = Wheel.steeringLength(objects);
+        point();
+    }
+
+    /** That of a robot; null if it has no steered wheels. */
+    static Steering of(List<RaycastWheel> wheels, Function<String, ServoDrive> servos, String robot) {
+        List<RaycastWheel> steered = wheels.stream().filter(wheel -> wheel.object.isSteered()).collect(Collectors.toList());
+        return steered.isEmpty() ? null : new Steering(wheels, steered, servos.apply(steered.get(0).object.getSteeringServo()), robot);
+    }
+
+    /**
+     * Where to steer, of a wheel in the middle between left and right.
+     *
+     * @param degrees + to the left
+     * @throws IllegalArgumentException that names the robot, the value and the legal range
+     */
+    void steer(double degrees) {
+        if (servo != null) {
+            throw new IllegalArgumentException("robot " + robot + " is steered by its servo " + servo.getName() + ": that has to turn");
+        }
+        if (!(Math.abs(degrees) <= most)) {
+            throw new IllegalArgumentException("robot " + robot + ": steering is " + degrees + ", legal: " + Parameter.format(-most) + " to "
+                + Parameter.format(most) + " deg");
+        }
+        wanted = Math.toRadians(degrees);
+    }
+
+    /** Whether no servo steers. */
+    boolean isFree() {
+        return servo == null;
+    }
+
+    /** @param curvature to be driven, 1/m, + to the left; beyond what can be steered the greatest angle counts */
+    void follow(double curvature) {
+        double degrees = Math.toDegrees(Math.atan(curvature * length));
+        steer(Math.max(-most, Math.min(most, degrees)));
+    }
+
+    /** Radius of the smallest circle of its middle, metres. */
+    double tightest() {
+        return length / Math.tan(Math.toRadians(most));
+    }
+
+    /** The greatest angle, degrees. */
+    double getMost() {
+        return most;
+    }
+
+    /** Name of the servo that steers; null for none. */
+    String getServo() {
+        return servo == null ? null : servo.getName();
+    }
+
+    /** Degrees, + to the left, of a wheel in the middle. */
+    double getDegrees() {
+        return Math.toDegrees(angle);
+    }
+
+    /** Whether it is on its way. */
+    boolean isMoving() {
+        return angle != (servo == null ? wanted : Math.toRadians(servo.getAngle()));
+    }
+
+    /** Turns the wheels for one step. */
+    void step() {
+        if (isMoving()) {
+            if (servo != null) {
+                angle = Math.toRadians(servo.getAngle());
+            } else {
+                double step = SPEED * TimeStep.SECONDS;
+                angle = Math.abs(wanted - angle) <= step ? wanted : angle + Math.copySign(step, wanted - angle);
+            }
+            point();
+        }
+    }
+
+    private void point() {
+        for (RaycastWheel wheel : steered) {
+            double across = 1 - curvature() * wheel.x;
+            double along = curvature() * (wheel.z - centre);
+            wheel.getSwivel().steer(across < 0 ? Math.atan2(-along, -across) : Math.atan2(along, across));
+        }
+    }
+
+    /** 1 by the radius on which its middle goes, 1/m, + to the left. */
+    double curvature() {
+        return Math.tan(angle) / length;
+    }
+
+    /** The z of the line on which it turns, in the body frame, metres. */
+    double getCentre() {
+        return centre;
+    }
+}

@@ -1,0 +1,72 @@
+package org.SEAR.robot.wheel;
+
+import org.SEAR.physics.ConstraintRow;
+import org.SEAR.physics.SolverBody;
+
+/** The spring of one wheel, solved implicitly, so that any stiffness is stable, and the stop at the end of its way. Simulation thread. */
+final class Suspension {
+    /** Share of the depth beyond the stop that is corrected in a second. */
+    private static final double CORRECTION = 12;
+
+    private final Spring of;
+    private final ConstraintRow spring = new ConstraintRow();
+    private final ConstraintRow stop = new ConstraintRow();
+    private double groundUp;
+    private double softness;
+    private double bias;
+    private double allowed;
+    private double mostImpulse;
+    private double seconds;
+
+    Suspension(Spring of) {
+        this.of = of;
+    }
+
+    /** The wheel is in the air. */
+    void release() {
+        spring.impulse = 0;
+        stop.impulse = 0;
+    }
+
+    /** Makes the rows of a substep; the impulses of the last one are the first guess. */
+    void prepare(GroundContact ground, SolverBody body) {
+        double before = seconds;
+        seconds = body.seconds();
+        aim(spring, ground, body, before);
+        aim(stop, ground, body, before);
+        groundUp = ground.speed(ground.normal.x, ground.normal.y, ground.normal.z);
+        double damping = spring.speed(body.v) - groundUp < 0 ? of.compressing : of.releasing;
+        double soft = damping + seconds * of.stiffness;
+        double gap = ground.gap();
+        softness = soft > 0 ? 1 / (seconds * soft) : 0;
+        bias = soft > 0 ? of.stiffness * Math.min(of.rest, of.rest - gap) / soft : 0;
+        allowed = gap > 0 ? -gap / seconds : -CORRECTION * gap;
+        mostImpulse = of.mostForce * seconds;
+        spring.push(body.v, spring.impulse);
+        stop.push(body.v, stop.impulse);
+    }
+
+    private void aim(ConstraintRow row, GroundContact ground, SolverBody body, double before) {
+        row.set(ground.normal.x, ground.normal.y, ground.normal.z, ground.point.x, ground.point.y, ground.point.z, body);
+        row.impulse *= before > 0 ? seconds / before : 0;
+    }
+
+    /** @param v velocities of the centre of mass, changed */
+    void solve(double[] v) {
+        if (softness > 0) {
+            double error = spring.speed(v) - groundUp - bias + softness * spring.impulse;
+            spring.add(v, -error / (spring.mobility + softness), 0, mostImpulse);
+        }
+        stop.add(v, -(stop.speed(v) - groundUp - allowed) / stop.mobility, 0, Double.POSITIVE_INFINITY);
+    }
+
+    /** Impulse with which the ground carries the wheel, Ns. */
+    double impulse() {
+        return spring.impulse + stop.impulse;
+    }
+
+    /** Metres; see {@link Spring#rest}. */
+    double rest() {
+        return of.rest;
+    }
+}

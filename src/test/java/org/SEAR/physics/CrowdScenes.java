@@ -1,0 +1,49 @@
+package org.SEAR.physics;
+
+import java.lang.management.ManagementFactory;
+import org.SEAR.POJOs.Box;
+import org.SEAR.simulator.BodyRun;
+
+/** Far too much at one spot: it costs a bounded time and comes apart slowly. */
+final class CrowdScenes {
+    private static final double SIZE = 0.2;
+
+    private CrowdScenes() {
+    }
+
+    /** All cubes in the same place. */
+    static void oneSpot(int count, Findings into) throws Exception {
+        crowd(count + " cubes at one spot", count, count, 0, 120, 1, into);
+    }
+
+    private static void crowd(String scene, int count, int row, double apart, int steps, double seconds, Findings into) throws Exception {
+        into.in(scene);
+        try (Stage stage = new Stage(100)) {
+            Cuboids cubes = new Cuboids();
+            for (int i = 0; i < count; i++) {
+                new Box("cube" + i, SIZE, SIZE, SIZE, 1, apart * (i % row), SIZE / 2 + apart * (i / (row * row)), apart * (i / row % row));
+                cubes.add("cube" + i, SIZE, SIZE, SIZE);
+            }
+            BodyRun run = stage.start();
+            double fastest = 0;
+            double longest = 0;
+            double all = 0;
+            for (int i = 0; i < steps; i++) {
+                double before = seconds();
+                run.step();
+                double took = seconds() - before;
+                all += took;
+                longest = Math.max(longest, took);
+                fastest = Math.max(fastest, cubes.fastest(run));
+            }
+            into.atMost("a step in the mean, CPU s", seconds / 2, all / steps);
+            into.atMost("the longest step, CPU s", seconds, longest);
+            into.atMost("the fastest, m/s: what was on top falls", 5, fastest);
+        }
+    }
+
+    /** Processor time of this thread. */
+    private static double seconds() {
+        return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() * 1e-9;
+    }
+}

@@ -1,0 +1,67 @@
+package org.SEAR.physics;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import org.SEAR.geometry.Pose;
+import org.SEAR.simulator.BodyRun;
+
+/** The boxes of a scene, and what is asked of all of them. */
+final class Cuboids {
+    private final List<Cuboid> all = new ArrayList<>();
+    private final List<Pose> before = new ArrayList<>();
+    private final List<Cuboid> order = new ArrayList<>();
+
+    /** Takes a box; its sizes along its axes, metres. */
+    void add(String name, double sizeX, double sizeY, double sizeZ) {
+        Cuboid box = new Cuboid(name, sizeX, sizeY, sizeZ);
+        all.add(box);
+        order.add(box);
+    }
+
+    private void look(BodyRun run) {
+        all.forEach(box -> box.place(run.pose(box.name)));
+    }
+
+    /** How deep the deepest is now in another or in a floor at height 0, metres. */
+    double deepest(BodyRun run) {
+        look(run);
+        double deepest = 0;
+        order.sort(Comparator.comparingDouble(box -> box.low(0)));
+        for (int i = 0; i < order.size(); i++) {
+            Cuboid box = order.get(i);
+            double high = box.high(0);
+            deepest = Math.max(deepest, -box.low(1));
+            for (int k = i + 1; k < order.size() && order.get(k).low(0) <= high; k++) {
+                deepest = Math.max(deepest, box.depth(order.get(k)));
+            }
+        }
+        return deepest;
+    }
+
+    /** How many stand on no face: more than a degree off. */
+    int tilted(BodyRun run) {
+        look(run);
+        return (int) all.stream().filter(box -> box.flat() < Rest.FLAT).count();
+    }
+
+    /** Remembers where all are. */
+    void remember(BodyRun run) {
+        before.clear();
+        all.forEach(box -> before.add(run.pose(box.name)));
+    }
+
+    /** How many have moved since {@link #remember}. */
+    int moving(BodyRun run) {
+        int count = 0;
+        for (int i = 0; i < all.size(); i++) {
+            count += Rest.hasMoved(before.get(i), run.pose(all.get(i).name)) ? 1 : 0;
+        }
+        return count;
+    }
+
+    /** The speed of the fastest, m/s. */
+    double fastest(BodyRun run) {
+        return all.stream().mapToDouble(box -> Rest.speed(run.velocities(box.name))).max().orElse(0);
+    }
+}

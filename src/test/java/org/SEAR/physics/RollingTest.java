@@ -1,0 +1,32 @@
+package org.SEAR.physics;
+
+import org.junit.Test;
+
+/** What rolls down slopes, within a thousandth of the closed forms, up to 200 rad/s. */
+public class RollingTest {
+    private final Findings findings = new Findings();
+
+    @Test
+    public void aBallRolls() throws Exception {
+        for (double degrees : new double[] {5, 15, 30}) {
+            RollingScenes.ball(degrees, 3, findings);
+        }
+        findings.assertHold();
+    }
+
+    @Test
+    public void aCylinderRolls() throws Exception {
+        for (double degrees : new double[] {5, 15, 30}) {
+            RollingScenes.cylinder(degrees, 3, findings);
+        }
+        findings.assertHold();
+    }
+
+    @Test
+    public void aConeSwingsAboutItsApex() throws Exception {
+        for (double degrees : new double[] {5, 15, 30}) {
+            RollingScenes.cone(degrees, findings);
+        }
+        findings.assertHold();
+    }
+}

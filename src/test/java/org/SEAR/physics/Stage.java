@@ -1,0 +1,51 @@
+package org.SEAR.physics;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.project.problems.ProjectException;
+import org.SEAR.simulator.BodyRun;
+import org.junit.rules.TemporaryFolder;
+
+/** A project of its own for one scene: what is made while it is open stands in it. */
+final class Stage implements AutoCloseable {
+    private static final String KEY = "sear.project";
+
+    private final TemporaryFolder folder = new TemporaryFolder();
+    private final String before = System.getProperty(KEY);
+    private BodyRun run;
+
+    Stage() throws IOException {
+        folder.create();
+        System.setProperty(KEY, folder().toString());
+    }
+
+    /** With a square floor whose top is at height 0, metres. */
+    Stage(double side) throws IOException {
+        this();
+        new Floor("floor", side, side);
+    }
+
+    Path folder() {
+        return folder.getRoot().toPath().resolve("SEARproject");
+    }
+
+    /** Starts the world of what stands here. */
+    BodyRun start() throws ProjectException {
+        run = new BodyRun(folder());
+        return run;
+    }
+
+    @Override
+    public void close() {
+        if (run != null) {
+            run.close();
+        }
+        if (before == null) {
+            System.clearProperty(KEY);
+        } else {
+            System.setProperty(KEY, before);
+        }
+        folder.delete();
+    }
+}

@@ -24,20 +24,20 @@ final class PairSearch extends DbvtBroadphase {
     private Dbvt.Node[] left = new Dbvt.Node[64];
     private Dbvt.Node[] right = new Dbvt.Node[64];
     private int depth;
-    private final List<DbvtProxy> changed = new ArrayList<>();
+    private final List<BroadphaseProxy> changed = new ArrayList<>();
 
     @Override
     public BroadphaseProxy createProxy(Vector3f low, Vector3f high, BroadphaseNativeType type, Object user, short group, short mask,
             Dispatcher dispatcher, Object more) {
         BroadphaseProxy proxy = super.createProxy(low, high, type, user, group, mask, dispatcher, more);
-        changed.add((DbvtProxy) proxy);
+        changed.add(proxy);
         return proxy;
     }
 
     @Override
     public void setAabb(BroadphaseProxy proxy, Vector3f low, Vector3f high, Dispatcher dispatcher) {
         super.setAabb(proxy, low, high, dispatcher);
-        changed.add((DbvtProxy) proxy);
+        changed.add(proxy);
     }
 
     @Override
@@ -60,8 +60,9 @@ final class PairSearch extends DbvtBroadphase {
         resting.optimizeIncremental(1 + resting.leaves * fupdates / PER_CENT);
         stageCurrent = (stageCurrent + 1) % STAGECOUNT;
         for (int i = 0; i < changed.size(); i++) {
-            meet(changed.get(i).leaf, resting.root);
-            meet(changed.get(i).leaf, moving.root);
+            DbvtProxy proxy = (DbvtProxy) changed.get(i);
+            meet(proxy.leaf, resting.root);
+            meet(proxy.leaf, moving.root);
         }
         if (!changed.isEmpty()) {
             forgetParted(dispatcher);

@@ -346,7 +346,7 @@ public abstract class Shape extends PlacedObject {
     }
 
     /** Tells that it moves at the start and must not. */
-    public final void refuseLaunch(Faults faults, String legal) {
+    public final void toFaultsOfLaunch(Faults faults, String legal) {
         Parameter launching = launching();
         if (launching != null) {
             faults.add(launching.getName(), launching.get(this), legal);
@@ -363,7 +363,7 @@ public abstract class Shape extends PlacedObject {
     protected void crossCheck(Faults faults) {
         super.crossCheck(faults);
         if (mass == 0) {
-            refuseLaunch(faults, "0 for what is fixed; with a mass above 0 kg it can have it");
+            toFaultsOfLaunch(faults, "0 for what is fixed; with a mass above 0 kg it can have it");
         }
     }
 }

@@ -75,7 +75,7 @@ public class Wheel extends Shape {
 
     @Override
     protected void crossCheck(Faults faults) {
-        refuseLaunch(faults, "0 for a wheel, which moves with its robot");
+        toFaultsOfLaunch(faults, "0 for a wheel, which moves with its robot");
         if (type == IDLER && (steering != null || steeringServo != null)) {
             faults.add(steering == null ? "steeringServo" : "steering", steering == null ? steeringServo : steering, whatSteers());
         }

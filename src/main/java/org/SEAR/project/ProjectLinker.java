@@ -177,7 +177,7 @@ final class ProjectLinker {
                 "none for " + placed + ", a part of a robot; the robot may have it");
         }
         if (part instanceof Shape && !(part instanceof Wheel)) {
-            ((Shape) part).refuseLaunch((element, value, legal) ->
+            ((Shape) part).toFaultsOfLaunch((element, value, legal) ->
                 problems.add(parsed.file, parsed.line(element), element, Parameter.format((Double) value), legal),
                 "0 for " + part + ", a part of a robot, which moves with it");
         }

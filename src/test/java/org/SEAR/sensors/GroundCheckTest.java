@@ -88,7 +88,7 @@ public class GroundCheckTest {
                 simulation.step();
             }
             assertFalse(((DistanceReading) simulation.read("low")).isReturn());
-            assertEquals("on its wheels", 0.1, simulation.getPose("rover").y, 0.05);
+            assertEquals("on its wheels", 0.04, simulation.getPose("rover").y, 0.005);
         }
         try (Simulation simulation = Simulation.load(project.folder(), 1, true)) {
             assertEquals("tiles", ((DistanceReading) simulation.read("low")).getHitObject());

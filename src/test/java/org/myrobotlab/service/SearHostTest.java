@@ -33,7 +33,9 @@ public class SearHostTest {
     /** The window's thread, which the end of a simulation waits for, does not stop it itself. */
     @Test(timeout = 60_000)
     public void aClosedWindowLeavesStoppingToSearsOwnThread() throws InterruptedException {
-        Stopped sear = (Stopped) Runtime.start("hosted", Stopped.class.getName());
+        // made here: a class without a configuration of its own gets one of another type, which SEAR refuses
+        Stopped sear = new Stopped("hosted", Runtime.getInstance().getId());
+        sear.startService();
         SEARConfig config = new SEARConfig();
         config.closingWindowStops = true;
         sear.apply(config);

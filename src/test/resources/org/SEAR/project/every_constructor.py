@@ -232,3 +232,7 @@ lamp = add(Led(name(), "green", *pose[:3]))
 lamp.setColor("#ffffff")
 lamp.setSize(0.005)
 mega.wire(13, lamp)
+
+thrown = Sphere(name(), 0.1, 2)
+thrown.setVelocity(1, 2, 3)
+thrown.setSpin(0, 90, -45)

@@ -130,6 +130,7 @@ public final class Body {
         solver.put(centre[0], centre[1], centre[2], at);
         rest.begin(solver);
         touching = false;
+        shapeVersion++;    // contacts that were known are elsewhere
         Transform transform = new Transform();
         transform.setRotation(new Quat4f((float) at.qx, (float) at.qy, (float) at.qz, (float) at.qw));
         transform.origin.set((float) centre[0], (float) centre[1], (float) centre[2]);

@@ -48,11 +48,6 @@ final class Spin {
         normalize();
     }
 
-    /** Whether it turns on about any axis as it turns now. */
-    boolean isEven() {
-        return even;
-    }
-
     double qx() {
         return qx;
     }

@@ -41,5 +41,6 @@ public class SearHostTest {
         sear.apply(config);
         new SearHost(sear).windowClosed();
         assertEquals(sear.getThisThread(), sear.stoppers.take());
+        sear.releaseService();    // the registry does not know it
     }
 }

@@ -68,6 +68,14 @@ final class Programs {
         return output;
     }
 
+    private void forget(String glob) throws IOException {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder.getRoot().toPath(), glob)) {
+            for (Path file : files) {
+                Files.delete(file);
+            }
+        }
+    }
+
     /** The only file of that name without those words in it. */
     Path only(String glob, List<String> output, String... without) throws IOException {
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder.getRoot().toPath(), glob)) {
@@ -91,6 +99,7 @@ final class Programs {
         Process grabber = null;
         List<String> output = null;
         for (int i = 0; i < TRIES && (grabber == null || !grabber.isAlive()); i++) { // it gives up when the machine lets it wait for half a second
+            forget("log*.rawlog");    // a try that failed has left one without scans
             grabber = start(new ProcessBuilder("rawlog-grabber", config.toString()));
             output = read(grabber, SECONDS + starting);
         }

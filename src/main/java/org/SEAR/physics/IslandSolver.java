@@ -248,6 +248,7 @@ final class IslandSolver {
             }
         }
         for (int i = 0; i < pairs.size(); i++) {
+            pairs.get(i).stopBeforeMesh(taken);
             pairs.get(i).moved(taken);
         }
         return taken;

@@ -65,6 +65,29 @@ public class OrdersTest {
         assertEquals("radius", 1, chord / 2 / Math.sin(angle / 2), 0.06);
     }
 
+    /** Wheels without a Motor have no greatest speed: what limits them is the ground. */
+    @Test
+    public void tooFastForTheCircle() throws Exception {
+        Robot create = start(Robots.create2("create"));
+        create.drive(2, 1);
+        create.drive(2, STRAIGHT);
+        assertEquals("[]", warnings().toString());
+        create.drive(20, 1);
+        create.drive(-20, -2);
+        assertEquals("[robot create was told to drive at 20.00 m/s on a circle of 1.00 m radius, where its wheels would have to hold it against"
+            + " 400.0 m/s\u00b2, and here they hold 9.8 at most: it slides outwards instead; drive slower or on a wider circle]",
+            warnings().toString());
+    }
+
+    /** A circle that is too tight is told, and that it goes round the tightest one too fast. */
+    @Test
+    public void tooFastForTheTightestCircle() throws Exception {
+        Robot car = start(Robots.car("car"));
+        car.drive(3, 0.1);
+        List<String> warnings = warnings();
+        assertEquals(warnings.toString(), 1, warnings.stream().filter(text -> text.contains("circle of 0.52 m radius, where its wheels")).count());
+    }
+
     @Test
     public void tooTight() throws Exception {
         Robot car = start(Robots.car("car"));

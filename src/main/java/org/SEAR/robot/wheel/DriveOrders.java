@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import org.SEAR.geometry.TimeStep;
+import org.SEAR.physics.PhysicsWorld;
 
 /**
  * The speeds that a robot was told: what it can't reach is brought within its limits, with a word about it once, and they are approached as fast as
@@ -19,6 +20,7 @@ final class DriveOrders {
     private final Consumer<String> told;
     private boolean toldFast;
     private boolean toldTight;
+    private boolean toldSliding;
     private boolean braking;
     private double left;
     private double right;
@@ -38,6 +40,7 @@ final class DriveOrders {
         double share = share(newLeft, newRight);
         commandedLeft = share * newLeft;
         commandedRight = share * newRight;
+        tellSliding((commandedLeft + commandedRight) / 2, turn(commandedLeft, commandedRight));
         braking = braking && newLeft == 0 && newRight == 0;
     }
 
@@ -80,6 +83,24 @@ final class DriveOrders {
                 + " a circle of %.2f m radius instead, and turns by %.1f degrees a second", robot,
                 radius == 0 ? "in place" : String.format(Locale.ROOT, "on a circle of %.2f m radius", radius), number(steering.getMost()),
                 Math.abs(speed), steering.tightest(), Math.toDegrees(Math.abs(speed) / steering.tightest())));
+        }
+    }
+
+    /**
+     * Says that a circle is too fast for its wheels to hold the robot on it.
+     *
+     * @param speed m/s
+     * @param turn rad/s
+     */
+    void tellSliding(double speed, double turn) {
+        double needed = Math.abs(speed * turn);
+        double held = PhysicsWorld.GRAVITY * wheels.stream().filter(RaycastWheel::isGrounded).mapToDouble(wheel -> wheel.getGrip().getFriction())
+            .max().orElse(Double.POSITIVE_INFINITY);
+        if (needed > held && !toldSliding) {
+            toldSliding = true;
+            told.accept(String.format(Locale.ROOT, "robot %s was told to drive at %.2f m/s on a circle of %.2f m radius, where its wheels would have"
+                + " to hold it against %.1f m/s\u00b2, and here they hold %.1f at most: it slides outwards instead; drive slower or on a wider"
+                + " circle", robot, Math.abs(speed), Math.abs(speed / turn), needed, held));
         }
     }
 

@@ -224,6 +224,7 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         steering.follow(radius == 0 ? Math.signum(speed) * Double.POSITIVE_INFINITY : 1 / radius);
         if (speed != 0) {
             orders.tellTight(Math.abs(radius), steering, speed);
+            orders.tellSliding(speed, speed / Math.max(Math.abs(radius), steering.tightest()));
         }
     }
 

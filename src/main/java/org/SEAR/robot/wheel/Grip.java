@@ -64,6 +64,11 @@ final class Grip {
         friction = tyre * ground;
     }
 
+    /** Coefficient of friction of the wheel on the ground that it stands on, or stood on last. */
+    double getFriction() {
+        return friction;
+    }
+
     /** The wheel is in the air. */
     void release() {
         holding.release();

@@ -50,6 +50,10 @@
         this.updateState = function(service) {
             $scope.service = service
         }
+        TOPICS.forEach(function(topic) {    // before anything is asked for, which the second panel of a page does at once
+            msg.subscribe(topic)
+        })
+        msg.subscribe(this)
         load(function() {
             if (!window.SEARPanel.build) {
                 $scope.last = {level: 'error', text: '', line: 'Files of this panel are missing: install SEAR again, then reload this page'}
@@ -67,10 +71,5 @@
             msg.send('getEdits')
             $scope.$applyAsync()
         })
-
-        TOPICS.forEach(function(topic) {
-            msg.subscribe(topic)
-        })
-        msg.subscribe(this)
     }])
 })()

@@ -2,8 +2,9 @@
 (function() {
     var words = window.SEARPanel.words
     var SPEED = 0.2             // m/s of the drive buttons, MyRobotLab's Roomba default
-    var STRAIGHT = 1e6          // metres: JSON has no infinity
-    var DRIVES = {forward: [SPEED, STRAIGHT], backward: [-SPEED, STRAIGHT], left: [SPEED, 0], right: [-SPEED, 0], stop: [0, STRAIGHT]}
+    // The method, and what it is given after the robot's name.
+    var DRIVES = {forward: ['driveStraight', SPEED], backward: ['driveStraight', -SPEED], left: ['drive', SPEED, 0], right: ['drive', -SPEED, 0],
+        stop: ['driveStraight', 0]}
     var KEYS = {h: 'left', k: 'right', u: 'forward', j: 'backward', ';': 'stop', enter: 'reset'}
     var MOST_MESSAGES = 100
     var REPEATED = 'could not invoke '      // so MyRobotLab begins to say once more that a call has failed
@@ -115,7 +116,7 @@
             if (way === 'reset') {
                 msg.send('reset')
             } else {
-                msg.send.apply(msg, ['drive'].concat($scope.form.robot || [], DRIVES[way]))
+                msg.send.apply(msg, DRIVES[way].slice(0, 1).concat($scope.form.robot || [], DRIVES[way].slice(1)))
             }
         }
         $scope.key = function(event) {

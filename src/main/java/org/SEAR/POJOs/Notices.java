@@ -53,6 +53,11 @@ public final class Notices {
         }
     }
 
+    /** Another project, maybe an empty one, is in the place of the one whose objects were made until now. */
+    public static void anotherProject() {
+        ScriptRun.forget();
+    }
+
     /** The calling script has opened a project or taken something out of one, and means to have what is in it. */
     public static void projectTaken() {
         ScriptRun.hasTaken();

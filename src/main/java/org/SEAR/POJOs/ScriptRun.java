@@ -25,6 +25,12 @@ final class ScriptRun {
         return follow() && !NAMES.add(name);
     }
 
+    /** Another project: nothing in it has been given a name yet. */
+    static synchronized void forget() {
+        NAMES.clear();
+        taken = false;
+    }
+
     /** This run of a script has taken a project, whose objects it means to have. */
     static synchronized void hasTaken() {
         taken = follow();

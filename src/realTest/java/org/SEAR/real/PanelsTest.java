@@ -1,30 +1,14 @@
 package org.SEAR.real;
 
-import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import org.junit.After;
-import org.junit.AfterClass;
-import org.junit.Before;
-import org.junit.BeforeClass;
-import org.junit.Rule;
 import org.junit.Test;
-import org.junit.rules.TestRule;
-import org.junit.rules.TestWatcher;
-import org.junit.runner.Description;
-import org.openqa.selenium.Dimension;
-import org.openqa.selenium.WebElement;
-import org.openqa.selenium.interactions.Actions;
 
-/** SEAR's panels in MyRobotLab's own page: what they look like at four widths, and what they do when one clicks. */
-public class PanelsTest extends InRealMrl {
-    private static final int[][] SIZES = {{800, 1000}, {1024, 768}, {1366, 768}, {1920, 1080}};
+/** SEAR's panels in MyRobotLab's own page: what they look like at four widths. */
+public class PanelsTest extends InPage {
     /**
      * Of the service in front: panels of SEAR's that are off from the sides of its area or reach into the header, rows of MyRobotLab's that are off
      * from the sides, and what stands out to the right.
@@ -44,41 +28,6 @@ public class PanelsTest extends InRealMrl {
         "    }",
         "})",
         "return own.length ? faults : ['nothing is there']");
-    private static Page page;
-
-    /** Keeps what the page showed. */
-    @Rule
-    public final TestRule pictures = new TestWatcher() {
-        @Override
-        protected void failed(Throwable e, Description test) {
-            try {
-                page.keep("failed-" + test.getMethodName());
-            } catch (IOException | RuntimeException second) {
-                e.addSuppressed(second);
-            }
-        }
-    };
-
-    @BeforeClass
-    public static void openTheBrowser() throws IOException {
-        page = new Page();
-    }
-
-    @AfterClass
-    public static void closeTheBrowser() {
-        page.close();
-    }
-
-    @Before
-    public void startTheServices() throws Exception {
-        assertEquals("", mrl.python("sear = Runtime.start('sear', 'SEAR')", "lidar = Runtime.start('lidar', 'LIDAR')",
-            "gps = Runtime.start('gps', 'GPS')"));
-    }
-
-    @After
-    public void lookAtTheConsole() {
-        page.checkConsole();
-    }
 
     @Test
     public void eachPanelFillsItsServicesAreaAtEveryWidth() throws Exception {
@@ -122,67 +71,18 @@ public class PanelsTest extends InRealMrl {
         }
     }
 
-    private void openExample(String name) {
-        page.browser.choose(".sear-example", "resource/SEAR/" + name + ".sear");
-        page.browser.seeText(".sear-last", "opened resource/SEAR/" + name + ".sear");
-    }
-
+    /** What the first panel of a page asks for late, since its files have to come first, all others ask for at once. */
     @Test
-    public void aWorldIsStartedDrivenRecordedAndPlottedByClicks() throws Exception {
+    public void aServiceThatIsStartedWhileThePageIsOpenHasAllInItsPanel() throws Exception {
         page.open(mrl, "sear");
-        openExample("office");
-        page.browser.click(".sear-record");
-        page.await("a record is asked for", "service.recorded");
-        page.browser.click(".sear-start");
-        page.await("a running simulation", "state !== null && view.fitted");
-        double before = page.number("state.robots[0].pose[0]");
-        page.browser.click(".sear-plots");
-        page.browser.choose(".sear-add", "office Roomba.x");
-        page.browser.click(".sear-forward");
-        page.await("half a metre", "state.robots[0].pose[0] > " + (before + 0.5));
-        page.await("a line", "plot() && plot().lines.length == 1 && plot().lines[0].values.length > 5");
-        page.browser.click(".sear-halt");
-        page.await("the robot stands", "state.robots[0].speed == 0");
-        page.browser.click(".sear-stop");
-        page.await("the end of the record", "!service.recorded && !service.simulating");
-        page.browser.choose(".sear-source", "run.searlog");
-        page.await("the record", "replay !== null && names.length > 5");
-        page.browser.choose(".sear-replay-speed", "50 \u00d7");
-        page.browser.click(".sear-play");
-        page.await("played to its end", "!replay.playing && replay.index === replay.times.length - 1");
-        assertTrue("it shows where the robot was", page.number("world().robots[0].pose[0]") > before + 0.5);
-        page.browser.click(".sear-end-replay");
-        page.await("what is now", "replay === null");
-        Files.delete(mrl.folder().resolve("run.searlog"));
-    }
-
-    @Test
-    public void aThingIsBuiltTakenBackSavedBesideAForeignFileAndUploaded() throws Exception {
-        page.open(mrl, "sear");
-        page.await("an empty project", "preview !== null && grammar !== null && world() && !world().objects.length");
-        page.browser.click(".sear-map");
-        page.browser.click(".sear-build");
-        page.browser.click(".sear-palette [data-make='Box']");
-        page.await("a box to place", "armed && armed.name == 'Box'");
-        WebElement view = page.browser.see(".sear-view");
-        Dimension size = view.getSize();
-        new Actions(page.browser.driver()).moveToElement(view, size.getWidth() / 10, -size.getHeight() / 10).click().perform();
-        page.await("the box", "object && object.object == 'box1' && world().objects.length == 1");
-        page.browser.click(".sear-undo");
-        page.await("no box", "!world().objects.length && undoable === null");
-        Path foreign = Files.write(mrl.folder().resolve("maze.sear"), new byte[] {1, 2, 3});
-        openExample("maze");
-        page.browser.type(".sear-path", "maze.sear");
-        page.browser.click(".sear-save");
-        page.browser.seeText(".sear-question", "maze.sear is there already, and this page did not write it.");
-        page.browser.click(".sear-beside");
-        Path saved = mrl.folder().resolve("maze-2.sear");
-        page.browser.until("a bundle beside it", () -> Files.exists(saved));
-        assertArrayEquals(new byte[] {1, 2, 3}, Files.readAllBytes(foreign));
-        page.browser.all(".sear-file").get(0).sendKeys(ROOT.resolve("examples/ramps.sear").toString());
-        page.await("the uploaded project", "form.path == 'ramps.sear'");
-        page.browser.until("its files", () -> Files.notExists(mrl.folder().resolve("SEARproject/environment/goal.xml")));
-        Files.delete(foreign);
-        Files.delete(saved);
+        page.await("what the first panel has asked for", "grammar !== null && examples.length > 5");
+        assertEquals("", mrl.python("another = Runtime.start('another', 'SEAR')"));
+        page.show("another");
+        page.browser.until("what the second has asked for", () -> Boolean.TRUE.equals(page.browser.scope("#sear-workspace-another",
+            "grammar !== null && examples.length > 5 && scripts.length > 1")));
+        assertEquals("", mrl.python("Runtime.release('another')", "another = Runtime.start('another', 'SEAR')"));
+        page.show("another");
+        page.browser.until("the panel of the one that was started again", () -> Boolean.TRUE.equals(page.browser.scope("#sear-workspace-another",
+            "grammar !== null && examples.length > 5 && scripts.length > 1")));
     }
 }

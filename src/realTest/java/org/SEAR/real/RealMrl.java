@@ -23,6 +23,8 @@ import java.util.concurrent.locks.LockSupport;
 /** A running MyRobotLab with WebGui and Python, and SEAR installed: told over its WebGui's HTTP what to do. */
 final class RealMrl {
     private static final long PATIENCE_SECONDS = 240;
+    /** The Java that MyRobotLab runs on. */
+    private static final Path JAVA = Path.of(System.getProperty("sear.mrlJava", System.getProperty("java.home")), "bin", "java");
     /** Runs a script as the Python tab does, and leaves what it and its callbacks print in a file that is whole when it has its name. */
     private static final String WRAPPER = "import os, sys, traceback\n"
         + "_console = sys.stdout, sys.stderr\n"
@@ -64,7 +66,7 @@ final class RealMrl {
         Path web = folder.resolve("data/config").resolve(config).resolve("webgui.yml");
         Files.createDirectories(web.getParent());
         Files.writeString(web, "!!org.myrobotlab.service.config.WebGuiConfig\nautoStartBrowser: false\nport: " + port + "\ntype: WebGui\n");
-        process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx1200m",
+        process = new ProcessBuilder(JAVA.toString(), "-Xmx1200m",
             "-Djava.library.path=libraries/native", "-Djna.library.path=libraries/native", "-Dfile.encoding=UTF-8", "-Dsear.headless=true",
             "-cp", "libraries/jar/*:myrobotlab.jar", "org.myrobotlab.service.Runtime", "--log-level", "warn", "-c", config,
             "-s", "webgui", "WebGui", "python", "Python").directory(folder.toFile()).redirectErrorStream(true).redirectOutput(log.toFile()).start();

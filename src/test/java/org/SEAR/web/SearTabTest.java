@@ -65,6 +65,26 @@ public class SearTabTest {
         tab.waitForStatus("no simulation runs");
     }
 
+    private boolean isCircleNamed() {
+        return Boolean.TRUE.equals(browser.script("return angular.element(document.querySelector('.sear-main')).scope().messages"
+            + ".some(function(message) { return message.text.indexOf('circle') >= 0 })"));
+    }
+
+    /** Its car is steered by a servo, which no circle can be driven against: straight on is none. */
+    @Test
+    public void forwardIsNoCircle() {
+        tab.openExample("car");
+        tab.start();
+        browser.click(".sear-forward");
+        browser.until("the car drives", () -> tab.number("state.robots[0].speed") > 0.1);
+        browser.click(".sear-halt");
+        browser.until("the car stands", () -> tab.number("state.robots[0].speed") == 0);
+        assertFalse(isCircleNamed());
+        browser.click(".sear-left");
+        browser.until("the servo is named", this::isCircleNamed);
+        browser.click(".sear-stop");
+    }
+
     @Test
     public void modelsAreDrawnWithTheirOutline() {
         tab.openExample("office");

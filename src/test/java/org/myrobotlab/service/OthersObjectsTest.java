@@ -53,4 +53,14 @@ public class OthersObjectsTest {
         assertTrue(heard.getStatuses().toString(), heard.awaitStatus("that was all"));
         assertFalse(heard.getStatuses().toString(), heard.getStatuses().toString().contains("not made by this script"));
     }
+
+    /** A robot's drive, say, which the robot of the project opened next has, too. */
+    @Test
+    public void aNameThatWasGivenInAnotherProjectIsNotGivenYet() throws Exception {
+        String other = "'" + temporary.getRoot().toPath().resolve("other.sear") + "'";
+        python.execAndWait(BUILD + "from org.SEAR.POJOs import Robots\nsear.newProject()\nRobots.create2('first')\nsear.saveProject(" + other
+            + ")\nsear.loadProject(" + other + ")\nRobots.create2('second')\nsear.info('that was all')\n");
+        assertTrue(heard.getStatuses().toString(), heard.awaitStatus("that was all"));
+        assertFalse(heard.getStatuses().toString(), heard.getStatuses().toString().contains("made already"));
+    }
 }

@@ -70,6 +70,7 @@ public final class Projects {
     public synchronized Path startAnew() throws IOException {
         refuseWhileRunning("newProject");
         PortArrivals.anotherProject();
+        Notices.anotherProject();
         return Bundle.newProject(folder(), new PercentProgress("replacing", folder(), host::progress));
     }
 
@@ -161,6 +162,7 @@ public final class Projects {
             return Bundle.load(bundle, folder(), new PercentProgress("loading", meant, host::progress));
         });
         PortArrivals.anotherProject();
+        Notices.anotherProject();
         Notices.projectTaken();
     }
 

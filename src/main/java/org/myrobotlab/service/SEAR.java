@@ -1100,7 +1100,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
 
     /** An object of the project as its file has it, for panels; the form stands at {@code ProjectEditor}. */
     public Map<String, Object> getProjectObject(String name) {
-        return calls.attempt(() -> Edits.object(ScriptText.of(name)));
+        return calls.attempt(() -> Edits.object(String.valueOf(ScriptText.of(name))));
     }
 
     /** Records in the working folder, for panels. */

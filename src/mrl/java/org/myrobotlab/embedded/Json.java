@@ -10,6 +10,8 @@ import com.fasterxml.jackson.databind.SerializationFeature;
 /** Objects as JSON: every field that is neither static nor transient, private ones too, and nothing else. Any thread. */
 public final class Json {
     private static final int DEEPEST = 500;
+    private static final int LONGEST_NUMBER = 1000;
+    private static final String OF_NUMBERS = "0123456789+-.eE";
     private static final ObjectMapper MAPPER = new ObjectMapper()
         .setVisibility(PropertyAccessor.ALL, JsonAutoDetect.Visibility.NONE)
         .setVisibility(PropertyAccessor.FIELD, JsonAutoDetect.Visibility.ANY)
@@ -29,9 +31,9 @@ public final class Json {
         }
     }
 
-    /** @throws IllegalArgumentException if the text is not JSON for such an object, or deeper than {@value #DEEPEST} lists in lists */
+    /** @throws IllegalArgumentException if the text is not JSON for such an object, deeper than {@value #DEEPEST} lists in lists, or with too long a number */
     public static <T> T read(String json, Class<T> type) {
-        checkDepth(json);
+        checkLimits(json);
         try {
             T value = MAPPER.readValue(json, type);
             if (value == null && type != Object.class) {
@@ -43,9 +45,10 @@ public final class Json {
         }
     }
 
-    /** The mapper calls itself for each list in a list. */
-    private static void checkDepth(String json) {
+    /** The mapper calls itself for each list in a list, and takes minutes for a number of a million digits. */
+    private static void checkLimits(String json) {
         int depth = 0;
+        int digits = 0;
         boolean isText = false;
         for (int i = 0; i < json.length(); i++) {
             char at = json.charAt(i);
@@ -57,6 +60,10 @@ public final class Json {
                 depth++;
             } else if (!isText && (at == ']' || at == '}')) {
                 depth--;
+            }
+            digits = !isText && OF_NUMBERS.indexOf(at) >= 0 ? digits + 1 : 0;
+            if (digits > LONGEST_NUMBER) {
+                throw new IllegalArgumentException("JSON with a number of more than " + LONGEST_NUMBER + " digits");
             }
             if (depth > DEEPEST) {
                 throw new IllegalArgumentException("JSON with more than " + DEEPEST + " lists or objects in each other");

@@ -37,7 +37,8 @@ public final class MyRobotLab implements AutoCloseable {
         System.setProperty("jdk.httpclient.keepalive.timeout", "5");
     }
 
-    private final HttpClient client = HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
+    /** One for each process: connections that it keeps to a killed one are of no use at the next. */
+    private HttpClient client;
     private final Path folder;
     private final String moreClasses;
     private final List<String> options;
@@ -76,6 +77,7 @@ public final class MyRobotLab implements AutoCloseable {
     }
 
     private void startProcess() throws IOException, InterruptedException {
+        client = HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
         Files.deleteIfExists(folder.resolve(STARTED));
         List<String> command = SearProcess.command(System.getProperty("sear.cliClasspath") + moreClasses,
             new String[] {"-Xmx384m", "-Dfile.encoding=UTF-8"});
@@ -132,7 +134,8 @@ public final class MyRobotLab implements AutoCloseable {
             }
             return JSON.readTree(answer.body());
         } catch (IOException e) {
-            throw new AssertionError(service + "." + method + ": " + e, e);
+            throw new AssertionError(service + "." + method + ": " + e + ", the process " + (process.isAlive() ? "runs" : "has ended") + ":\n"
+                + log(), e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new AssertionError(e);

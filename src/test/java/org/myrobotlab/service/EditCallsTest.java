@@ -83,6 +83,8 @@ public class EditCallsTest {
         assertEquals("mass", problem.field);
         assertEquals("environment/wall.xml", problem.file);
         assertTrue(edits.attempt(Map.of("do", "undo")).get("reason").toString().startsWith("there is nothing to undo"));
+        assertTrue("an object without a name is none", sear.getProjectObject(null).containsKey("gone"));
+        assertEquals("do", ((Problem) ((List<?>) edits.attempt(null).get("problems")).get(0)).field);
     }
 
     @Test

@@ -67,6 +67,7 @@ public class RecordCallsTest {
         Path csv = temporary.getRoot().toPath().resolve("run.csv");
         sear.saveRecordCsv(file, List.of("roomba.z", "ping"), csv.toString());
         assertEquals("time (s),roomba.z,ping", Files.readAllLines(csv).get(0));
+        assertTrue(assertThrows(RuntimeException.class, () -> sear.saveRecordCsv(file, List.of("ping"), null)).getMessage().contains("run.csv"));
         Map<String, Object> frames = sear.getRecordFrames(file);
         assertEquals(List.of("roomba"), frames.get("robots"));
         assertEquals(((List<?>) frames.get("times")).size(), ((List<?>) frames.get("readings")).size());

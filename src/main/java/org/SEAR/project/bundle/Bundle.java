@@ -119,8 +119,8 @@ public final class Bundle {
         Path inside = source.resolve("SEARproject");
         Path packed = Files.createTempFile("sear", ".sear");
         try {
-            new BundleWriter(Project.read(Files.isDirectory(inside) ? inside : source).getFolder(), source.getFileName().toString(), Progress.NONE)
-                .write(packed);
+            Path named = source.getFileName() == null ? source : source.getFileName();
+            new BundleWriter(Project.read(Files.isDirectory(inside) ? inside : source).getFolder(), named.toString(), Progress.NONE).write(packed);
             new BundleReader(packed, progress).unpack(folder);
         } finally {
             Files.deleteIfExists(packed);

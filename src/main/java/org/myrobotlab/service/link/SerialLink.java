@@ -29,7 +29,7 @@ public final class SerialLink {
     private final Runnable tick;
     private final Runnable lost;
     private ScheduledExecutorService timer;
-    private final TimeOutClock timeOuts = new TimeOutClock(this::clock, System::nanoTime);
+    private final TimeOutClock timeOuts = new TimeOutClock(this::clock, System::nanoTime, this::isUnderWay);
     private volatile Port opened;
     private volatile int baud;
     private volatile String portName;
@@ -82,6 +82,17 @@ public final class SerialLink {
     private PortClock clock() {
         Port port = opened;
         return port instanceof VirtualSerialPort ? ((VirtualSerialPort) port).getClock() : PortClock.WALL;
+    }
+
+    /** Whether one end of the cable has bytes that nobody has got yet. */
+    private boolean isUnderWay() {
+        Port port = opened;
+        if (!(port instanceof VirtualSerialPort)) {
+            return false;
+        }
+        VirtualSerialPort own = (VirtualSerialPort) port;
+        VirtualSerialPort peer = own.getPeer();
+        return own.getPending() > 0 || peer != null && peer.getPending() > 0;
     }
 
     private static Thread daemon(Runnable work) {

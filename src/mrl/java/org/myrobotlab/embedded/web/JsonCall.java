@@ -9,6 +9,9 @@ import org.myrobotlab.embedded.Methods;
 
 /** Finds what a call with arguments from JSON means in Java. */
 final class JsonCall {
+    /** Characters of the arguments, and as many of the reason, in a message. */
+    private static final int LONGEST = 500;
+
     private JsonCall() {
     }
 
@@ -28,11 +31,16 @@ final class JsonCall {
                 try {
                     return converted(one.getGenericParameterTypes(), plain);
                 } catch (IllegalArgumentException e) {
-                    reason = ": " + e.getMessage().split("\n")[0];
+                    reason = ": " + shortened(e.getMessage().split("\n")[0]);
                 }
             }
         }
-        throw new IllegalArgumentException(type.getSimpleName() + " has no method " + method + " for the arguments " + Json.write(json) + reason);
+        throw new IllegalArgumentException(type.getSimpleName() + " has no method " + method + " for the arguments "
+            + shortened(Json.write(json)) + reason);
+    }
+
+    private static String shortened(String text) {
+        return text.length() <= LONGEST ? text : text.substring(0, LONGEST) + "...";
     }
 
     private static Object[] converted(Type[] types, Object... plain) {

@@ -24,6 +24,7 @@ public class SturdyServerTest {
     private static final String JSON = "Content-Type: application/json";
     private static final int MANY = 20;
     private static final int MEGABYTE = 1 << 20;
+    private static final String DIGITS = "1".repeat(8 * MEGABYTE);
     private static final int FRAGMENT = 0x01;
     private static final int BYTES_FRAGMENT = 0x02;
     private static final int MORE = 0x00;
@@ -206,7 +207,8 @@ public class SturdyServerTest {
         open.add(page);
         String nested = "[".repeat(60_000) + "]".repeat(60_000);
         String[][] cases = {{"null", "not JSON for Map: null"}, {"7", "not JSON for Map"}, {nested, "more than 500 lists"},
-            {"{\"a\":" + nested + "}", "more than 500 lists"}, {"{}", "name of a message is null"},
+            {"{\"a\":" + nested + "}", "more than 500 lists"},
+            {"{\"id\":" + DIGITS + "}", "number of more than 1000 digits"}, {"{}", "name of a message is null"},
             {"{\"name\":7,\"method\":\"tick\"}", "name of a message is 7, legal: a text"}, {"{\"subscribe\":\"talker\"}", "topic of a"},
             {"{\"name\":\"talker\",\"method\":\"tick\",\"data\":5}", "ClassCastException"}};
         for (String[] one : cases) {
@@ -217,6 +219,7 @@ public class SturdyServerTest {
         assertEquals(404, server.status("POST /api/service/talker/half", "null", JSON));
         assertEquals(404, server.status("POST /api/service/talker/half", nested, JSON));
         assertEquals(404, server.status("POST /api/service/talker/half", "{\"a\":1}", JSON));
+        assertEquals("a number that takes minutes to read", 404, server.status("POST /api/service/talker/half", "[" + DIGITS + "]", JSON));
         server.servesOthers();
     }
 

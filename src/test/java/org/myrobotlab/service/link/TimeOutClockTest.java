@@ -15,6 +15,7 @@ public class TimeOutClockTest {
     private double simulated;
     private long nanos;
     private boolean lockStep;
+    private boolean underWay;
 
     private final PortClock port = new PortClock() {
         @Override
@@ -42,7 +43,7 @@ public class TimeOutClockTest {
             throw new UnsupportedOperationException();
         }
     };
-    private final TimeOutClock clock = new TimeOutClock(() -> port, () -> nanos);
+    private final TimeOutClock clock = new TimeOutClock(() -> port, () -> nanos, () -> underWay);
 
     private void pass(double simulatedSeconds, double realSeconds) {
         simulated += simulatedSeconds;
@@ -87,6 +88,21 @@ public class TimeOutClockTest {
         clock.now();
         pass(3600, 0);
         assertEquals(0.25, clock.now(), EXACT);
+    }
+
+    @Test
+    public void itStandsStillWhileBytesAreOnTheirWay() {
+        clock.restart();
+        pass(1, 1);
+        double before = clock.now();
+        underWay = true;
+        for (int i = 0; i < 100; i++) {
+            pass(0.1, 0.1);
+            assertEquals(before, clock.now(), EXACT);
+        }
+        underWay = false;
+        pass(0.1, 0.1);
+        assertEquals(before + 0.1, clock.now(), EXACT);
     }
 
     @Test

@@ -89,7 +89,8 @@ public final class Edits {
      *
      * @throws ProjectException with all that is wrong with it; nothing has changed then
      */
-    public Map<String, Object> apply(Map<?, ?> edit) throws IOException, ProjectException, InterruptedException {
+    public Map<String, Object> apply(Map<?, ?> asked) throws IOException, ProjectException, InterruptedException {
+        Map<?, ?> edit = given(asked);
         Object kind = edit.get("do");
         SimulationSession session = control.sessionOrNull();
         Outcome outcome = UNDO.equals(kind) ? editor().undo() : REDO.equals(kind) ? editor().redo()
@@ -98,7 +99,8 @@ public final class Edits {
     }
 
     /** Does an edit for a panel: what is wrong stands in the answer. */
-    public Map<String, Object> attempt(Map<?, ?> edit) throws InterruptedException {
+    public Map<String, Object> attempt(Map<?, ?> asked) throws InterruptedException {
+        Map<?, ?> edit = given(asked);
         try {
             return apply(edit);
         } catch (ProjectException e) {
@@ -106,6 +108,11 @@ public final class Edits {
         } catch (IOException | IllegalStateException | IllegalArgumentException e) {
             return refusal(edit, Collections.emptyList(), Reasons.of(e));
         }
+    }
+
+    /** None is an edit of which everything is missing. */
+    private static Map<?, ?> given(Map<?, ?> edit) {
+        return edit == null ? Map.of() : edit;
     }
 
     private static Map<String, Object> refusal(Map<?, ?> edit, List<?> problems, String reason) {

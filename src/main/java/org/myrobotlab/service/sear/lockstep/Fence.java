@@ -3,7 +3,6 @@ package org.myrobotlab.service.sear.lockstep;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.TimeUnit;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
@@ -27,7 +26,6 @@ public final class Fence {
     /** SEAR's method for what comes back out of an outbox. */
     public static final String CALLBACK = "onFence";
 
-    private static final long PATIENCE = TimeUnit.SECONDS.toNanos(5);
     private static final long LOOK_MILLIS = 1;
     private static final int CLEAN_ROUNDS = 2;
     /** Python names the variables of a callback's arguments after sender and method, and compiles the call only once: these never change. */
@@ -44,7 +42,8 @@ public final class Fence {
     /** By outbox or service, the pass that did not come back in time. */
     private final Map<Object, FencePass> late = new HashMap<>();
     private final Map<ServiceInterface, FencePass> greetings = new HashMap<>();
-    private boolean told;
+    private boolean toldOfWaiting;
+    private boolean toldOfGoingOn;
 
     Fence(Host host, SleepingThreads sleepers) {
         this.host = host;
@@ -62,7 +61,7 @@ public final class Fence {
 
     /** At once if nobody listens. */
     synchronized void await() throws InterruptedException {
-        long end = System.nanoTime() + PATIENCE;
+        long end = System.nanoTime() + Patience.nanos(Patience.END);
         int clean = 0;
         while (clean < CLEAN_ROUNDS && System.nanoTime() < end) {
             ServiceQueues queues = new ServiceQueues(host.getName());
@@ -122,10 +121,13 @@ public final class Fence {
         for (Map.Entry<Object, FencePass> entry : passes.entrySet()) {
             FencePass pass = entry.getValue();
             while (!pass.await(LOOK_MILLIS) && !isHeld(entry.getKey())) {
-                if (System.nanoTime() > end) {
+                long left = end - System.nanoTime();
+                if (left < 0) {
                     late.put(entry.getKey(), pass);
-                    tell(entry.getKey());
+                    tellOfGoingOn(entry.getKey());
                     break;
+                } else if (left < Patience.nanos(Patience.END - Patience.WORD)) {
+                    tellOfWaiting();
                 }
             }
             if (pass.isBack() && entry.getKey() instanceof Python) {
@@ -134,13 +136,23 @@ public final class Fence {
         }
     }
 
-    private void tell(Object queue) {
-        log.debug("no pass came back from {}", queue);
-        if (!told) {
-            told = true;
-            host.warn("a callback has been busy for more than " + TimeUnit.NANOSECONDS.toSeconds(PATIENCE)
-                + " s: lock-step goes on and no longer waits for callbacks of that service until it ends");
+    private void tellOfWaiting() {
+        if (!toldOfWaiting) {
+            toldOfWaiting = true;
+            host.warn(busy(Patience.WORD) + Patience.waits());
         }
+    }
+
+    private void tellOfGoingOn(Object queue) {
+        log.debug("no pass came back from {}", queue);
+        if (!toldOfGoingOn) {
+            toldOfGoingOn = true;
+            host.warn(busy(Patience.END) + ": lock-step goes on and no longer waits for callbacks of that service until it ends");
+        }
+    }
+
+    private static String busy(long seconds) {
+        return "a callback has been busy for more than " + seconds + " s";
     }
 
     /** Whether the service can't move before the present thread goes on, or before simulated time does. */

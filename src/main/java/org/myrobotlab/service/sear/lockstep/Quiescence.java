@@ -1,6 +1,5 @@
 package org.myrobotlab.service.sear.lockstep;
 
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
@@ -8,11 +7,10 @@ import org.myrobotlab.service.sear.Host;
 
 /** Waits until no virtual port has bytes that its listeners have not finished with, and the callbacks of scripts have run. */
 public final class Quiescence {
-    private static final long PATIENCE = TimeUnit.SECONDS.toMillis(5);
-
     private final Host host;
     private final Fence messages;
     private VirtualSerialPort complainedOf;
+    private boolean told;
     private final SleepingThreads sleepers;
     private final AtomicLong disturbances = new AtomicLong();
     private volatile long settledBytes;
@@ -67,26 +65,36 @@ public final class Quiescence {
         return sum;
     }
 
-    /** Gives up on a port after some seconds, with one warning: its listener hangs. */
+    /** Gives up on a port after {@link Patience#END}: its listener hangs. */
     private void await() throws InterruptedException {
         boolean moved = true;
         while (moved) {
             moved = false;
             for (VirtualSerialPort port : SerialDeviceFactory.getVirtualPorts()) {
                 if (port.getPending() > 0 && port != complainedOf) {
-                    if (port.awaitHanded(PATIENCE)) {
+                    if (isHanded(port)) {
                         moved = true;
                     } else {
-                        complain(port);
+                        complainedOf = port;
+                        host.warn(unfinished(port, Patience.END) + ": lock-step goes on without it");
                     }
                 }
             }
         }
     }
 
-    private void complain(VirtualSerialPort port) {
-        complainedOf = port;
-        host.warn("a listener of port " + port.getName() + " has not finished with " + port.getPending() + " bytes within " + PATIENCE / 1000
-            + " s: lock-step goes on without it");
+    private boolean isHanded(VirtualSerialPort port) throws InterruptedException {
+        if (port.awaitHanded(Patience.millis(Patience.WORD))) {
+            return true;
+        }
+        if (!told) {
+            told = true;
+            host.warn(unfinished(port, Patience.WORD) + Patience.waits());
+        }
+        return port.awaitHanded(Patience.millis(Patience.END - Patience.WORD));
+    }
+
+    private static String unfinished(VirtualSerialPort port, long seconds) {
+        return "a listener of port " + port.getName() + " has not finished with " + port.getPending() + " bytes within " + seconds + " s";
     }
 }

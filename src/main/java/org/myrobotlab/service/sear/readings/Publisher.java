@@ -81,7 +81,7 @@ public final class Publisher {
 
     /** Ends {@link #start}. */
     public void stop(String sensor) {
-        subscriptions.remove(ScriptText.of(sensor));
+        subscriptions.remove(String.valueOf(ScriptText.of(sensor)));
     }
 
     private void look() {

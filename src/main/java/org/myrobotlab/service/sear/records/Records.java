@@ -95,6 +95,9 @@ public final class Records {
 
     /** Writes values of a record as a table. */
     public void saveCsv(String path, List<String> names, String csv) throws IOException {
+        if (csv == null) {
+            throw new IllegalArgumentException("the path of the table is missing (None), legal: such as \"run.csv\"");
+        }
         Path file = Paths.get(ScriptText.of(csv));
         if (Files.exists(file) && !csv.endsWith(".csv")) {
             throw new IOException(file + " is there already and is no .csv: choose another name");

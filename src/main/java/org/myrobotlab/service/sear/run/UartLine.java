@@ -31,7 +31,8 @@ import org.myrobotlab.service.sear.Host;
  * same service. The line keeps the baud rate, so the ports don't.
  */
 final class UartLine implements OutsideLine {
-    private static final long PATIENCE = TimeUnit.SECONDS.toMillis(5);
+    /** Shorter than lock-step waits for a port; longer than a busy machine leaves a thread without a processor. */
+    private static final long PATIENCE = TimeUnit.SECONDS.toMillis(50);
     /** As long the simulation thread waits for MyRobotLab's messages to go out. */
     private static final long OUTBOX_PATIENCE = TimeUnit.MILLISECONDS.toNanos(50);
     /** So many bytes may wait for the user's port's reader before a simulation that runs as fast as possible waits: as in a driver. */

@@ -1,0 +1,69 @@
+package org.SEAR;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.List;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+
+/** {@code ./gradlew} on a machine without a JDK, whose apt another program uses: a fresh Ubuntu updates itself. */
+public class GradlewTest {
+    private static final List<String> TOOLS = List.of("cat", "dirname", "grep", "mktemp", "rm");
+
+    @Rule
+    public final TemporaryFolder temporary = new TemporaryFolder();
+
+    private Path tools;
+    private Path calls;
+
+    private void program(String name, String... lines) throws IOException {
+        Path file = tools.resolve(name);
+        Files.writeString(file, "#!/bin/sh\n" + String.join("\n", lines) + "\n");
+        assertTrue(file.toFile().setExecutable(true));
+    }
+
+    /** @param failing how often apt-get says this and fails */
+    private String run(int failing, String message) throws Exception {
+        tools = temporary.newFolder().toPath();
+        calls = tools.resolve("calls");
+        Files.writeString(calls, "");
+        for (String tool : TOOLS) {
+            program(tool, "PATH=/usr/bin:/bin exec " + tool + " \"$@\"");
+        }
+        program("env", "shift", "exec \"$@\"");
+        program("id", "echo 0");
+        program("sleep", "echo slept $1 >>" + calls);
+        program("gradle", "echo gradle \"$@\"");
+        program("apt-get", "echo apt-get \"$@\" >>" + calls, "[ $(grep -c ^apt-get " + calls + ") -gt " + failing + " ] && exit 0",
+            "echo '" + message + "'", "exit 100");
+        ProcessBuilder builder = new ProcessBuilder("/bin/sh", Paths.get(System.getProperty("sear.root", ".")).resolve("gradlew").toString(), "help");
+        builder.environment().put("PATH", tools.toString());
+        Process process = builder.redirectErrorStream(true).start();
+        String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        return process.waitFor() + " " + output;
+    }
+
+    @Test
+    public void itWaitsForAptAndSaysSo() throws Exception {
+        String output = run(3, "E: Could not get lock /var/lib/apt/lists/lock. It is held by process 1234 (apt-get)");
+        assertEquals(output, 2, output.split("another program is installing or updating packages", -1).length);
+        assertTrue(output, output.startsWith("0 ") && output.contains("gradle help"));
+        String done = Files.readString(calls);
+        assertEquals(done, 4, done.split("slept 5", -1).length);
+        assertTrue(done, done.contains("DPkg::Lock::Timeout=600 update") && done.contains("install -y --no-install-recommends default-jdk-headless"));
+    }
+
+    @Test
+    public void anotherFailureEndsItWithWhatAptHasSaid() throws Exception {
+        String output = run(Integer.MAX_VALUE, "E: Temporary failure resolving");
+        assertTrue(output, output.startsWith("1 ") && output.contains("E: Temporary failure resolving") && output.contains("could not install"));
+        assertTrue(output, !output.contains("gradle help"));
+    }
+}

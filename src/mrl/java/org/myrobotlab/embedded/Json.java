@@ -31,7 +31,12 @@ public final class Json {
         }
     }
 
-    /** @throws IllegalArgumentException if the text is not JSON for such an object, deeper than {@value #DEEPEST} lists in lists, or with too long a number */
+    /**
+     * Reads JSON.
+     *
+     * @throws IllegalArgumentException if the text is not JSON for such an object, deeper than {@value #DEEPEST} lists in lists, or with a number of
+     *     more than {@value #LONGEST_NUMBER} digits
+     */
     public static <T> T read(String json, Class<T> type) {
         checkLimits(json);
         try {

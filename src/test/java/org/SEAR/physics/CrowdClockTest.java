@@ -11,4 +11,10 @@ public class CrowdClockTest {
         CrowdScenes.oneSpot(200, findings);
         findings.assertHold();
     }
+
+    @Test
+    public void manyInsideEachOther() throws Exception {
+        CrowdScenes.block(2000, findings);
+        findings.assertHold();
+    }
 }

@@ -16,6 +16,11 @@ final class CrowdScenes {
         crowd(count + " cubes at one spot", count, count, 0, 120, 1, into);
     }
 
+    /** A block of cubes, each of which reaches into the 26 around it. */
+    static void block(int count, Findings into) throws Exception {
+        crowd(count + " cubes inside each other", count, (int) Math.ceil(Math.cbrt(count)), 0.75 * SIZE, 20, 2, into);
+    }
+
     private static void crowd(String scene, int count, int row, double apart, int steps, double seconds, Findings into) throws Exception {
         into.in(scene);
         try (Stage stage = new Stage(100)) {

@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.SEAR.Bytes;
+import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.Truth;
 
@@ -140,7 +141,7 @@ public final class FakeContext implements DeviceContext {
 
     @SuppressWarnings("unchecked")
     @Override
-    public <R> R read(Sensor<R> which) {
+    public <R extends Reading> R read(Sensor<R> which) {
         return (R) reading;
     }
 

@@ -20,7 +20,7 @@ public final class FakeContext implements DeviceContext {
     public Sensor<?> sensor;
     /** Sensors of other components, by name. */
     public final java.util.Map<String, Sensor<?>> parts = new java.util.HashMap<>();
-    public Object reading;
+    public Reading reading;
     public double now;
     /** How many commands the device knew. */
     public int understood;

@@ -84,7 +84,7 @@ public final class LidarScan implements Reading {
     @Override
     public String words(String unit) {
         long hits = Arrays.stream(ranges).filter(metres -> metres < Double.POSITIVE_INFINITY).count();
-        return words(numbers(), unit) + ", " + hits + " of " + ranges.length + " beams hit";
+        return words(numbers(), unit) + (hits == 0 ? "" : ", " + hits + " of " + ranges.length + " beams hit");
     }
 
     @Override

@@ -67,6 +67,7 @@ public class ReadingTest {
     public void aScanIsItsNearestDistanceInRecordsAndItsRangesForScripts() {
         LidarScan scan = new LidarScan(2, 1, 8, new double[] {3, 1.25, Double.POSITIVE_INFINITY});
         assertEquals("nearest 1.250 m, 2 of 3 beams hit", scan.words("m"));
+        assertEquals("nothing within 8 m", new LidarScan(2, 1, 8, new double[] {Double.POSITIVE_INFINITY}).words("m"));
         assertEquals("nearest 2.000 m", scan.words(new double[] {2}, "m"));
         assertEquals("nothing within 8 m", scan.words(new double[] {Double.POSITIVE_INFINITY}, "m"));
         assertArrayEquals(new float[] {3, 1.25f, 8}, (float[]) scan.value(), 0);

@@ -1,12 +1,13 @@
 package org.example;
 
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.sensors.Quantity;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.SensorType;
 import org.SEAR.sensors.Truth;
 
 /** Temperature at the sensor: ground - lapse * height, degrees Celsius; NaN when the reading dropped out. */
-public final class ThermometerSensor extends Sensor<Double> {
+public final class ThermometerSensor extends Sensor<Quantity> {
     private final Thermometer thermometer;
 
     /** @param seed of the simulation */
@@ -16,11 +17,12 @@ public final class ThermometerSensor extends Sensor<Double> {
     }
 
     @Override
-    protected Double measure(Truth truth) {
+    protected Quantity measure(Truth truth) {
         if (errors.drops(truth.step(), 0)) {
-            return Double.NaN;
+            return new Quantity(Double.NaN);
         }
-        return errors.apply(thermometer.getGround() - thermometer.getLapse() * pose(truth).y, truth.step(), 0, 0);
+        double celsius = thermometer.getGround() - thermometer.getLapse() * pose(truth).y;
+        return new Quantity(errors.apply(celsius, truth.step(), 0, 0));
     }
 
     /** The registry entry. */

@@ -126,7 +126,6 @@
                 event.preventDefault()
             }
         }
-        $scope.reading = words.reading
 
         panel.self.updateState = function(service) {
             $scope.service = service

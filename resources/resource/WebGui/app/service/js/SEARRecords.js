@@ -6,20 +6,6 @@
     var MOST_NAMES = 300        // values of a live world
     var MOST_LINES = 16
 
-    /** The numbers of a reading as records name them. */
-    function numbers(sensor) {
-        if (sensor.ranges) {
-            var near = sensor.ranges.filter(function(metres) {
-                return metres !== null
-            })
-            return [near.length ? Math.min.apply(null, near) : NaN]
-        }
-        if (typeof sensor.value === 'boolean') {
-            return [Number(sensor.value)]
-        }
-        return (angular.isArray(sensor.value) ? sensor.value : String(sensor.value).split(',')).slice(0, 3).map(Number)
-    }
-
     /** All values of a world by their names. */
     function valuesOf(world) {
         var values = {}
@@ -33,9 +19,8 @@
             values[robot.name + '.turnRate'] = robot.turnRate
         })
         world.sensors.forEach(function(sensor) {
-            var all = numbers(sensor)
-            all.forEach(function(number, i) {
-                values[sensor.name + (all.length === 1 ? '' : all.length === 3 ? '.' + 'xyz'.charAt(i) : '.' + (i + 1))] = number
+            sensor.names.forEach(function(name, i) {
+                values[sensor.name + name] = sensor.numbers[i]
             })
         })
         return values

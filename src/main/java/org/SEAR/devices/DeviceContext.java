@@ -1,5 +1,6 @@
 package org.SEAR.devices;
 
+import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.Truth;
 
@@ -24,7 +25,7 @@ public interface DeviceContext {
     RobotHardware robot();
 
     /** The reading of a sensor at the present step. */
-    <R> R read(Sensor<R> sensor);
+    <R extends Reading> R read(Sensor<R> sensor);
 
     /** The sensor made from the device's own object (LIDAR, GPS); null for a robot's drive. */
     Sensor<?> sensor();

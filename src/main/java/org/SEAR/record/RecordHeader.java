@@ -8,6 +8,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.stream.Collectors;
+import org.SEAR.sensors.Reading;
 import org.SEAR.simulator.RunOrigin;
 
 /** What a record says once: of which project and run it is, and what its numbers belong to. Immutable, any thread. */
@@ -16,7 +18,9 @@ public final class RecordHeader {
     /** Most robots, objects, sensors or ports of a record. */
     static final int MOST_NAMES = 10000;
     /** Most numbers of one reading. */
-    static final int MOST_VALUES = 32;
+    static final int MOST_VALUES = 127;
+    /** Set in the count of numbers whose names follow. */
+    private static final int NAMED = 128;
     private static final int LONGEST_NAME = 1000;
     private static final int LONGEST_INTERVAL = 3600;
 
@@ -31,13 +35,15 @@ public final class RecordHeader {
     public final List<String> robots;
     public final List<String> objects;
     public final List<String> sensors;
-    /** How many numbers a reading of each sensor has. */
+    /** What the numbers of a reading of each sensor are called, see {@link Reading#names}. */
+    public final List<List<String>> numbers;
+    /** How many there are. */
     public final List<Integer> sizes;
     /** Object and user port of each serial line: {@code myLidar at /dev/SEAR_LIDAR_01}. */
     public final List<String> lines;
 
     RecordHeader(RunOrigin origin, long firstStep, int interval, String project, List<String> robots, List<String> objects, List<String> sensors,
-            List<Integer> sizes, List<String> lines) {
+            List<List<String>> numbers, List<String> lines) {
         this.origin = origin;
         this.firstStep = firstStep;
         this.interval = interval;
@@ -45,7 +51,8 @@ public final class RecordHeader {
         this.robots = Collections.unmodifiableList(robots);
         this.objects = Collections.unmodifiableList(objects);
         this.sensors = Collections.unmodifiableList(sensors);
-        this.sizes = Collections.unmodifiableList(sizes);
+        this.numbers = Collections.unmodifiableList(numbers);
+        this.sizes = numbers.stream().map(List::size).collect(Collectors.toUnmodifiableList());
         this.lines = Collections.unmodifiableList(lines);
     }
 
@@ -63,8 +70,12 @@ public final class RecordHeader {
                 writeText(out, name);
             }
         }
-        for (int size : sizes) {
-            out.writeByte(size);
+        for (List<String> called : numbers) {
+            boolean named = !called.equals(Reading.names(called.size()));
+            out.writeByte(named ? called.size() + NAMED : called.size());
+            for (String name : named ? called : List.<String>of()) {
+                writeText(out, name);
+            }
         }
     }
 
@@ -93,15 +104,12 @@ public final class RecordHeader {
         for (int i = 0; i < 4; i++) {
             names.add(readNames(in));
         }
-        List<Integer> sizes = new ArrayList<>();
-        for (String sensor : names.get(2)) {
+        List<List<String>> numbers = new ArrayList<>();
+        for (int i = 0; i < names.get(2).size(); i++) {
             int size = in.readUnsignedByte();
-            if (size > MOST_VALUES) {
-                throw new RecordException("sensor \"" + sensor + "\" has " + size + " numbers, legal: at most " + MOST_VALUES);
-            }
-            sizes.add(size);
+            numbers.add(size < NAMED ? Reading.names(size) : readTexts(in, size - NAMED));
         }
-        return new RecordHeader(origin, firstStep, interval, project, names.get(0), names.get(1), names.get(2), sizes, names.get(3));
+        return new RecordHeader(origin, firstStep, interval, project, names.get(0), names.get(1), names.get(2), numbers, names.get(3));
     }
 
     private static List<String> readNames(DataInputStream in) throws IOException {
@@ -109,11 +117,15 @@ public final class RecordHeader {
         if (count > MOST_NAMES) {
             throw new RecordException("it has " + count + " names of one kind, legal: at most " + MOST_NAMES);
         }
-        List<String> names = new ArrayList<>();
+        return readTexts(in, count);
+    }
+
+    private static List<String> readTexts(DataInputStream in, int count) throws IOException {
+        List<String> texts = new ArrayList<>();
         for (int i = 0; i < count; i++) {
-            names.add(readText(in));
+            texts.add(readText(in));
         }
-        return names;
+        return texts;
     }
 
     static String readText(DataInputStream in) throws IOException {

@@ -19,6 +19,7 @@ import org.SEAR.devices.SerialLine;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
 import org.SEAR.project.xml.Xml;
+import org.SEAR.sensors.Reading;
 import org.SEAR.simulator.ActuatorOrder;
 import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.RunTap;
@@ -46,7 +47,7 @@ public final class Recorder implements RunTap {
     private final Consumer<String> told;
     private final LogBuffer out;
     private final List<String> sensors;
-    private final List<Integer> sizes = new ArrayList<>();
+    private final List<List<String>> numbers = new ArrayList<>();
     private final Pose[] seen;
     /** How bright the lights of each robot were at the last frame. */
     private final List<List<Double>> lit = new ArrayList<>();
@@ -60,7 +61,7 @@ public final class Recorder implements RunTap {
         this.limit = limit;
         this.told = told;
         sensors = simulation.getSensorNames();
-        sensors.forEach(name -> sizes.add(Numbers.of(simulation.read(name)).length));
+        sensors.forEach(name -> numbers.add(names(name, simulation.read(name))));
         seen = new Pose[simulation.snapshot().environment.size()];
         simulation.snapshot().robots.forEach(robot -> lit.add(List.of()));
         byte[] header = header();
@@ -112,11 +113,23 @@ public final class Recorder implements RunTap {
         }
     }
 
+    /** @throws IllegalArgumentException if a record can't have them */
+    static List<String> names(String sensor, Reading reading) {
+        List<String> names = reading.names();
+        int size = reading.numbers().length;
+        if (names.size() != size || size > RecordHeader.MOST_VALUES) {
+            throw new IllegalArgumentException("a reading of sensor " + sensor + " has " + size + " numbers and " + names.size()
+                + " names, legal: as many names as numbers, at most " + RecordHeader.MOST_VALUES + "; numbers() and names() of its class "
+                + reading.getClass().getName() + " say them");
+        }
+        return names;
+    }
+
     private byte[] header() throws IOException {
         Project project = simulation.getProject();
         RecordHeader header = new RecordHeader(simulation.getOrigin(), simulation.getStep(), INTERVAL, fingerprint(project),
             project.getRobots().stream().map(SearObject::getName).collect(Collectors.toList()),
-            project.getEnvironment().stream().map(SearObject::getName).collect(Collectors.toList()), sensors, sizes,
+            project.getEnvironment().stream().map(SearObject::getName).collect(Collectors.toList()), sensors, numbers,
             simulation.getLines().stream().map(line -> line.getObjectName() + " at " + line.getUserPort()).collect(Collectors.toList()));
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         header.write(new DataOutputStream(bytes));
@@ -157,9 +170,10 @@ public final class Recorder implements RunTap {
             }
         }
         for (int i = 0; i < sensors.size(); i++) {
-            double[] numbers = sizes.get(i) == 0 ? null : Numbers.of(simulation.read(sensors.get(i)));
-            for (int k = 0; k < sizes.get(i); k++) {
-                out.putDouble(k < numbers.length ? numbers[k] : Double.NaN);
+            int size = numbers.get(i).size();
+            double[] now = size == 0 ? null : simulation.read(sensors.get(i)).numbers();
+            for (int k = 0; k < size; k++) {
+                out.putDouble(k < now.length ? now[k] : Double.NaN);
             }
         }
     }

@@ -47,8 +47,8 @@ public final class Series {
         }
         int at = 0;
         for (int i = 0; i < header.sensors.size(); i++) {
-            for (int k = 0; k < header.sizes.get(i); k++) {
-                places.putIfAbsent(header.sensors.get(i) + Numbers.name(k, header.sizes.get(i)), new int[] {1, at++, 0});
+            for (String number : header.numbers.get(i)) {
+                places.putIfAbsent(header.sensors.get(i) + number, new int[] {1, at++, 0});
             }
         }
         for (int i = 0; i < header.lines.size(); i++) {

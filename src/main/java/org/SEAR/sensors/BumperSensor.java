@@ -7,7 +7,7 @@ import org.SEAR.POJOs.SearObject;
  * Whether a part of the robot touches something: true while it does. Errors count on a scale on which 0 is free, 1 is pressed, and the contact closes
  * above the middle; a reading that dropped out is false.
  */
-public final class BumperSensor extends Sensor<Boolean> {
+public final class BumperSensor extends Sensor<Switch> {
     private static final double CLOSES = 0.5;
 
     private final String part;
@@ -19,8 +19,8 @@ public final class BumperSensor extends Sensor<Boolean> {
     }
 
     @Override
-    protected Boolean measure(Truth truth) {
-        return !errors.drops(truth.step(), 0) && errors.apply(truth.isTouched(part) ? 1 : 0, truth.step(), 0, 0) > CLOSES;
+    protected Switch measure(Truth truth) {
+        return new Switch(!errors.drops(truth.step(), 0) && errors.apply(truth.isTouched(part) ? 1 : 0, truth.step(), 0, 0) > CLOSES);
     }
 
     /** The registry entry. */

@@ -1,7 +1,7 @@
 package org.SEAR.sensors;
 
 /** The colour that a sensor sees: red, green and blue, 0 to 255, as in a picture (sRGB); NaN when the reading dropped out. Immutable, any thread. */
-public final class ColorReading {
+public final class ColorReading implements Reading {
     private final double red;
     private final double green;
     private final double blue;
@@ -25,6 +25,16 @@ public final class ColorReading {
     /** 0 to 255. */
     public double getBlue() {
         return blue;
+    }
+
+    @Override
+    public double[] numbers() {
+        return new double[] {red, green, blue};
+    }
+
+    @Override
+    public String words(double[] kept, String unit) {
+        return "red " + ReadingWords.fixed(kept[0], 0) + ", green " + ReadingWords.fixed(kept[1], 0) + ", blue " + ReadingWords.fixed(kept[2], 0);
     }
 
     /** {@code 255.0,128.0,0.0}. */

@@ -11,14 +11,14 @@ import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.Pose;
 
 /**
- * Heading of the sensor's forward axis, degrees clockwise from north, (-180, 180]; boxed in a Double, NaN when the reading dropped out.
+ * Heading of the sensor's forward axis, degrees clockwise from north, (-180, 180]; NaN when the reading dropped out.
  *
  * <p>True heading = angle, seen from above, from the direction sensor-to-north-point to the forward axis. The north point is the object's (at first
  * 100 km along +x). With declination it is the magnetic heading = true heading - declination, east positive, by the magnetic model of the
  * {@link Earth} at the robot's place, height and simulated date. Only the horizontal part of the axis counts; straight up or down it has no
  * heading and answers 0. No error unless the object has noise.
  */
-public final class CompassSensor extends Sensor<Double> {
+public final class CompassSensor extends Sensor<Quantity> {
     private static final double METRES_PER_KILOMETRE = 1000;
     private static final double AT_THE_POLE = 1e-6;
 
@@ -31,9 +31,9 @@ public final class CompassSensor extends Sensor<Double> {
     }
 
     @Override
-    protected Double measure(Truth truth) {
+    protected Quantity measure(Truth truth) {
         if (errors.drops(truth.step(), 0)) {
-            return Double.NaN;
+            return new Quantity(Double.NaN, 1);
         }
         Pose pose = pose(truth);
         double[] forward = pose.rotate(0, 0, 1);
@@ -41,7 +41,7 @@ public final class CompassSensor extends Sensor<Double> {
         if (compass.isDeclination() && truth.earth().getOrigin() != null) {
             heading -= declination(truth, pose);
         }
-        return wrap(errors.apply(wrap(heading), truth.step(), 0, 0));
+        return new Quantity(wrap(errors.apply(wrap(heading), truth.step(), 0, 0)), 1);
     }
 
     /** Degrees clockwise from +x, seen from above. */

@@ -1,9 +1,15 @@
 package org.SEAR.sensors;
 
+import java.util.Arrays;
+import java.util.List;
 import org.SEAR.geometry.Pose;
 
 /** What a distance sensor met in one step, with everything that shows it. Immutable, any thread. */
-public final class DistanceReading {
+public final class DistanceReading implements Reading {
+    /** m/s, of dry air at 20 degrees. */
+    private static final double SOUND = 343.2;
+    private static final int DIGITS = 3;
+
     private final double distance;
     private final double volts;
     private final BeamPattern pattern;
@@ -42,11 +48,6 @@ public final class DistanceReading {
         return isReturn() ? distance : pattern.getMaxRange();
     }
 
-    /** What a triangulating infrared sensor puts out, volts; NaN for a beam without a voltage curve. */
-    public double getVolts() {
-        return volts;
-    }
-
     /** The sensor's lines in its own frame; the same object at every step. */
     public BeamPattern getPattern() {
         return pattern;
@@ -70,6 +71,48 @@ public final class DistanceReading {
     /** Name of the object that was met; null for no return. */
     public String getHitObject() {
         return hitObject;
+    }
+
+    /** {@link #getDistanceOrRange}. */
+    @Override
+    public double[] numbers() {
+        return new double[] {getDistanceOrRange()};
+    }
+
+    @Override
+    public String words(double[] kept, String unit) {
+        return kept[0] < pattern.getMaxRange() ? ReadingWords.withUnit(ReadingWords.fixed(kept, DIGITS), unit)
+            : "nothing within " + ReadingWords.withUnit(ReadingWords.plain(pattern.getMaxRange()), unit);
+    }
+
+    /** The true way to what was met, on the line that met it. */
+    @Override
+    public double[] beams() {
+        double[] lengths = new double[pattern.size()];
+        Arrays.fill(lengths, Double.POSITIVE_INFINITY);
+        if (line >= 0) {
+            double x = hitPoint[0] - pose.x;
+            double y = hitPoint[1] - pose.y;
+            double z = hitPoint[2] - pose.z;
+            lengths[line] = Math.sqrt(x * x + y * y + z * z);
+        }
+        return lengths;
+    }
+
+    @Override
+    public List<double[]> hits() {
+        return hitPoint == null ? List.of() : List.of(hitPoint.clone());
+    }
+
+    /** What a triangulating infrared sensor puts out; NaN for a beam without a voltage curve. */
+    @Override
+    public double volts() {
+        return volts;
+    }
+
+    @Override
+    public double echo() {
+        return 2 * distance / SOUND;
     }
 
     @Override

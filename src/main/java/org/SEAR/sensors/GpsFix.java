@@ -1,7 +1,10 @@
 package org.SEAR.sensors;
 
 /** Where a GPS sensor is and how it moves, on WGS84. Immutable, any thread. */
-public final class GpsFix {
+public final class GpsFix implements Reading {
+    /** A centimetre on Earth. */
+    private static final int PLACE_DIGITS = 7;
+
     private final double latitude;
     private final double longitude;
     private final double altitude;
@@ -85,6 +88,18 @@ public final class GpsFix {
     /** UTC of the fix, milliseconds since 1970. */
     public long getTime() {
         return time;
+    }
+
+    /** Latitude, longitude, altitude. */
+    @Override
+    public double[] numbers() {
+        return new double[] {latitude, longitude, altitude};
+    }
+
+    @Override
+    public String words(double[] kept, String unit) {
+        return ReadingWords.fixed(kept[0], PLACE_DIGITS) + ", " + ReadingWords.fixed(kept[1], PLACE_DIGITS) + " deg, "
+            + ReadingWords.fixed(kept[2], 2) + " m";
     }
 
     @Override

@@ -3,7 +3,7 @@ package org.SEAR.sensors;
 /**
  * What an inertial measurement unit knows, in its own axes: +x forward, +y right, +z down. Immutable but for its arrays, which are not to be changed.
  */
-public final class ImuReading {
+public final class ImuReading implements Reading {
     private final double[] angles;
     private final double[] acceleration;
     private final double[] rates;
@@ -50,6 +50,23 @@ public final class ImuReading {
     /** Share of the Earth's magnetic field along an axis, -1 to 1. */
     public double getField(int axis) {
         return field[axis];
+    }
+
+    /** Yaw, pitch, roll. */
+    @Override
+    public double[] numbers() {
+        return angles.clone();
+    }
+
+    @Override
+    public Object value() {
+        return toString();
+    }
+
+    @Override
+    public String words(double[] kept, String unit) {
+        return ReadingWords.withUnit("yaw " + ReadingWords.fixed(kept[0], 1) + ", pitch " + ReadingWords.fixed(kept[1], 1) + ", roll "
+            + ReadingWords.fixed(kept[2], 1), unit);
     }
 
     /** As scripts get it: {@code "yaw,pitch,roll"} in degrees. */

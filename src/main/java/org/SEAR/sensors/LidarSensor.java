@@ -53,7 +53,7 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
         if (!errors.isNone()) {
             disturb(truth.step(), ranges);
         }
-        return new LidarScan(spreadDegrees, resolutionDegrees, ranges);
+        return new LidarScan(spreadDegrees, resolutionDegrees, lidar.getRange(), ranges);
     }
 
     private void disturb(long step, double[] ranges) {

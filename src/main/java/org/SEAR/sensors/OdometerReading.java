@@ -1,7 +1,9 @@
 package org.SEAR.sensors;
 
 /** What an odometer has counted since it was last cleared. Immutable. */
-public final class OdometerReading {
+public final class OdometerReading implements Reading {
+    private static final int DIGITS = 3;
+
     private final int millimetres;
     private final boolean valid;
 
@@ -23,6 +25,17 @@ public final class OdometerReading {
     /** Whether there was a reading. */
     public boolean isValid() {
         return valid;
+    }
+
+    /** In metres. */
+    @Override
+    public double[] numbers() {
+        return new double[] {getMetres()};
+    }
+
+    @Override
+    public String words(double[] kept, String unit) {
+        return ReadingWords.withUnit(ReadingWords.fixed(kept, DIGITS), unit);
     }
 
     @Override

@@ -7,7 +7,7 @@ import org.SEAR.POJOs.SearObject;
  * The share of light that a spot throws back, percent, as the eye weighs red, green and blue: black and nothing in range are 0, white is 100. NaN
  * when the reading dropped out.
  */
-public final class ReflectanceSensor extends Sensor<Double> {
+public final class ReflectanceSensor extends Sensor<Quantity> {
     private static final double RED = 0.2126;
     private static final double GREEN = 0.7152;
     private static final double BLUE = 0.0722;
@@ -24,23 +24,26 @@ public final class ReflectanceSensor extends Sensor<Double> {
     }
 
     @Override
-    protected Double measure(Truth truth) {
+    protected Quantity measure(Truth truth) {
         if (errors.drops(truth.step(), 0)) {
-            return Double.NaN;
+            return new Light(Double.NaN);
         }
         double[] light = spot.look(truth, pose(truth));
         double percent = PERCENT * (RED * light[0] + GREEN * light[1] + BLUE * light[2]);
-        return Math.max(0, Math.min(PERCENT, errors.apply(percent, truth.step(), 0, 0)));
+        return new Light(Math.max(0, Math.min(PERCENT, errors.apply(percent, truth.step(), 0, 0))));
     }
 
-    /**
-     * What a phototransistor with a resistor puts out: light pulls it down.
-     *
-     * @param percent a reading
-     * @return 0 for white to 5 for black
-     */
-    public static double volts(double percent) {
-        return SUPPLY * (1 - percent / PERCENT);
+    /** A share of light, and what a phototransistor with a resistor puts out for it: light pulls it down. */
+    private static final class Light extends Quantity {
+        Light(double percent) {
+            super(percent, 1);
+        }
+
+        /** 0 for white to 5 for black. */
+        @Override
+        public double volts() {
+            return SUPPLY * (1 - get() / PERCENT);
+        }
     }
 
     /** The registry entry. */

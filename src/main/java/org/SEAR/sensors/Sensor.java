@@ -12,9 +12,9 @@ import org.SEAR.project.ObjectPose;
  * <p>The reading of a step is a pure function of the truth up to that step and of the random numbers of that step, which come from (seed, sensor
  * name, step number). So it does not matter who asks, how often, or which other sensors there are.
  *
- * @param <R> the immutable reading
+ * @param <R> its reading
  */
-public abstract class Sensor<R> {
+public abstract class Sensor<R extends Reading> {
     /** What this sensor's readings differ from the truth by. */
     protected final ErrorModel errors;
     private final SearObject parameters;

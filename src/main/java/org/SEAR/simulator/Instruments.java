@@ -18,6 +18,7 @@ import org.SEAR.project.PartNames;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.Hit;
 import org.SEAR.robot.RobotModel;
+import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.SensorTypes;
 
@@ -207,7 +208,7 @@ final class Instruments {
         cable.setPowered(on, time);
     }
 
-    Object read(String name) {
+    Reading read(String name) {
         Sensor<?> sensor = sensor(name);
         return sensor.read(carriers.get(sensor).truth());
     }

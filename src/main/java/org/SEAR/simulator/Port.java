@@ -7,6 +7,7 @@ import org.SEAR.devices.Cable;
 import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.RobotHardware;
 import org.SEAR.robot.RobotModel;
+import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.Truth;
 
@@ -67,7 +68,7 @@ final class Port implements DeviceContext {
     }
 
     @Override
-    public <R> R read(Sensor<R> other) {
+    public <R extends Reading> R read(Sensor<R> other) {
         return other.read(robot.truth());
     }
 

@@ -23,6 +23,7 @@ import org.SEAR.project.Project;
 import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.Robot;
+import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.simulator.orders.BodyOrder;
 
@@ -397,7 +398,7 @@ public final class Simulation implements AutoCloseable {
      *
      * @throws IllegalArgumentException that names the sensors there are
      */
-    public Object read(String sensorName) {
+    public Reading read(String sensorName) {
         return instruments.read(sensorName);
     }
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import org.SEAR.devices.PinState;
 import org.SEAR.geometry.Pose;
+import org.SEAR.sensors.Reading;
 
 /** The state of the world after one step, for everybody who looks. Immutable, any thread. */
 public final class Snapshot {
@@ -16,13 +17,13 @@ public final class Snapshot {
     /** In the order of {@code Project.getRobots()}. */
     public final List<RobotState> robots;
     /** Readings of the watched sensors by name. */
-    public final Map<String, Object> readings;
+    public final Map<String, Reading> readings;
     /** Contact points of this step, world frame {x, y, z}; empty unless debug shapes were asked for. */
     public final List<double[]> contacts;
     /** What the user should know, in plain words. */
     public final List<String> warnings;
 
-    Snapshot(long step, double time, List<Pose> environment, List<RobotState> robots, Map<String, Object> readings,
+    Snapshot(long step, double time, List<Pose> environment, List<RobotState> robots, Map<String, Reading> readings,
             List<double[]> contacts, List<String> warnings) {
         this.step = step;
         this.time = time;

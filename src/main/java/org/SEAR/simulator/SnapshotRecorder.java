@@ -10,6 +10,7 @@ import org.SEAR.devices.Cable;
 import org.SEAR.devices.PinState;
 import org.SEAR.geometry.Pose;
 import org.SEAR.robot.RobotModel;
+import org.SEAR.sensors.Reading;
 
 /** Makes the snapshots. What did not change is shared with the snapshot before. Simulation thread. */
 final class SnapshotRecorder {
@@ -22,7 +23,7 @@ final class SnapshotRecorder {
     private final Warnings warnings;
     private final TreeSet<String> watched = new TreeSet<>();
     private int interval = DEFAULT_INTERVAL;
-    private Map<String, Object> readings = Collections.emptyMap();
+    private Map<String, Reading> readings = Collections.emptyMap();
     private final Snapshot.RobotState[] states;
     private final List<List<Snapshot.DeviceState>> devices = new ArrayList<>();
     private final boolean[] commanded;
@@ -76,8 +77,8 @@ final class SnapshotRecorder {
         return new Snapshot(step, step * Simulation.STEP, world.getPoses(), List.of(states), readings, world.getContacts(), warnings.list());
     }
 
-    private Map<String, Object> readings() {
-        Map<String, Object> now = new LinkedHashMap<>();
+    private Map<String, Reading> readings() {
+        Map<String, Reading> now = new LinkedHashMap<>();
         for (String name : watched) {
             now.put(name, instruments.read(name));
         }

@@ -1110,7 +1110,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
 
     /** Where everything was over time, for panels that show a record; the form stands at {@code Records}. */
     public Map<String, Object> getRecordFrames(String path) {
-        return calls.attempt(() -> parts.records().frames(path));
+        return calls.attempt(() -> parts.recordFrames(path));
     }
 
     /** Tells panels why a project could not be started or loaded. */

@@ -5,12 +5,14 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.SEAR.POJOs.Notices;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.ProjectCheck;
+import org.SEAR.simulator.Simulation;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.export.Exports;
@@ -29,6 +31,7 @@ import org.myrobotlab.service.sear.readings.ScriptDriving;
 import org.myrobotlab.service.sear.readings.ScriptReadings;
 import org.myrobotlab.service.sear.records.Recording;
 import org.myrobotlab.service.sear.records.Records;
+import org.myrobotlab.service.sear.run.RunSettings;
 import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 import org.slf4j.Logger;
@@ -158,6 +161,27 @@ final class SearParts {
             return Collections.emptyMap();
         }
         return ProjectSwap.undisturbed(() -> preview.of(Projects.folder(), known));
+    }
+
+    /** Where everything was over time in a record, as {@link Records#frames} has it. */
+    public Map<String, Object> recordFrames(String path) throws InterruptedException, IOException {
+        return records.frames(path, wording());
+    }
+
+    /** How the sensors of the running world, or else of the project, tell their numbers; nothing where panels are told that there is no world. */
+    private Map<String, Function<double[], String>> wording() throws InterruptedException {
+        Map<String, Function<double[], String>> running = control.look((world, session) -> Records.wording(world), null);
+        if (running != null) {
+            return running;
+        }
+        ProjectSwap.hold();
+        try (Simulation start = Simulation.load(Projects.folder(), RunSettings.fromSystem().seed)) {
+            return Records.wording(start);
+        } catch (ProjectException e) {
+            return Collections.emptyMap();
+        } finally {
+            ProjectSwap.letGo();
+        }
     }
 
     /** The ground of the running world, or else of the project; empty if it has none. */

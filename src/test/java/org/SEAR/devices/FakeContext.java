@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.SEAR.Bytes;
+import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.Truth;
 
@@ -19,7 +20,7 @@ public final class FakeContext implements DeviceContext {
     public Sensor<?> sensor;
     /** Sensors of other components, by name. */
     public final java.util.Map<String, Sensor<?>> parts = new java.util.HashMap<>();
-    public Object reading;
+    public Reading reading;
     public double now;
     /** How many commands the device knew. */
     public int understood;
@@ -140,7 +141,7 @@ public final class FakeContext implements DeviceContext {
 
     @SuppressWarnings("unchecked")
     @Override
-    public <R> R read(Sensor<R> which) {
+    public <R extends Reading> R read(Sensor<R> which) {
         return (R) reading;
     }
 

@@ -23,7 +23,7 @@ public final class FakeScanner extends Sensor<LidarScan> implements LidarSource 
         scans++;
         double[] ranges = new double[(int) Math.round(spread / resolution) + 1];
         Arrays.setAll(ranges, world);
-        return new LidarScan(spread, resolution, ranges);
+        return new LidarScan(spread, resolution, Double.POSITIVE_INFINITY, ranges);
     }
 
     @Override

@@ -24,6 +24,7 @@ import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
 import org.SEAR.sensors.GpsFix;
 import org.SEAR.sensors.ImuReading;
+import org.SEAR.sensors.Quantity;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
@@ -199,7 +200,7 @@ public class FuzzTest {
     @Test
     public void hmc6352() {
         fuzz(line -> {
-            line.reading = 90.0;
+            line.reading = new Quantity(90);
             return new Hmc6352(9600, line);
         }, Bytes.ints("41 53 57 43 45 4C 47 67 77 72 8E 2F 74"), null, "41", "03 84");
     }

@@ -8,7 +8,9 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Pattern;
 import org.SEAR.Slow;
 import org.junit.Before;
 import org.junit.Rule;
@@ -50,19 +52,21 @@ public class AddASensorTest {
                 output.append(run(block.text));
             }
         }
-        assertEquals(5, files);
+        assertEquals(10, files);
         String text = output.toString();
         assertTrue(text, text.contains("Thermometer"));
         assertTrue(text, text.contains("ground: temperature at the world's origin. Legal: a number from -100 to 100 degC; default 20"));
         assertTrue(text, text.contains("\n14.35 degC\n"));
         assertTrue(text, text.contains("right: 14.3"));
+        assertTrue("what the thermal camera sees", Pattern.compile("\\n20( 20){7}\\n(.*\\n)*(20 )*34( 34)+.*\\n").matcher(text).find());
+        assertTrue(text, text.contains("\n[u'eye.coldest', u'eye.warmest']\n"));
     }
 
     /** The classes of the page are those that other tests load. */
     @Test
     public void itsClassesAreThoseOfTheTests() throws IOException {
         String page = Files.readString(ROOT.resolve("docs/add-a-sensor.md"));
-        for (String file : new String[] {"Thermometer.java", "ThermometerSensor.java"}) {
+        for (String file : List.of("Thermometer.java", "ThermometerSensor.java", "ThermalGrid.java", "ThermalImage.java", "ThermalGridSensor.java")) {
             assertTrue(file, page.contains("```java\n" + Files.readString(ROOT.resolve("src/test/java/org/example").resolve(file)) + "```"));
         }
     }

@@ -272,7 +272,7 @@ public class RecordTest {
         try (Simulation world = world()) {
             recorded(world);
             last[0] = world.getPose("rover").x;
-            last[1] = ((Number) world.read("compass")).doubleValue();
+            last[1] = world.read("compass").numbers()[0];
         }
         Series series = Series.of(RunRecord.open(file()), List.of("rover.x", "compass", "accel.x", "can.y", "drive at /dev/user sent",
             "rover speed wanted"), 10000);
@@ -414,5 +414,11 @@ public class RecordTest {
                 assertTrue(e.getMessage(), e.getMessage().contains("can't be read as a record: ") && e.getMessage().length() < 2000);
             }
         }
+    }
+
+    @Test
+    public void aReadingOfTooManyNumbersIsRefusedWithWhatIsLegal() {
+        String said = assertThrows(IllegalArgumentException.class, () -> Recorder.names("eye", () -> new double[200])).getMessage();
+        assertTrue(said, said.contains("sensor eye has 200 numbers and 200 names, legal: as many names as numbers, at most 127"));
     }
 }

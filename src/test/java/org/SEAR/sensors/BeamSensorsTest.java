@@ -222,14 +222,14 @@ public class BeamSensorsTest {
         ScriptedTruth truth = truth(wall(BeamScene.WORLD));
         for (double[] point : curve) {
             truth.at(0, 0, 2 - point[0], 0, 0, 0).step++;
-            assertEquals(point[1], sensor.read(truth).getVolts(), 0.001);
+            assertEquals(point[1], sensor.read(truth).volts(), 0.001);
             assertEquals(Math.max(0.1, point[0]), sensor.read(truth).getDistance(), 1e-9);
         }
         truth.at(0, 0, 2 - 1 / ((1 / 0.2 + 1 / 0.25) / 2), 0, 0, 0).step++;
-        assertEquals("half way in 1/distance, between 20 and 25 cm", (1.31 + 1.09) / 2, sensor.read(truth).getVolts(), 0.001);
+        assertEquals("half way in 1/distance, between 20 and 25 cm", (1.31 + 1.09) / 2, sensor.read(truth).volts(), 0.001);
         truth.at(0, 0, 0, 0, 0, 0).step++;
-        assertEquals("nothing there: that of the farthest distance", 0.40, sensor.read(truth).getVolts(), 0.001);
-        assertTrue(Double.isNaN(new DistanceSensor(single(5), 1).read(truth).getVolts()));
+        assertEquals("nothing there: that of the farthest distance", 0.40, sensor.read(truth).volts(), 0.001);
+        assertTrue(Double.isNaN(new DistanceSensor(single(5), 1).read(truth).volts()));
     }
 
     @Test

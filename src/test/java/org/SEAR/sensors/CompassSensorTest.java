@@ -16,7 +16,7 @@ public class CompassSensorTest {
     public final ProjectRule project = new ProjectRule();
 
     private static double heading(Compass compass, ScriptedTruth truth) {
-        return new CompassSensor(compass, 1).read(truth);
+        return new CompassSensor(compass, 1).read(truth).get();
     }
 
     @Test
@@ -83,7 +83,7 @@ public class CompassSensorTest {
         CompassSensor sensor = new CompassSensor(new Compass("north", true), 1);
         ScriptedTruth truth = new ScriptedTruth();
         assertTrue(sensor.warnings(truth).get(0).contains("compass north answers true north"));
-        assertEquals(90, sensor.read(truth), 1e-9);
+        assertEquals(90, sensor.read(truth).get(), 1e-9);
         truth.earth = new Earth(new GeoOrigin(35, 200, -80), MagneticModel.standard());
         assertTrue(sensor.warnings(truth).isEmpty());
         truth.epoch = 1924992000000L;

@@ -5,13 +5,8 @@ import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
-import java.io.File;
-import java.net.URL;
 import java.net.URLClassLoader;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -25,6 +20,7 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.project.problems.ProjectException;
+import org.example.OtherJar;
 import org.junit.Rule;
 import org.junit.Test;
 
@@ -67,43 +63,12 @@ public class SensorTypesTest {
         assertEquals("60", gyroscope.defaultOf(gyroscope.find("bandwidth")));
     }
 
-    /** A folder as another jar would be: the compiled classes and their registry line. */
-    private URLClassLoader otherJar() throws Exception {
-        Path folder = project.newFolder("thermometer").toPath();
-        Path registry = Files.createDirectories(folder.resolve("META-INF/services")).resolve("org.SEAR.sensors.SensorType");
-        Files.write(registry, "org.example.ThermometerSensor$Type\n".getBytes(StandardCharsets.UTF_8));
-        List<URL> path = new ArrayList<>();
-        path.add(folder.toUri().toURL());
-        for (String entry : System.getProperty("java.class.path").split(File.pathSeparator)) {
-            if (Files.isDirectory(Path.of(entry).resolve("org/example"))) {
-                copy(Path.of(entry).resolve("org/example"), folder.resolve("org/example"));
-            }
-        }
-        return new URLClassLoader(path.toArray(new URL[0]), getClass().getClassLoader()) {
-            @Override
-            protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
-                if (!name.startsWith("org.example.")) {
-                    return super.loadClass(name, resolve);
-                }
-                Class<?> own = findLoadedClass(name);
-                return own != null ? own : findClass(name);
-            }
-        };
-    }
-
-    private static void copy(Path from, Path to) throws Exception {
-        Files.createDirectories(to);
-        try (java.util.stream.Stream<Path> files = Files.list(from)) {
-            for (Path file : (Iterable<Path>) files::iterator) {
-                Files.copy(file, to.resolve(file.getFileName().toString()));
-            }
-        }
-    }
-
     @Test
     public void aSensorOfAnotherJarIsCreatedReadListedAndValidated() throws Exception {
         ClassLoader before = Thread.currentThread().getContextClassLoader();
-        try (URLClassLoader jar = otherJar()) {
+        Path folder = project.newFolder("thermometer").toPath();
+        OtherJar.at(folder, "ThermometerSensor$Type");
+        try (URLClassLoader jar = OtherJar.loader(folder)) {
             Thread.currentThread().setContextClassLoader(jar);
             assertTrue(names().contains("Thermometer"));
 
@@ -114,7 +79,7 @@ public class SensorTypesTest {
             object.move(0, 2, 0);
             robot.addComponent(object);
             Sensor<?> sensor = SensorTypes.load().create(object, 1);
-            assertEquals(20 - 0.0065 * 102, (Double) sensor.read(new ScriptedTruth().at(0, 100, 0, 0, 0, 0)), 1e-12);
+            assertEquals(20 - 0.0065 * 102, (Double) sensor.read(new ScriptedTruth().at(0, 100, 0, 0, 0, 0)).value(), 1e-12);
 
             String file = project.text("robot/outside.xml");
             assertTrue(file, file.contains("<Thermometer>"));

@@ -120,9 +120,9 @@ public class SurfaceSensorsTest {
         new Floor("floor", 2, 2, picture("line.png", 1, WHITE, BLACK));
         plate(new LineSensor("light", -0.01, 0, 0), new LineSensor("dark", 0.01, 0, 0), new LineSensor("edge"));
         try (Simulation world = settled()) {
-            assertEquals(100, (Double) world.read("light"), 1e-6);
-            assertEquals(0, (Double) world.read("dark"), 1e-9);
-            assertEquals(50, (Double) world.read("edge"), 1e-6);
+            assertEquals(100, (Double) world.read("light").value(), 1e-6);
+            assertEquals(0, (Double) world.read("dark").value(), 1e-9);
+            assertEquals(50, (Double) world.read("edge").value(), 1e-6);
             assertEquals("%", world.getUnit("edge"));
         }
     }
@@ -261,8 +261,8 @@ public class SurfaceSensorsTest {
         robot.addComponent(near);
         robot.addComponent(far);
         try (Simulation world = settled()) {
-            assertEquals(100, (Double) world.read("near"), 1e-6);
-            assertEquals(0, (Double) world.read("far"), 0);
+            assertEquals(100, (Double) world.read("near").value(), 1e-6);
+            assertEquals(0, (Double) world.read("far").value(), 0);
         }
     }
 
@@ -279,7 +279,7 @@ public class SurfaceSensorsTest {
             double[] readings = new double[300];
             for (int i = 0; i < readings.length; i++) {
                 world.step();
-                readings[i] = (Double) world.read("line");
+                readings[i] = (Double) world.read("line").value();
             }
             assertTrue(Arrays.stream(readings).allMatch(reading -> Double.isNaN(reading) || reading >= 0 && reading <= 100));
             assertTrue(Arrays.stream(readings).anyMatch(Double::isNaN));

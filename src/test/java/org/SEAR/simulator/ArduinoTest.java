@@ -102,7 +102,7 @@ public class ArduinoTest {
         Worlds.run(simulation, 1);
         List<FirmataMessage> samples = messages(FirmataMessage.ANALOG);
         assertEquals(53, samples.size(), 3);
-        double volts = ((DistanceReading) simulation.read("sharp")).getVolts();
+        double volts = simulation.read("sharp").volts();
         assertEquals(0.3, distance("sharp"), 0.01);
         assertTrue(volts > 0.8 && volts < 1.2);
         assertEquals(volts / 5 * 1024, samples.get(samples.size() - 1).getNumber(0), 1);
@@ -197,7 +197,7 @@ public class ArduinoTest {
         Worlds.run(simulation, 0.2);
         List<String> pins = new ArrayList<>();
         simulation.snapshot().robots.get(0).devices.get(0).pins.forEach(pin -> pins.add(pin.toString()));
-        double volts = ((DistanceReading) simulation.read("sharp")).getVolts();
+        double volts = simulation.read("sharp").volts();
         assertEquals(7, pins.size());
         assertTrue(pins.toString(), pins.contains("7 roverLeftMotor (direction): output, high"));
         assertTrue(pins.toString(), pins.contains("9 roverLeftMotor (pwm): pwm, 50 %"));

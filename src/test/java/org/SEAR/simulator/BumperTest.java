@@ -50,7 +50,7 @@ public class BumperTest {
     }
 
     private boolean isPressed(String bumper) {
-        return (Boolean) simulation.read(bumper);
+        return (Boolean) simulation.read(bumper).value();
     }
 
     private void start() throws Exception {
@@ -196,7 +196,7 @@ public class BumperTest {
                 drive(i < 600 ? 0.2 : -0.2);
             }
             simulation.step();
-            readings.add(List.of(simulation.read("left"), simulation.read("right"), simulation.read("any")));
+            readings.add(List.of(simulation.read("left").value(), simulation.read("right").value(), simulation.read("any").value()));
         }
         return readings;
     }

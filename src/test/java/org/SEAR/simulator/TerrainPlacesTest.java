@@ -126,7 +126,7 @@ public class TerrainPlacesTest {
         try (Simulation simulation = Worlds.start(project)) {
             assertEquals(List.of(), simulation.snapshot().warnings);
             simulation.step();
-            double declination = -(Double) simulation.read("compass");
+            double declination = -(Double) simulation.read("compass").value();
             assertEquals("in Tennessee magnetic north lies five and a half degrees west", -5.5, declination, 0.6);
         }
     }

@@ -256,9 +256,9 @@ public class SearTabTest {
         browser.until("the compass as the service answers it", () -> {
             String shown = browser.text(".sear-sensors tr[data-sensor='compass'] .sear-reading");
             double truth = robotLab.call("sear", "getCompassResult", "compass").asDouble();
-            return shown.endsWith("°") && Math.abs(Double.parseDouble(shown.replace("°", "")) - truth) < 1;
+            return shown.endsWith(" deg") && Math.abs(Double.parseDouble(shown.replace(" deg", "")) - truth) < 1;
         });
-        browser.seeText(".sear-sensors tr[data-sensor='myLidar'] .sear-reading", "361 beams, ");
+        browser.seeText(".sear-sensors tr[data-sensor='myLidar'] .sear-reading", " of 361 beams hit");
         browser.seeText(".sear-tree", "container Box");
         browser.seeText(".sear-tree", "myRoomba robot");
         browser.seeText(".sear-tree", "body Cylinder");
@@ -307,8 +307,8 @@ public class SearTabTest {
         tab.openExample("sensors");
         tab.start();
         String readings = String.join("\n", browser.texts(".sear-reading"));
-        for (String pattern : new String[] {"-?\\d+\\.\\d°", "-?\\d+\\.\\d{3}, -?\\d+\\.\\d{3}, -?\\d+\\.\\d{3} m/s²",
-            "-?\\d+\\.\\d{3}, -?\\d+\\.\\d{3}, -?\\d+\\.\\d{3} rad/s", "-?\\d+\\.\\d{7}°, -?\\d+\\.\\d{7}°, -?\\d+\\.\\d\\d m"}) {
+        for (String pattern : new String[] {"-?\\d+\\.\\d deg", "-?\\d+\\.\\d{3}, -?\\d+\\.\\d{3}, -?\\d+\\.\\d{3} m/s2",
+            "-?\\d+\\.\\d{3}, -?\\d+\\.\\d{3}, -?\\d+\\.\\d{3} rad/s", "-?\\d+\\.\\d{7}, -?\\d+\\.\\d{7} deg, -?\\d+\\.\\d\\d m"}) {
             assertTrue(pattern + " in\n" + readings, Pattern.compile("^" + pattern + "$", Pattern.MULTILINE).matcher(readings).find());
         }
     }

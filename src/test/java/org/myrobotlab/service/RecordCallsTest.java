@@ -70,9 +70,11 @@ public class RecordCallsTest {
         assertTrue(assertThrows(RuntimeException.class, () -> sear.saveRecordCsv(file, List.of("ping"), null)).getMessage().contains("run.csv"));
         Map<String, Object> frames = sear.getRecordFrames(file);
         assertEquals(List.of("roomba"), frames.get("robots"));
-        assertEquals(((List<?>) frames.get("times")).size(), ((List<?>) frames.get("readings")).size());
-        assertEquals(((List<?>) frames.get("sizes")).stream().mapToInt(size -> (Integer) size).sum(),
-            ((List<?>) ((List<?>) frames.get("readings")).get(0)).size());
+        List<?> words = (List<?>) frames.get("words");
+        assertEquals(((List<?>) frames.get("times")).size(), words.size());
+        int ping = ((List<?>) frames.get("sensors")).indexOf("ping");
+        String said = (String) ((List<?>) words.get(0)).get(ping);
+        assertTrue(said, said.matches("\\d\\.\\d{3} m"));
     }
 
     @Test

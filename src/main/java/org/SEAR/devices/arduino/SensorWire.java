@@ -2,14 +2,10 @@ package org.SEAR.devices.arduino;
 
 import org.SEAR.devices.DeviceContext;
 import org.SEAR.protocol.arduino.WireRole;
-import org.SEAR.sensors.DistanceReading;
-import org.SEAR.sensors.ReflectanceSensor;
 import org.SEAR.sensors.Sensor;
 
 /** A wire of a sensor: its voltage, the pulse that lasts as long as the sound is on its way, or a switch that joins the pin to ground. */
 final class SensorWire implements PinWire {
-    /** m/s, of dry air at 20 degrees. */
-    static final double SOUND = 343.2;
     /** Longest pulses, seconds, which they give when nothing comes back: data sheets of the PING))) and the HC-SR04. */
     static final double PING_SILENCE = 0.0185;
     static final double HC_SILENCE = 0.038;
@@ -26,14 +22,15 @@ final class SensorWire implements PinWire {
 
     @Override
     public double volts() {
-        Object reading = role == WireRole.VOLTS || role == WireRole.SWITCH ? context.read(sensor) : null;
-        if (reading instanceof Boolean) {
-            return (Boolean) reading ? 0 : Double.NaN;
+        switch (role) {
+            case VOLTS:
+            case SWITCH:
+                return context.read(sensor).volts();
+            case ECHO:
+                return 0;
+            default:
+                return Double.NaN;
         }
-        if (reading instanceof Double) {
-            return ReflectanceSensor.volts((Double) reading);
-        }
-        return reading instanceof DistanceReading ? ((DistanceReading) reading).getVolts() : role == WireRole.ECHO ? 0 : Double.NaN;
     }
 
     @Override
@@ -44,8 +41,7 @@ final class SensorWire implements PinWire {
             return Double.NaN;
         }
         double silence = role == WireRole.PING ? PING_SILENCE : HC_SILENCE;
-        Object reading = context.read(sensor);
-        return reading instanceof DistanceReading ? Math.min(silence, 2 * ((DistanceReading) reading).getDistance() / SOUND) : silence;
+        return Math.min(silence, context.read(sensor).echo());
     }
 
     @Override

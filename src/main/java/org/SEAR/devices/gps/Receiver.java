@@ -143,8 +143,8 @@ abstract class Receiver implements SerialDevice {
 
     /** Where it is; null if it doesn't know. */
     final GpsFix fixAt(long millis) {
-        Object reading = millis >= firstFix ? context.read(context.sensor()) : null;
-        return reading instanceof GpsFix && ((GpsFix) reading).isValid() ? (GpsFix) reading : null;
+        GpsFix fix = millis >= firstFix ? (GpsFix) context.read(context.sensor()) : null;
+        return fix != null && fix.isValid() ? fix : null;
     }
 
     final void send(String text, double time) {

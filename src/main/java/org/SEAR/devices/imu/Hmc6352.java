@@ -120,9 +120,9 @@ public final class Hmc6352 implements SerialDevice {
     /** A reading that has dropped out is the one before. */
     private void answerHeading(double time) {
         context.understood();
-        Object reading = context.read(context.sensor());
-        if (reading instanceof Double && !((Double) reading).isNaN()) {
-            heading = Math.floorMod(STEP * (int) Math.round((Double) reading * STEPS_PER_DEGREE), TURN);
+        double degrees = context.read(context.sensor()).numbers()[0];
+        if (!Double.isNaN(degrees)) {
+            heading = Math.floorMod(STEP * (int) Math.round(degrees * STEPS_PER_DEGREE), TURN);
         }
         context.send(new byte[] {(byte) (heading >> BITS), (byte) heading}, time);
     }

@@ -176,9 +176,9 @@ public final class Razor implements SerialDevice {
             return;
         }
         asked = false;
-        Object reading = context.read(context.sensor());
-        if (reading instanceof ImuReading && !Double.isNaN(((ImuReading) reading).getYaw())) {
-            last = (ImuReading) reading;
+        ImuReading reading = (ImuReading) context.read(context.sensor());
+        if (!Double.isNaN(reading.getYaw())) {
+            last = reading;
         }
         if (last != null) {
             context.send(frame(last), time);

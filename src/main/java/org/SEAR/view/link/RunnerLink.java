@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.project.Project;
+import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.SensorTypes;
 import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.Simulation;
@@ -81,10 +82,10 @@ public final class RunnerLink implements WorldLink {
         Map<String, double[]> beams = new LinkedHashMap<>();
         Map<String, String> values = new LinkedHashMap<>();
         for (Map.Entry<String, String> sensor : sensors.entrySet()) {
-            Object reading = snapshot.readings.get(sensor.getKey());
+            Reading reading = snapshot.readings.get(sensor.getKey());
             if (reading != null) {
-                values.put(sensor.getKey(), ReadingText.words(reading, sensor.getValue()));
-                double[] lengths = ReadingText.beams(reading);
+                values.put(sensor.getKey(), reading.words(sensor.getValue()));
+                double[] lengths = reading.beams();
                 if (lengths != null) {
                     beams.put(sensor.getKey(), lengths);
                 }

@@ -207,7 +207,7 @@ public class ColaScannerTest {
             assertTrue(spread + " " + resolution, resolution <= spread && spread <= 360);
             double[] ranges = new double[(int) Math.floor(spread / resolution + 1e-9) + 1];
             Arrays.setAll(ranges, beam -> 10 + (beam * resolution - spread / 2) / 100);
-            return new LidarScan(spread, resolution, ranges);
+            return new LidarScan(spread, resolution, Double.POSITIVE_INFINITY, ranges);
         }
 
         @Override

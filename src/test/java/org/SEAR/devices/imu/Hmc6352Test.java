@@ -4,6 +4,7 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import org.SEAR.devices.FakeContext;
+import org.SEAR.sensors.Quantity;
 import org.junit.Before;
 import org.junit.Test;
 
@@ -25,7 +26,7 @@ public class Hmc6352Test {
     }
 
     private String heading(double degrees) {
-        line.reading = degrees;
+        line.reading = new Quantity(degrees);
         return ask("41");
     }
 
@@ -41,7 +42,7 @@ public class Hmc6352Test {
 
     @Test
     public void anAnswerTakesSixMilliseconds() {
-        line.reading = 12.0;
+        line.reading = new Quantity(12);
         line.host("41");
         assertEquals(line.now + 0.006, line.times.get(0), 1e-9);
     }
@@ -49,7 +50,7 @@ public class Hmc6352Test {
     /** As receiveMessage of Listing 9 puts the bytes together. */
     @Test
     public void listingNineGetsItsHeading() {
-        line.reading = -90.0;
+        line.reading = new Quantity(-90);
         line.take();
         line.host(0x8E);
         line.host(0x2F);

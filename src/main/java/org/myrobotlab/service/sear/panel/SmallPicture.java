@@ -13,6 +13,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.ImageOutputStream;
+import org.SEAR.sensors.Picture;
 
 /** Pictures in the form that pages show, small enough for one message. */
 final class SmallPicture {
@@ -49,7 +50,7 @@ final class SmallPicture {
         }
     }
 
-    private static String of(BufferedImage image, int longest) throws IOException {
+    private static String of(BufferedImage image, int longest) {
         double scale = (double) longest / Math.max(image.getWidth(), image.getHeight());
         boolean solid = !image.getColorModel().hasAlpha();
         BufferedImage small = new BufferedImage(Math.max(1, (int) (image.getWidth() * scale)), Math.max(1, (int) (image.getHeight() * scale)),
@@ -66,9 +67,20 @@ final class SmallPicture {
         return DATA + format + ";base64," + Base64.getEncoder().encodeToString(bytes);
     }
 
-    private static byte[] png(BufferedImage image) throws IOException {
+    /** The picture of a sensor, each pixel as it is. */
+    static String of(Picture picture) {
+        BufferedImage image = new BufferedImage(picture.getWidth(), picture.getHeight(), BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, picture.getWidth(), picture.getHeight(), picture.getPixels(), 0, picture.getWidth());
+        return address("png", png(image));
+    }
+
+    private static byte[] png(BufferedImage image) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        ImageIO.write(image, "png", bytes);
+        try {
+            ImageIO.write(image, "png", bytes);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
         return bytes.toByteArray();
     }
 

@@ -17,7 +17,8 @@ import org.myrobotlab.service.sear.run.SimulationSession;
  *  "objects": [..], "robots": [..], "sensors": [..]}                               the whole; its lists stand at {@link WorldJson}
  * {.., "warnings": ["box has fallen out of the world .."]}                        and all warnings so far, for a panel that asked
  * {"number": 8, .., "time": 0.1, "step": 6,
- *  "changes": {"objects": {"3": {"pose": [..]}}, "robots": {"0": {"pose": [..], "speed": 0.2}}, "sensors": {}}}     by place in their list
+ *  "changes": {"objects": {"3": {"pose": [..]}}, "robots": {"0": {"pose": [..], "speed": 0.2}}, "sensors": {}}}     by place in their list,
+ *                                                                                  null for what is no longer there
  * {"running": false}                                                              there is no world
  * </pre>
  *
@@ -106,12 +107,14 @@ public final class WorldFeed {
         Map<Integer, Object> changes = new TreeMap<>();
         for (int i = 0; i < now.size(); i++) {
             Map<String, Object> old = before.get(i);
+            Map<String, Object> present = now.get(i);
             Map<String, Object> changed = new LinkedHashMap<>();
-            now.get(i).forEach((key, value) -> {
+            present.forEach((key, value) -> {
                 if (!Objects.deepEquals(value, old.get(key))) {
                     changed.put(key, value);
                 }
             });
+            old.keySet().stream().filter(key -> !present.containsKey(key)).forEach(key -> changed.put(key, null));
             if (!changed.isEmpty()) {
                 changes.put(i, changed);
             }

@@ -21,13 +21,12 @@ import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.Robot;
 import org.SEAR.robot.Stability;
-import org.SEAR.sensors.DistanceReading;
 import org.SEAR.sensors.LidarScan;
+import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.Snapshot;
 import org.myrobotlab.service.sear.readings.EulerAngles;
-import org.myrobotlab.service.sear.readings.ScriptReadings;
 
 /**
  * The state of the world as panels draw it, as maps, lists and numbers for JSON. Metres and degrees; poses are [x, y, z, rx, ry, rz], rounded to
@@ -51,9 +50,12 @@ import org.myrobotlab.service.sear.readings.ScriptReadings;
  *              "turnedLeds": [pose, ..] (of the leds, if the robot has servos, too),
  *              "balance": {"centre": [x, y, z] (of mass, in the body), "support": [[x, y, z], ..] (the corners of what it stands on),
  *                          "critical": false (whether it tips over easily), "words": "tips over .."}}],
- *  "sensors": [{"name": "Ping1", "type": "Distance", "pose": [..], "value": 1.25, "hit": [x, y, z] or null,
- *               "cones": [{"halfAngle", "range", "yaw"}]},
- *              {"name": "myLidar", "type": "LIDAR", "pose": [..], "spread": 180, "resolution": 1, "ranges": [.., null, ..]}]}
+ *  "sensors": [{"name": "Ping1", "type": "Distance", "robot": "myRoomba", "pose": [..],
+ *               "value": 1.25 (what scripts get), "words": "1.250 m", "unit": "m",
+ *               "numbers": [1.25] (as records keep them; null for none), "names": [""] (of the numbers, behind the sensor's),
+ *               "hit": [x, y, z] or null (only if beams meet something at a place), "cones": [{"halfAngle", "range", "yaw"}]},
+ *              {"name": "myLidar", .., "spread": 180, "resolution": 1, "ranges": [.., null, ..] (in the place of the value)},
+ *              {"name": "eye", .., "picture": "data:image/png;base64,.."}]}
  * </pre>
  *
  * <p>{@link WorldFeed} adds what only a running simulation has.
@@ -62,6 +64,8 @@ public final class WorldJson {
     /** The lists of a state, each of maps. */
     static final List<String> LISTS = Collections.unmodifiableList(Arrays.asList("objects", "robots", "sensors"));
     private static final double FINE = 1e4;
+    /** A centimetre on Earth has seven digits of a degree. */
+    private static final double FINEST = 1e8;
     private static final double MILLIMETRES = 1e3;
     private static final double ANGLE = 1e3;
     private static final double PATH_STEP = 0.02;
@@ -95,7 +99,7 @@ public final class WorldJson {
             }
             map.put("balance", balance(robot.getStability()));
             for (Sensor<?> one : robot.getSensors()) {
-                addFixed(sensors.get(sensor++), robot, one.getParameters());
+                addFixed(sensors.get(sensor++), robot, one, world);
             }
         }
         return state;
@@ -313,17 +317,20 @@ public final class WorldJson {
         for (Robot robot : world.getRobots()) {
             for (Sensor<?> sensor : robot.getSensors()) {
                 Map<String, Object> map = posed(robot.getPose().times(sensor.getMount()));
-                addReading(map, sensor.getParameters(), world.read(sensor.getName()));
+                addReading(map, world.read(sensor.getName()), world.getUnit(sensor.getName()));
                 list.add(map);
             }
         }
         return list;
     }
 
-    private static void addFixed(Map<String, Object> map, Robot robot, SearObject sensor) {
+    private static void addFixed(Map<String, Object> map, Robot robot, Sensor<?> of, Simulation world) {
+        SearObject sensor = of.getParameters();
         map.put("name", sensor.getFullName());
         map.put("type", sensor.getClass().getSimpleName());
         map.put("robot", robot.getObject().getName());
+        map.put("unit", world.getUnit(of.getName()));
+        map.put("names", world.read(of.getName()).names());
         if (sensor instanceof Distance) {
             List<Object> cones = new ArrayList<>();
             for (BeamCone cone : ((Distance) sensor).getCones()) {
@@ -337,23 +344,32 @@ public final class WorldJson {
         }
     }
 
-    private static void addReading(Map<String, Object> map, SearObject object, Object reading) {
-        if (reading instanceof LidarScan) {
-            LidarScan scan = (LidarScan) reading;
+    private static void addReading(Map<String, Object> map, Reading reading, String unit) {
+        LidarScan scan = reading.scan();
+        if (scan == null) {
+            map.put("value", reading.value());
+        } else {
             map.put("spread", scan.getSpread());
             map.put("resolution", scan.getResolution());
-            List<Double> ranges = new ArrayList<>(scan.size());
-            for (int i = 0; i < scan.size(); i++) {
-                ranges.add(Double.isInfinite(scan.range(i)) ? null : Double.valueOf(rounded(scan.range(i), FINE)));
-            }
-            map.put("ranges", ranges);
-        } else {
-            map.put("value", ScriptReadings.converted(object, reading));
+            map.put("ranges", numbers(scan.ranges(), FINE));
         }
-        if (reading instanceof DistanceReading) {
-            double[] hit = ((DistanceReading) reading).getHitPoint();
-            map.put("hit", hit == null ? null : point(hit, MILLIMETRES));
+        if (reading.hits() != null) {
+            map.put("hit", reading.hits().isEmpty() ? null : point(reading.hits().get(0), MILLIMETRES));
         }
+        map.put("words", reading.words(unit));
+        map.put("numbers", numbers(reading.numbers(), FINEST));
+        if (reading.picture() != null) {
+            map.put("picture", SmallPicture.of(reading.picture()));
+        }
+    }
+
+    /** Null for what is no number, or infinite. */
+    private static List<Double> numbers(double[] exact, double per) {
+        List<Double> numbers = new ArrayList<>(exact.length);
+        for (double number : exact) {
+            numbers.add(Double.isNaN(number) || Double.isInfinite(number) ? null : Double.valueOf(rounded(number, per)));
+        }
+        return numbers;
     }
 
     private static double[] numbers(Pose pose) {

@@ -14,15 +14,8 @@ import org.SEAR.project.Project;
 import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.Robot;
-import org.SEAR.sensors.ColorReading;
-import org.SEAR.sensors.DistanceReading;
-import org.SEAR.sensors.GpsFix;
-import org.SEAR.sensors.ImuReading;
-import org.SEAR.sensors.LidarScan;
-import org.SEAR.sensors.OdometerReading;
 import org.SEAR.sensors.OdometerSensor;
 import org.SEAR.sensors.Sensor;
-import org.SEAR.sensors.VectorReading;
 import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
@@ -83,7 +76,7 @@ public final class ScriptReadings {
                 throw new IllegalArgumentException("sensor " + name + " is a " + object.getClass().getSimpleName() + ", not a "
                     + type.getSimpleName() + "; there are " + describe(world));
             }
-            return converted(object, world.read(name));
+            return world.read(name).value();
         });
     }
 
@@ -103,35 +96,6 @@ public final class ScriptReadings {
                 .append(world.getSensor(name).getParameters().getClass().getSimpleName()).append(')');
         }
         return text.toString();
-    }
-
-    public static Object converted(SearObject object, Object reading) {
-        if (reading instanceof LidarScan) {
-            return metres((LidarScan) reading, ((LIDAR) object).getRange());
-        }
-        if (reading instanceof GpsFix) {
-            GpsFix fix = (GpsFix) reading;
-            return new double[] {fix.getLatitude(), fix.getLongitude(), fix.getAltitude()};
-        }
-        if (reading instanceof ColorReading) {
-            ColorReading color = (ColorReading) reading;
-            return new double[] {color.getRed(), color.getGreen(), color.getBlue()};
-        }
-        if (reading instanceof DistanceReading) {
-            return ((DistanceReading) reading).getDistanceOrRange();
-        }
-        if (reading instanceof OdometerReading) {
-            return ((OdometerReading) reading).getMetres();
-        }
-        return reading instanceof VectorReading || reading instanceof ImuReading ? reading.toString() : reading;
-    }
-
-    private static float[] metres(LidarScan scan, double range) {
-        float[] metres = new float[scan.size()];
-        for (int i = 0; i < metres.length; i++) {
-            metres[i] = (float) Math.min(scan.range(i), range);
-        }
-        return metres;
     }
 
     /**

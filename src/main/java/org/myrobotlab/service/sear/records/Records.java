@@ -8,19 +8,24 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.ScriptText;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.record.Frames;
+import org.SEAR.record.RecordHeader;
 import org.SEAR.record.Rerun;
 import org.SEAR.record.RunRecord;
 import org.SEAR.record.Series;
+import org.SEAR.sensors.Reading;
+import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.readings.EulerAngles;
 
@@ -33,8 +38,6 @@ public final class Records {
     private static final int MOST_POINTS = 4000;
     private static final int MOST_LISTED = 200;
     private static final double FINE = 1e4;
-    /** A centimetre on Earth has seven digits of a degree. */
-    private static final double FINEST = 1e8;
 
     private final Host host;
     /** What was said last. */
@@ -134,12 +137,14 @@ public final class Records {
      *
      * <pre>
      * {"path", "whole", "written" (just now), "names": [..], "robots": [name, ..], "objects": [name of one that moves, ..], "sensors": [name, ..],
-     *  "sizes": [how many numbers a reading of each has, ..], "lights": [[number of a robot, of its light], ..], "times": [..], and by time:
+     *  "lights": [[number of a robot, of its light], ..], "times": [..], and by time:
      *  "robotPoses": [[[x, y, z, rx, ry, rz], ..], ..], "objectPoses": likewise, "speeds": [[[m/s, rad/s] of each robot, ..], ..],
-     *  "readings": [[the numbers of all sensors, null for none, ..], ..], "brightness": [[of each light, 0 to 1, ..], ..]}
+     *  "words": [[what each sensor read, null if none of that name is known, ..], ..], "brightness": [[of each light, 0 to 1, ..], ..]}
      * </pre>
+     *
+     * @param known as {@link #wording} has it
      */
-    public Map<String, Object> frames(String path) throws IOException {
+    public Map<String, Object> frames(String path, Map<String, Function<double[], String>> known) throws IOException {
         RunRecord record = open(path);
         Frames frames = Frames.of(record, MOST_FRAMES);
         tell(record, frames.whole);
@@ -153,15 +158,38 @@ public final class Records {
         answer.put("robots", record.getHeader().robots);
         answer.put("objects", moved);
         answer.put("sensors", record.getHeader().sensors);
-        answer.put("sizes", record.getHeader().sizes);
         answer.put("lights", frames.lights);
         answer.put("times", frames.times);
         answer.put("speeds", frames.speeds.stream().map(robots -> numbers(robots, FINE)).collect(Collectors.toList()));
-        answer.put("readings", numbers(frames.readings, FINEST));
+        answer.put("words", frames.readings.stream().map(read -> words(record.getHeader(), read, known)).collect(Collectors.toList()));
         answer.put("brightness", frames.brightness);
         answer.put("robotPoses", poses(frames.robots));
         answer.put("objectPoses", poses(frames.objects));
         return answer;
+    }
+
+    /** How the numbers of each sensor of a world are told in words; simulation thread, the functions any. */
+    public static Map<String, Function<double[], String>> wording(Simulation world) {
+        Map<String, Function<double[], String>> words = new HashMap<>();
+        for (String name : world.getSensorNames()) {
+            Reading reading = world.read(name);
+            String unit = world.getUnit(name);
+            int size = reading.numbers().length;
+            words.put(name, kept -> kept.length == size ? reading.words(kept, unit) : null);
+        }
+        return words;
+    }
+
+    private static List<String> words(RecordHeader header, double[] read, Map<String, Function<double[], String>> known) {
+        List<String> words = new ArrayList<>();
+        int at = 0;
+        for (int i = 0; i < header.sensors.size(); i++) {
+            int size = header.sizes.get(i);
+            double[] kept = Arrays.copyOfRange(read, at, at + size);
+            words.add(size == 0 ? null : known.getOrDefault(header.sensors.get(i), none -> null).apply(kept));
+            at += size;
+        }
+        return words;
     }
 
     private static List<List<double[]>> poses(List<List<double[]>> frames) {

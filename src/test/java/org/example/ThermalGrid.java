@@ -1,0 +1,40 @@
+package org.example;
+
+import java.util.List;
+import org.SEAR.POJOs.Param;
+import org.SEAR.POJOs.SensorObject;
+import org.SEAR.POJOs.Wirable;
+import org.SEAR.protocol.arduino.WireRole;
+
+/** The parameters of a thermal camera of 8 x 8 pixels for which things are warm and ground and air are not. */
+public class ThermalGrid extends SensorObject implements Wirable {
+    @Param(doc = "temperature of the ground and of what is out of range", unit = "degC", min = -40, max = 80)
+    private double air = 20;
+    @Param(doc = "temperature of things", unit = "degC", min = -40, max = 80)
+    private double things = 34;
+
+    /** For reading from a file. */
+    protected ThermalGrid() {
+    }
+
+    /** Air of 20 and things of 34 degrees Celsius. */
+    public ThermalGrid(String name) {
+        super(name);
+        created(ThermalGrid.class);
+    }
+
+    /** Degrees Celsius. */
+    public double getAir() {
+        return air;
+    }
+
+    /** Degrees Celsius. */
+    public double getThings() {
+        return things;
+    }
+
+    @Override
+    public List<WireRole> getWireRoles() {
+        return List.of(WireRole.VOLTS);
+    }
+}

@@ -60,6 +60,7 @@ public final class BodyReport {
         all.put("wakelowest", WakeScenes::lowest);
         all.put("wakehit", WakeScenes::hit);
         all.put("crowd200", into -> CrowdScenes.oneSpot(200, into));
+        all.put("block2000", into -> CrowdScenes.block(2000, into));
         return all;
     }
 

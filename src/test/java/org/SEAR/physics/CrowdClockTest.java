@@ -11,10 +11,4 @@ public class CrowdClockTest {
         CrowdScenes.oneSpot(200, findings);
         findings.assertHold();
     }
-
-    @Test
-    public void manyInsideEachOther() throws Exception {
-        CrowdScenes.block(2000, findings);
-        findings.assertHold();
-    }
 }

@@ -18,7 +18,7 @@ final class CrowdScenes {
 
     /** A block of cubes, each of which reaches into the 26 around it. */
     static void block(int count, Findings into) throws Exception {
-        crowd(count + " cubes inside each other", count, (int) Math.ceil(Math.cbrt(count)), 0.75 * SIZE, 20, 2, into);
+        crowd(count + " cubes inside each other", count, (int) Math.ceil(Math.cbrt(count)), 0.75 * SIZE, 60, 2, into);
     }
 
     private static void crowd(String scene, int count, int row, double apart, int steps, double seconds, Findings into) throws Exception {

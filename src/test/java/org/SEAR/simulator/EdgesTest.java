@@ -66,7 +66,7 @@ public class EdgesTest {
             Worlds.start(project);
             fail("9995 boxes on one spot were taken");
         } catch (ProjectException e) {
-            assertTrue(e.getMessage(), e.getMessage().contains("more than 20000 pairs of things with mass start inside one another, as box"));
+            assertTrue(e.getMessage(), e.getMessage().contains("more than 50000 pairs of things with mass start inside one another, as box"));
         }
     }
 }

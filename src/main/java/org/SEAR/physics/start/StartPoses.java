@@ -19,7 +19,7 @@ public final class StartPoses {
     /** More overlaps are not named one by one. */
     private static final int MOST_TOLD = 20;
     /** Pairs that start inside one another; with more a step takes seconds. */
-    private static final int MOST_PAIRS = 200_000;
+    private static final int MOST_PAIRS = 50_000;
     /** Rounds of lifting: what is lifted out of one thing may be inside the next. */
     private static final int ROUNDS = 16;
     private static final int HALVINGS = 24;

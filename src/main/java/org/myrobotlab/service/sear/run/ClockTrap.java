@@ -19,7 +19,9 @@ final class ClockTrap {
     private static final String SCRIPT = "org.python.pycode.";
     /** How the class of the service that scripts call is named. */
     private static final String SERVICE = ".SEAR";
-    private static final Set<String> PASSING_TIME = Set.of("simSleep", "step");
+    /** Calls that let time pass, and such as may themselves take seconds of the computer's time: none of them is a loop of the script. */
+    private static final Set<String> NO_LOOP = Set.of("simSleep", "step", "startSimulation", "stopSimulation", "reset", "loadProject", "saveProject",
+        "newProject", "rerunRecord");
     private static final String REMEDY =
         ": in lock-step (--speed max, setLockStep(True)) it passes only in sear.simSleep(seconds) and sear.step(n), not ";
     /** So long a script may be busy while time stands still. */
@@ -78,13 +80,13 @@ final class ClockTrap {
         }
     }
 
-    /** Where a script is that neither waits nor lets time pass; null if there is none, or if another script lets it pass. */
-    private static String busyLine(Map<Thread, StackTraceElement[]> stacks) {
+    /** Where a script is that neither waits, nor lets time pass, nor is in a call that takes long; null if there is none, or if another script is. */
+    static String busyLine(Map<Thread, StackTraceElement[]> stacks) {
         String found = null;
         for (Map.Entry<Thread, StackTraceElement[]> entry : stacks.entrySet()) {
             StackTraceElement script = first(entry.getValue(), frame -> frame.getClassName().startsWith(SCRIPT));
             StackTraceElement call = first(entry.getValue(), frame -> frame.getClassName().endsWith(SERVICE));
-            if (script != null && call != null && PASSING_TIME.contains(call.getMethodName())) {
+            if (script != null && first(entry.getValue(), ClockTrap::isNoLoop) != null) {
                 return null;
             }
             if (script != null && (call != null || entry.getKey().getState() == Thread.State.RUNNABLE)) {
@@ -92,6 +94,10 @@ final class ClockTrap {
             }
         }
         return found;
+    }
+
+    private static boolean isNoLoop(StackTraceElement frame) {
+        return frame.getClassName().endsWith(SERVICE) && NO_LOOP.contains(frame.getMethodName());
     }
 
     private static StackTraceElement first(StackTraceElement[] stack, Predicate<StackTraceElement> wanted) {

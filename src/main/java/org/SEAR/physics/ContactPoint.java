@@ -78,27 +78,24 @@ final class ContactPoint {
             yields += bx * ibx + by * iby + bz * ibz;
         }
         mass = yields > 0 ? 1 / yields : 0;
-        base = 0;
         base = found - along(of, a.moved, b.moved);
         gap = found;
     }
 
+    /** How both part here as they move: of their velocities a speed, m/s, of their ways a distance, metres. */
     private double along(Manifold of, double[] p, double[] q) {
-        return base + of.nx * (p[0] - q[0]) + of.ny * (p[1] - q[1]) + of.nz * (p[2] - q[2]) + ax * p[3] + ay * p[4] + az * p[5]
+        return of.nx * (p[0] - q[0]) + of.ny * (p[1] - q[1]) + of.nz * (p[2] - q[2]) + ax * p[3] + ay * p[4] + az * p[5]
             - bx * q[3] - by * q[4] - bz * q[5];
     }
 
     /** Looks how far both are from each other now. */
     void measure(Manifold of) {
-        gap = along(of, of.a.moved, of.b.moved);
+        gap = base + along(of, of.a.moved, of.b.moved);
     }
 
     /** Speed at which both part, m/s. */
     double parting(Manifold of) {
-        double[] p = of.a.v;
-        double[] q = of.b.v;
-        return of.nx * (p[0] - q[0]) + of.ny * (p[1] - q[1]) + of.nz * (p[2] - q[2]) + ax * p[3] + ay * p[4] + az * p[5]
-            - bx * q[3] - by * q[4] - bz * q[5];
+        return along(of, of.a.v, of.b.v);
     }
 
     /** Speed at which both part here for an impulse of 1 Ns at another point, 1/kg. */

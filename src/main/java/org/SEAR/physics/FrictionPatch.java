@@ -119,7 +119,7 @@ final class FrictionPatch {
 
     /** Whether it pushes. */
     boolean holds() {
-        return first.impulse != 0 || second.impulse != 0 || turned != 0;
+        return first.impulse != 0 || second.impulse != 0 || turned != 0 || roll[0] != 0 || roll[1] != 0 || roll[2] != 0;
     }
 
     /** Makes the rows. */
@@ -245,7 +245,7 @@ final class FrictionPatch {
      * @param mostRolling angular impulse against rolling for each metre of lever, Ns
      */
     void solve(Manifold of, double most, double mostTurning, double mostRolling) {
-        if (mostRolling > 0) {
+        if (of.rolling > 0) {
             solveRolling(of, mostRolling * lever);
         }
         if (mostTurning > 0 || turned != 0) {

@@ -24,14 +24,16 @@ final class IslandSolver {
     /** Bodies of an island for which that is paid. */
     private static final int FEW = 4;
     /** Points times substeps of a step, beyond which there are fewer substeps, but no fewer than {@link #LEAST_SUBSTEPS}. */
-    private static final int MOST_WORK = 200_000;
+    private static final int MOST_WORK = 24_000;
     /** Passes in a substep for each body of the highest stack: what carries must hear of what is on top of it. */
     private static final double PASSES_EACH = 0.3;
     /** Passes in a substep for a ratio of masses of 1: what is heavy on what is light is stopped by little and little. */
     private static final double PASSES_RATIO = 0.1;
     /** Points times substeps times passes, beyond which there are fewer passes. */
-    private static final int MOST_PASSES_WORK = 240_000;
+    private static final int MOST_PASSES_WORK = 60_000;
     private static final int LEAST_SUBSTEPS = 4;
+    /** The level of what stands on nothing: higher than any stack. */
+    private static final int FLYING = 1_000_000_000;
     /** What is left of a step, as a share of a substep, that is no substep of its own. */
     private static final double REST = 1e-6;
 
@@ -166,10 +168,10 @@ final class IslandSolver {
         return Math.sqrt(most);
     }
 
-    /** Over how many bodies the one that is farthest from all that is fixed stands on that. */
+    /** Over how many bodies the one that is farthest from all that is fixed stands on that; what flies stands on nothing. */
     private int height() {
         for (int i = 0; i < bodies.size(); i++) {
-            bodies.get(i).level = bodies.size();
+            bodies.get(i).level = FLYING;
         }
         int highest = 0;
         boolean changed = true;
@@ -180,7 +182,8 @@ final class IslandSolver {
             }
         }
         for (int i = 0; i < bodies.size(); i++) {
-            highest = Math.max(highest, bodies.get(i).level);
+            int level = bodies.get(i).level;
+            highest = level < FLYING ? Math.max(highest, level) : highest;
         }
         return highest;
     }

@@ -283,6 +283,9 @@ final class Manifold {
         if (pushes) {
             a.press(nx, ny, nz);
             b.press(nx, ny, nz);
+        } else if (patch.holds()) {
+            // what does not press does not rub; else friction would be left without the push that it came from
+            patch.solve(this, 0, 0, 0);
         }
     }
 

@@ -22,7 +22,7 @@ final class PairContacts extends CollisionAlgorithm {
     /** The same where something rolls: the point of contact is another after a turn. */
     private static final double TOLERANCE_ROUND = 1e-3;
     /** Bodies that have moved less than this against each other since their contacts were found have the same still, metres. */
-    private static final double STILL = 5e-5;
+    private static final double STILL = 2e-4;
 
     /** How wrong the speed of a point may become by turning while the bodies go on, m/s. */
     private static final double SLIP = 0.02;

@@ -25,6 +25,7 @@ public final class BodyReport {
             int number = seed;
             all.put("drops" + seed, into -> DropScenes.single(Integer.getInteger("sear.singles", 1000), number, into));
         }
+        all.put("landing", into -> DropScenes.landing(300, into));
         all.put("pile100", into -> DropScenes.pile(100, into));
         all.put("pile1000", into -> DropScenes.pile(1000, into));
         for (double height : DominoScenes.HEIGHTS) {

@@ -12,6 +12,7 @@ import org.SEAR.simulator.BodyRun;
 final class DropScenes {
     private static final double APART = 1.5;
     private static final double FALL = 10;
+    private static final double LANDING = 2;
     /** At impact a corner may be found some hundredths of a degree late, metres. */
     private static final double DEEPEST_AT_IMPACT = 2e-3;
     private static final double DEEPEST = 5e-4;
@@ -43,6 +44,43 @@ final class DropScenes {
             judge(things, before, run, into);
             into.atMost("deepest in the floor at any time, mm", 1000 * DEEPEST_AT_IMPACT, 1000 * ever);
         }
+    }
+
+    /** Cubes of 10 to 30 cm land on their corners: friction and push take energy, in no step do they give any. */
+    static void landing(int count, Findings into) throws Exception {
+        Random random = new Random(1);
+        int row = (int) Math.ceil(Math.sqrt(count));
+        try (Stage stage = new Stage(APART * row + 20)) {
+            double[] sizes = new double[count];
+            for (int i = 0; i < count; i++) {
+                sizes[i] = 0.1 + 0.2 * random.nextDouble();
+                Box cube = new Box("cube" + i, sizes[i], sizes[i], sizes[i], 1);
+                cube.rotate(360 * random.nextDouble(), 360 * random.nextDouble(), 360 * random.nextDouble());
+                cube.move(APART * (i % row - row / 2), 0.8 + 0.7 * random.nextDouble(), APART * (i / row - row / 2));
+            }
+            BodyRun run = stage.start();
+            into.in("landing of " + count);
+            double[] before = new double[count];
+            double most = 0;
+            run.step();
+            while (run.time() < LANDING) {
+                for (int i = 0; i < count; i++) {
+                    before[i] = energy("cube" + i, sizes[i], run);
+                }
+                run.step();
+                for (int i = 0; i < count; i++) {
+                    most = Math.max(most, energy("cube" + i, sizes[i], run) / before[i] - 1);
+                }
+            }
+            into.atMost("energy that a cube gains in a step, %", 10, 100 * most);
+        }
+    }
+
+    /** For each kg, above the floor, J. */
+    private static double energy(String cube, double size, BodyRun run) {
+        double[] v = run.velocities(cube);
+        return PhysicsWorld.GRAVITY * run.pose(cube).y + (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / 2
+            + size * size / 12 * (v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
     }
 
     private static void judge(List<Dropped> things, List<Pose> before, BodyRun run, Findings into) {

@@ -17,6 +17,12 @@ public class SingleDropsTest {
     }
 
     @Test
+    public void noCubeGainsEnergyByLanding() throws Exception {
+        DropScenes.landing(300, findings);
+        findings.assertHold();
+    }
+
+    @Test
     public void aHeapComesToRest() throws Exception {
         DropScenes.pile(100, findings);
         findings.assertHold();

@@ -18,10 +18,6 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
-import org.myrobotlab.framework.QueueStats;
-import org.myrobotlab.framework.Service;
-import org.myrobotlab.service.config.ServiceConfig;
-import org.myrobotlab.service.interfaces.SerialDataListener;
 
 /** In lock-step MrlComm acknowledges while the script's thread, which alone makes time pass, waits for that, as MyRobotLab's Arduino service does. */
 public class AckTest {
@@ -36,7 +32,7 @@ public class AckTest {
     private Listener listener;
 
     /** Keeps what comes, and when. */
-    public static class Listener extends Service<ServiceConfig> implements SerialDataListener {
+    public static class Listener extends PortListener {
         private static final long serialVersionUID = 1L;
         private final transient BlockingQueue<Byte> bytes = new LinkedBlockingQueue<>();
         private final transient Map<Double, String> log = new TreeMap<>();
@@ -52,26 +48,6 @@ public class AckTest {
             for (byte each : values) {
                 bytes.add(each);
             }
-        }
-
-        @Override
-        public void onConnect(String portName) {
-            // nothing to do
-        }
-
-        @Override
-        public void onDisconnect(String portName) {
-            // nothing to do
-        }
-
-        @Override
-        public QueueStats publishStats(QueueStats stats) {
-            return stats;
-        }
-
-        @Override
-        public void updateStats(QueueStats stats) {
-            // nobody looks at them
         }
     }
 

@@ -15,10 +15,6 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
-import org.myrobotlab.framework.QueueStats;
-import org.myrobotlab.framework.Service;
-import org.myrobotlab.service.config.ServiceConfig;
-import org.myrobotlab.service.interfaces.SerialDataListener;
 
 /** Lock-step waits for threads that have nothing to run on for many seconds, as on a busy machine; it goes on without what hangs. */
 @Category(Slow.class)
@@ -32,7 +28,7 @@ public class PatienceTest {
     private Heard heard;
 
     /** Keeps the thread that brings bytes until it is said that lock-step waits, as a machine does that has no processor for it. */
-    public static class Starved extends Service<ServiceConfig> implements SerialDataListener {
+    public static class Starved extends PortListener {
         private static final long serialVersionUID = 1L;
         private transient volatile Heard heard;
         private transient volatile boolean held;
@@ -51,26 +47,6 @@ public class PatienceTest {
             } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
             }
-        }
-
-        @Override
-        public void onConnect(String portName) {
-            // nothing to do
-        }
-
-        @Override
-        public void onDisconnect(String portName) {
-            // nothing to do
-        }
-
-        @Override
-        public QueueStats publishStats(QueueStats stats) {
-            return stats;
-        }
-
-        @Override
-        public void updateStats(QueueStats stats) {
-            // nobody looks at them
         }
     }
 

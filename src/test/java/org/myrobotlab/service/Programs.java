@@ -1,6 +1,7 @@
 package org.myrobotlab.service;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNotNull;
 import static org.junit.Assert.assertTrue;
 
 import java.io.File;
@@ -76,8 +77,8 @@ final class Programs {
         }
     }
 
-    /** The only file of that name without those words in it. */
-    Path only(String glob, List<String> output, String... without) throws IOException {
+    /** The first file of that name without those words in it; null if there is none. */
+    private Path find(String glob, String... without) throws IOException {
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder.getRoot().toPath(), glob)) {
             for (Path file : files) {
                 if (Arrays.stream(without).noneMatch(file.getFileName().toString()::contains)) {
@@ -85,34 +86,52 @@ final class Programs {
                 }
             }
         }
-        throw new AssertionError("there is no " + glob + " in " + Arrays.toString(folder.getRoot().list()) + "\n" + String.join("\n", output));
+        return null;
+    }
+
+    /** The only file of that name without those words in it. */
+    Path only(String glob, List<String> output, String... without) throws IOException {
+        Path file = find(glob, without);
+        assertNotNull("there is no " + glob + " in " + Arrays.toString(folder.getRoot().list()) + "\n" + String.join("\n", output), file);
+        return file;
     }
 
     /**
-     * What MRPT's rawlog-grabber, whose only sensor is a laser scanner with the label LASER, logs in {@link #SECONDS} and some time to start.
+     * What MRPT's rawlog-grabber, whose only sensor is a laser scanner with the label LASER, logs in {@link #SECONDS} and some time to start. Where
+     * the machine lets it wait for a tenth of a second it ends, or goes on for ever without the scanner: then it is started again.
      *
      * @param config its configuration, which logs to {@code log} in the temporary folder
      * @param starting seconds
      * @return a line for each scan: time, ranges in metres, which of them are valid
      */
     List<String[]> grabScans(Path config, int starting) throws Exception {
-        Process grabber = null;
-        List<String> output = null;
-        for (int i = 0; i < TRIES && (grabber == null || !grabber.isAlive()); i++) { // it gives up when the machine lets it wait for half a second
-            forget("log*.rawlog");    // a try that failed has left one without scans
-            grabber = start(new ProcessBuilder("rawlog-grabber", config.toString()));
-            output = read(grabber, SECONDS + starting);
+        List<String> output = new ArrayList<>();
+        List<String> lines = grab(config, starting, output);
+        for (int i = 1; i < TRIES && lines.size() <= SECONDS; i++) {
+            forget("log*.rawlog");
+            forget("*LASER*.txt");
+            lines = grab(config, starting, output);
         }
-        assertTrue("rawlog-grabber ended by itself: " + output, grabber.isAlive());
+        assertTrue("only " + lines.size() + " scans in " + SECONDS + " s: " + String.join("\n", output), lines.size() > SECONDS);
+        return lines.stream().skip(1).map(line -> line.trim().split("\\s+")).collect(Collectors.toList());
+    }
+
+    /** The lines of what it logs: the first says what is in them, the others are scans; none if it has found no scanner. */
+    private List<String> grab(Path config, int starting, List<String> output) throws Exception {
+        Process grabber = start(new ProcessBuilder("rawlog-grabber", config.toString()));
+        List<String> said = read(grabber, SECONDS + starting);
+        if (!grabber.isAlive()) {
+            output.addAll(said);
+            return List.of();
+        }
         grabber.getOutputStream().write('\n');
         grabber.getOutputStream().flush();
         assertTrue("rawlog-grabber ends at a key", grabber.waitFor(60, TimeUnit.SECONDS));
-        output = read(grabber, 0);
+        output.addAll(read(grabber, 0));
         Path log = only("log*.rawlog", output);
         run(new ProcessBuilder("rawlog-edit", "--export-2d-scans-txt", "-i", log.getFileName().toString(), "--out-dir", "."), output);
-        List<String> lines = Files.readAllLines(only("*LASER*.txt", output, "times"));
-        assertTrue("only " + lines.size() + " scans in " + SECONDS + " s: " + output, lines.size() > SECONDS);
-        return lines.stream().skip(1).map(line -> line.trim().split("\\s+")).collect(Collectors.toList());
+        Path scans = find("*LASER*.txt", "times");
+        return scans == null ? List.of() : Files.readAllLines(scans);
     }
 
     void end() {

@@ -159,12 +159,11 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     }
 
     /** Looks whether the port was closed by somebody else, and says so. */
-    private synchronized void lost() {
-        if (connected && link.isLost()) {
-            String port = link.getPortName();
-            gone();
+    private void lost() {
+        String port = link == null ? null : link.closeIfLost(() -> connected = false);
+        if (port != null) {
+            broadcastState();
             info("port %s was closed: %s connects again when a simulation has it, else by reconnectSerial()", port, getName());
-            link.close();
         }
     }
 

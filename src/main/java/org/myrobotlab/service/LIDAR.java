@@ -150,21 +150,25 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     }
 
     private void gone() {
-        device.clear();
-        if (connected) {
-            connected = false;
-            streaming = false;
+        boolean was = connected;
+        forget();
+        if (was) {
             broadcastState();
         }
     }
 
+    private void forget() {
+        device.clear();
+        connected = false;
+        streaming = false;
+    }
+
     /** Looks whether the port was closed by somebody else, and says so. */
-    private synchronized void lost() {
-        if (connected && link.isLost()) {
-            String port = link.getPortName();
-            gone();
+    private void lost() {
+        String port = link == null ? null : link.closeIfLost(this::forget);
+        if (port != null) {
+            broadcastState();
             info("port %s was closed: %s connects again when a simulation has it, else by reconnectSerial()", port, getName());
-            link.close();
         }
     }
 

@@ -11,13 +11,16 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.stream.Stream;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
 /** Services at simulated ports are connected again when a simulation has these ports again, as far as nobody has disconnected them. */
+@Category(Slow.class)
 public class ReconnectTest {
     private static final String SET = "reconnected";
     private static final long PATIENCE = 60_000_000_000L;
@@ -39,6 +42,7 @@ public class ReconnectTest {
         sear = (SEAR) Runtime.start("backSear", "SEAR");
         sear.startSimulation();
         lidar = (LIDAR) Runtime.start("backLidar", "LIDAR");
+        lidar.addListener("publishStatus", "backStatus", "onStatus");
         lidar.connect(TestWorld.LIDAR_PORT, 38400);
         gps = (GPS) Runtime.start("backGps", "GPS");
         gps.connect(TestWorld.GPS_PORT);
@@ -79,7 +83,7 @@ public class ReconnectTest {
             sear.simSleep(1); // by the clock the bytes take the computer's time, too
         } while ((lidar.getScanCount() == scans || gps.getSentenceCount() == sentences) && System.nanoTime() < deadline);
         assertTrue(lidar.isConnected() && gps.isConnected());
-        assertEquals(scans + 1, lidar.getScanCount());
+        assertEquals("scans; said: " + heard.getStatuses(), scans + 1, lidar.getScanCount());
         assertTrue(gps.getSentenceCount() > sentences);
     }
 
@@ -97,7 +101,6 @@ public class ReconnectTest {
 
     @Test
     public void servicesOfARestoredConfigurationConnectWhenTheirPortsComeAndSaySo() throws Exception {
-        lidar.addListener("publishStatus", "backStatus", "onStatus");
         gps.addListener("publishStatus", "backStatus", "onStatus");
         saveReleaseAndLoad();
         assertFalse(lidar.isConnected() || gps.isConnected());

@@ -128,12 +128,28 @@ public final class SerialLink {
         }
     }
 
-    /** The port is gone already: stops the time-outs. */
-    public synchronized void close() {
+    /**
+     * Closes a port that somebody else has closed already, in one step: of several threads that notice it one is told, and none ends what another has
+     * connected meanwhile.
+     *
+     * @param forget is done in this step, by the one who is told
+     * @return the port's name; null if it is open, or none is
+     */
+    public synchronized String closeIfLost(Runnable forget) {
+        String port = isLost() ? portName : null;
+        if (port != null) {
+            close();
+            forget.run();
+        }
+        return port;
+    }
+
+    /** Stops the time-outs; the thread of theirs that calls it goes on to its end. */
+    private void close() {
         portName = null;
         clock().removeTicker(tick);
         if (timer != null) {
-            timer.shutdownNow();
+            timer.shutdown();
             timer = null;
         }
     }

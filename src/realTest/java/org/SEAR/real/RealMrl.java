@@ -5,7 +5,6 @@ import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
 import java.net.ConnectException;
-import java.net.ServerSocket;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
@@ -19,6 +18,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import org.SEAR.FreePort;
 
 /** A running MyRobotLab with WebGui and Python, and SEAR installed: told over its WebGui's HTTP what to do. */
 final class RealMrl {
@@ -60,9 +60,7 @@ final class RealMrl {
         this.folder = folder;
         log = RealMrlCopy.BUILD.resolve("logs").resolve(folder.getFileName() + "-" + config + "-" + ++runs + ".log");
         Files.createDirectories(log.getParent());
-        try (ServerSocket free = new ServerSocket(0)) {
-            port = free.getLocalPort();
-        }
+        port = FreePort.find();
         Path web = folder.resolve("data/config").resolve(config).resolve("webgui.yml");
         Files.createDirectories(web.getParent());
         Files.writeString(web, "!!org.myrobotlab.service.config.WebGuiConfig\nautoStartBrowser: false\nport: " + port + "\ntype: WebGui\n");

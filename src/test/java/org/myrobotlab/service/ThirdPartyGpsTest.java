@@ -3,13 +3,12 @@ package org.myrobotlab.service;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
-import java.io.IOException;
-import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.SEAR.FreePort;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Robots;
@@ -67,7 +66,7 @@ public class ThirdPartyGpsTest {
     @Test
     public void gpsdSwitchesToUbxAndGetsAFix() throws Exception {
         String port = sear.exportPort(PORT, folder.getRoot().toPath().resolve("ttyGPS").toString());
-        int number = freePort();
+        int number = FreePort.find();
         List<String> commands = DocBlock.commands("docs/other-programs.md", "gpsd -N -n -s 9600");
         assertEquals(commands.toString(), 1, commands.size());
         String gpsd = commands.get(0).replace("/dev/pts/3", "-S " + number + " " + port);
@@ -94,12 +93,6 @@ public class ThirdPartyGpsTest {
     /** NMEA has nothing from the Earth's centre. */
     private static boolean isUbxFix(String line) {
         return line.matches(".*\"class\":\"TPV\".*\"mode\":3.*\"lat\":.*") && line.contains("\"ecefx\"");
-    }
-
-    private static int freePort() throws IOException {
-        try (ServerSocket socket = new ServerSocket(0)) {
-            return socket.getLocalPort();
-        }
     }
 
     private static double number(String json, String field) {

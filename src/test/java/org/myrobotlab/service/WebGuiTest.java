@@ -5,7 +5,6 @@ import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
-import java.net.ServerSocket;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
@@ -21,6 +20,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import org.SEAR.FreePort;
 import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Before;
@@ -48,9 +48,7 @@ public class WebGuiTest {
 
     @Before
     public void start() throws IOException {
-        try (ServerSocket free = new ServerSocket(0)) {
-            port = free.getLocalPort();
-        }
+        port = FreePort.find();
         webGui = (WebGui) Runtime.create("webgui", "WebGui");
         webGui.setPort(port);
         webGui.getConfig().resources = List.of(folder.getRoot().toString());

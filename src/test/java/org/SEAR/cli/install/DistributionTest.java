@@ -8,7 +8,6 @@ import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.ConnectException;
-import java.net.ServerSocket;
 import java.net.URL;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -27,6 +26,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
+import org.SEAR.FreePort;
 import org.SEAR.documents.DocBlock;
 import org.junit.BeforeClass;
 import org.junit.ClassRule;
@@ -252,9 +252,7 @@ public class DistributionTest {
             Files.createSymbolicLink(here.resolve(jars), distribution.home().resolve(jars));
         }
         int port;
-        try (ServerSocket free = new ServerSocket(0)) {
-            port = free.getLocalPort();
-        }
+        port = FreePort.find();
         Files.writeString(Files.createDirectories(here.resolve("data/config/default")).resolve("webgui.yml"),
             "!!org.myrobotlab.service.config.WebGuiConfig\nport: " + port + "\ntype: WebGui\n");
         List<String> commands = DocBlock.commands("docs/embedded-and-real.md", "java -cp");

@@ -6,7 +6,6 @@ import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
 import java.net.ConnectException;
-import java.net.ServerSocket;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
@@ -17,6 +16,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Collectors;
+import org.SEAR.FreePort;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
@@ -52,9 +52,7 @@ public class InstalledPluginTest {
         new Installer(mrl).install(distribution.home().resolve("plugin"), false).apply();
         assertFalse("the installer leaves MyRobotLab's first start alone", Files.exists(mrl.resolve("resource")));
         Files.createDirectories(mrl.resolve("resource/WebGui/app/service/js"));
-        try (ServerSocket free = new ServerSocket(0)) {
-            port = free.getLocalPort();
-        }
+        port = FreePort.find();
         Path config = Files.createDirectories(mrl.resolve("data/config/default"));
         Files.writeString(config.resolve("webgui.yml"), "!!org.myrobotlab.service.config.WebGuiConfig\nport: " + port + "\ntype: WebGui\n");
         log = folder.getRoot().toPath().resolve("log.txt");

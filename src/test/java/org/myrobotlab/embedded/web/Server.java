@@ -5,12 +5,12 @@ import static org.junit.Assert.assertEquals;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.SEAR.FreePort;
 import org.junit.rules.ExternalResource;
 import org.myrobotlab.framework.Talker;
 import org.myrobotlab.service.Runtime;
@@ -33,9 +33,7 @@ final class Server extends ExternalResource {
 
     @Override
     protected void before() throws IOException {
-        try (ServerSocket free = new ServerSocket(0)) {
-            port = free.getLocalPort();
-        }
+        port = FreePort.find();
         if (withToken) {
             token = Token.require();
         }

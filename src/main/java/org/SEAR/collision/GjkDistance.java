@@ -122,16 +122,21 @@ public final class GjkDistance {
      * @param less by how much less far it may part them, metres
      */
     public void keep(Convex first, Convex second, double[] direction, double less) {
-        first.support(-direction[0], -direction[1], -direction[2], a);
-        double parts = dot(direction, a);
-        second.support(direction[0], direction[1], direction[2], a);
-        parts -= dot(direction, a);
+        double parts = gap(first, second, direction);
         if (parts > distance - less) {
             nx = direction[0];
             ny = direction[1];
             nz = direction[2];
             distance = parts;
         }
+    }
+
+    /** How far apart two sets are at least: the distance of the planes that touch them at right angles to a direction of length 1, metres. */
+    public double gap(Convex first, Convex second, double[] direction) {
+        first.support(-direction[0], -direction[1], -direction[2], a);
+        double upper = dot(direction, a);
+        second.support(direction[0], direction[1], direction[2], a);
+        return upper - dot(direction, a);
     }
 
     private void separated(double length, double proved) {

@@ -155,7 +155,7 @@ final class ContactFinder extends DefaultCollisionConfiguration {
     private void find(PairContacts pair, PlacedSolid a, int solidA, PlacedSolid b, int solidB) {
         contacts.clear();
         clipper.setReach(margin);
-        pair.guess(guess);
+        boolean touched = pair.guess(guess);
         if (b.isMesh()) {
             solid = a;
             mesh = b;
@@ -163,8 +163,8 @@ final class ContactFinder extends DefaultCollisionConfiguration {
             low.set((float) box[0], (float) box[1], (float) box[2]);
             high.set((float) box[3], (float) box[4], (float) box[5]);
             ((ConcaveShape) b.getShape()).processAllTriangles(triangles, low, high);
-        } else if (measure(a, b.core(), b, b.solid.convex().skin())) {
-            if (pair.isFlat() && pair.guess(guess)) {
+        } else if (!(pair.isSingle() && gjk.gap(a, b, guess) > reach) && measure(a, b.core(), b, b.solid.convex().skin())) {
+            if (touched && pair.isFlat()) {
                 gjk.keep(a, b, guess, CHANGE);
             }
             a.feature(-gjk.nx, -gjk.ny, -gjk.nz, clipper.ofA);
@@ -178,6 +178,7 @@ final class ContactFinder extends DefaultCollisionConfiguration {
     private boolean measure(PlacedSolid a, Convex coreOfB, Convex b, double skinOfB) {
         double skins = a.solid.convex().skin() + skinOfB;
         if (!gjk.measure(a.core(), coreOfB, reach + 2 * skins, guess[0], guess[1], guess[2])) {
+            current.parted(gjk.nx, gjk.ny, gjk.nz);
             return false;
         }
         gjk.addSkins(a, b, skinOfB);

@@ -1,7 +1,5 @@
 package org.SEAR.physics;
 
-import java.util.List;
-
 /**
  * What bounces: a substep ends at the moment at which two bodies with a restitution meet, and there they are thrown apart, manifold after manifold,
  * each with the speed at which its points come together then, until none comes any more: so a blow goes through a row of balls. Simulation thread.
@@ -10,7 +8,7 @@ final class Impacts {
     /** What comes slower than this does not bounce, m/s: else what rests would tremble. */
     private static final double LEAST_BOUNCE = 0.3;
     /** Surfaces this close touch, metres. */
-    private static final double TOUCH = 1.1 * Manifold.CLOSE;
+    private static final double TOUCH = 1.1 * ContactRows.CLOSE;
     /** A substep is cut short no more often than this in a step. */
     private static final int MOST_CUTS = 12;
     /** A substep is no shorter than this share of what it could be. */
@@ -21,6 +19,7 @@ final class Impacts {
     private static final int MOST_BLOWS = 8;
 
     private final double[] speeds = new double[Manifold.MOST_POINTS];
+    private final double[] blows = new double[Manifold.MOST_POINTS];
     private int cuts;
 
     /** A step begins. */
@@ -34,81 +33,90 @@ final class Impacts {
      * @param seconds that the substep may take
      * @return how many it takes
      */
-    double next(List<Manifold> manifolds, double seconds, double gravity) {
+    double next(ContactRows rows, double seconds, double gravity) {
         boolean bounces = false;
-        for (int i = 0; i < manifolds.size(); i++) {
-            manifolds.get(i).clearThrown();
-            bounces |= manifolds.get(i).restitution > 0;
+        for (int slot = 0; slot < rows.size(); slot++) {
+            rows.clearThrown(slot);
+            bounces |= rows.restitution(slot) > 0;
         }
         if (!bounces) {
             return seconds;
         }
         boolean mayCut = cuts < MOST_CUTS;
-        rebound(manifolds, mayCut ? 0 : seconds);
-        double taken = mayCut ? untilNext(manifolds, seconds, gravity) : seconds;
+        rebound(rows, mayCut ? 0 : seconds);
+        double taken = mayCut ? untilNext(rows, seconds, gravity) : seconds;
         if (taken < seconds) {
             cuts++;
         }
         return taken;
     }
 
-    private void rebound(List<Manifold> manifolds, double ahead) {
-        int left = MOST_BLOWS * manifolds.size();
+    private void rebound(ContactRows rows, double ahead) {
+        int left = MOST_BLOWS * rows.size();
         while (left-- > 0) {
-            Manifold hardest = null;
+            int hardest = -1;
             double most = LEAST_BOUNCE;
-            for (int i = 0; i < manifolds.size(); i++) {
-                Manifold manifold = manifolds.get(i);
-                if (manifold.restitution > 0) {
-                    double speed = manifold.approach(TOUCH, ahead);
+            for (int slot = 0; slot < rows.size(); slot++) {
+                if (rows.restitution(slot) > 0) {
+                    double speed = approach(rows, slot, ahead);
                     if (speed > most) {
                         most = speed;
-                        hardest = manifold;
+                        hardest = slot;
                     }
                 }
             }
-            if (hardest == null) {
+            if (hardest < 0) {
                 return;
             }
-            blow(hardest, ahead);
+            blow(rows, hardest, ahead);
         }
     }
 
-    private void blow(Manifold manifold, double ahead) {
-        for (int i = 0; i < manifold.count; i++) {
-            ContactPoint point = manifold.points[i];
-            double parting = point.parting(manifold);
-            boolean meets = point.gap <= TOUCH - Math.min(0, parting) * ahead && parting < 0;
-            speeds[i] = meets ? -manifold.restitution * parting : Double.NEGATIVE_INFINITY;
-            point.startBlow();
+    /** Speed at which those points of a manifold come together, at most, that touch or will within a time, m/s. */
+    private static double approach(ContactRows rows, int slot, double ahead) {
+        double most = 0;
+        for (int i = 0; i < rows.points(slot); i++) {
+            double speed = -rows.parting(slot, i);
+            if (speed > most && rows.gap(slot, i) <= TOUCH + speed * ahead) {
+                most = speed;
+            }
+        }
+        return most;
+    }
+
+    private void blow(ContactRows rows, int slot, double ahead) {
+        for (int i = 0; i < rows.points(slot); i++) {
+            double parting = rows.parting(slot, i);
+            boolean meets = rows.gap(slot, i) <= TOUCH - Math.min(0, parting) * ahead && parting < 0;
+            speeds[i] = meets ? -rows.restitution(slot) * parting : Double.NEGATIVE_INFINITY;
+            blows[i] = 0;
         }
         for (int pass = 0; pass < PASSES; pass++) {
-            for (int i = 0; i < manifold.count; i++) {
+            for (int i = 0; i < rows.points(slot); i++) {
                 if (speeds[i] >= 0) {
-                    manifold.points[i].rebound(manifold, speeds[i]);
+                    blows[i] = rows.rebound(slot, i, blows[i], speeds[i]);
                 }
             }
         }
-        for (int i = 0; i < manifold.count; i++) {
-            manifold.points[i].endBlow();
+        for (int i = 0; i < rows.points(slot); i++) {
+            rows.endBlow(slot, i, blows[i]);
         }
     }
 
     /** When the next that bounces meets, seconds from now. */
-    private static double untilNext(List<Manifold> manifolds, double seconds, double gravity) {
+    private static double untilNext(ContactRows rows, double seconds, double gravity) {
         double least = seconds;
-        for (int i = 0; i < manifolds.size(); i++) {
-            Manifold manifold = manifolds.get(i);
-            if (manifold.restitution == 0) {
+        for (int slot = 0; slot < rows.size(); slot++) {
+            if (rows.restitution(slot) == 0) {
                 continue;
             }
-            double pull = manifold.ny * ((manifold.massB > 0 ? gravity : 0) - (manifold.massA > 0 ? gravity : 0));
-            for (int k = 0; k < manifold.count; k++) {
-                ContactPoint point = manifold.points[k];
-                double parting = point.parting(manifold);
-                if (point.gap > TOUCH && parting + pull * seconds < -LEAST_BOUNCE) {
-                    point.awaited = true;
-                    least = Math.min(least, until(point.gap - Manifold.CLOSE, parting, pull));
+            double pull = rows.falling(slot, gravity);
+            for (int i = 0; i < rows.points(slot); i++) {
+                double parting = rows.parting(slot, i);
+                double gap = rows.gap(slot, i);
+                if (gap > TOUCH && parting + pull * seconds < -LEAST_BOUNCE) {
+                    rows.await(slot, i);
+                    least = Math.min(least, until(gap - ContactRows.CLOSE, parting, pull));
                 }
             }
         }

@@ -1,6 +1,5 @@
 package org.SEAR.physics;
 
-import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -40,7 +39,7 @@ final class IslandSolver {
     private List<Body> bodies;
     private List<PairContacts> pairs;
     private List<WheelDrive> drives;
-    private final List<Manifold> manifolds = new ArrayList<>();
+    private final ContactRows rows = new ContactRows();
     private final Impacts impacts = new Impacts();
     private final double gravity;
     private long passes;
@@ -76,16 +75,18 @@ final class IslandSolver {
             stepAlone(seconds);
             return;
         }
-        collect();
         double substep = seconds / substeps(seconds);
-        prepare(substep);
+        rows.clear();
+        for (int i = 0; i < pairs.size(); i++) {
+            pairs.get(i).enter(rows, substep);
+        }
         double left = seconds;
         impacts.begin();
         boolean first = true;
         while (left > REST * substep) {
             double next = Math.min(substep, left);
-            if (!first) {
-                refresh(next);
+            for (int i = 0; i < pairs.size() && !first; i++) {
+                pairs.get(i).refresh(rows, next);
             }
             first = false;
             left -= substep(next);
@@ -117,33 +118,18 @@ final class IslandSolver {
         wheels.drive.prepare(wheels.body.getSolver());
     }
 
-    private void collect() {
-        manifolds.clear();
-        for (int i = 0; i < pairs.size(); i++) {
-            PairContacts pair = pairs.get(i);
-            for (int k = 0; k < pair.size(); k++) {
-                Manifold manifold = pair.get(k);
-                manifolds.add(manifold);
-            }
-        }
-    }
-
-    private void prepare(double ahead) {
-        for (int i = 0; i < manifolds.size(); i++) {
-            manifolds.get(i).prepare(ahead);
-        }
-    }
-
     private int substeps(double seconds) {
         double lightest = 0;
         double heaviest = Double.POSITIVE_INFINITY;
         int points = 0;
-        for (int i = 0; i < manifolds.size(); i++) {
-            Manifold manifold = manifolds.get(i);
-            points += manifold.count;
-            if (manifold.bodyA.isSolved() && manifold.bodyB.isSolved()) {
-                lightest = Math.max(lightest, Math.max(manifold.a.inverseMass, manifold.b.inverseMass));
-                heaviest = Math.min(heaviest, Math.min(manifold.a.inverseMass, manifold.b.inverseMass));
+        for (int i = 0; i < pairs.size(); i++) {
+            PairContacts pair = pairs.get(i);
+            points += pair.points();
+            if (pair.points() > 0 && pair.getA().isSolved() && pair.getB().isSolved()) {
+                double one = pair.getA().getSolver().inverseMass;
+                double other = pair.getB().getSolver().inverseMass;
+                lightest = Math.max(lightest, Math.max(one, other));
+                heaviest = Math.min(heaviest, Math.min(one, other));
             }
         }
         double ratio = lightest > 0 ? lightest / heaviest : 1;
@@ -197,38 +183,16 @@ final class IslandSolver {
         return true;
     }
 
-    private void refresh(double seconds) {
-        boolean changed = false;
-        for (int i = 0; i < pairs.size(); i++) {
-            changed |= pairs.get(i).refresh(seconds);
-        }
-        if (changed) {
-            manifolds.clear();
-            for (int i = 0; i < pairs.size(); i++) {
-                PairContacts pair = pairs.get(i);
-                for (int k = 0; k < pair.size(); k++) {
-                    if (pair.isFresh()) {
-                        pair.get(k).prepare(seconds);
-                    }
-                    manifolds.add(pair.get(k));
-                }
-                pair.setFresh(false);
-            }
-        }
-    }
-
     /**
      * @param seconds that it may take
      * @return how many it took: it ends where something bounces
      */
     private double substep(double seconds) {
-        double taken = impacts.next(manifolds, seconds, gravity);
+        double taken = impacts.next(rows, seconds, gravity);
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).getSolver().fall(taken, gravity);
         }
-        for (int i = 0; i < manifolds.size(); i++) {
-            manifolds.get(i).begin(taken);
-        }
+        rows.begin(taken);
         for (int i = 0; i < drives.size(); i++) {
             prepare(drives.get(i));
         }
@@ -242,7 +206,7 @@ final class IslandSolver {
             pairs.get(i).stopBeforeMesh(taken);
         }
         for (int i = 0; i < rounds; i++) {
-            relax(i == 0, i == rounds - 1);
+            relax(i == 0);
         }
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).getSolver().slow();
@@ -261,18 +225,14 @@ final class IslandSolver {
     private void press(boolean last) {
         passes++;
         solveWheels();
-        for (int i = 0; i < manifolds.size(); i++) {
-            manifolds.get(i).press(last);
-        }
+        rows.press(last);
     }
 
     /** A pass that takes out of the velocities what the others put in to take penetrations back. */
-    private void relax(boolean first, boolean last) {
+    private void relax(boolean first) {
         passes++;
         solveWheels();
-        for (int i = 0; i < manifolds.size(); i++) {
-            manifolds.get(i).relax(first, last);
-        }
+        rows.relax(first);
     }
 
     private void solveWheels() {
@@ -285,6 +245,7 @@ final class IslandSolver {
 
     private void settle() {
         for (int i = 0; i < pairs.size(); i++) {
+            pairs.get(i).store(rows);
             pairs.get(i).settle();
         }
     }

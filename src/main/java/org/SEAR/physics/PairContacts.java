@@ -41,19 +41,24 @@ final class PairContacts extends CollisionAlgorithm {
     private int version;
     private double tolerance;
     private double still;
+    private boolean single;
     private boolean flat;
     /** How far both may have moved against each other since the contacts were found, metres. */
     private double travelled;
     private double margin;
+    /** Up to how far apart they were looked for, metres. */
+    private double reach;
     private boolean known;
     /** Whether they may touch within the step. */
     private boolean near;
     /** How far apart they were when contacts were found, metres, and along which direction, from b to a. */
     private double apart;
-    private double nx;
+    private double nx = 1;
     private double ny;
     private double nz;
-    private boolean fresh;
+    /** Where its manifolds are among the rows of its island, at least one. */
+    private int[] slots = new int[1];
+    private int slotCount;
 
     PairContacts(CollisionAlgorithmConstructionInfo info, ContactFinder finder) {
         this.finder = finder;
@@ -69,7 +74,8 @@ final class PairContacts extends CollisionAlgorithm {
             boolean rolls = a.canRoll() || b.canRoll();
             tolerance = rolls ? TOLERANCE_ROUND : TOLERANCE;
             still = rolls ? 0 : STILL;
-            flat = !rolls && a.solids.size() == 1 && b.solids.size() == 1;
+            single = a.solids.size() == 1 && b.solids.size() == 1 && !b.isMesh();
+            flat = single && !rolls;
         }
         if (finder.isCrowded(a, b)) {
             count = 0;
@@ -110,35 +116,60 @@ final class PairContacts extends CollisionAlgorithm {
         countBefore = count;
         count = 0;
         apart = Double.POSITIVE_INFINITY;
-        near = finder.find(this, a, b, margin, MARGIN + speed * (ahead + next));
+        reach = Math.max(margin, MARGIN + speed * (ahead + next));
+        near = finder.find(this, a, b, margin, reach);
         travelled = 0;
         known = true;
+    }
+
+    /** A step is to be solved: makes the rows of its manifolds. */
+    void enter(ContactRows rows, double substep) {
+        slotCount = 0;
+        fill(rows, substep);
+    }
+
+    private void fill(ContactRows rows, double substep) {
+        while (slotCount < Math.max(1, count)) {
+            if (slotCount == slots.length) {
+                slots = Arrays.copyOf(slots, 2 * slotCount);
+            }
+            slots[slotCount++] = rows.add();
+        }
+        for (int i = 0; i < slotCount; i++) {
+            if (i < count) {
+                rows.fill(slots[i], now[i], substep);
+            } else {
+                rows.drop(slots[i]);
+            }
+        }
+    }
+
+    /** Takes over what pushes in its manifolds. */
+    void store(ContactRows rows) {
+        for (int i = 0; i < count; i++) {
+            rows.store(slots[i]);
+        }
     }
 
     /**
      * Finds the contacts anew within a step, if the bodies have moved too far since.
      *
      * @param seconds that the substep will take
-     * @return whether it did
      */
-    boolean refresh(double seconds) {
+    void refresh(ContactRows rows, double seconds) {
         double next = speed(finder.stepGain()) * seconds;
-        double most = Math.min(tolerance, SLIP / Math.max(a.getSolver().turning(), b.getSolver().turning()));
-        if (travelled + next <= most && travelled + next <= margin - MARGIN / 2) {
-            return false;
+        if (travelled + next > mostTravel()) {
+            store(rows);
+            find(next / seconds, seconds, seconds);
+            fill(rows, seconds);
         }
-        find(next / seconds, seconds, seconds);
-        fresh = true;
-        return true;
     }
 
-    /** Whether its manifolds are new and not prepared. */
-    boolean isFresh() {
-        return fresh;
-    }
-
-    void setFresh(boolean on) {
-        fresh = on;
+    /** How far both may move against each other until contacts have to be found anew: what is apart, until it could touch, metres. */
+    private double mostTravel() {
+        double free = Math.min(apart, reach) - MARGIN;
+        double slip = SLIP / Math.max(a.getSolver().turning(), b.getSolver().turning());
+        return count == 0 ? free : Math.max(free, Math.min(Math.min(tolerance, slip), margin - MARGIN / 2));
     }
 
     /** What went through a mesh in the substep goes back. */
@@ -175,18 +206,22 @@ final class PairContacts extends CollisionAlgorithm {
     }
 
     /**
-     * The direction in which they touched last.
+     * The direction in which they touched last, or else were parted.
      *
-     * @param into takes it, world frame; stays as it is if they have not touched
-     * @return whether they have
+     * @param into takes it, from b to a, world frame, length 1
+     * @return whether they have touched
      */
     boolean guess(double[] into) {
-        if (countBefore > 0) {
-            into[0] = before[0].nx;
-            into[1] = before[0].ny;
-            into[2] = before[0].nz;
-        }
-        return countBefore > 0;
+        boolean touched = countBefore > 0;
+        into[0] = touched ? before[0].nx : nx;
+        into[1] = touched ? before[0].ny : ny;
+        into[2] = touched ? before[0].nz : nz;
+        return touched;
+    }
+
+    /** Whether each is of one solid, and none a mesh. */
+    boolean isSingle() {
+        return single;
     }
 
     /** Whether neither of them is round, and each is of one solid. */
@@ -210,6 +245,15 @@ final class PairContacts extends CollisionAlgorithm {
 
     Manifold get(int i) {
         return now[i];
+    }
+
+    /** Points of all its manifolds. */
+    int points() {
+        int points = 0;
+        for (int i = 0; i < count; i++) {
+            points += now[i].count;
+        }
+        return points;
     }
 
     Body getA() {
@@ -243,10 +287,15 @@ final class PairContacts extends CollisionAlgorithm {
     void approached(double distance, double dx, double dy, double dz) {
         if (distance < apart) {
             apart = distance;
-            nx = dx;
-            ny = dy;
-            nz = dz;
+            parted(dx, dy, dz);
         }
+    }
+
+    /** Says which direction parts them, from b to a. */
+    void parted(double dx, double dy, double dz) {
+        nx = dx;
+        ny = dy;
+        nz = dz;
     }
 
     /** Where nothing moves any more the distances are those now. */

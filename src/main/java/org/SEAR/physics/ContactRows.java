@@ -1,0 +1,388 @@
+package org.SEAR.physics;
+
+import java.util.Arrays;
+
+/**
+ * The contacts of an island while a step is solved, manifold after manifold in one array of numbers, for a pile has more of them than a processor
+ * keeps at hand. Each keeps up to four points apart and has friction at their middle. Solved by sequential impulses with warm starting; penetration
+ * is taken back by a bounded speed that the relaxing pass takes out of the velocities again (soft step: Catto, Solver2D 2024; small steps: Macklin
+ * 2019). Simulation thread.
+ */
+final class ContactRows {
+    /** Share of a penetration that is taken back in a second, 1/s. */
+    private static final double RECOVERY = 8;
+    /** The speed at which a penetration is taken back at most, m/s. */
+    private static final double MOST_RECOVERY = 1;
+    /** The share of a penetration that a substep may take back. */
+    private static final double MOST_SHARE = 0.2;
+    /** Surfaces rest so far apart, metres. */
+    static final double CLOSE = 1e-4;
+    /** What is deeper in another than this comes out slowly, metres. */
+    private static final double DEEP = 0.005;
+    /** How deep something may be in what is fixed, as a share of its own least half size. */
+    private static final double DEEPEST_SHARE = 0.5;
+
+    private static final int MASS_A = 3;
+    private static final int MASS_B = 4;
+    /** Length of the substep that the impulses belong to, seconds. */
+    private static final int SECONDS = 5;
+    private static final int FRICTION = 6;
+    private static final int RESTITUTION = 7;
+    /** 1 if the block is made: it is when it is first needed. */
+    private static final int READY = 8;
+    private static final int POINTS = 9;
+    /** What the distance would be if neither had moved in this step, metres. */
+    private static final int BASE = PairRow.SIZE;
+    /** Present distance of both surfaces here, metres. */
+    private static final int GAP = BASE + 1;
+    /** What it took to throw them apart in this substep, Ns: friction counts it, too. */
+    private static final int THROWN = BASE + 2;
+    /** How far from the manifold's middle, metres. */
+    private static final int ASIDE = BASE + 3;
+    /** 1 if it comes to throw both apart, at the end of this substep or later: until then nothing brakes them. */
+    private static final int AWAITED = BASE + 4;
+    /** Numbers of a point. */
+    static final int POINT = BASE + 5;
+    private static final int PATCH = POINTS + Manifold.MOST_POINTS * POINT;
+    private static final int BLOCK = PATCH + FrictionRows.SIZE;
+    private static final int SIZE = BLOCK + NormalBlock.SIZE;
+
+    private double[] r = {};
+    private double[][] speedsA = {};
+    private double[][] speedsB = {};
+    private Manifold[] manifolds = {};
+    /** Points of each manifold; 0 where there is none. */
+    private int[] points = {};
+    private int size;
+    private final NormalBlock block = new NormalBlock();
+
+    /** An island begins. */
+    void clear() {
+        size = 0;
+    }
+
+    /** How many there may be. */
+    int size() {
+        return size;
+    }
+
+    /** Room for a manifold. */
+    int add() {
+        if (size == points.length) {
+            int more = 2 * size + 16;
+            r = Arrays.copyOf(r, more * SIZE);
+            speedsA = Arrays.copyOf(speedsA, more);
+            speedsB = Arrays.copyOf(speedsB, more);
+            manifolds = Arrays.copyOf(manifolds, more);
+            points = Arrays.copyOf(points, more);
+        }
+        points[size] = 0;
+        return size++;
+    }
+
+    /** Leaves a room empty. */
+    void drop(int slot) {
+        points[slot] = 0;
+    }
+
+    /**
+     * Makes the rows of a manifold.
+     *
+     * @param ahead length of the next substep, seconds
+     */
+    void fill(int slot, Manifold of, double ahead) {
+        int at = slot * SIZE;
+        of.lookAhead(ahead);
+        manifolds[slot] = of;
+        speedsA[slot] = of.a.v;
+        speedsB[slot] = of.b.v;
+        points[slot] = of.count;
+        r[at] = of.nx;
+        r[at + 1] = of.ny;
+        r[at + 2] = of.nz;
+        r[at + MASS_A] = of.massA;
+        r[at + MASS_B] = of.massB;
+        r[at + SECONDS] = of.seconds;
+        r[at + FRICTION] = of.friction;
+        r[at + RESTITUTION] = of.restitution;
+        double mx = 0;
+        double my = 0;
+        double mz = 0;
+        for (int i = 0; i < of.count; i++) {
+            mx += of.points[i].x / of.count;
+            my += of.points[i].y / of.count;
+            mz += of.points[i].z / of.count;
+        }
+        for (int i = 0; i < of.count; i++) {
+            fill(at + POINTS + i * POINT, of, of.points[i], mx, my, mz);
+        }
+        FrictionRows.prepare(r, at + PATCH, of, mx, my, mz);
+        r[at + READY] = 0;
+    }
+
+    private void fill(int at, Manifold of, ContactPoint point, double mx, double my, double mz) {
+        double half = point.found / 2;
+        PairRow.prepare(r, at, of, of.nx, of.ny, of.nz, point.x + half * of.nx, point.y + half * of.ny, point.z + half * of.nz);
+        r[at + PairRow.IMPULSE] = point.impulse;
+        r[at + BASE] = point.found - PairRow.along(r, at, of.a.moved, of.b.moved);
+        r[at + GAP] = point.found;
+        r[at + THROWN] = 0;
+        double dx = point.x - mx;
+        double dy = point.y - my;
+        double dz = point.z - mz;
+        r[at + ASIDE] = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        r[at + AWAITED] = 0;
+    }
+
+    /** Tells a manifold what pushes now. */
+    void store(int slot) {
+        int at = slot * SIZE;
+        Manifold into = manifolds[slot];
+        for (int i = 0; i < points[slot]; i++) {
+            into.points[i].impulse = r[at + POINTS + i * POINT + PairRow.IMPULSE];
+            into.points[i].gap = r[at + POINTS + i * POINT + GAP];
+        }
+        if (points[slot] > 0) {
+            into.seconds = r[at + SECONDS];
+            FrictionRows.store(r, at + PATCH, into);
+        }
+    }
+
+    /** A substep begins: what pushed in the last one pushes on. */
+    void begin(double seconds) {
+        for (int slot = 0; slot < size; slot++) {
+            if (points[slot] > 0) {
+                int at = slot * SIZE;
+                measure(slot);
+                double scale = r[at + SECONDS] > 0 ? seconds / r[at + SECONDS] : 0;
+                r[at + SECONDS] = seconds;
+                for (int i = 0; i < points[slot]; i++) {
+                    int point = at + POINTS + i * POINT;
+                    r[point + PairRow.IMPULSE] *= scale;
+                    push(slot, point, r[point + PairRow.IMPULSE]);
+                }
+                FrictionRows.warmStart(r, at + PATCH, this, slot, scale);
+            }
+        }
+    }
+
+    /** Looks how far both are from each other now. */
+    private void measure(int slot) {
+        double[] p = manifolds[slot].a.moved;
+        double[] q = manifolds[slot].b.moved;
+        for (int i = 0; i < points[slot]; i++) {
+            int point = slot * SIZE + POINTS + i * POINT;
+            r[point + GAP] = r[point + BASE] + PairRow.along(r, point, p, q);
+        }
+    }
+
+    /**
+     * A pass that takes penetrations back.
+     *
+     * @param last whether it is the last one before the bodies move
+     */
+    void press(boolean last) {
+        for (int slot = 0; slot < size; slot++) {
+            if (points[slot] > 0) {
+                solve(slot, true);
+                if (last) {
+                    mark(slot);
+                }
+            }
+        }
+    }
+
+    /**
+     * A pass that doesn't.
+     *
+     * @param first whether the bodies have moved since the last pass
+     */
+    void relax(boolean first) {
+        for (int slot = 0; slot < size; slot++) {
+            if (points[slot] > 0) {
+                if (first) {
+                    measure(slot);
+                    stayOut(slot);
+                }
+                solve(slot, false);
+            }
+        }
+    }
+
+    private void solve(int slot, boolean recovers) {
+        int at = slot * SIZE;
+        int count = points[slot];
+        double pressing = 0;
+        double turning = 0;
+        for (int i = 0; i < count; i++) {
+            int point = at + POINTS + i * POINT;
+            double both = r[point + PairRow.IMPULSE] + r[point + THROWN];
+            pressing += both;
+            turning += both * r[point + ASIDE];
+        }
+        if (pressing > 0 || FrictionRows.holds(r, at + PATCH)) {
+            double friction = r[at + FRICTION];
+            FrictionRows.solve(r, at + PATCH, this, slot, friction * pressing, friction * turning, pressing);
+        }
+        boolean all = count > 1 && pressing > 0;
+        for (int i = 0; i < count; i++) {
+            int point = at + POINTS + i * POINT;
+            all &= r[point + AWAITED] == 0;
+            double gap = r[point + GAP];
+            double seconds = r[at + SECONDS];
+            block.wanted[i] = (gap > CLOSE ? -(gap - CLOSE) / seconds : 0) + (recovers ? recovery(Math.min(gap, CLOSE), seconds) : 0);
+        }
+        double[] p = speedsA[slot];
+        double[] q = speedsB[slot];
+        if (all && solveAll(at, count, p, q)) {
+            return;
+        }
+        for (int i = 0; i < count; i++) {
+            int point = at + POINTS + i * POINT;
+            if (r[point + AWAITED] == 0) {
+                double sum = Math.max(0, PairRow.wanted(r, point, p, q, block.wanted[i]));
+                push(slot, point, sum - r[point + PairRow.IMPULSE]);
+                r[point + PairRow.IMPULSE] = sum;
+            }
+        }
+    }
+
+    private boolean solveAll(int at, int count, double[] p, double[] q) {
+        if (r[at + READY] == 0) {
+            r[at + READY] = 1;
+            block.prepare(r, at + BLOCK, at + POINTS, count, r[at + MASS_A], r[at + MASS_B]);
+        }
+        return block.solve(r, at + BLOCK, at + POINTS, count, p, q, r[at + MASS_A], r[at + MASS_B]);
+    }
+
+    private static double recovery(double gap, double seconds) {
+        return Math.min(MOST_RECOVERY, -gap * Math.min(RECOVERY, MOST_SHARE / seconds));
+    }
+
+    /** Nothing gets deeper into what is fixed than half of its own half size, whatever pushes it: beyond its middle it would come out behind. */
+    private void stayOut(int slot) {
+        Manifold of = manifolds[slot];
+        if (of.bodyA.isFixed() || of.bodyB.isFixed()) {
+            Body body = of.bodyB.isFixed() ? of.bodyA : of.bodyB;
+            double sign = of.bodyB.isFixed() ? 1 : -1;
+            double deepest = gap(slot) + DEEPEST_SHARE * body.getLeast();
+            if (deepest < 0 && body.isSolved()) {
+                body.getSolver().lift(sign * of.nx, sign * of.ny, sign * of.nz, -deepest);
+                measure(slot);
+            }
+        }
+    }
+
+    /** The least distance of its points, metres. */
+    private double gap(int slot) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < points[slot]; i++) {
+            least = Math.min(least, r[slot * SIZE + POINTS + i * POINT + GAP]);
+        }
+        return least;
+    }
+
+    /** Notes which bodies it pushes, and whether they are far in each other. */
+    private void mark(int slot) {
+        int at = slot * SIZE;
+        Manifold of = manifolds[slot];
+        boolean pushes = false;
+        for (int i = 0; i < points[slot]; i++) {
+            int point = at + POINTS + i * POINT;
+            pushes |= r[point + PairRow.IMPULSE] > 0 || r[point + THROWN] > 0;
+        }
+        if (gap(slot) < -DEEP) {
+            of.a.setDeep();
+            of.b.setDeep();
+        }
+        if (pushes) {
+            of.a.press(of.nx, of.ny, of.nz);
+            of.b.press(of.nx, of.ny, of.nz);
+        } else if (FrictionRows.holds(r, at + PATCH)) {
+            // what does not press does not rub; else friction would be left without the push that it came from
+            FrictionRows.solve(r, at + PATCH, this, slot, 0, 0, 0);
+        }
+    }
+
+    /** Changes the velocities of both bodies by an impulse along a row, Ns. */
+    void push(int slot, int row, double impulse) {
+        PairRow.push(r, row, speedsA[slot], speedsB[slot], r[slot * SIZE + MASS_A], r[slot * SIZE + MASS_B], impulse);
+    }
+
+    /** Changes how both turn by an angular impulse, Nms. */
+    void twist(int slot, double x, double y, double z) {
+        if (r[slot * SIZE + MASS_A] > 0) {
+            manifolds[slot].a.twist(x, y, z);
+        }
+        if (r[slot * SIZE + MASS_B] > 0) {
+            manifolds[slot].b.twist(-x, -y, -z);
+        }
+    }
+
+    double[] speedsA(int slot) {
+        return speedsA[slot];
+    }
+
+    double[] speedsB(int slot) {
+        return speedsB[slot];
+    }
+
+    /** Restitution of what touches there; 0 where nothing is. */
+    double restitution(int slot) {
+        return points[slot] > 0 ? r[slot * SIZE + RESTITUTION] : 0;
+    }
+
+    /** Points of a manifold; 0 where there is none. */
+    int points(int slot) {
+        return points[slot];
+    }
+
+    /** Present distance at a point, metres. */
+    double gap(int slot, int i) {
+        return r[slot * SIZE + POINTS + i * POINT + GAP];
+    }
+
+    /** Speed at which both part at a point, m/s. */
+    double parting(int slot, int i) {
+        return PairRow.along(r, slot * SIZE + POINTS + i * POINT, speedsA[slot], speedsB[slot]);
+    }
+
+    /** Nothing brakes what comes at a point until it is there. */
+    void await(int slot, int i) {
+        r[slot * SIZE + POINTS + i * POINT + AWAITED] = 1;
+    }
+
+    /** Forgets what threw them apart in the last substep. */
+    void clearThrown(int slot) {
+        for (int i = 0; i < points[slot]; i++) {
+            int point = slot * SIZE + POINTS + i * POINT;
+            r[point + THROWN] = 0;
+            r[point + AWAITED] = 0;
+        }
+    }
+
+    /**
+     * Adds to a blow so that both part at a point with a speed or faster.
+     *
+     * @param blow so far, Ns
+     * @param speed m/s
+     * @return the blow with what was added
+     */
+    double rebound(int slot, int i, double blow, double speed) {
+        int point = slot * SIZE + POINTS + i * POINT;
+        double sum = Math.max(0, blow + PairRow.missing(r, point, speedsA[slot], speedsB[slot], speed));
+        push(slot, point, sum - blow);
+        return sum;
+    }
+
+    /** A blow has ended: friction counts it. */
+    void endBlow(int slot, int i, double blow) {
+        r[slot * SIZE + POINTS + i * POINT + THROWN] += blow;
+    }
+
+    /** How much of gravity's acceleration brings both together along the normal, from b to a; only what moves falls. */
+    double falling(int slot, double gravity) {
+        int at = slot * SIZE;
+        return r[at + 1] * ((r[at + MASS_B] > 0 ? gravity : 0) - (r[at + MASS_A] > 0 ? gravity : 0));
+    }
+}

@@ -13,8 +13,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
 import org.SEAR.POJOs.Shape;
+import org.SEAR.files.Assets;
 import org.SEAR.geometry.SurfaceMesh;
-import org.SEAR.project.models.Assets;
 import org.SEAR.simulator.Simulation;
 
 /**

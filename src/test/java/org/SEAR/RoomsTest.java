@@ -45,9 +45,9 @@ public class RoomsTest {
         "org.SEAR.devices.gps", "org.SEAR.devices.imu", "org.SEAR.devices.arduino", "org.SEAR.devices",
         "org.SEAR.sensors", "org.SEAR.raycast", "org.SEAR.raycast.solid", "org.SEAR.collision",
         "org.SEAR.project.bundle", "org.SEAR.project.edit", "org.SEAR.project.script", "org.SEAR.project", "org.SEAR.project.wiring",
-        "org.SEAR.project.xml", "org.SEAR.terrain", "org.SEAR.terrain.format", "org.SEAR.terrain.tiff",
-        "org.SEAR.project.models", "org.SEAR.project.problems",
-        "org.SEAR.terrain.relief", "org.SEAR.geometry", "org.SEAR.POJOs", "org.SEAR.protocol.scip", "org.SEAR.protocol.rplidar",
+        "org.SEAR.project.xml", "org.SEAR.project.models", "org.SEAR.project.problems",
+        "org.SEAR.terrain", "org.SEAR.terrain.format", "org.SEAR.terrain.tiff", "org.SEAR.terrain.relief", "org.SEAR.files",
+        "org.SEAR.geometry", "org.SEAR.POJOs", "org.SEAR.grammar", "org.SEAR.protocol.scip", "org.SEAR.protocol.rplidar",
         "org.SEAR.protocol.lidar", "org.SEAR.protocol.lms", "org.SEAR.protocol.cola", "org.SEAR.protocol.nmea", "org.SEAR.protocol.ubx",
         "org.SEAR.protocol.firmata", "org.SEAR.protocol.mrlcomm", "org.SEAR.protocol.arduino",
         "org.SEAR.protocol");

@@ -1,9 +1,9 @@
 package org.example;
 
 import java.util.List;
-import org.SEAR.POJOs.Param;
 import org.SEAR.POJOs.SensorObject;
 import org.SEAR.POJOs.Wirable;
+import org.SEAR.grammar.Param;
 import org.SEAR.protocol.arduino.WireRole;
 
 /** The parameters of a thermal camera of 8 x 8 pixels for which things are warm and ground and air are not. */

@@ -1,7 +1,7 @@
 package org.example;
 
-import org.SEAR.POJOs.Param;
 import org.SEAR.POJOs.SensorObject;
+import org.SEAR.grammar.Param;
 
 /** The parameters of a sensor from outside SEAR, the example of docs/add-a-sensor.md. */
 public class Thermometer extends SensorObject {

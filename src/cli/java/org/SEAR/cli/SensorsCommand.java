@@ -2,8 +2,8 @@ package org.SEAR.cli;
 
 import java.io.PrintWriter;
 import java.util.concurrent.Callable;
-import org.SEAR.POJOs.Parameter;
-import org.SEAR.POJOs.ParameterTable;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ParameterTable;
 import org.SEAR.sensors.SensorType;
 import org.SEAR.sensors.SensorTypes;
 import picocli.CommandLine.Command;

@@ -1,5 +1,8 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Param;
+
 /** Acceleration along the body axes, m/s^2: velocity difference over the bandwidth's window. */
 @Described("acceleration along the three body axes, m/s^2")
 public class Accelerometer extends SensorObject {

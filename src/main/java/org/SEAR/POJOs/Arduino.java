@@ -4,6 +4,11 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Faults;
+import org.SEAR.grammar.Included;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.ParameterTable;
 import org.SEAR.protocol.arduino.BoardModel;
 import org.SEAR.protocol.arduino.WireRole;
 

@@ -1,6 +1,7 @@
 package org.SEAR.POJOs;
 
 import java.io.IOException;
+import org.SEAR.grammar.Faults;
 
 /** Puts objects that were read from files together; for the project room. */
 public final class Assembly {

@@ -3,6 +3,9 @@ package org.SEAR.POJOs;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.TextRule;
 
 /**
  * The beam of a kind of distance sensor, as data: a file {@code beams/NAME.xml} of the project, or one that comes with SEAR. Immutable, any thread.

@@ -2,6 +2,12 @@ package org.SEAR.POJOs;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.SEAR.grammar.ColorNames;
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ParameterTable;
+import org.SEAR.grammar.TextRule;
 
 /** One cone of a distance sensor's beam: lines from the sensor to the cone's rim. Immutable, any thread. */
 @Described("one cone of a beam")

@@ -1,5 +1,8 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Param;
+
 /** A box: length along x, height along y, width along z, centred on its origin. Its default picture is a cardboard box. */
 @Described("a box: length along x, height along y, width along z")
 public class Box extends Shape {

@@ -1,6 +1,9 @@
 package org.SEAR.POJOs;
 
 import java.util.List;
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.TextRule;
 import org.SEAR.protocol.arduino.WireRole;
 
 /** A switch that is pressed while a part of its robot, or any of them, touches anything that isn't the robot itself. */

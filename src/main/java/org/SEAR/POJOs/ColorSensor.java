@@ -1,5 +1,7 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Described;
+
 /** The colour of the surface before it: red, green and blue, 0 to 255. By itself it looks straight down. */
 @Described("the colour of the surface below it: red, green and blue, 0 to 255")
 public class ColorSensor extends SurfaceSensor {

@@ -1,5 +1,11 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Faults;
+import org.SEAR.grammar.Included;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.Parameter;
+
 /** Angle of the forward axis to north, degrees clockwise; behind its ports an HMC6352 on a serial bridge. */
 @Described("angle of the forward axis to north, degrees clockwise; behind its ports an HMC6352 on a serial bridge")
 public class Compass extends SensorObject implements SerialObject {

@@ -1,5 +1,7 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Described;
+
 /** An upright cone about the y axis, its apex up, centred on its origin. Its default picture is a traffic cone. */
 @Described("an upright cone about the y axis, its apex up")
 public class Cone extends RoundShape {

@@ -1,5 +1,7 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Described;
+
 /** An upright cylinder about the y axis, centred on its origin. Its default picture is a recycling bin. */
 @Described("an upright cylinder about the y axis")
 public class Cylinder extends RoundShape {

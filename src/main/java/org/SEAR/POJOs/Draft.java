@@ -3,6 +3,7 @@ package org.SEAR.POJOs;
 import java.util.Collection;
 import java.util.List;
 import java.util.function.Supplier;
+import org.SEAR.grammar.ParameterTable;
 
 /** Objects that are made only to be looked at: while a draft's work runs, what its thread makes is checked, but neither written nor told. */
 public final class Draft implements ObjectStore {

@@ -1,5 +1,9 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Included;
+import org.SEAR.grammar.Param;
+
 /** Mass, suspension and start pose of a robot, and its serial port, which speaks the Roomba protocol. The pose counts from the robot's own. */
 @Described("mass, suspension and start pose of a robot (in the world, or from where the robot was moved to), and its serial port, which speaks the"
     + " Roomba protocol. A start pose that lies on its back is set upright and turned by 180 degrees, with a warning")

@@ -1,5 +1,8 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Param;
+
 /** A flat fixed box, length along x and width along z; its top is at y = its own y. It may be invisible to beams. */
 @Described("a flat fixed box 0.1 m thick, length along x and width along z; its top is at its own y")
 public class Floor extends Shape {

@@ -1,5 +1,11 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Faults;
+import org.SEAR.grammar.Included;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.TextRule;
+
 /**
  * Where the robot is on Earth; behind its ports a receiver that sends NMEA 0183 sentences. Latitude, altitude and longitude are those of the centre
  * of the world: degrees, metres, degrees, north and east positive. In a world with a {@link Terrain} they are that of its map.

@@ -1,5 +1,8 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Param;
+
 /** Rates of turn about the body axes, rad/s. */
 @Described("rates of turn about the three body axes, rad/s")
 public class Gyroscope extends SensorObject {

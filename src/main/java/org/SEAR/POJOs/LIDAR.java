@@ -1,5 +1,11 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Faults;
+import org.SEAR.grammar.Included;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.TextRule;
 import org.SEAR.protocol.lidar.LidarModel;
 
 /** A plane of beams; behind its ports a device of its model if LMS(1). */

@@ -1,6 +1,10 @@
 package org.SEAR.POJOs;
 
 import java.util.List;
+import org.SEAR.grammar.ColorNames;
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.TextRule;
 import org.SEAR.protocol.arduino.WireRole;
 
 /** A light-emitting diode on a robot, which scripts and the pin of an Arduino switch and dim. It has no mass, and no sensor sees it. */

@@ -1,6 +1,7 @@
 package org.SEAR.POJOs;
 
 import java.util.List;
+import org.SEAR.grammar.Described;
 import org.SEAR.protocol.arduino.WireRole;
 
 /** How much light the surface before it throws back, percent: 0 for black or nothing, 100 for white. By itself it looks straight down. */

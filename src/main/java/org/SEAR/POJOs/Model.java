@@ -1,5 +1,11 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Faults;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.TextRule;
+
 /**
  * A model from a file below assets: OGRE mesh.xml, .j3o, .obj, .gltf, .glb or .blend. An obstacle, a part of a robot, or the terrain, whose centre
  * then is the world's origin. It may be invisible to beams.

@@ -1,5 +1,10 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ParameterTable;
+
 /** An error model of a sensor, in the unit of its reading. All parts are 0 at first. One thread at a time. */
 @Described("the error model of a sensor")
 public class Noise {

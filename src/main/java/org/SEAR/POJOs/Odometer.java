@@ -1,5 +1,7 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Described;
+
 /** Path of the robot's centre in millimetres, 16 bit, cleared when it is read. */
 @Described("path of the robot's centre in millimetres, 16 bit, cleared when it is read")
 public class Odometer extends SensorObject {

@@ -1,5 +1,8 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Faults;
+import org.SEAR.grammar.Param;
+
 /**
  * What may stand on the ground of the world: a thing of the environment, or a robot. {@link #place} and {@link #placeAt} say where; how high that is
  * comes out when the world is built, from the terrain, floor or model below it, so nobody has to know the ground's height.

@@ -1,5 +1,7 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Param;
+
 /** A shape that is round about its y axis, centred on its origin. */
 public abstract class RoundShape extends Shape {
     @Param(doc = "radius; of a cone, that of its base", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.2")

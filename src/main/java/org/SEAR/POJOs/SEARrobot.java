@@ -6,6 +6,11 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.ParameterTable;
+import org.SEAR.grammar.ScriptText;
+import org.SEAR.grammar.TextRule;
 
 /**
  * A robot: components and wheels, no shape of its own. It starts at the pose of its {@link Dynamics}, which counts from the robot's own pose; that

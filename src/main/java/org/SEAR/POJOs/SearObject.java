@@ -5,6 +5,13 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.SEAR.grammar.Faults;
+import org.SEAR.grammar.NamedValues;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ParameterTable;
+import org.SEAR.grammar.ScriptText;
+import org.SEAR.grammar.TextRule;
 
 /**
  * Anything of the object grammar: a name and a pose. An object that a script or program creates writes its XML file when it is created and after

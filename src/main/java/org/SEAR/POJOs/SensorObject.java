@@ -1,5 +1,7 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Param;
+
 /** A sensor's parameters. A sensor is a component of a robot; without rotation it looks forward. */
 public abstract class SensorObject extends SearObject {
     @Param(doc = "error model; none by default")

@@ -1,5 +1,7 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.ExportTarget;
+
 /**
  * A {@link SearObject} with a serial device behind it: its ports, the speed of its line, and where programs outside find it. One thread at a time.
  */

@@ -1,5 +1,11 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.ExportTarget;
+import org.SEAR.grammar.Included;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.ParameterTable;
+import org.SEAR.grammar.TextRule;
+
 /** The ports of a simulated device and the speed of its line, as {@link Included} parameters of a {@link SerialObject}. One thread at a time. */
 public final class SerialParameters {
     private final SearObject owner;

@@ -3,6 +3,11 @@ package org.SEAR.POJOs;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Faults;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.TextRule;
 import org.SEAR.protocol.arduino.WireRole;
 
 /**

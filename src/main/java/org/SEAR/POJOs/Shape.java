@@ -1,6 +1,12 @@
 package org.SEAR.POJOs;
 
 import java.util.Map;
+import org.SEAR.grammar.ColorNames;
+import org.SEAR.grammar.Faults;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ParameterTable;
+import org.SEAR.grammar.TextRule;
 
 /** A thing with a surface, a mass and a picture. */
 public abstract class Shape extends PlacedObject {

@@ -1,5 +1,8 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Param;
+
 /** A sphere, centred on its origin; scaled, an ellipsoid. Without a picture it is plain. */
 @Described("a sphere; scaled differently along its axes, an ellipsoid")
 public class Sphere extends Shape {

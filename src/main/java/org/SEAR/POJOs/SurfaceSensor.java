@@ -1,5 +1,7 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Param;
+
 /** A sensor that looks at a small spot of a surface near by. Its short constructors have it look straight down. */
 public abstract class SurfaceSensor extends SensorObject {
     private static final double DOWN = 90;

@@ -5,6 +5,12 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.ServiceLoader;
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Faults;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ParameterTable;
+import org.SEAR.grammar.TextRule;
 
 /**
  * The ground of the world from an elevation map: SRTM, GeoTIFF, ESRI ASCII grid, or a picture whose grey is the height. The middle of its area is the

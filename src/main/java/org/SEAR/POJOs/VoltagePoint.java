@@ -1,5 +1,8 @@
 package org.SEAR.POJOs;
 
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Param;
+
 /** One point of a triangulating infrared sensor's curve. Immutable, any thread. */
 @Described("one point of an infrared sensor's curve")
 public class VoltagePoint {

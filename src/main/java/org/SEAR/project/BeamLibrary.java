@@ -15,7 +15,7 @@ import java.util.TreeSet;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.SEAR.POJOs.Beam;
-import org.SEAR.POJOs.Parameter;
+import org.SEAR.grammar.Parameter;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
 import org.SEAR.project.xml.Xml;

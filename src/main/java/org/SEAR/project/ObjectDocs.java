@@ -15,13 +15,13 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.BeamCone;
-import org.SEAR.POJOs.Described;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.OpenInterfaceBody;
-import org.SEAR.POJOs.Parameter;
-import org.SEAR.POJOs.ParameterTable;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.VoltagePoint;
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ParameterTable;
 import org.SEAR.project.xml.ObjectClasses;
 
 /** Describes the classes of the object grammar from the same tables that validate: the page {@code docs/objects.md}, and lists for the terminal. */

@@ -3,7 +3,7 @@ package org.SEAR.project;
 import java.io.IOException;
 import java.util.Collections;
 import org.SEAR.POJOs.Terrain;
-import org.SEAR.project.models.Assets;
+import org.SEAR.files.Assets;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.project.xml.ParsedObject;

@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.lang.ref.SoftReference;
 import java.util.Locale;
 import org.SEAR.POJOs.GroundHeights;
-import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.Terrain;
+import org.SEAR.files.Assets;
 import org.SEAR.geometry.GeoOrigin;
-import org.SEAR.project.models.Assets;
+import org.SEAR.grammar.Parameter;
 import org.SEAR.terrain.Ground;
 
 /** Heights of the present project's terrain. What was loaded last is kept while memory lasts, because scripts ask again and again. Any thread. */

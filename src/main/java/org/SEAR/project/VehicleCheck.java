@@ -7,11 +7,11 @@ import java.util.stream.Collectors;
 import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.Bumper;
 import org.SEAR.POJOs.Motor;
-import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.grammar.Parameter;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
 

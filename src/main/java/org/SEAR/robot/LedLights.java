@@ -3,9 +3,9 @@ package org.SEAR.robot;
 import java.util.ArrayList;
 import java.util.List;
 import org.SEAR.POJOs.Led;
-import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.devices.LightHardware;
+import org.SEAR.grammar.Parameter;
 
 /** The lights of one robot. Simulation thread. */
 final class LedLights {

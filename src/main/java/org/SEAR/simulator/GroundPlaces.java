@@ -2,11 +2,11 @@ package org.SEAR.simulator;
 
 import java.util.Locale;
 import java.util.function.UnaryOperator;
-import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.PlacedObject;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.Pose;
+import org.SEAR.grammar.Parameter;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.Scenes;
 import org.SEAR.physics.start.StartPoses;

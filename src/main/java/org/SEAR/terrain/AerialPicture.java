@@ -2,9 +2,9 @@ package org.SEAR.terrain;
 
 import java.io.IOException;
 import java.util.Locale;
+import org.SEAR.files.Assets;
+import org.SEAR.files.FileLimits;
 import org.SEAR.geometry.GeoOrigin;
-import org.SEAR.project.models.Assets;
-import org.SEAR.project.models.ModelLimits;
 import org.SEAR.terrain.format.TiffPicture;
 import org.SEAR.terrain.tiff.MapBytes;
 
@@ -65,7 +65,7 @@ public final class AerialPicture {
             int[] part = part(picture, plane, rectangle);
             if (part == null) {
                 double[] centre = system.toEarth(middle, picture.place.y(picture.columns / 2.0, picture.rows / 2.0));
-                throw ModelLimits.wrong(path, "the picture's place", place(centre[0], centre[1]), "over the terrain, which is "
+                throw FileLimits.wrong(path, "the picture's place", place(centre[0], centre[1]), "over the terrain, which is "
                     + place(origin.getLatitude(), origin.getLongitude()));
             }
             int factor = (Math.max(part[2], part[3]) + MAX_SIDE - 1) / MAX_SIDE;

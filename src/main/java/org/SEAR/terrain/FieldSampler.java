@@ -3,8 +3,8 @@ package org.SEAR.terrain;
 import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
+import org.SEAR.files.FileLimits;
 import org.SEAR.geometry.HeightField;
-import org.SEAR.project.models.ModelLimits;
 import org.SEAR.terrain.format.MapLimits;
 
 /** Brings heights of a map onto the posts of a height field. One thread. */
@@ -26,11 +26,11 @@ final class FieldSampler {
 
     /** Refuses a field that is too large. */
     static void require(String file, FieldGrid grid) throws IOException {
-        ModelLimits.range(file, "the number of posts (" + grid.rows + " x " + grid.columns + "; a smaller area has less)", grid.posts(), 9,
+        FileLimits.range(file, "the number of posts (" + grid.rows + " x " + grid.columns + "; a smaller area has less)", grid.posts(), 9,
             MapLimits.MAX_POSTS);
         double least = Math.max(grid.rows * grid.spacingX, grid.columns * grid.spacingZ) / DISTINCT;
         if (!(Math.min(grid.spacingX, grid.spacingZ) >= least)) {
-            throw ModelLimits.wrong(file, "the distance of posts", Math.min(grid.spacingX, grid.spacingZ) + " m",
+            throw FileLimits.wrong(file, "the distance of posts", Math.min(grid.spacingX, grid.spacingZ) + " m",
                 "at least " + least + " m in an area as large as this");
         }
     }
@@ -55,7 +55,7 @@ final class FieldSampler {
         }
         double share = 100.0 * empty / grid.posts();
         if (share > 50) {
-            throw ModelLimits.wrong(file, "the part of the area without data", percent(share),
+            throw FileLimits.wrong(file, "the part of the area without data", percent(share),
                 "at most 50 %: choose another area, or add the tile that has it");
         }
         if (empty > 0) {
@@ -82,7 +82,7 @@ final class FieldSampler {
                 heights[r * grid.columns + c] = (float) raster.height(row[2 * c], row[2 * c + 1]);
             }
             if (Float.isNaN(heights[r * grid.columns]) || Float.isNaN(heights[(r + 1) * grid.columns - 1])) {
-                throw ModelLimits.wrong(file, "the place of the area", "where the map's coordinate system doesn't reach", "an area inside of it");
+                throw FileLimits.wrong(file, "the place of the area", "where the map's coordinate system doesn't reach", "an area inside of it");
             }
         }
         return new HeightField(grid.rows, grid.columns, grid.lowX, grid.lowZ, grid.spacingX, grid.spacingZ, heights);

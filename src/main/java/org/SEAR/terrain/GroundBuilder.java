@@ -3,9 +3,9 @@ package org.SEAR.terrain;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import org.SEAR.files.FileLimits;
 import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.HeightField;
-import org.SEAR.project.models.ModelLimits;
 import org.SEAR.terrain.format.MapLimits;
 
 /** Makes the ground of a world of opened maps. One thread. */
@@ -38,13 +38,13 @@ final class GroundBuilder {
     private Ground onEarth() throws IOException {
         TerrainArea.Area area = wanted.area;
         if (wanted.size != null) {
-            throw ModelLimits.wrong(file, "the size", "given", "no setSize for a map that says its place and size itself: setArea chooses a part");
+            throw FileLimits.wrong(file, "the size", "given", "no setSize for a map that says its place and size itself: setArea chooses a part");
         }
         MapSystem system = new MapSystem(file, mosaic.place.system);
         double middleX = mosaic.place.x((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0);
         double[] middle = system.toEarth(middleX, mosaic.place.y((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0));
         if (!(Math.abs(middle[0]) <= 90) || !(Math.abs(middle[1]) <= 720)) {
-            throw ModelLimits.wrong(file, "the middle of the map", "latitude " + middle[0] + ", longitude " + middle[1],
+            throw FileLimits.wrong(file, "the middle of the map", "latitude " + middle[0] + ", longitude " + middle[1],
                 "a place on Earth (is the coordinate system " + mosaic.place.system + " the right one?)");
         }
         double longitude = area == null ? middle[1] - 360 * Math.rint(middle[1] / 360) : area.longitude;
@@ -71,11 +71,11 @@ final class GroundBuilder {
 
     private Ground flat() throws IOException {
         if (wanted.area != null) {
-            throw ModelLimits.wrong(file, "the area", "given", "no setArea for a map that says no place on Earth: setSize says how large it is");
+            throw FileLimits.wrong(file, "the area", "given", "no setArea for a map that says no place on Earth: setSize says how large it is");
         }
         TerrainArea.Size size = wanted.size;
         if (size == null && mosaic.first().place == null) {
-            throw ModelLimits.wrong(file, "the size", "not known", "setSize(northSouth, eastWest, lowest, highest) in metres");
+            throw FileLimits.wrong(file, "the size", "not known", "setSize(northSouth, eastWest, lowest, highest) in metres");
         }
         double unitsX = (mosaic.columns - 1) * mosaic.place.columnSpacing();
         double unitsY = (mosaic.rows - 1) * mosaic.place.rowSpacing();
@@ -99,11 +99,11 @@ final class GroundBuilder {
         double[] used = size != null ? size : extent.fitted(Math.min(MOST_METRES, (mosaic.rows - 1) * metres[0]),
             Math.min(MOST_METRES, (mosaic.columns - 1) * metres[1]));
         if (!(used[0] > 0 && used[1] > 0 && used[0] <= MOST_METRES && used[1] <= MOST_METRES)) {
-            throw ModelLimits.wrong(file, "the size of the area", used[0] + " m x " + used[1] + " m", "more than 0 to " + (int) MOST_METRES + " m");
+            throw FileLimits.wrong(file, "the size of the area", used[0] + " m x " + used[1] + " m", "more than 0 to " + (int) MOST_METRES + " m");
         }
         double[] box = extent.box(used[0], used[1], HALF_CELL);
         if (box == null) {
-            throw ModelLimits.wrong(file, "the area", used[0] + " m x " + used[1] + " m", "on the map");
+            throw FileLimits.wrong(file, "the area", used[0] + " m x " + used[1] + " m", "on the map");
         }
         FieldGrid grid = FieldGrid.of(used, metres, steps[1], size != null);
         FieldSampler.require(file, grid);
@@ -124,7 +124,7 @@ final class GroundBuilder {
         double x = 1 / Math.hypot(north[0] - zero[0], north[1] - zero[1]);
         double z = 1 / Math.hypot(east[0] - zero[0], east[1] - zero[1]);
         if (!(x > 0) || !(z > 0) || Double.isInfinite(x) || Double.isInfinite(z)) {
-            throw ModelLimits.wrong(file, "the distance of posts", x + " m x " + z + " m", "above 0");
+            throw FileLimits.wrong(file, "the distance of posts", x + " m x " + z + " m", "above 0");
         }
         return new double[][] {{x, z}, {-zero[1] * x * Math.signum(north[1] - zero[1]), -zero[0] * z * Math.signum(east[0] - zero[0])}};
     }
@@ -134,7 +134,7 @@ final class GroundBuilder {
         int top = start(box[1], mosaic.rows);
         long width = Math.min(mosaic.columns - 1, (long) Math.ceil(box[2]) + 1) - left + 1;
         long height = Math.min(mosaic.rows - 1, (long) Math.ceil(box[3]) + 1) - top + 1;
-        ModelLimits.range(file, "the number of the map's posts in the area", width * height, 4, MapLimits.MAX_POSTS);
+        FileLimits.range(file, "the number of the map's posts in the area", width * height, 4, MapLimits.MAX_POSTS);
         return mosaic.read(top, left, (int) height, (int) width);
     }
 

@@ -1,8 +1,8 @@
 package org.SEAR.terrain;
 
 import java.io.IOException;
+import org.SEAR.files.Assets;
 import org.SEAR.geometry.GeoOrigin;
-import org.SEAR.project.models.Assets;
 import org.SEAR.terrain.format.Georeference;
 
 /** Cuts the part of maps that an area uses, so that a project can be shared without the rest of them. Any thread. */

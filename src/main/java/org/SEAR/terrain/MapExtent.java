@@ -3,7 +3,7 @@ package org.SEAR.terrain;
 import java.io.IOException;
 import java.util.Locale;
 import java.util.function.DoublePredicate;
-import org.SEAR.project.models.ModelLimits;
+import org.SEAR.files.FileLimits;
 
 /** Whether a rectangle of the world lies on the map, and the largest that does. One thread at a time. */
 final class MapExtent {
@@ -91,7 +91,7 @@ final class MapExtent {
                 bounds[axis + 2] = Math.max(bounds[axis + 2], place[axis]);
             }
         }
-        return ModelLimits.wrong(mosaic.first().name, "the area", String.format(Locale.ROOT, "%s, %s, %s m x %s m, which reaches beyond the map",
+        return FileLimits.wrong(mosaic.first().name, "the area", String.format(Locale.ROOT, "%s, %s, %s m x %s m, which reaches beyond the map",
             number(area.latitude), number(area.longitude), number(area.northSouth), number(area.eastWest)),
             String.format(Locale.ROOT, "inside latitudes %.5f to %.5f and longitudes %.5f to %.5f", bounds[0], bounds[2], bounds[1], bounds[3]));
     }

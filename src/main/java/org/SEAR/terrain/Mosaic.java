@@ -6,8 +6,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
-import org.SEAR.project.models.Assets;
-import org.SEAR.project.models.ModelLimits;
+import org.SEAR.files.Assets;
+import org.SEAR.files.FileLimits;
 import org.SEAR.terrain.format.ElevationMap;
 import org.SEAR.terrain.format.ElevationMaps;
 import org.SEAR.terrain.format.Georeference;
@@ -47,8 +47,8 @@ final class Mosaic implements Closeable {
             boolean aligned = finest.isAligned(places.get(i), maps.get(i).columns - 1, maps.get(i).rows - 1);
             extend(bounds, box(finest, places.get(i), maps.get(i), aligned ? 0 : 0.5), aligned);
         }
-        ModelLimits.range(first.name, "the mosaic's number of columns", (long) (bounds[2] - bounds[0]) + 1, 2, MAX_SIDE);
-        ModelLimits.range(first.name, "the mosaic's number of rows", (long) (bounds[3] - bounds[1]) + 1, 2, MAX_SIDE);
+        FileLimits.range(first.name, "the mosaic's number of columns", (long) (bounds[2] - bounds[0]) + 1, 2, MAX_SIDE);
+        FileLimits.range(first.name, "the mosaic's number of rows", (long) (bounds[3] - bounds[1]) + 1, 2, MAX_SIDE);
         place = finest.from(bounds[0], bounds[1]);
         columns = (int) (bounds[2] - bounds[0]) + 1;
         rows = (int) (bounds[3] - bounds[1]) + 1;
@@ -61,7 +61,7 @@ final class Mosaic implements Closeable {
      * @throws IOException that names the map and what is wrong with it
      */
     static Mosaic open(Assets assets, List<String> paths) throws IOException {
-        ModelLimits.range(paths.get(0), "the number of tiles", paths.size(), 1, MOST_TILES);
+        FileLimits.range(paths.get(0), "the number of tiles", paths.size(), 1, MOST_TILES);
         List<ElevationMap> maps = new ArrayList<>();
         try {
             for (String path : paths) {
@@ -97,10 +97,10 @@ final class Mosaic implements Closeable {
 
     private static void requireSameSystem(ElevationMap first, ElevationMap map) throws IOException {
         if (map.place == null) {
-            throw ModelLimits.wrong(map.name, "the place", "not known", "several tiles need a place each, so that they can lie side by side");
+            throw FileLimits.wrong(map.name, "the place", "not known", "several tiles need a place each, so that they can lie side by side");
         }
         if (first.place != null && !Objects.equals(first.place.system, map.place.system)) {
-            throw ModelLimits.wrong(map.name, "the coordinate system", map.place.system, first.place.system + " as in " + first.name);
+            throw FileLimits.wrong(map.name, "the coordinate system", map.place.system, first.place.system + " as in " + first.name);
         }
     }
 
@@ -138,7 +138,7 @@ final class Mosaic implements Closeable {
      * @throws IOException that names the map and what is wrong with it
      */
     MapRaster read(int row, int column, int height, int width) throws IOException {
-        ModelLimits.range(first().name, "the number of posts in the area", (long) height * width, 4, MapLimits.MAX_POSTS);
+        FileLimits.range(first().name, "the number of posts in the area", (long) height * width, 4, MapLimits.MAX_POSTS);
         if (maps.size() == 1) {
             return new MapRaster(row, column, height, width, first().read(row, column, height, width));
         }

@@ -5,8 +5,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import javax.imageio.ImageIO;
 import org.SEAR.POJOs.Terrain;
+import org.SEAR.files.Assets;
 import org.SEAR.geometry.HeightField;
-import org.SEAR.project.models.Assets;
 import org.SEAR.terrain.relief.GroundPicture;
 
 /** The colours that a terrain has of its own: those of its picture, which fills the area north up, else its one colour. Any thread. */

@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
-import org.SEAR.project.models.Assets;
+import org.SEAR.files.Assets;
 
 /**
  * Loads the ground of a world. Who asks again for the same area of the same files while anybody uses it gets the same object: simulator, window, tab

@@ -5,7 +5,7 @@ import java.nio.file.Paths;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
-import org.SEAR.POJOs.ScriptText;
+import org.SEAR.grammar.ScriptText;
 import org.SEAR.project.problems.Problem;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.service.config.SEARConfig;

@@ -8,7 +8,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Collections;
-import org.SEAR.project.models.Assets;
+import org.SEAR.files.Assets;
 import org.junit.Test;
 
 /** Real heights in three formats and two coordinate systems, against what GDAL reads of them: USGS, SRTM, the Jacksboro fault. */

@@ -8,7 +8,7 @@ import java.nio.file.Files;
 import java.util.Collections;
 import org.SEAR.ProcessorTime;
 import org.SEAR.Slow;
-import org.SEAR.project.models.Assets;
+import org.SEAR.files.Assets;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;

@@ -16,7 +16,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.function.IntBinaryOperator;
 import javax.imageio.ImageIO;
-import org.SEAR.project.models.Assets;
+import org.SEAR.files.Assets;
 import org.SEAR.terrain.format.TiffMaker;
 import org.junit.Before;
 import org.junit.Rule;

@@ -17,7 +17,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.SEAR.Slow;
-import org.SEAR.project.models.Assets;
+import org.SEAR.files.Assets;
 import org.SEAR.terrain.format.ElevationMap;
 import org.SEAR.terrain.format.ElevationMaps;
 import org.junit.BeforeClass;

@@ -11,7 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import org.SEAR.POJOs.Terrain;
-import org.SEAR.project.models.Assets;
+import org.SEAR.files.Assets;
 import org.SEAR.terrain.relief.GroundPicture;
 import org.junit.Before;
 import org.junit.Rule;

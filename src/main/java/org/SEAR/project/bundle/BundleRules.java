@@ -5,7 +5,7 @@ import java.text.Normalizer;
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
-import org.SEAR.POJOs.TextRule;
+import org.SEAR.grammar.TextRule;
 import org.SEAR.project.problems.ProblemList;
 
 /** What a bundle may hold: the same rules when it is saved and when it is loaded, so that what was saved can be loaded everywhere. */

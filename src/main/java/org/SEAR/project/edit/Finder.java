@@ -9,8 +9,8 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.POJOs.TextRule;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.grammar.TextRule;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 

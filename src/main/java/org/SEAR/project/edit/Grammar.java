@@ -6,14 +6,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.SEAR.POJOs.Floor;
-import org.SEAR.POJOs.Parameter;
-import org.SEAR.POJOs.ParameterTable;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SensorObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Terrain;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ParameterTable;
 import org.SEAR.project.ObjectDocs;
 import org.SEAR.project.xml.ObjectClasses;
 

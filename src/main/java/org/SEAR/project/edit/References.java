@@ -9,10 +9,10 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import org.SEAR.POJOs.Parameter;
-import org.SEAR.POJOs.ParameterTable;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ParameterTable;
 
 /**
  * The names by which parts of a robot know each other: a motor its wheels, a servo what it turns, a wheel its servo, a bumper what presses it, an

@@ -8,7 +8,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
-import org.SEAR.POJOs.TextRule;
+import org.SEAR.grammar.TextRule;
 import org.SEAR.project.ProjectFolder;
 import org.SEAR.project.xml.Xml;
 

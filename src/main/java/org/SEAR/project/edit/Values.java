@@ -5,8 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import org.SEAR.POJOs.Parameter;
-import org.SEAR.POJOs.ParameterTable;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ParameterTable;
 import org.SEAR.project.problems.ProblemList;
 
 /**

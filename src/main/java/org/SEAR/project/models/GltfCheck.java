@@ -8,6 +8,7 @@ import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
+import org.SEAR.files.FileLimits;
 
 /**
  * Looks through the JSON of a glTF 2.0 file before a loader follows its numbers: nodes form a tree, each reference leads to something, and each
@@ -39,7 +40,7 @@ final class GltfCheck {
         try {
             JsonElement parsed = JsonParser.parseString(new String(json, StandardCharsets.UTF_8));
             if (!parsed.isJsonObject()) {
-                throw ModelLimits.wrong(file, "the text", parsed, "a JSON object");
+                throw FileLimits.wrong(file, "the text", parsed, "a JSON object");
             }
             root = parsed.getAsJsonObject();
         } catch (JsonParseException | StackOverflowError e) {
@@ -60,14 +61,14 @@ final class GltfCheck {
 
     private void checkNodes() throws IOException {
         JsonArray nodes = list(root, "nodes");
-        ModelLimits.range(file, "the number of nodes", nodes.size(), 0, ModelLimits.MAX_NODES);
+        FileLimits.range(file, "the number of nodes", nodes.size(), 0, ModelLimits.MAX_NODES);
         int[] parent = new int[nodes.size()];
         for (int i = 0; i < nodes.size(); i++) {
             JsonObject node = nodes.get(i).getAsJsonObject();
             for (JsonElement child : list(node, "children")) {
                 int number = reference("nodes[" + i + "].children", child, nodes.size());
                 if (parent[number] != 0) {
-                    throw ModelLimits.wrong(file, "nodes[" + i + "].children", number, "a node that has no other parent");
+                    throw FileLimits.wrong(file, "nodes[" + i + "].children", number, "a node that has no other parent");
                 }
                 parent[number] = i + 1;
             }
@@ -77,7 +78,7 @@ final class GltfCheck {
             int depth = 0;
             for (int up = parent[i]; up != 0; up = parent[up - 1]) {
                 if (++depth > ModelLimits.MAX_DEPTH) {
-                    throw ModelLimits.wrong(file, "nodes[" + i + "]", "nested without end or too deep", "a tree at most "
+                    throw FileLimits.wrong(file, "nodes[" + i + "]", "nested without end or too deep", "a tree at most "
                         + ModelLimits.MAX_DEPTH + " deep");
                 }
             }
@@ -93,7 +94,7 @@ final class GltfCheck {
             for (JsonElement node : list(scenes.get(i).getAsJsonObject(), "nodes")) {
                 int number = reference("scenes[" + i + "].nodes", node, parent.length);
                 if (parent[number] != 0 || shown[number]) {
-                    throw ModelLimits.wrong(file, "scenes[" + i + "].nodes", number, "a node without a parent, once in all scenes");
+                    throw FileLimits.wrong(file, "scenes[" + i + "].nodes", number, "a node without a parent, once in all scenes");
                 }
                 shown[number] = true;
             }
@@ -105,7 +106,7 @@ final class GltfCheck {
         for (int i = 0; i < buffers.size(); i++) {
             JsonObject buffer = buffers.get(i).getAsJsonObject();
             String what = "buffers[" + i + "]";
-            ModelLimits.range(file, what + ".byteLength", number(buffer, what, "byteLength", -1), 0, size(buffer, what));
+            FileLimits.range(file, what + ".byteLength", number(buffer, what, "byteLength", -1), 0, size(buffer, what));
         }
         JsonArray views = list(root, "bufferViews");
         for (int i = 0; i < views.size(); i++) {
@@ -114,9 +115,9 @@ final class GltfCheck {
             JsonObject buffer = buffers.get(reference(what + ".buffer", view.get("buffer"), buffers.size())).getAsJsonObject();
             long offset = number(view, what, "byteOffset", 0);
             long room = number(buffer, what, "byteLength", 0);
-            ModelLimits.range(file, what + ".byteOffset", offset, 0, room);
-            ModelLimits.range(file, what + ".byteLength", number(view, what, "byteLength", -1), 0, room - offset);
-            ModelLimits.range(file, what + ".byteStride", number(view, what, "byteStride", 0), 0, 252);
+            FileLimits.range(file, what + ".byteOffset", offset, 0, room);
+            FileLimits.range(file, what + ".byteLength", number(view, what, "byteLength", -1), 0, room - offset);
+            FileLimits.range(file, what + ".byteStride", number(view, what, "byteStride", 0), 0, 252);
         }
     }
 
@@ -130,7 +131,7 @@ final class GltfCheck {
         }
         int comma = uri.indexOf(',');
         if (comma < 0) {
-            throw ModelLimits.wrong(file, what + ".uri", uri, "data:application/octet-stream;base64,...");
+            throw FileLimits.wrong(file, what + ".uri", uri, "data:application/octet-stream;base64,...");
         }
         return (uri.length() - comma - 1L) * 3 / 4;
     }
@@ -142,22 +143,22 @@ final class GltfCheck {
             JsonObject accessor = accessors.get(i).getAsJsonObject();
             String what = "accessors[" + i + "]";
             long count = number(accessor, what, "count", -1);
-            ModelLimits.range(file, what + ".count", count, 1, 3L * ModelLimits.MAX_TRIANGLES);
+            FileLimits.range(file, what + ".count", count, 1, 3L * ModelLimits.MAX_TRIANGLES);
             Integer width = BYTES.get((int) number(accessor, what, "componentType", -1));
             Integer components = COMPONENTS.get(accessor.has("type") ? accessor.get("type").getAsString() : "");
             if (width == null || components == null) {
-                throw ModelLimits.wrong(file, what, accessor, "a componentType of " + BYTES.keySet() + " and a type of " + COMPONENTS.keySet());
+                throw FileLimits.wrong(file, what, accessor, "a componentType of " + BYTES.keySet() + " and a type of " + COMPONENTS.keySet());
             }
             if (accessor.has("sparse")) {
-                throw ModelLimits.wrong(file, what + ".sparse", "there", "accessors without sparse; export the model without it");
+                throw FileLimits.wrong(file, what + ".sparse", "there", "accessors without sparse; export the model without it");
             }
             if (accessor.has("bufferView")) {
                 JsonObject view = views.get(reference(what + ".bufferView", accessor.get("bufferView"), views.size())).getAsJsonObject();
                 long size = (long) width * components;
                 long stride = Math.max(size, number(view, what, "byteStride", 0));
                 long offset = number(accessor, what, "byteOffset", 0);
-                ModelLimits.range(file, what + ".byteOffset", offset, 0, number(view, what, "byteLength", 0));
-                ModelLimits.range(file, what + ".count", count, 1, room(number(view, what, "byteLength", 0) - offset, size, stride));
+                FileLimits.range(file, what + ".byteOffset", offset, 0, number(view, what, "byteLength", 0));
+                FileLimits.range(file, what + ".count", count, 1, room(number(view, what, "byteLength", 0) - offset, size, stride));
             }
         }
     }
@@ -177,7 +178,7 @@ final class GltfCheck {
                 optional(primitive, what, "indices", accessors);
                 optional(primitive, what, "material", list(root, "materials").size());
                 if (!primitive.has("attributes")) {
-                    throw ModelLimits.wrong(file, what + ".attributes", "missing", "an object with POSITION");
+                    throw FileLimits.wrong(file, what + ".attributes", "missing", "an object with POSITION");
                 }
                 for (Map.Entry<String, JsonElement> attribute : primitive.getAsJsonObject("attributes").entrySet()) {
                     reference(what + ".attributes." + attribute.getKey(), attribute.getValue(), accessors);
@@ -198,11 +199,11 @@ final class GltfCheck {
 
     private int reference(String what, JsonElement value, int count) throws IOException {
         if (value == null) {
-            throw ModelLimits.wrong(file, what, "missing", "0 to " + (count - 1));
+            throw FileLimits.wrong(file, what, "missing", "0 to " + (count - 1));
         }
         double number = value.getAsDouble();
         if (!(number >= 0 && number < count)) {
-            throw ModelLimits.wrong(file, what, value, count == 0 ? "nothing, because there are none" : "0 to " + (count - 1));
+            throw FileLimits.wrong(file, what, value, count == 0 ? "nothing, because there are none" : "0 to " + (count - 1));
         }
         return (int) number;
     }
@@ -213,7 +214,7 @@ final class GltfCheck {
         }
         double number = in.get(name).getAsDouble();
         if (!(Math.abs(number) < 1L << 40)) {
-            throw ModelLimits.wrong(file, what + "." + name, in.get(name), "a whole number of bytes or elements");
+            throw FileLimits.wrong(file, what + "." + name, in.get(name), "a whole number of bytes or elements");
         }
         return (long) number;
     }

@@ -32,6 +32,7 @@ import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.GZIPInputStream;
+import org.SEAR.files.FileLimits;
 
 /**
  * jMonkeyEngine's loaders trust their files: OGRE XML may read other files through entities, a .j3o names the Java classes to be made, a
@@ -124,18 +125,18 @@ final class GuardedLoaders {
             byte[] bytes = bytes(info);
             String name = info.getKey().getName();
             ByteBuffer in = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
-            ModelLimits.range(name, "the file's size", bytes.length, GLB_DATA, ModelLimits.MAX_FILE);
+            FileLimits.range(name, "the file's size", bytes.length, GLB_DATA, ModelLimits.MAX_FILE);
             if (in.getInt(0) != GLB_MARK || in.getInt(4) != 2 || in.getInt(GLB_DATA - 4) != JSON_CHUNK) {
-                throw ModelLimits.wrong(name, "the head", "another one", "a .glb of glTF 2 that starts with its JSON");
+                throw FileLimits.wrong(name, "the head", "another one", "a .glb of glTF 2 that starts with its JSON");
             }
-            ModelLimits.range(name, "the length in the head", in.getInt(8), GLB_DATA, bytes.length);
+            FileLimits.range(name, "the length in the head", in.getInt(8), GLB_DATA, bytes.length);
             int json = in.getInt(GLB_DATA - 8);
-            ModelLimits.range(name, "the length of the JSON", json, 2, bytes.length - GLB_DATA);
+            FileLimits.range(name, "the length of the JSON", json, 2, bytes.length - GLB_DATA);
             long data = 0;
             int chunk = GLB_DATA + json;
             while (chunk + 8 <= bytes.length) {
                 long length = in.getInt(chunk);
-                ModelLimits.range(name, "the length of a chunk", length, 0, bytes.length - chunk - 8);
+                FileLimits.range(name, "the length of a chunk", length, 0, bytes.length - chunk - 8);
                 data = Math.max(data, length);
                 chunk += 8 + (int) length;
             }
@@ -154,7 +155,7 @@ final class GuardedLoaders {
                 }
             }
         }
-        throw ModelLimits.wrong(model.getKey().getName(), "a buffer's uri", uri, "a file beside the model");
+        throw FileLimits.wrong(model.getKey().getName(), "a buffer's uri", uri, "a file beside the model");
     }
 
     /** OGRE meshes without document type. */
@@ -197,7 +198,7 @@ final class GuardedLoaders {
             }
             int size = unpackedSize(bytes);
             if (size > ModelLimits.MAX_BLEND) {
-                throw ModelLimits.wrong(info.getKey().getName(), "the unpacked size", "more than " + ModelLimits.MAX_BLEND,
+                throw FileLimits.wrong(info.getKey().getName(), "the unpacked size", "more than " + ModelLimits.MAX_BLEND,
                     "at most " + ModelLimits.MAX_BLEND + " bytes; save it unpacked in Blender, or export .glb");
             }
             try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(bytes))) {
@@ -253,7 +254,7 @@ final class GuardedLoaders {
         Matcher count = COUNT.matcher(text);
         while (count.find()) {
             if (count.group(1).length() > 9 || Long.parseLong(count.group(1)) > text.length() / SHORTEST) {
-                throw ModelLimits.wrong(info.getKey().getName(), "a count", count.group(1), "no more than the file holds, "
+                throw FileLimits.wrong(info.getKey().getName(), "a count", count.group(1), "no more than the file holds, "
                     + text.length() / SHORTEST);
             }
         }
@@ -263,7 +264,7 @@ final class GuardedLoaders {
     private static byte[] bytes(AssetInfo info) throws IOException {
         try (InputStream in = info.openStream()) {
             byte[] bytes = in.readNBytes((int) ModelLimits.MAX_FILE + 1);
-            ModelLimits.range(info.getKey().getName(), "the file's size", bytes.length, 1, ModelLimits.MAX_FILE);
+            FileLimits.range(info.getKey().getName(), "the file's size", bytes.length, 1, ModelLimits.MAX_FILE);
             return bytes;
         }
     }

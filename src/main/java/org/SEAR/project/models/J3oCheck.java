@@ -5,6 +5,7 @@ import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import org.SEAR.files.FileLimits;
 
 /**
  * Looks through the head of a .j3o before jMonkeyEngine's BinaryImporter does, which makes an object of any class that the head names, and past the
@@ -31,7 +32,7 @@ final class J3oCheck {
     void check() throws IOException {
         try {
             classes();
-            ModelLimits.range(file, "the number of objects", in.getInt(), 1, in.remaining() / LOCATION);
+            FileLimits.range(file, "the number of objects", in.getInt(), 1, in.remaining() / LOCATION);
         } catch (BufferUnderflowException | IllegalArgumentException e) {
             throw new IOException(file + " is cut off or no .j3o file", e);
         }

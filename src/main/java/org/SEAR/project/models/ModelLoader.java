@@ -14,6 +14,7 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import org.SEAR.POJOs.Model;
+import org.SEAR.files.Assets;
 import org.SEAR.geometry.Triangles;
 
 /**
@@ -74,7 +75,7 @@ public final class ModelLoader {
         }
         Node moved = new Node(model.getName());
         moved.attachChild(loaded);
-        loaded.move(Terrain.toOrigin(collect(loaded, model)));
+        loaded.move(TerrainCentre.toOrigin(collect(loaded, model)));
         return moved;
     }
 

@@ -15,6 +15,8 @@ import com.jme3.util.BufferUtils;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.Locale;
+import org.SEAR.files.FileLimits;
+import org.SEAR.files.PictureSize;
 
 /** Loads pictures whose size was looked at first: a few kilobytes may unpack to gigabytes. */
 final class Pictures {
@@ -38,7 +40,7 @@ final class Pictures {
         String name = info.getKey().getName();
         byte[] bytes;
         try (InputStream in = info.openStream()) {
-            bytes = in.readNBytes(ModelLimits.MAX_PICTURE_FILE + 1);
+            bytes = in.readNBytes(FileLimits.MAX_PICTURE + 1);
         }
         return PictureSize.checked(bytes, name);
     }

@@ -13,6 +13,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import org.SEAR.files.FileLimits;
 import org.SEAR.geometry.Triangles;
 
 /** The triangles of a loaded scene, checked: numbers of vertices that there are, finite coordinates within the limits. One use. */
@@ -47,8 +48,8 @@ final class SceneTriangles {
             vertices += solid.getMesh().getVertexCount();
             triangles += solid.getMesh().getTriangleCount();
         }
-        ModelLimits.range(file, "the number of vertices", vertices, 0, ModelLimits.MAX_TRIANGLES);
-        ModelLimits.range(file, "the number of triangles", triangles, 0, ModelLimits.MAX_TRIANGLES);
+        FileLimits.range(file, "the number of vertices", vertices, 0, ModelLimits.MAX_TRIANGLES);
+        FileLimits.range(file, "the number of triangles", triangles, 0, ModelLimits.MAX_TRIANGLES);
         positions = new float[(int) vertices * 3];
         indices = new int[(int) triangles * 3];
         for (Geometry solid : solids) {
@@ -63,7 +64,7 @@ final class SceneTriangles {
         waiting.add(scene);
         while (!waiting.isEmpty()) {
             Spatial next = waiting.removeLast();
-            ModelLimits.range(file, "the number of nodes", ++nodes, 0, ModelLimits.MAX_NODES);
+            FileLimits.range(file, "the number of nodes", ++nodes, 0, ModelLimits.MAX_NODES);
             if (next instanceof Node) {
                 List<Spatial> children = ((Node) next).getChildren();
                 for (int i = children.size() - 1; i >= 0; i--) {
@@ -78,7 +79,7 @@ final class SceneTriangles {
     private boolean isSolid(Geometry geometry) throws IOException {
         Mesh mesh = geometry.getMesh();
         if (mesh == null) {
-            throw ModelLimits.wrong(file, "the mesh of " + name(geometry), "missing", "a mesh");
+            throw FileLimits.wrong(file, "the mesh of " + name(geometry), "missing", "a mesh");
         }
         switch (mesh.getMode()) {
             case Triangles:
@@ -99,12 +100,12 @@ final class SceneTriangles {
         IndexBuffer source = mesh.getIndicesAsList();
         int count = mesh.getTriangleCount() * 3;
         if (source.size() < count) {
-            throw ModelLimits.wrong(file, "the number of indices of " + name(solid), source.size(), "at least " + count);
+            throw FileLimits.wrong(file, "the number of indices of " + name(solid), source.size(), "at least " + count);
         }
         for (int i = 0; i < count; i++) {
             int index = source.get(i);
             if (index < 0 || index >= mesh.getVertexCount()) {
-                throw ModelLimits.wrong(file, "an index of " + name(solid), index, "0 to " + (mesh.getVertexCount() - 1));
+                throw FileLimits.wrong(file, "an index of " + name(solid), index, "0 to " + (mesh.getVertexCount() - 1));
             }
             indices[indexCount++] = vertexCount + index;
         }
@@ -114,7 +115,7 @@ final class SceneTriangles {
         VertexBuffer buffer = solid.getMesh().getBuffer(VertexBuffer.Type.Position);
         int count = solid.getMesh().getVertexCount();
         if (buffer.getNumComponents() != 3 || buffer.getNumElements() < count) {
-            throw ModelLimits.wrong(file, "the positions of " + name(solid), buffer.getNumElements() + " x " + buffer.getNumComponents(),
+            throw FileLimits.wrong(file, "the positions of " + name(solid), buffer.getNumElements() + " x " + buffer.getNumComponents(),
                 count + " of 3 numbers each");
         }
         Matrix4f place = place(solid);
@@ -138,7 +139,7 @@ final class SceneTriangles {
 
     private float checked(Geometry solid, int vertex, float value) throws IOException {
         if (!(Math.abs(value) <= ModelLimits.MAX_COORDINATE)) {
-            throw ModelLimits.wrong(file, "a coordinate of vertex " + vertex + " of " + name(solid), value,
+            throw FileLimits.wrong(file, "a coordinate of vertex " + vertex + " of " + name(solid), value,
                 "a finite number up to " + (int) ModelLimits.MAX_COORDINATE + " m from the model's origin");
         }
         return value;

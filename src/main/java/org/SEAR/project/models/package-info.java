@@ -1,5 +1,5 @@
 /**
- * Pictures and models of a project: finding them, loading models without trust. May use {@link org.SEAR.project.problems} and the grammar.
+ * Models of a project, loaded without trust. May use {@link org.SEAR.files}, {@link org.SEAR.geometry} and the grammar.
  * A loader serves one thread at a time.
  */
 package org.SEAR.project.models;

@@ -10,8 +10,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import org.SEAR.POJOs.Parameter;
-import org.SEAR.POJOs.ParameterTable;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ParameterTable;
 
 /**
  * A public constructor or method of a class of the grammar and the parameters that its arguments have the names of: {@code newX} stands for

@@ -8,10 +8,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.SEAR.POJOs.Parameter;
-import org.SEAR.POJOs.ParameterTable;
-import org.SEAR.POJOs.ScriptText;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ParameterTable;
+import org.SEAR.grammar.ScriptText;
 
 /**
  * The constructor and calls that make one object, or one group of parameters. They are found by making drafts: of all constructors with those calls

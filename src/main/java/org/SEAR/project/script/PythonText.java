@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.SEAR.POJOs.Parameter;
+import org.SEAR.grammar.Parameter;
 
 /** Values as Python 2.7 writes them: ASCII only, whatever is in them, so that no text of a project can become code. Any thread. */
 final class PythonText {

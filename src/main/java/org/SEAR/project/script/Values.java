@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.SEAR.POJOs.Parameter;
-import org.SEAR.POJOs.ParameterTable;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.POJOs.TextRule;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ParameterTable;
+import org.SEAR.grammar.TextRule;
 
 /** The values of an object's parameters, but for what it is made of: a robot's components and wheels. Any thread. */
 final class Values {

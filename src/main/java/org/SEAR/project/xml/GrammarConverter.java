@@ -5,8 +5,8 @@ import com.thoughtworks.xstream.converters.MarshallingContext;
 import com.thoughtworks.xstream.converters.UnmarshallingContext;
 import com.thoughtworks.xstream.io.HierarchicalStreamReader;
 import com.thoughtworks.xstream.io.HierarchicalStreamWriter;
-import org.SEAR.POJOs.Parameter;
-import org.SEAR.POJOs.ParameterTable;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ParameterTable;
 
 /** Turns objects into elements and back by their {@link ParameterTable}. Immutable, any thread. */
 final class GrammarConverter implements Converter {

@@ -7,8 +7,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.SEAR.POJOs.Parameter;
-import org.SEAR.POJOs.ParameterTable;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ParameterTable;
 import org.SEAR.project.problems.ProblemList;
 
 /** Makes an object from the elements of one file by its {@link ParameterTable}; goes on after a problem, so that all are reported at once. */

@@ -2,12 +2,12 @@ package org.SEAR.robot.servo;
 
 import java.util.Locale;
 import java.util.function.Consumer;
-import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.Servo;
 import org.SEAR.devices.ServoHardware;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Rotation;
 import org.SEAR.geometry.TimeStep;
+import org.SEAR.grammar.Parameter;
 import org.SEAR.project.ObjectPose;
 
 /**

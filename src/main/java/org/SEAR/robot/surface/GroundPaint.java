@@ -3,7 +3,7 @@ package org.SEAR.robot.surface;
 import java.io.IOException;
 import java.util.function.Consumer;
 import org.SEAR.POJOs.Terrain;
-import org.SEAR.project.models.Assets;
+import org.SEAR.files.Assets;
 import org.SEAR.terrain.Ground;
 import org.SEAR.terrain.TerrainColors;
 import org.SEAR.terrain.relief.GroundPicture;

@@ -10,8 +10,8 @@ import java.util.function.Consumer;
 import javax.imageio.ImageIO;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Terrain;
+import org.SEAR.files.Assets;
 import org.SEAR.physics.solid.Solid;
-import org.SEAR.project.models.Assets;
 import org.SEAR.terrain.Ground;
 
 /**

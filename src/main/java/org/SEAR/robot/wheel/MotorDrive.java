@@ -3,8 +3,8 @@ package org.SEAR.robot.wheel;
 import java.util.ArrayList;
 import java.util.List;
 import org.SEAR.POJOs.Motor;
-import org.SEAR.POJOs.Parameter;
 import org.SEAR.devices.MotorHardware;
+import org.SEAR.grammar.Parameter;
 
 /**
  * A motor and its gear. At a wheel that rolls at v over ground its force is a * power - b * v, a straight line from the stall torque to the speed

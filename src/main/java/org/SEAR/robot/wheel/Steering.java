@@ -3,9 +3,9 @@ package org.SEAR.robot.wheel;
 import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import org.SEAR.POJOs.Parameter;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.TimeStep;
+import org.SEAR.grammar.Parameter;
 import org.SEAR.robot.servo.ServoDrive;
 
 /**

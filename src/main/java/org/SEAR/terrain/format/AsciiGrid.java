@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import org.SEAR.project.models.ModelLimits;
+import org.SEAR.files.FileLimits;
 import org.SEAR.terrain.tiff.MapBytes;
 
 /**
@@ -43,7 +43,7 @@ final class AsciiGrid extends ElevationMap {
         }
         int columns = side(file.getName(), head, "ncols");
         int rows = side(file.getName(), head, "nrows");
-        ModelLimits.range(file.getName(), "the number of posts", (long) rows * columns, 4, MapLimits.MAX_POSTS);
+        FileLimits.range(file.getName(), "the number of posts", (long) rows * columns, 4, MapLimits.MAX_POSTS);
         requireSize(file, (long) rows * columns);
         Georeference place = place(file.getName(), head, rows);
         double noData = head.getOrDefault("nodata_value", -9999.0);
@@ -62,7 +62,7 @@ final class AsciiGrid extends ElevationMap {
     private static void requireSize(MapBytes file, long posts) throws IOException {
         long most = MAX_HEAD + MOST_BYTES * posts;
         if (file.size() < 2 * posts || file.size() > most) {
-            throw ModelLimits.wrong(file.getName(), "the file's size", file.size(), 2 * posts + " to " + most + " for " + posts + " heights"
+            throw FileLimits.wrong(file.getName(), "the file's size", file.size(), 2 * posts + " to " + most + " for " + posts + " heights"
                 + (file.size() < most ? " (is it cut off?)" : ""));
         }
     }
@@ -71,7 +71,7 @@ final class AsciiGrid extends ElevationMap {
         double dx = value(file, head, head.containsKey("dx") ? "dx" : "cellsize");
         double dy = value(file, head, head.containsKey("dy") ? "dy" : "cellsize");
         if (!(dx > 0) || !(dy > 0)) {
-            throw ModelLimits.wrong(file, "cellsize", Math.min(dx, dy), "above 0");
+            throw FileLimits.wrong(file, "cellsize", Math.min(dx, dy), "above 0");
         }
         double x = head.containsKey("xllcenter") ? value(file, head, "xllcenter") : value(file, head, "xllcorner") + dx / 2;
         double y = head.containsKey("yllcenter") ? value(file, head, "yllcenter") : value(file, head, "yllcorner") + dy / 2;
@@ -87,7 +87,7 @@ final class AsciiGrid extends ElevationMap {
     private static int side(String file, Map<String, Double> head, String key) throws IOException {
         double value = value(file, head, key);
         if (!(value >= 2 && value <= MAX_SIDE) || value != Math.rint(value)) {
-            throw ModelLimits.wrong(file, key, value, "2 to " + MAX_SIDE);
+            throw FileLimits.wrong(file, key, value, "2 to " + MAX_SIDE);
         }
         return (int) value;
     }
@@ -95,7 +95,7 @@ final class AsciiGrid extends ElevationMap {
     private static double value(String file, Map<String, Double> head, String key) throws IOException {
         Double value = head.get(key);
         if (value == null) {
-            throw ModelLimits.wrong(file, key, "missing", "an ESRI ASCII grid begins with ncols, nrows, xllcorner, yllcorner and cellsize");
+            throw FileLimits.wrong(file, key, "missing", "an ESRI ASCII grid begins with ncols, nrows, xllcorner, yllcorner and cellsize");
         }
         return value;
     }

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
-import org.SEAR.project.models.Assets;
-import org.SEAR.project.models.ModelLimits;
+import org.SEAR.files.Assets;
+import org.SEAR.files.FileLimits;
 import org.SEAR.terrain.tiff.MapBytes;
 
 /** Opens the files of elevation maps: by what they are, not only by how they are called. Any thread. */
@@ -57,7 +57,7 @@ public final class ElevationMaps {
         if (kind.equals(FileKind.GRID) || kind.equals(FileKind.UNKNOWN) && lower.endsWith(".asc")) {
             return AsciiGrid.open(bytes, systemBeside(assets, bytes.getName()));
         }
-        throw ModelLimits.wrong(bytes.getName(), "the file", kind, LEGAL);
+        throw FileLimits.wrong(bytes.getName(), "the file", kind, LEGAL);
     }
 
     private static String systemBeside(Assets assets, String path) throws IOException {

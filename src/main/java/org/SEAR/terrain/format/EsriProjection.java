@@ -5,7 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.SEAR.project.models.ModelLimits;
+import org.SEAR.files.FileLimits;
 import org.SEAR.terrain.tiff.MapBytes;
 
 /** The coordinate system in a .prj beside a grid: well-known text of ESRI or OGC, or lines such as "Projection GEOGRAPHIC" of older grids. */
@@ -27,7 +27,7 @@ final class EsriProjection {
      * @throws IOException if it is none that can be told
      */
     static String system(MapBytes file) throws IOException {
-        ModelLimits.range(file.getName(), "the file's size", file.size(), 1, MOST);
+        FileLimits.range(file.getName(), "the file's size", file.size(), 1, MOST);
         String text = new String(file.read("the text", 0, (int) file.size()), StandardCharsets.UTF_8).trim();
         Matcher number = AUTHORITY.matcher(text);
         if (number.find()) {
@@ -52,7 +52,7 @@ final class EsriProjection {
         if (own != null) {
             return own;
         }
-        throw ModelLimits.wrong(file.getName(), "the coordinate system", text.replaceAll("\\s+", " "),
+        throw FileLimits.wrong(file.getName(), "the coordinate system", text.replaceAll("\\s+", " "),
             "one with AUTHORITY[\"EPSG\",...], a UTM zone of WGS 84, NAD 83 or ETRS 89, longitude and latitude, or "
                 + "Lambert's, Albers' or a transverse Mercator projection on a datum that is WGS 84 within two metres");
     }

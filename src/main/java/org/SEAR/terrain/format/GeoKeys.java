@@ -3,7 +3,7 @@ package org.SEAR.terrain.format;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
-import org.SEAR.project.models.ModelLimits;
+import org.SEAR.files.FileLimits;
 import org.SEAR.terrain.tiff.TiffFile;
 
 /** Where a GeoTIFF says that it lies (OGC GeoTIFF 1.1). */
@@ -51,7 +51,7 @@ final class GeoKeys {
         if (unit != 0 && unit != USER_DEFINED) {
             Double metres = METRES.get(unit);
             if (metres == null) {
-                throw ModelLimits.wrong(file.name, "the unit of heights", "EPSG " + unit, "9001 (metre), 9002 (foot) or 9003 (US survey foot)");
+                throw FileLimits.wrong(file.name, "the unit of heights", "EPSG " + unit, "9001 (metre), 9002 (foot) or 9003 (US survey foot)");
             }
             return metres;
         }
@@ -69,13 +69,13 @@ final class GeoKeys {
         } else if (matrix != null && matrix.length == 16) {
             corner = new Georeference(system(), matrix[3], matrix[7], matrix[0], matrix[4], matrix[1], matrix[5]);
         } else if (ties != null && ties.length > 6) {
-            throw ModelLimits.wrong(file.name, "the place", ties.length / 6 + " control points", "ModelPixelScale and ModelTiepoint, or "
+            throw FileLimits.wrong(file.name, "the place", ties.length / 6 + " control points", "ModelPixelScale and ModelTiepoint, or "
                 + "ModelTransformation: warp it first, for example by gdalwarp");
         } else {
             return null;
         }
         if (!corner.isRegular()) {
-            throw ModelLimits.wrong(file.name, "the place of the pixels", corner.x0 + ", " + corner.y0 + " in steps of " + corner.xColumn + ", "
+            throw FileLimits.wrong(file.name, "the place of the pixels", corner.x0 + ", " + corner.y0 + " in steps of " + corner.xColumn + ", "
                 + corner.yRow, "finite numbers, steps other than 0");
         }
         return keys.getOrDefault(RASTER_TYPE, 1) == PIXEL_IS_POINT ? corner : corner.from(0.5, 0.5);
@@ -90,11 +90,11 @@ final class GeoKeys {
         }
         boolean geocentric = keys.getOrDefault(MODEL_TYPE, 0) == GEOCENTRIC;
         if (geocentric || projected == USER_DEFINED || projected == 0 && geographic == USER_DEFINED) {
-            throw ModelLimits.wrong(file.name, "the coordinate system", geocentric ? "geocentric" : "defined by user",
+            throw FileLimits.wrong(file.name, "the coordinate system", geocentric ? "geocentric" : "defined by user",
                 "one with an EPSG number: bring it to one, for example by gdalwarp -t_srs EPSG:4326");
         }
         if (projected == 0 && geographic != 0 && keys.getOrDefault(ANGULAR_UNITS, DEGREE) != DEGREE) {
-            throw ModelLimits.wrong(file.name, "the unit of angles", "EPSG " + keys.get(ANGULAR_UNITS), DEGREE + " (degree)");
+            throw FileLimits.wrong(file.name, "the unit of angles", "EPSG " + keys.get(ANGULAR_UNITS), DEGREE + " (degree)");
         }
         int number = projected != 0 ? projected : geographic;
         return number == 0 ? null : "EPSG:" + number;

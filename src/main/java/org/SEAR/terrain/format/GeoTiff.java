@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.SEAR.project.models.ModelLimits;
+import org.SEAR.files.FileLimits;
 import org.SEAR.terrain.tiff.MapBytes;
 import org.SEAR.terrain.tiff.TiffFile;
 import org.SEAR.terrain.tiff.TiffImage;
@@ -43,10 +43,10 @@ final class GeoTiff extends ElevationMap {
         TiffFile file = new TiffFile(bytes);
         TiffImage image = new TiffImage(file);
         if (image.samples != 1) {
-            throw ModelLimits.wrong(file.name, "SamplesPerPixel", image.samples, "1, the height (several are colours: such a file goes to setImage)");
+            throw FileLimits.wrong(file.name, "SamplesPerPixel", image.samples, "1, the height (several are colours: such a file goes to setImage)");
         }
         if (image.rows < 2 || image.columns < 2) {
-            throw ModelLimits.wrong(file.name, "the size", image.rows + " x " + image.columns, "at least 2 x 2 posts");
+            throw FileLimits.wrong(file.name, "the size", image.rows + " x " + image.columns, "at least 2 x 2 posts");
         }
         GeoKeys keys = new GeoKeys(file);
         double unit = unit(file, keys);
@@ -62,7 +62,7 @@ final class GeoTiff extends ElevationMap {
         Double metres = UNITS.get(name.toLowerCase(Locale.ROOT));
         if (metres == null) {
             String legal = "one of " + String.join(", ", new TreeSet<>(UNITS.keySet()));
-            throw ModelLimits.wrong(file.name, "GDAL's unit of heights", '"' + name + '"', legal);
+            throw FileLimits.wrong(file.name, "GDAL's unit of heights", '"' + name + '"', legal);
         }
         return metres;
     }
@@ -83,7 +83,7 @@ final class GeoTiff extends ElevationMap {
         try {
             return Double.parseDouble(item);
         } catch (NumberFormatException e) {
-            throw ModelLimits.wrong(file.name, "GDAL's " + role, '"' + item + '"', "a number");
+            throw FileLimits.wrong(file.name, "GDAL's " + role, '"' + item + '"', "a number");
         }
     }
 
@@ -95,7 +95,7 @@ final class GeoTiff extends ElevationMap {
         try {
             return Double.parseDouble(text.trim().replaceFirst("(?i)^([-+]?)(nan)$", "NaN").replaceFirst("(?i)^([-+]?)inf.*$", "$1Infinity"));
         } catch (NumberFormatException e) {
-            throw ModelLimits.wrong(file.name, "GDAL_NODATA", '"' + text + '"', "a number");
+            throw FileLimits.wrong(file.name, "GDAL_NODATA", '"' + text + '"', "a number");
         }
     }
 

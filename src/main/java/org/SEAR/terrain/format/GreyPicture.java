@@ -13,8 +13,8 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
-import org.SEAR.project.models.ModelLimits;
-import org.SEAR.project.models.UnreadablePicture;
+import org.SEAR.files.FileLimits;
+import org.SEAR.files.UnreadablePicture;
 
 /** A picture of 8 or 16 bits whose greys are heights: black the lowest, white the highest. It has no place on Earth. */
 final class GreyPicture extends ElevationMap {
@@ -28,16 +28,16 @@ final class GreyPicture extends ElevationMap {
     /**
      * Unpacks a picture.
      *
-     * @param bytes checked ones, see {@link org.SEAR.project.models.Assets#readPicture}
+     * @param bytes checked ones, see {@link org.SEAR.files.Assets#readPicture}
      */
     static GreyPicture open(String name, byte[] bytes) throws IOException {
         BufferedImage image = unpacked(name, bytes);
         if (image.getColorModel() instanceof IndexColorModel) {
-            throw ModelLimits.wrong(name, "the picture", "one with a palette", "greys of 8 or 16 bits");
+            throw FileLimits.wrong(name, "the picture", "one with a palette", "greys of 8 or 16 bits");
         }
         int bits = image.getSampleModel().getSampleSize(0);
         if (bits != 8 && bits != 16) {
-            throw ModelLimits.wrong(name, "the picture's depth", bits + " bits", "8 or 16 bits of grey");
+            throw FileLimits.wrong(name, "the picture's depth", bits + " bits", "8 or 16 bits of grey");
         }
         return new GreyPicture(name, image.getRaster(), bits);
     }
@@ -62,9 +62,9 @@ final class GreyPicture extends ElevationMap {
     }
 
     private static void requireSize(String name, int rows, int columns) throws IOException {
-        ModelLimits.range(name, "the number of pixels", (long) rows * columns, 4, MapLimits.MAX_POSTS);
+        FileLimits.range(name, "the number of pixels", (long) rows * columns, 4, MapLimits.MAX_POSTS);
         if (rows < 2 || columns < 2) {
-            throw ModelLimits.wrong(name, "the size", rows + " x " + columns, "at least 2 x 2 pixels");
+            throw FileLimits.wrong(name, "the size", rows + " x " + columns, "at least 2 x 2 pixels");
         }
     }
 
@@ -79,7 +79,7 @@ final class GreyPicture extends ElevationMap {
             for (int band = 1; band < colours && colours == 3; band++) {
                 raster.getSamples(column, row + r, width, 1, band, other);
                 if (!Arrays.equals(line, other)) {
-                    throw ModelLimits.wrong(name, "the picture", "coloured (row " + (row + r) + ")", "greys of 8 or 16 bits");
+                    throw FileLimits.wrong(name, "the picture", "coloured (row " + (row + r) + ")", "greys of 8 or 16 bits");
                 }
             }
             for (int c = 0; c < width; c++) {

@@ -1,7 +1,7 @@
 package org.SEAR.terrain.format;
 
 import java.io.IOException;
-import org.SEAR.project.models.ModelLimits;
+import org.SEAR.files.FileLimits;
 import org.SEAR.terrain.tiff.MapBytes;
 
 /** The words of a text between white space, read piece by piece, and the numbers that they are. One thread at a time. */
@@ -44,17 +44,17 @@ final class MapWords {
         int c = read();
         for (int white = 0; isWhite(c); white++) {
             if (white == WIDEST) {
-                throw ModelLimits.wrong(file.getName(), "the white space before byte " + place(), "more than " + WIDEST + " characters", "less");
+                throw FileLimits.wrong(file.getName(), "the white space before byte " + place(), "more than " + WIDEST + " characters", "less");
             }
             c = read();
         }
         if (c >= 0 && c < ' ') {
-            throw ModelLimits.wrong(file.getName(), "the character at byte " + place(), c, "text: numbers of an ESRI ASCII grid (is it another"
+            throw FileLimits.wrong(file.getName(), "the character at byte " + place(), c, "text: numbers of an ESRI ASCII grid (is it another"
                 + " file, or one that was not written to its end?)");
         }
         while (c > ' ') {
             if (length == LONGEST) {
-                throw ModelLimits.wrong(file.getName(), "the text", '"' + text() + "...\"", "numbers of an ESRI ASCII grid");
+                throw FileLimits.wrong(file.getName(), "the text", '"' + text() + "...\"", "numbers of an ESRI ASCII grid");
             }
             word[length++] = (char) c;
             c = read();
@@ -105,12 +105,12 @@ final class MapWords {
      */
     static double number(String file, String what, String text) throws IOException {
         if (text.isEmpty()) {
-            throw ModelLimits.wrong(file, what, "missing", "a number (is the file cut off?)");
+            throw FileLimits.wrong(file, what, "missing", "a number (is the file cut off?)");
         }
         try {
             return Double.parseDouble(text.replace(',', '.'));
         } catch (NumberFormatException e) {
-            throw ModelLimits.wrong(file, what, '"' + text + '"', "a number");
+            throw FileLimits.wrong(file, what, '"' + text + '"', "a number");
         }
     }
 }

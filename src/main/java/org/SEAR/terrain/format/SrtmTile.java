@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipException;
 import java.util.zip.ZipInputStream;
-import org.SEAR.project.models.ModelLimits;
+import org.SEAR.files.FileLimits;
 import org.SEAR.terrain.tiff.MapBytes;
 
 /**
@@ -39,7 +39,7 @@ final class SrtmTile extends ElevationMap {
     static SrtmTile open(MapBytes file) throws IOException {
         MapBytes bytes = file.getName().toLowerCase(Locale.ROOT).endsWith(".zip") ? unpacked(file) : file;
         if (!isTile(bytes.size())) {
-            throw ModelLimits.wrong(file.getName(), "the tile's size", bytes.size() + " bytes",
+            throw FileLimits.wrong(file.getName(), "the tile's size", bytes.size() + " bytes",
                 "2884802 (1201 x 1201 posts, 3 arc seconds) or 25934402 (3601 x 3601, 1 arc second)");
         }
         int side = (int) Math.round(Math.sqrt(bytes.size() / 2.0));
@@ -50,18 +50,18 @@ final class SrtmTile extends ElevationMap {
         String file = path.substring(path.lastIndexOf('/') + 1);
         Matcher name = NAME.matcher(file);
         if (!name.matches()) {
-            throw ModelLimits.wrong(path, "the file's name", file, "a tile is named after its south-west corner, such as N36W085.hgt");
+            throw FileLimits.wrong(path, "the file's name", file, "a tile is named after its south-west corner, such as N36W085.hgt");
         }
         int latitude = Integer.parseInt(name.group(2)) * (name.group(1).equalsIgnoreCase("N") ? 1 : -1);
         int longitude = Integer.parseInt(name.group(4)) * (name.group(3).equalsIgnoreCase("E") ? 1 : -1);
-        ModelLimits.range(path, "the latitude in the file's name", latitude, -90, 89);
-        ModelLimits.range(path, "the longitude in the file's name", longitude, -180, 179);
+        FileLimits.range(path, "the latitude in the file's name", latitude, -90, 89);
+        FileLimits.range(path, "the longitude in the file's name", longitude, -180, 179);
         double step = 1.0 / (side - 1);
         return new Georeference(Georeference.WGS84, longitude, latitude + 1, step, 0, 0, -step);
     }
 
     private static MapBytes unpacked(MapBytes file) throws IOException {
-        ModelLimits.range(file.getName(), "the file's size", file.size(), 1, MapBytes.MAX_UNPACKED);
+        FileLimits.range(file.getName(), "the file's size", file.size(), 1, MapBytes.MAX_UNPACKED);
         byte[] packed = file.read("the file", 0, (int) file.size());
         file.close();
         try (ZipInputStream zip = new ZipInputStream(new ByteArrayInputStream(packed))) {
@@ -70,7 +70,7 @@ final class SrtmTile extends ElevationMap {
                 if (entry.getName().toLowerCase(Locale.ROOT).endsWith(".hgt")) {
                     byte[] tile = zip.readNBytes(2 * 3601 * 3601 + 1);
                     if (tile.length > 2 * 3601 * 3601) {
-                        throw ModelLimits.wrong(file.getName(), "the size of " + entry.getName() + " in it",
+                        throw FileLimits.wrong(file.getName(), "the size of " + entry.getName() + " in it",
                             "more than " + 2 * 3601 * 3601 + " bytes", "2884802 or 25934402");
                     }
                     return MapBytes.of(file.getName(), tile);
@@ -83,7 +83,7 @@ final class SrtmTile extends ElevationMap {
         } catch (ZipException | EOFException | IllegalArgumentException e) {
             throw new IOException(file.getName() + ": the zip is broken (" + e.getMessage() + "), legal: a whole zip with a .hgt inside", e);
         }
-        throw ModelLimits.wrong(file.getName(), "what is in the zip", "no .hgt among the first " + MAX_ENTRIES + " files",
+        throw FileLimits.wrong(file.getName(), "what is in the zip", "no .hgt among the first " + MAX_ENTRIES + " files",
             "a zip with a .hgt inside");
     }
 
@@ -94,7 +94,7 @@ final class SrtmTile extends ElevationMap {
         for (int count = zip.read(some); count >= 0; count = zip.read(some)) {
             left -= count;
             if (left < 0) {
-                throw ModelLimits.wrong(name, "a file in the zip", "more than " + MapBytes.MAX_UNPACKED + " bytes", "a zip with a .hgt inside");
+                throw FileLimits.wrong(name, "a file in the zip", "more than " + MapBytes.MAX_UNPACKED + " bytes", "a zip with a .hgt inside");
             }
         }
         return zip.getNextEntry();

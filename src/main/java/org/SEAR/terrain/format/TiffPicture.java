@@ -2,7 +2,7 @@ package org.SEAR.terrain.format;
 
 import java.io.Closeable;
 import java.io.IOException;
-import org.SEAR.project.models.ModelLimits;
+import org.SEAR.files.FileLimits;
 import org.SEAR.terrain.tiff.MapBytes;
 import org.SEAR.terrain.tiff.TiffFile;
 import org.SEAR.terrain.tiff.TiffImage;
@@ -36,17 +36,17 @@ public final class TiffPicture implements Closeable {
         TiffFile file = new TiffFile(bytes);
         TiffImage image = new TiffImage(file);
         if (image.sampleBytes != 1 || image.sampleFormat != 1 || image.samples > 4) {
-            throw ModelLimits.wrong(file.name, "the pixels", image.samples + " values of " + 8 * image.sampleBytes + " bits",
+            throw FileLimits.wrong(file.name, "the pixels", image.samples + " values of " + 8 * image.sampleBytes + " bits",
                 "1 to 4 values of 8 bits without sign: grey, or red, green and blue, and transparency");
         }
         int photometric = file.number(262, "PhotometricInterpretation", 1, 0, 65535);
         if (photometric == PALETTE || photometric >= CMYK) {
-            throw ModelLimits.wrong(file.name, "PhotometricInterpretation", photometric,
+            throw FileLimits.wrong(file.name, "PhotometricInterpretation", photometric,
                 "0, 1 (grey) or 2 (red, green, blue), for example by gdal_translate -expand rgb");
         }
         Georeference place = new GeoKeys(file).place();
         if (place == null || place.system == null) {
-            throw ModelLimits.wrong(file.name, "the place on Earth", "not known",
+            throw FileLimits.wrong(file.name, "the place on Earth", "not known",
                 "a GeoTIFF with a coordinate system; any other picture fills the area");
         }
         return new TiffPicture(image, place);
@@ -86,7 +86,7 @@ public final class TiffPicture implements Closeable {
     private byte[][] blocks(int down, int from, int count, int column, int width) throws IOException {
         int first = column / image.blockColumns;
         int many = (column + width - 1) / image.blockColumns - first + 1;
-        ModelLimits.range(image.file.name, "the size of a row of tiles", many * image.rowBytes() * count * (image.together ? 1 : image.samples), 0,
+        FileLimits.range(image.file.name, "the size of a row of tiles", many * image.rowBytes() * count * (image.together ? 1 : image.samples), 0,
             TiffImage.MAX_BLOCK);
         int planes = image.together ? 1 : image.samples;
         byte[][] blocks = new byte[many * planes][];

@@ -8,8 +8,8 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import org.SEAR.project.models.Assets;
-import org.SEAR.project.models.ModelLimits;
+import org.SEAR.files.Assets;
+import org.SEAR.files.FileLimits;
 
 /**
  * The bytes of a map's file, of which only those are read that are asked for: a file that is larger than what is used of it takes no more memory.
@@ -31,7 +31,7 @@ public final class MapBytes implements Closeable {
         this.channel = channel;
         this.bytes = bytes;
         this.size = size;
-        ModelLimits.range(name, "the file's size", size, 1, MAX_FILE);
+        FileLimits.range(name, "the file's size", size, 1, MAX_FILE);
     }
 
     /**
@@ -45,7 +45,7 @@ public final class MapBytes implements Closeable {
         if (!Files.isRegularFile(file)) {
             try (InputStream in = assets.open(path)) {
                 byte[] all = in.readNBytes(MAX_UNPACKED + 1);
-                ModelLimits.range(path, "the file's size", all.length, 1, MAX_UNPACKED);
+                FileLimits.range(path, "the file's size", all.length, 1, MAX_UNPACKED);
                 return of(path, all);
             }
         }
@@ -119,7 +119,7 @@ public final class MapBytes implements Closeable {
      */
     public void requirePart(String what, long position, long length) throws IOException {
         if (position < 0 || length < 0 || position > size || length > size - position) {
-            throw ModelLimits.wrong(name, what, length + " bytes at " + position, "inside the file, which has " + size + " bytes (is it cut off?)");
+            throw FileLimits.wrong(name, what, length + " bytes at " + position, "inside the file, which has " + size + " bytes (is it cut off?)");
         }
     }
 

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.Map;
 import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
-import org.SEAR.project.models.ModelLimits;
+import org.SEAR.files.FileLimits;
 
 /** Unpacks a strip or tile into an array whose size is known before: what is packed can't make it larger. Any thread. */
 final class TiffDecoder {
@@ -23,7 +23,7 @@ final class TiffDecoder {
     /** Refuses what can't be unpacked. */
     static void require(String file, int compression) throws IOException {
         if (compression != NONE && compression != LZW && compression != DEFLATE && compression != OLD_DEFLATE && compression != PACK_BITS) {
-            throw ModelLimits.wrong(file, "Compression", compression + OTHERS.entrySet().stream().filter(other -> other.getKey() == compression)
+            throw FileLimits.wrong(file, "Compression", compression + OTHERS.entrySet().stream().filter(other -> other.getKey() == compression)
                 .map(other -> " (" + other.getValue() + ")").findAny().orElse(""), "1 (none), 5 (LZW), 8 (deflate) or 32773 (PackBits), "
                 + "for example by gdal_translate -co COMPRESS=DEFLATE");
         }
@@ -45,7 +45,7 @@ final class TiffDecoder {
             count = inflate(file, what, packed, into);
         }
         if (count < into.length) {
-            throw ModelLimits.wrong(file, what, "cut off after " + count + " bytes", "at least " + into.length);
+            throw FileLimits.wrong(file, what, "cut off after " + count + " bytes", "at least " + into.length);
         }
     }
 

@@ -6,7 +6,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.Map;
-import org.SEAR.project.models.ModelLimits;
+import org.SEAR.files.FileLimits;
 
 /**
  * The first image of a TIFF or BigTIFF: its tags. Overviews and masks, which follow it, are not looked at, so that a chain of directories that bites
@@ -41,7 +41,7 @@ public final class TiffFile {
         int version = ByteBuffer.wrap(head).order(order).getShort(2);
         this.big = version == 43;
         if (version != 42 && version != 43) {
-            throw ModelLimits.wrong(name, "the version of the TIFF", version, "42, or 43 for a BigTIFF");
+            throw FileLimits.wrong(name, "the version of the TIFF", version, "42, or 43 for a BigTIFF");
         }
         readTags(big ? part("the head", 8, 8).getLong() : Integer.toUnsignedLong(ByteBuffer.wrap(head).order(order).getInt(4)));
     }
@@ -55,7 +55,7 @@ public final class TiffFile {
         int size = big ? 20 : 12;
         ByteBuffer first = part("the directory", start, counter);
         long count = big ? first.getLong() : Short.toUnsignedInt(first.getShort());
-        ModelLimits.range(name, "the number of tags", count, 1, MAX_TAGS);
+        FileLimits.range(name, "the number of tags", count, 1, MAX_TAGS);
         ByteBuffer all = part("the directory", start + counter, (int) count * size);
         for (int i = 0; i < count; i++) {
             int at = i * size;
@@ -81,7 +81,7 @@ public final class TiffFile {
         if (found == null) {
             return null;
         }
-        ModelLimits.range(name, "the number of values of " + what, found.count, 1, most);
+        FileLimits.range(name, "the number of values of " + what, found.count, 1, most);
         return part(what, found.position, (int) (found.count * SIZES[found.type]));
     }
 
@@ -109,7 +109,7 @@ public final class TiffFile {
             } else if (type == BYTE) {
                 numbers[i] = in.get() & 0xff;
             } else {
-                throw ModelLimits.wrong(name, "the type of " + what, type, "a whole number (1, 3, 4, 13, 16, 17 or 18)");
+                throw FileLimits.wrong(name, "the type of " + what, type, "a whole number (1, 3, 4, 13, 16, 17 or 18)");
             }
         }
         return numbers;
@@ -119,7 +119,7 @@ public final class TiffFile {
     public int number(int tag, String what, int without, int low, int high) throws IOException {
         long[] numbers = longs(tag, what, 1 << 16);
         long value = numbers == null ? without : numbers[0];
-        ModelLimits.range(name, what, value, low, high);
+        FileLimits.range(name, what, value, low, high);
         return (int) value;
     }
 
@@ -131,7 +131,7 @@ public final class TiffFile {
         }
         int type = tags.get(tag).type;
         if (type != DOUBLE && type != FLOAT) {
-            throw ModelLimits.wrong(name, "the type of " + what, type, "float or double (11 or 12)");
+            throw FileLimits.wrong(name, "the type of " + what, type, "float or double (11 or 12)");
         }
         double[] numbers = new double[(int) tags.get(tag).count];
         for (int i = 0; i < numbers.length; i++) {

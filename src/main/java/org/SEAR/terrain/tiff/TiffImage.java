@@ -3,7 +3,7 @@ package org.SEAR.terrain.tiff;
 import java.io.IOException;
 import java.nio.ByteOrder;
 import java.util.Arrays;
-import org.SEAR.project.models.ModelLimits;
+import org.SEAR.files.FileLimits;
 
 /** How the first image of a TIFF is cut into strips or tiles, and the unpacked bytes of each. One thread at a time. */
 public final class TiffImage {
@@ -62,11 +62,11 @@ public final class TiffImage {
         predictor = compression == TiffDecoder.NONE ? 1 : file.number(317, "Predictor", 1, 1, 3);
         file.number(266, "FillOrder", 1, 1, 1);
         if (sampleFormat < 1 || sampleFormat > 3 || sampleFormat == 3 && sampleBytes < 4) {
-            throw ModelLimits.wrong(file.name, "SampleFormat", sampleFormat + " with " + 8 * sampleBytes + " bits",
+            throw FileLimits.wrong(file.name, "SampleFormat", sampleFormat + " with " + 8 * sampleBytes + " bits",
                 "1 (unsigned), 2 (signed), or with 32 or 64 bits 3 (floating point)");
         }
         if (predictor == 3 && sampleFormat != 3) {
-            throw ModelLimits.wrong(file.name, "Predictor", 3, "1 or 2 for whole numbers");
+            throw FileLimits.wrong(file.name, "Predictor", 3, "1 or 2 for whole numbers");
         }
         bigEndian = predictor == 3 || file.order == ByteOrder.BIG_ENDIAN;
         tiled = file.has(322);
@@ -75,10 +75,10 @@ public final class TiffImage {
         blocksAcross = (columns + blockColumns - 1) / blockColumns;
         blocksDown = (rows + blockRows - 1) / blockRows;
         long blocks = (long) blocksAcross * blocksDown * (together ? 1 : samples);
-        ModelLimits.range(file.name, "the number of strips or tiles", blocks, 1, MAX_BLOCKS);
+        FileLimits.range(file.name, "the number of strips or tiles", blocks, 1, MAX_BLOCKS);
         offsets = table(tiled ? 324 : 273, tiled ? "TileOffsets" : "StripOffsets", (int) blocks);
         counts = table(tiled ? 325 : 279, tiled ? "TileByteCounts" : "StripByteCounts", (int) blocks);
-        ModelLimits.range(file.name, "the size of a row of a strip or tile", rowBytes(), 1, MAX_BLOCK);
+        FileLimits.range(file.name, "the size of a row of a strip or tile", rowBytes(), 1, MAX_BLOCK);
     }
 
     private int rowsPerStrip() throws IOException {
@@ -86,14 +86,14 @@ public final class TiffImage {
         if (given == null || given[0] >= rows) {
             return rows;
         }
-        ModelLimits.range(file.name, "RowsPerStrip", given[0], 1, Integer.MAX_VALUE);
+        FileLimits.range(file.name, "RowsPerStrip", given[0], 1, Integer.MAX_VALUE);
         return (int) given[0];
     }
 
     private int sampleBytes() throws IOException {
         int bits = sameFor("BitsPerSample", 258, 1);
         if (bits != 8 && bits != 16 && bits != 32 && bits != 64) {
-            throw ModelLimits.wrong(file.name, "BitsPerSample", bits, "8, 16, 32 or 64");
+            throw FileLimits.wrong(file.name, "BitsPerSample", bits, "8, 16, 32 or 64");
         }
         return bits / 8;
     }
@@ -105,7 +105,7 @@ public final class TiffImage {
         }
         for (long value : values) {
             if (value != values[0]) {
-                throw ModelLimits.wrong(file.name, what, Arrays.toString(values), "the same for all values of a pixel");
+                throw FileLimits.wrong(file.name, what, Arrays.toString(values), "the same for all values of a pixel");
             }
         }
         return (int) Math.min(values[0], 65535);
@@ -114,7 +114,7 @@ public final class TiffImage {
     private long[] table(int tag, String what, int blocks) throws IOException {
         long[] values = file.longs(tag, what, MAX_BLOCKS);
         if (values == null || values.length < blocks) {
-            throw ModelLimits.wrong(file.name, "the number of values of " + what, values == null ? 0 : values.length, String.valueOf(blocks));
+            throw FileLimits.wrong(file.name, "the number of values of " + what, values == null ? 0 : values.length, String.valueOf(blocks));
         }
         return values;
     }
@@ -131,7 +131,7 @@ public final class TiffImage {
         long across = (column + width - 1) / blockColumns - column / blockColumns + 1L;
         long many = down * across * (together ? 1 : samples);
         if (many > MAX_READ) {
-            throw ModelLimits.wrong(file.name, "the number of strips or tiles in the area", many, "1 to " + MAX_READ + ": cut the map, or give it"
+            throw FileLimits.wrong(file.name, "the number of strips or tiles in the area", many, "1 to " + MAX_READ + ": cut the map, or give it"
                 + " tiles of 256 x 256, for example by gdal_translate -co TILED=YES");
         }
     }
@@ -183,17 +183,17 @@ public final class TiffImage {
             return null;
         }
         int rowBytes = (int) rowBytes();
-        ModelLimits.range(file.name, "the size of " + what, (long) rowBytes * (compression == TiffDecoder.NONE ? count : from + count), 1, MAX_BLOCK);
+        FileLimits.range(file.name, "the size of " + what, (long) rowBytes * (compression == TiffDecoder.NONE ? count : from + count), 1, MAX_BLOCK);
         if (compression == TiffDecoder.NONE) {
             file.bytes.requirePart(what, offsets[block], (long) rowBytes * (from + count));
             return file.bytes.read(what, offsets[block] + (long) from * rowBytes, count * rowBytes);
         }
-        ModelLimits.range(file.name, "the number of bytes of " + what, counts[block], 1, MAX_BLOCK);
+        FileLimits.range(file.name, "the number of bytes of " + what, counts[block], 1, MAX_BLOCK);
         byte[] packed = file.bytes.read(what, offsets[block], (int) counts[block]);
         byte[] all = new byte[(from + count) * rowBytes];
         unpacked += all.length;
         if (unpacked > MAX_UNPACKED) {
-            throw ModelLimits.wrong(file.name, "what has to be unpacked for the area", "more than " + MAX_UNPACKED + " bytes",
+            throw FileLimits.wrong(file.name, "what has to be unpacked for the area", "more than " + MAX_UNPACKED + " bytes",
                 "less: cut the map, for example by gdal_translate -projwin");
         }
         TiffDecoder.unpack(file.name, what, compression, packed, all);

@@ -1,7 +1,7 @@
 package org.SEAR.terrain.tiff;
 
 import java.io.IOException;
-import org.SEAR.project.models.ModelLimits;
+import org.SEAR.files.FileLimits;
 
 /** LZW as in TIFF 6.0, section 13: codes of 9 to 12 bits, most significant bit first, one bit longer one code early. */
 final class TiffLzw {
@@ -26,11 +26,11 @@ final class TiffLzw {
     /** How many bytes it was, at most as many as there is room for. */
     static int unpack(String file, String what, byte[] packed, byte[] into) throws IOException {
         if (packed.length > 1 && packed[0] == 0 && (packed[1] & 1) == 1) {
-            throw ModelLimits.wrong(file, what, "packed with the LZW of before TIFF 6.0", "LZW of TIFF 6.0, such as of GDAL");
+            throw FileLimits.wrong(file, what, "packed with the LZW of before TIFF 6.0", "LZW of TIFF 6.0, such as of GDAL");
         }
         int count = new TiffLzw(packed, into).unpack();
         if (count < 0) {
-            throw ModelLimits.wrong(file, what, "broken (an LZW code that stands for nothing yet)", "LZW");
+            throw FileLimits.wrong(file, what, "broken (an LZW code that stands for nothing yet)", "LZW");
         }
         return count;
     }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.TreeMap;
 import org.SEAR.POJOs.Model;
+import org.SEAR.files.Assets;
 import org.SEAR.geometry.Triangles;
 
 /** A small whole model in each format, for tests that change them. */

@@ -7,10 +7,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
 import org.SEAR.POJOs.Assembly;
-import org.SEAR.POJOs.Parameter;
-import org.SEAR.POJOs.ParameterTable;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.POJOs.TextRule;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ParameterTable;
+import org.SEAR.grammar.TextRule;
 
 /** Legal objects of a class of the grammar: without all that is optional, with each parameter alone, and with as many as go together. */
 final class EveryParameter {

@@ -6,28 +6,20 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.Base64;
-import java.util.Collections;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.UUID;
 import org.SEAR.POJOs.Shape;
+import org.SEAR.files.Assets;
 import org.SEAR.geometry.SurfaceMesh;
-import org.SEAR.project.models.Assets;
 import org.SEAR.simulator.Simulation;
 
 /**
  * What shapes look like, for the panels' view in space. A world tells of each shape the number of its look, which shapes that look alike share, and
  * the path of its picture; a panel asks for those that it has not got yet, large looks in parts.
- *
- * <pre>
- * {"key": "6f1e../0", "parts": 1, "vertices": 36 (three a triangle), "low": [x, y, z], "high": [x, y, z] (of the whole look, metres),
- *  "positions": ".." (base64 of 16 bits a coordinate, low byte first: 0 is low, 65535 high),
- *  "normals": ".." (base64 of 8 bits a coordinate, 127 is 1), "pictures": ".." (base64 of two floats a vertex, low byte first)}
- * {"key": "picture textures/grass.png", "data": "data:image/jpeg;base64,..", "problem": null}
- * </pre>
  *
  * <p>It knows the shapes of the last world that it was given, and no others. Any thread.
  */
@@ -62,17 +54,14 @@ final class Looks {
     }
 
     /**
-     * Puts into a shape's map how it looks.
+     * Says of a shape how it looks.
      *
      * @param inWorld that was begun
      */
-    synchronized void add(Map<String, Object> map, Shape shape, Simulation inWorld) {
-        map.put("look", known.computeIfAbsent(shape, one -> learn(inWorld.getSurface(one))));
-        String picture = shape.getPicture();
-        map.put("picture", picture);
-        if (picture != null) {
-            pictures.put(PICTURE + picture, picture);
-        }
+    synchronized void add(WorldState.Thing thing, Shape shape, Simulation inWorld) {
+        thing.look = known.computeIfAbsent(shape, one -> learn(inWorld.getSurface(one)));
+        thing.picture = Optional.ofNullable(shape.getPicture());
+        thing.picture.ifPresent(picture -> pictures.put(PICTURE + picture, picture));
     }
 
     private String learn(SurfaceMesh surface) {
@@ -105,76 +94,91 @@ final class Looks {
             if (size > ENOUGH) {
                 break;
             }
-            Map<String, Object> one = pictures.containsKey(key) ? picture(key) : look(key);
-            if (!one.isEmpty()) {
-                found.add(one);
-                size += one.values().stream().mapToInt(value -> value instanceof String ? ((String) value).length() : 0).sum();
+            JsonForm one = pictures.containsKey(key) ? new PictureForm(key, pictures.get(key), assets) : part(key);
+            if (one != null) {
+                Map<String, Object> map = one.map();
+                found.add(map);
+                size += map.values().stream().mapToInt(value -> value instanceof String ? ((String) value).length() : 0).sum();
             }
         }
         return found;
     }
 
-    private Map<String, Object> picture(String key) {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("key", key);
-        try {
-            map.put("data", SmallPicture.of(assets.readPicture(pictures.get(key)), pictures.get(key)));
-        } catch (IOException e) {
-            map.put("data", null);
-            map.put("problem", e.getMessage());
-        }
-        return map;
-    }
-
-    private Map<String, Object> look(String key) {
+    /** Null for none. */
+    private Part part(String key) {
         int slash = key.lastIndexOf('/');
         SurfaceMesh surface = slash < 0 ? null : looks.get(key.substring(0, slash));
         int part = surface == null || !key.substring(slash + 1).matches("\\d{1,4}") ? -1 : Integer.parseInt(key.substring(slash + 1));
         int parts = surface == null ? 0 : (surface.getIndices().length + CORNERS * PART - 1) / (CORNERS * PART);
-        return part < 0 || part >= parts ? Collections.emptyMap() : look(key, surface, part, parts);
+        return part < 0 || part >= parts ? null : new Part(key, surface, part, parts);
     }
 
-    private static Map<String, Object> look(String key, SurfaceMesh surface, int part, int parts) {
-        float[] positions = surface.getPositions();
-        double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
-        double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
-        for (int i = 0; i < positions.length; i++) {
-            low[i % CORNERS] = Math.min(low[i % CORNERS], positions[i]);
-            high[i % CORNERS] = Math.max(high[i % CORNERS], positions[i]);
-        }
-        int[] indices = surface.getIndices();
-        int first = CORNERS * PART * part;
-        int count = Math.min(indices.length - first, CORNERS * PART);
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("key", key);
-        map.put("parts", parts);
-        map.put("vertices", count);
-        map.put("low", low);
-        map.put("high", high);
-        addVertices(map, surface, first, count);
-        return map;
-    }
+    /** A picture of a project. */
+    private static final class PictureForm extends JsonForm {
+        /** {@code picture textures/grass.png}. */
+        final String key;
+        /** {@code data:image/jpeg;base64,..}; none if it can't be read. */
+        final Optional<String> data;
+        /** Why it can't. */
+        final String problem;
 
-    private static void addVertices(Map<String, Object> map, SurfaceMesh surface, int first, int count) {
-        int[] indices = surface.getIndices();
-        float[] positions = surface.getPositions();
-        float[] normals = surface.getNormals();
-        float[] places = surface.getPictures();
-        double[] low = (double[]) map.get("low");
-        double[] high = (double[]) map.get("high");
-        ByteBuffer at = ByteBuffer.allocate(CORNERS * Short.BYTES * count).order(ByteOrder.LITTLE_ENDIAN);
-        ByteBuffer outward = ByteBuffer.allocate(CORNERS * count);
-        ByteBuffer picture = ByteBuffer.allocate(2 * Float.BYTES * count).order(ByteOrder.LITTLE_ENDIAN);
-        for (int i = first; i < first + count; i++) {
-            for (int axis = 0; axis < CORNERS; axis++) {
-                double size = high[axis] - low[axis];
-                at.putShort((short) Math.round(size > 0 ? (positions[CORNERS * indices[i] + axis] - low[axis]) / size * FULL : 0));
-                outward.put((byte) Math.round(normals[CORNERS * indices[i] + axis] * UNIT));
+        PictureForm(String key, String path, Assets assets) {
+            this.key = key;
+            String address = null;
+            String why = null;
+            try {
+                address = SmallPicture.of(assets.readPicture(path), path);
+            } catch (IOException e) {
+                why = e.getMessage();
             }
-            picture.putFloat(places[2 * indices[i]]).putFloat(places[2 * indices[i] + 1]);
+            data = Optional.ofNullable(address);
+            problem = why;
         }
-        map.put("positions", Base64.getEncoder().encodeToString(at.array()));
-        map.put("normals", Base64.getEncoder().encodeToString(outward.array()));
-        map.put("pictures", Base64.getEncoder().encodeToString(picture.array()));
+    }
+
+    /** A look, or a part of a large one. */
+    private static final class Part extends JsonForm {
+        /** {@code 6f1e../0}: the look, and which part of it. */
+        final String key;
+        final int parts;
+        /** Three a triangle. */
+        final int vertices;
+        /** The corner of the box around the whole look, {x, y, z}, metres; 0 in the positions. */
+        final double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+        /** The opposite corner; 65535 in the positions. */
+        final double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        /** Base64 of 16 bits a coordinate, low byte first. */
+        final String positions;
+        /** Base64 of 8 bits a coordinate, 127 is 1. */
+        final String normals;
+        /** Where in the picture, 0 to 1: base64 of two floats a vertex, low byte first. */
+        final String pictures;
+
+        Part(String key, SurfaceMesh surface, int part, int parts) {
+            this.key = key;
+            this.parts = parts;
+            int first = CORNERS * PART * part;
+            vertices = Math.min(surface.getIndices().length - first, CORNERS * PART);
+            float[] all = surface.getPositions();
+            for (int i = 0; i < all.length; i++) {
+                low[i % CORNERS] = Math.min(low[i % CORNERS], all[i]);
+                high[i % CORNERS] = Math.max(high[i % CORNERS], all[i]);
+            }
+            ByteBuffer at = ByteBuffer.allocate(CORNERS * Short.BYTES * vertices).order(ByteOrder.LITTLE_ENDIAN);
+            ByteBuffer outward = ByteBuffer.allocate(CORNERS * vertices);
+            ByteBuffer picture = ByteBuffer.allocate(2 * Float.BYTES * vertices).order(ByteOrder.LITTLE_ENDIAN);
+            for (int i = first; i < first + vertices; i++) {
+                int vertex = surface.getIndices()[i];
+                for (int axis = 0; axis < CORNERS; axis++) {
+                    double size = high[axis] - low[axis];
+                    at.putShort((short) Math.round(size > 0 ? (all[CORNERS * vertex + axis] - low[axis]) / size * FULL : 0));
+                    outward.put((byte) Math.round(surface.getNormals()[CORNERS * vertex + axis] * UNIT));
+                }
+                picture.putFloat(surface.getPictures()[2 * vertex]).putFloat(surface.getPictures()[2 * vertex + 1]);
+            }
+            positions = Base64.getEncoder().encodeToString(at.array());
+            normals = Base64.getEncoder().encodeToString(outward.array());
+            pictures = Base64.getEncoder().encodeToString(picture.array());
+        }
     }
 }

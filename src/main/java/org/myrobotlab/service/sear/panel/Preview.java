@@ -8,11 +8,12 @@ import java.nio.file.Path;
 import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Collections;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.UUID;
+import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.run.RunSettings;
@@ -20,15 +21,7 @@ import org.myrobotlab.service.sear.run.RunSettings;
 /**
  * The world as it would start, for panels while no simulation runs. Panels that are looked at ask again and again; the world is only made when a file
  * of the project has changed since, so that objects made by scripts, by hand or by a bundle are all followed, and nothing is done when nobody asks.
- *
- * <pre>
- * {"stamp": "…"}                                                    the asker has the newest one
- * {"stamp": "…", "world": {"time": 0, "objects": [..], "robots": [..], "sensors": [..]}, "problems": [], "reason": null}
- * {"stamp": "…", "world": null, "problems": [{"file", "line", "field", "value", "legal"}, ..], "reason": null}
- * {"stamp": "…", "world": null, "problems": [], "reason": "…"}      whatever else is in the way
- * </pre>
- *
- * <p>The form of a world stands at {@link WorldJson}; where there is no project yet, it has nothing in it. Any thread; one at a time.
+ * Who has the newest one gets its stamp only. Where there is no project yet, its world has nothing in it. Any thread; one at a time.
  */
 public final class Preview {
     private final Looks looks = new Looks();
@@ -40,7 +33,7 @@ public final class Preview {
         try {
             stamp = stamp(folder);
         } catch (IOException e) {
-            return answer("", null, Collections.emptyList(), folder + " can't be read: " + e);
+            return none(folder + " can't be read: " + e);
         }
         if (stamp.equals(known)) {
             return Collections.singletonMap("stamp", stamp);
@@ -53,14 +46,14 @@ public final class Preview {
 
     private Map<String, Object> make(Path folder, String stamp) {
         if (!Files.isDirectory(folder)) {
-            return answer(stamp, WorldJson.empty(), Collections.emptyList(), null);
+            return new Answer(stamp, new WorldState(), List.of(), null).map();
         }
         try (Simulation start = Simulation.load(folder, RunSettings.fromSystem().seed)) {
-            return answer(stamp, new WorldJson(looks).of(start), Collections.emptyList(), null);
+            return new Answer(stamp, new WorldJson(looks).whole(start, new WorldState()), List.of(), null).map();
         } catch (ProjectException e) {
-            return answer(stamp, null, e.getProblems(), null);
+            return new Answer(stamp, null, e.getProblems(), null).map();
         } catch (RuntimeException e) {
-            return answer(stamp, null, Collections.emptyList(), "its world can't be made: " + e);
+            return new Answer(stamp, null, List.of(), "its world can't be made: " + e).map();
         }
     }
 
@@ -71,16 +64,7 @@ public final class Preview {
 
     /** There is no world, and not because of the project. */
     public static Map<String, Object> none(String reason) {
-        return answer("", null, Collections.emptyList(), reason);
-    }
-
-    private static Map<String, Object> answer(String stamp, Object world, Object problems, String reason) {
-        Map<String, Object> answer = new LinkedHashMap<>();
-        answer.put("stamp", stamp);
-        answer.put("world", world);
-        answer.put("problems", problems);
-        answer.put("reason", reason);
-        return answer;
+        return new Answer("", null, List.of(), reason).map();
     }
 
     /** Differs when any file of the folder has changed: by name, size, time or, where there are such, by its number on the disk. */
@@ -109,5 +93,23 @@ public final class Preview {
         }
         String all = folder + " " + Files.isDirectory(folder) + " " + files;
         return UUID.nameUUIDFromBytes(all.getBytes(StandardCharsets.UTF_8)).toString();
+    }
+
+    /** What a panel gets. */
+    private static final class Answer extends JsonForm {
+        /** What to ask with again; empty if there is nothing to wait for. */
+        final String stamp;
+        /** Empty if something is in the way. */
+        final Optional<WorldState> world;
+        final List<Problem> problems;
+        /** What is in the way that is no problem of the project. */
+        final Optional<String> reason;
+
+        Answer(String stamp, WorldState world, List<Problem> problems, String reason) {
+            this.stamp = stamp;
+            this.world = Optional.ofNullable(world);
+            this.problems = problems;
+            this.reason = Optional.ofNullable(reason);
+        }
     }
 }

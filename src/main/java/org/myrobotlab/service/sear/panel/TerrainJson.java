@@ -2,10 +2,10 @@ package org.myrobotlab.service.sear.panel;
 
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Base64;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.Optional;
 import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.HeightField;
 import org.SEAR.terrain.relief.GroundPicture;
@@ -14,17 +14,8 @@ import org.SEAR.terrain.relief.Relief;
 /**
  * The ground as panels draw it, for JSON: a shaded picture and a grid of heights, both coarse enough for one message, which panels get once for each
  * ground. Metres and degrees.
- *
- * <pre>
- * {"stamp": "..", "south": -1000, "north": 1000, "west": -1000, "east": 1000 (of the area, x and z in the world),
- *  "picture": "data:image/jpeg;base64,.." (the area, north up, at most 300 kB before base64),
- *  "rows": 300, "columns": 300, "lowest": -120.5, "highest": 310.25,
- *  "heights": ".." (base64 of 16 bits a post, low byte first, row by row from the south: 0 is the lowest, 65535 the highest),
- *  "altitude": 553.0 (of y = 0 above the geoid; null if the map has no place on Earth, likewise places),
- *  "places": [[36.48, -84.23], ..] (latitude and longitude of 33 x 33 points, row by row from the south, longitudes without a jump)}
- * </pre>
  */
-final class TerrainJson {
+final class TerrainJson extends JsonForm {
     /** Bytes of the picture at most, before base64. */
     static final int PICTURE_BYTES = 300_000;
     /** Pixels of the picture's longer side at most. */
@@ -40,8 +31,26 @@ final class TerrainJson {
     /** Parts of a degree that are told, about a centimetre. */
     private static final double PLACE = 1e7;
 
-    private TerrainJson() {
-    }
+    /** What a panel knows it by, see {@link TerrainMap}. */
+    final String stamp;
+    /** Of the area, x in the world. */
+    final float south;
+    final float north;
+    /** Of the area, z in the world. */
+    final float west;
+    final float east;
+    /** The area, north up: {@code data:image/jpeg;base64,..}. */
+    final String picture;
+    final int rows;
+    final int columns;
+    final double lowest;
+    final double highest;
+    /** Base64 of 16 bits a post, low byte first, row by row from the south: 0 is the lowest, 65535 the highest. */
+    final String heights;
+    /** Of y = 0 above the geoid; empty if the map has no place on Earth. */
+    final Optional<Double> altitude;
+    /** {latitude, longitude} of {@value #PLACES} x {@value #PLACES} points, row by row from the south, longitudes without a jump; empty likewise. */
+    final Optional<List<double[]>> places;
 
     /**
      * A ground for panels.
@@ -51,18 +60,24 @@ final class TerrainJson {
      * @param detail metres between the map's own posts
      * @param colors null for colours by height
      */
-    static Map<String, Object> of(HeightField field, GeoOrigin origin, double altitude, double detail,
-            GroundPicture.Colors colors) {
-        Map<String, Object> map = new LinkedHashMap<>();
-        map.put("south", field.x(0));
-        map.put("north", field.x(field.rows - 1));
-        map.put("west", field.z(0));
-        map.put("east", field.z(field.columns - 1));
-        map.put("picture", SmallPicture.address("jpeg", picture(field, detail, colors)));
-        addHeights(map, field);
-        map.put("altitude", origin == null ? null : WorldJson.rounded(altitude, MILLIMETRES));
-        map.put("places", origin == null ? null : places(field, origin));
-        return map;
+    TerrainJson(String stamp, HeightField field, GeoOrigin origin, double altitude, double detail, GroundPicture.Colors colors) {
+        this.stamp = stamp;
+        south = field.x(0);
+        north = field.x(field.rows - 1);
+        west = field.z(0);
+        east = field.z(field.columns - 1);
+        picture = SmallPicture.address("jpeg", picture(field, detail, colors));
+        rows = Math.min(MOST_POSTS, field.rows);
+        columns = Math.min(MOST_POSTS, field.columns);
+        double[] posts = new double[rows * columns];
+        for (int i = 0; i < posts.length; i++) {
+            posts[i] = field.height(between(south, north, i / columns, rows), between(west, east, i % columns, columns));
+        }
+        lowest = Arrays.stream(posts).min().orElseThrow();
+        highest = Arrays.stream(posts).max().orElseThrow();
+        heights = encoded(posts, lowest, highest);
+        this.altitude = Optional.ofNullable(origin).map(place -> WorldJson.rounded(altitude, MILLIMETRES));
+        places = Optional.ofNullable(origin).map(place -> places(field, place));
     }
 
     private static byte[] picture(HeightField field, double detail, GroundPicture.Colors colors) {
@@ -84,30 +99,15 @@ final class TerrainJson {
         return SmallPicture.jpeg(image);
     }
 
-    private static void addHeights(Map<String, Object> map, HeightField field) {
-        int rows = Math.min(MOST_POSTS, field.rows);
-        int columns = Math.min(MOST_POSTS, field.columns);
-        double[] heights = new double[rows * columns];
-        double low = Double.POSITIVE_INFINITY;
-        double high = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < heights.length; i++) {
-            heights[i] = field.height(between(field.x(0), field.x(field.rows - 1), i / columns, rows),
-                between(field.z(0), field.z(field.columns - 1), i % columns, columns));
-            low = Math.min(low, heights[i]);
-            high = Math.max(high, heights[i]);
-        }
-        byte[] bytes = new byte[2 * heights.length];
+    private static String encoded(double[] posts, double low, double high) {
+        byte[] bytes = new byte[2 * posts.length];
         double scale = high > low ? FULL / (high - low) : 0;
-        for (int i = 0; i < heights.length; i++) {
-            int value = (int) Math.round((heights[i] - low) * scale);
+        for (int i = 0; i < posts.length; i++) {
+            int value = (int) Math.round((posts[i] - low) * scale);
             bytes[2 * i] = (byte) value;
             bytes[2 * i + 1] = (byte) (value >> 8);
         }
-        map.put("rows", rows);
-        map.put("columns", columns);
-        map.put("lowest", low);
-        map.put("highest", high);
-        map.put("heights", Base64.getEncoder().encodeToString(bytes));
+        return Base64.getEncoder().encodeToString(bytes);
     }
 
     /** The place of one of count points from low to high, both ends exactly. */

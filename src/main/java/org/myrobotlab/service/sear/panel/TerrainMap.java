@@ -2,7 +2,6 @@ package org.myrobotlab.service.sear.panel;
 
 import java.io.IOException;
 import java.util.Collections;
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.zip.CRC32;
 import org.SEAR.POJOs.SearObject;
@@ -67,11 +66,8 @@ public final class TerrainMap {
         }
         if (!stamp.equals(last.get("stamp"))) {
             Ground ground = project.getGround();
-            Map<String, Object> made = new LinkedHashMap<>();
-            made.put("stamp", stamp);
-            made.putAll(TerrainJson.of(ground.field, ground.origin, ground.altitude, ground.spacing,
-                TerrainColors.of(terrain(project), project.getAssets(), ground)));
-            last = made;
+            last = new TerrainJson(stamp, ground.field, ground.origin, ground.altitude, ground.spacing,
+                TerrainColors.of(terrain(project), project.getAssets(), ground)).map();
         }
         return last;
     }

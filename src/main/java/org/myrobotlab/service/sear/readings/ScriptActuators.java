@@ -1,9 +1,9 @@
 package org.myrobotlab.service.sear.readings;
 
-import org.SEAR.POJOs.ScriptText;
 import org.SEAR.devices.LightHardware;
 import org.SEAR.devices.MotorHardware;
 import org.SEAR.devices.ServoHardware;
+import org.SEAR.grammar.ScriptText;
 import org.SEAR.simulator.ActuatorOrder;
 import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.run.SimulationControl;

@@ -2,7 +2,7 @@ package org.myrobotlab.service.sear.readings;
 
 import java.util.List;
 import org.SEAR.POJOs.RunningWorld;
-import org.SEAR.POJOs.ScriptText;
+import org.SEAR.grammar.ScriptText;
 import org.SEAR.simulator.orders.BodyOrder;
 import org.myrobotlab.service.sear.run.SimulationControl;
 

@@ -2,7 +2,6 @@ package org.myrobotlab.service.sear.panel;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertNotEquals;
-import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
@@ -17,6 +16,7 @@ import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import javax.imageio.ImageIO;
 import org.SEAR.POJOs.Box;
@@ -39,9 +39,9 @@ public class LooksTest {
     public final ProjectRule project = new ProjectRule();
     private final Looks looks = new Looks();
 
-    private List<Map<String, Object>> world() throws Exception {
+    private List<WorldState.Thing> world() throws Exception {
         try (Simulation world = Simulation.load(project.folder(), 1)) {
-            return WorldJson.list(new WorldJson(looks).of(world), "objects");
+            return new WorldJson(looks).whole(world, new WorldState()).objects;
         }
     }
 
@@ -72,7 +72,7 @@ public class LooksTest {
     @Test
     public void aBoxHasTwelveTrianglesOnItsSides() throws Exception {
         new Box("box", 0.4, 0.6, 0.8, 0).move(1, 2, 3);
-        Map<String, Object> part = looks.of(List.of(world().get(0).get("look") + "/0")).get(0);
+        Map<String, Object> part = looks.of(List.of(world().get(0).look + "/0")).get(0);
         double[] points = points(part);
         assertEquals(36, part.get("vertices"));
         assertEquals(36 * CORNERS, points.length);
@@ -92,9 +92,9 @@ public class LooksTest {
         new Box("a", 1, 1, 1).move(0, 0.5, 0);
         new Box("b", 1, 1, 1).move(3, 0.5, 0);
         new Box("c", 1, 1, 1.001).move(6, 0.5, 0);
-        List<Map<String, Object>> objects = world();
-        assertEquals(objects.get(0).get("look"), objects.get(1).get("look"));
-        assertNotEquals(objects.get(0).get("look"), objects.get(2).get("look"));
+        List<WorldState.Thing> objects = world();
+        assertEquals(objects.get(0).look, objects.get(1).look);
+        assertNotEquals(objects.get(0).look, objects.get(2).look);
     }
 
     @Test
@@ -113,7 +113,7 @@ public class LooksTest {
         Files.createDirectories(project.folder().resolve("assets"));
         Files.writeString(project.folder().resolve("assets/hills.obj"), file);
         new Model("hills", "hills.obj");
-        String id = (String) world().get(0).get("look");
+        String id = world().get(0).look;
         int triangles = 2 * (rows - 1) * (rows - 1);
         int parts = (triangles + Looks.PART - 1) / Looks.PART;
         assertTrue(parts > 2);
@@ -155,9 +155,9 @@ public class LooksTest {
         Floor floor = new Floor("floor", 10, 10);
         floor.setImage("large.png");
         new Sphere("ball", 1);
-        List<Map<String, Object>> objects = world();
-        assertEquals("large.png", objects.get(1).get("picture"));
-        assertNull(objects.get(0).get("picture"));
+        List<WorldState.Thing> objects = world();
+        assertEquals(Optional.of("large.png"), objects.get(1).picture);
+        assertEquals(Optional.empty(), objects.get(0).picture);
         Map<String, Object> sent = looks.of(List.of("picture large.png")).get(0);
         String data = (String) sent.get("data");
         assertTrue(data.startsWith("data:image/jpeg;base64,"));
@@ -165,6 +165,6 @@ public class LooksTest {
         assertEquals(512, small.getWidth());
         assertEquals(256, small.getHeight());
         assertEquals(List.of(), looks.of(List.of("picture secret.txt", "picture ../robot/x.xml", "nothing", "/", "nothing/0",
-            objects.get(0).get("look") + "/1", objects.get(0).get("look") + "/-1", objects.get(0).get("look") + "/99999", "picture ")));
+            objects.get(0).look + "/1", objects.get(0).look + "/-1", objects.get(0).look + "/99999", "picture ")));
     }
 }

@@ -101,7 +101,7 @@ public class OwnReadingTest {
 
     @Test
     public void theTabGetsItsWordsNumbersAndPicture() throws Exception {
-        JsonNode sensors = JSON.valueToTree(new WorldFeed().next(world)).get("sensors");
+        JsonNode sensors = JSON.valueToTree(new WorldFeed().next(world, new WorldFeed.Message())).get("sensors");
         JsonNode eye = sensors.get(0);
         assertEquals("eye", eye.get("name").asText());
         assertEquals(words(), eye.get("words").asText());

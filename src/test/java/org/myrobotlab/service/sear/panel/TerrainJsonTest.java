@@ -1,14 +1,13 @@
 package org.myrobotlab.service.sear.panel;
 
 import static org.junit.Assert.assertEquals;
-import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.util.Base64;
 import java.util.List;
-import java.util.Map;
 import java.util.Random;
 import javax.imageio.ImageIO;
 import org.SEAR.geometry.GeoOrigin;
@@ -30,48 +29,42 @@ public class TerrainJsonTest {
         return new HeightField(rows, columns, -(rows - 1) * spacing / 2, -(columns - 1) * spacing / 2, spacing, spacing, heights);
     }
 
-    private static int length(Map<String, Object> map) {
-        return ((String) map.get("picture")).length() + ((String) map.get("heights")).length();
-    }
-
     @Test
     public void theRoughestGroundFitsIntoAMessage() throws Exception {
-        Map<String, Object> map = TerrainJson.of(field(2000, 1500, 1, true), new GeoOrigin(46, 1000, 7), 1000, 0, null);
-        byte[] picture = Base64.getDecoder().decode(((String) map.get("picture")).substring(JPEG.length()));
+        TerrainJson ground = new TerrainJson("stamp", field(2000, 1500, 1, true), new GeoOrigin(46, 1000, 7), 1000, 0, null);
+        byte[] picture = Base64.getDecoder().decode(ground.picture.substring(JPEG.length()));
         assertTrue(picture.length + " bytes", picture.length <= TerrainJson.PICTURE_BYTES);
         BufferedImage image = ImageIO.read(new ByteArrayInputStream(picture));
         assertTrue(image.getHeight() <= TerrainJson.PICTURE_PIXELS && image.getHeight() > 200);
         assertEquals("it has the area's shape", 0.75, (double) image.getWidth() / image.getHeight(), 0.01);
-        int places = new com.fasterxml.jackson.databind.ObjectMapper().writeValueAsString(map).length();
-        assertTrue(places + " characters", places < 0.75 * MESSAGE);
-        assertTrue(length(map) < places);
+        int characters = new com.fasterxml.jackson.databind.ObjectMapper().writeValueAsString(ground.map()).length();
+        assertTrue(characters + " characters", characters < 0.75 * MESSAGE);
     }
 
     @Test
     public void heightsAreTheFieldsFromTheSouthWestOn() {
         HeightField field = field(50, 40, 10, false);
-        Map<String, Object> map = TerrainJson.of(field, null, 0, 0, null);
-        byte[] heights = Base64.getDecoder().decode((String) map.get("heights"));
-        assertEquals(50, map.get("rows"));
-        assertEquals(40, map.get("columns"));
-        double low = (Double) map.get("lowest");
-        double high = (Double) map.get("highest");
+        TerrainJson ground = new TerrainJson("stamp", field, null, 0, 0, null);
+        byte[] heights = Base64.getDecoder().decode(ground.heights);
+        assertEquals(50, ground.rows);
+        assertEquals(40, ground.columns);
+        double low = ground.lowest;
+        double high = ground.highest;
         for (int i = 0; i < 50 * 40; i++) {
             int value = heights[2 * i] & 0xff | (heights[2 * i + 1] & 0xff) << 8;
             assertEquals(field.heights[i], low + value * (high - low) / 65535, (high - low) / 65535);
         }
-        assertEquals(field.x(49), map.get("north"));
-        assertEquals(field.z(0), map.get("west"));
-        assertNull("no place on Earth", map.get("places"));
-        assertNull(map.get("altitude"));
+        assertEquals(field.x(49), ground.north, 0);
+        assertEquals(field.z(0), ground.west, 0);
+        assertFalse("no place on Earth", ground.places.isPresent());
+        assertFalse(ground.altitude.isPresent());
     }
 
     @Test
-    @SuppressWarnings("unchecked")
     public void placesBetweenThePointsAreRightToAMetreOverAHundredKilometres() {
         HeightField field = field(101, 101, 1000, false);
         GeoOrigin origin = new GeoOrigin(60, 200, 179.9);
-        List<double[]> places = (List<double[]>) TerrainJson.of(field, origin, 200, 0, null).get("places");
+        List<double[]> places = new TerrainJson("stamp", field, origin, 200, 0, null).places.orElseThrow();
         assertEquals(TerrainJson.PLACES * TerrainJson.PLACES, places.size());
         double step = 100_000.0 / (TerrainJson.PLACES - 1);
         for (int row = 0; row < TerrainJson.PLACES - 1; row += 5) {
@@ -91,8 +84,8 @@ public class TerrainJsonTest {
 
     @Test
     public void levelGroundHasHeightsToo() {
-        Map<String, Object> map = TerrainJson.of(new HeightField(2, 2, 0, 0, 1, 1, new float[] {3, 3, 3, 3}), null, 0, 0, null);
-        assertEquals(map.get("lowest"), map.get("highest"));
-        assertEquals(2, map.get("rows"));
+        TerrainJson ground = new TerrainJson("stamp", new HeightField(2, 2, 0, 0, 1, 1, new float[] {3, 3, 3, 3}), null, 0, 0, null);
+        assertEquals(ground.lowest, ground.highest, 0);
+        assertEquals(2, ground.rows);
     }
 }

@@ -50,6 +50,19 @@ public class WorldFeedTest {
             + "</mass><x>" + x + "</x><y>" + y + "</y><z>" + z + "</z></Box>";
     }
 
+    private Map<String, Object> next(Simulation world) {
+        return feed.next(world, new WorldFeed.Message());
+    }
+
+    private Map<String, Object> whole(Simulation world) {
+        return feed.whole(world, new WorldFeed.Message());
+    }
+
+    /** What the whole tells of an object. */
+    private static Map<?, ?> object(Map<String, Object> whole, int at) {
+        return (Map<?, ?>) ((List<?>) whole.get("objects")).get(at);
+    }
+
     private static int bytes(Map<String, Object> message) throws JsonProcessingException {
         return JSON.writeValueAsBytes(message).length;
     }
@@ -62,20 +75,20 @@ public class WorldFeedTest {
 
     private Map<String, Object> resting(Simulation world) {
         step(world, 180);
-        feed.next(world);
+        next(world);
         step(world, STEPS_BETWEEN);
-        return feed.next(world);
+        return next(world);
     }
 
     @Test
     public void whatRestsIsSentOnceHoweverMuchThereIs() throws Exception {
         try (Simulation few = world(1); Simulation many = world(MANY)) {
-            assertEquals(MANY + 2, ((List<?>) feed.next(many).get("objects")).size());
+            assertEquals(MANY + 2, ((List<?>) next(many).get("objects")).size());
             Map<String, Object> large = resting(many);
             assertFalse(large.containsKey("objects"));
             assertTrue("bytes: " + bytes(large), bytes(large) < SMALL);
             feed.forget();
-            feed.next(few);
+            next(few);
             assertEquals("it does not depend on the number of things", bytes(resting(few)), bytes(large), 10);
         }
     }
@@ -83,33 +96,32 @@ public class WorldFeedTest {
     @Test
     public void whatMovesIsSentByItsPlace() throws Exception {
         try (Simulation world = world(3)) {
-            Map<String, Object> whole = feed.next(world);
+            Map<String, Object> whole = next(world);
             int faller = world.getProject().getEnvironment().stream().map(SearObject::getName).collect(Collectors.toList()).indexOf("faller");
-            assertEquals("faller", WorldJson.list(whole, "objects").get(faller).get("name"));
+            assertEquals("faller", object(whole, faller).get("name"));
             step(world, STEPS_BETWEEN);
-            Map<String, Object> message = feed.next(world);
+            Map<String, Object> message = next(world);
             Map<?, ?> objects = (Map<?, ?>) ((Map<?, ?>) message.get("changes")).get("objects");
             assertEquals(List.of(faller), List.copyOf(objects.keySet()));
             double[] pose = (double[]) ((Map<?, ?>) objects.get(faller)).get("pose");
             assertTrue("it falls: " + pose[1], pose[1] < 1);
-            assertArrayEquals("a page that comes now gets it too", pose, (double[]) WorldJson.list(feed.whole(world), "objects").get(faller)
-                .get("pose"), 0);
+            assertArrayEquals("a page that comes now gets it too", pose, (double[]) object(whole(world), faller).get("pose"), 0);
         }
     }
 
     @Test
     public void messagesAreNumberedAndAResetBeginsWithTheWhole() throws Exception {
         try (Simulation world = world(1); Simulation other = world(2)) {
-            assertEquals(1L, feed.next(world).get("number"));
+            assertEquals(1L, next(world).get("number"));
             step(world, STEPS_BETWEEN);
-            assertEquals(2L, feed.next(world).get("number"));
-            assertEquals("a question for the whole counts nothing", 2L, feed.whole(world).get("number"));
-            assertTrue(feed.next(world).containsKey("changes"));
+            assertEquals(2L, next(world).get("number"));
+            assertEquals("a question for the whole counts nothing", 2L, whole(world).get("number"));
+            assertTrue(next(world).containsKey("changes"));
             world.reset();
-            Map<String, Object> again = feed.next(world);
+            Map<String, Object> again = next(world);
             assertEquals(4L, again.get("number"));
             assertEquals(3, ((List<?>) again.get("objects")).size());
-            assertEquals("another world", 4, ((List<?>) feed.next(other).get("objects")).size());
+            assertEquals("another world", 4, ((List<?>) next(other).get("objects")).size());
         }
     }
 
@@ -126,15 +138,15 @@ public class WorldFeedTest {
         Files.writeString(robot.resolve("lamp.xml"), "<Led><name>lamp</name><y>0.5</y><z>0.4</z></Led>");
         Files.writeString(robot.resolve("head.xml"), box("head", 0.1, 0, 0.2, 0.3, 0));
         try (Simulation world = Simulation.load(folder, 1)) {
-            Map<?, ?> first = (Map<?, ?>) ((List<?>) feed.next(world).get("robots")).get(0);
+            Map<?, ?> first = (Map<?, ?>) ((List<?>) next(world).get("robots")).get(0);
             assertArrayEquals(new double[] {0, 0.2, 0.3, 0, 0, 0}, ((double[][]) first.get("turned"))[0], 0);
             world.getServo("s").setAngle(90);
             step(world, 60);
-            Map<?, ?> changed = (Map<?, ?>) ((Map<?, ?>) ((Map<?, ?>) feed.next(world).get("changes")).get("robots")).get(0);
+            Map<?, ?> changed = (Map<?, ?>) ((Map<?, ?>) ((Map<?, ?>) next(world).get("changes")).get("robots")).get(0);
             assertArrayEquals(new double[] {0.3, 0.2, 0, 0, 90, 0}, ((double[][]) changed.get("turned"))[0], 1e-4);
             assertArrayEquals(new double[] {0.4, 0.5, 0, 0, 90, 0}, ((double[][]) changed.get("turnedLeds"))[0], 1e-4);
             step(world, STEPS_BETWEEN);
-            Map<?, ?> still = (Map<?, ?>) ((Map<?, ?>) ((Map<?, ?>) feed.next(world).get("changes")).get("robots")).get(0);
+            Map<?, ?> still = (Map<?, ?>) ((Map<?, ?>) ((Map<?, ?>) next(world).get("changes")).get("robots")).get(0);
             assertFalse(still.containsKey("turned"));
             assertFalse(still.containsKey("turnedLeds"));
         }
@@ -149,7 +161,7 @@ public class WorldFeedTest {
         Files.writeString(robot.resolve("d.xml"), "<Dynamics><name>d</name><mass>1</mass></Dynamics>");
         Files.writeString(robot.resolve("lamp.xml"), "<Led><name>lamp</name><x>0.1</x><color>lime</color></Led>");
         try (Simulation world = Simulation.load(folder, 1)) {
-            Map<?, ?> first = (Map<?, ?>) ((List<?>) feed.next(world).get("robots")).get(0);
+            Map<?, ?> first = (Map<?, ?>) ((List<?>) next(world).get("robots")).get(0);
             Map<?, ?> lamp = (Map<?, ?>) ((List<?>) first.get("leds")).get(0);
             assertEquals("lamp", lamp.get("name"));
             assertEquals("#00ff00", lamp.get("color"));
@@ -158,11 +170,11 @@ public class WorldFeedTest {
             assertEquals(List.of(0.0), first.get("lights"));
             world.getLight("lamp").setBrightness(0.5);
             step(world, STEPS_BETWEEN);
-            Map<?, ?> changed = (Map<?, ?>) ((Map<?, ?>) ((Map<?, ?>) feed.next(world).get("changes")).get("robots")).get(0);
+            Map<?, ?> changed = (Map<?, ?>) ((Map<?, ?>) ((Map<?, ?>) next(world).get("changes")).get("robots")).get(0);
             assertEquals(List.of(0.5), changed.get("lights"));
             assertFalse(changed.containsKey("leds"));
             step(world, STEPS_BETWEEN);
-            Map<?, ?> still = (Map<?, ?>) ((Map<?, ?>) ((Map<?, ?>) feed.next(world).get("changes")).get("robots")).get(0);
+            Map<?, ?> still = (Map<?, ?>) ((Map<?, ?>) ((Map<?, ?>) next(world).get("changes")).get("robots")).get(0);
             assertFalse(still.containsKey("lights"));
         }
     }

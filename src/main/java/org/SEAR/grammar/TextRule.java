@@ -1,4 +1,4 @@
-package org.SEAR.POJOs;
+package org.SEAR.grammar;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
@@ -101,7 +101,7 @@ public enum TextRule {
     }
 
     /** Whether a GPS receiver is one of u-blox. */
-    static boolean isUblox(String receiver) {
+    public static boolean isUblox(String receiver) {
         return UBLOX.contains(plain(receiver));
     }
 

@@ -1,4 +1,4 @@
-package org.SEAR.POJOs;
+package org.SEAR.grammar;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;

@@ -1,4 +1,4 @@
-package org.SEAR.POJOs;
+package org.SEAR.grammar;
 
 import java.lang.reflect.Field;
 import java.lang.reflect.ParameterizedType;

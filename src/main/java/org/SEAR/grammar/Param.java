@@ -1,4 +1,4 @@
-package org.SEAR.POJOs;
+package org.SEAR.grammar;
 
 import java.lang.annotation.ElementType;
 import java.lang.annotation.Retention;

@@ -1,4 +1,4 @@
-package org.SEAR.POJOs;
+package org.SEAR.grammar;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.function.Predicate;
 
 /** Parameters that are set by their names: what {@code SearObject.set} takes. One use. */
-final class NamedValues {
+public final class NamedValues {
     private final Object object;
     private final String label;
     private final Predicate<Parameter> fixed;
@@ -18,7 +18,7 @@ final class NamedValues {
      * @param label of the object, as problems name it
      * @param fixed which parameters are never set
      */
-    NamedValues(Object object, String label, Predicate<Parameter> fixed) {
+    public NamedValues(Object object, String label, Predicate<Parameter> fixed) {
         this.object = object;
         this.label = label;
         this.fixed = fixed;
@@ -30,7 +30,7 @@ final class NamedValues {
      *
      * @throws IllegalArgumentException with the first that is wrong
      */
-    void set(Map<?, ?> values) {
+    public void set(Map<?, ?> values) {
         for (Map.Entry<?, ?> entry : values.entrySet()) {
             Parameter parameter = table.get(ScriptText.of(String.valueOf(entry.getKey())));
             if (fixed.test(parameter)) {
@@ -44,7 +44,7 @@ final class NamedValues {
     }
 
     /** Everything as it was. */
-    void undo() {
+    public void undo() {
         before.forEach((parameter, value) -> parameter.set(object, value));
     }
 

@@ -1,4 +1,4 @@
-package org.SEAR.POJOs;
+package org.SEAR.grammar;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
  * Colours that have a name: the 16 of HTML 4.01, section 6.5, and some more of those of CSS Color Module Level 4, section 6.1, with their values
  * there. In any capitals. Immutable, any thread.
  */
-final class ColorNames {
+public final class ColorNames {
     private static final Pattern HEX = Pattern.compile("#[0-9a-f]{6}");
     private static final Map<String, String> NAMES = new LinkedHashMap<>();
 
@@ -32,7 +32,7 @@ final class ColorNames {
     }
 
     /** The names, in the order in which they are told. */
-    static Set<String> all() {
+    public static Set<String> all() {
         return Collections.unmodifiableSet(NAMES.keySet());
     }
 
@@ -42,7 +42,7 @@ final class ColorNames {
      * @param color a name or #rrggbb
      * @return #rrggbb in small letters; null if it is neither
      */
-    static String hex(String color) {
+    public static String hex(String color) {
         String small = color.toLowerCase(Locale.ROOT);
         return HEX.matcher(small).matches() ? small : NAMES.get(small);
     }

@@ -1,4 +1,4 @@
-package org.SEAR.project.models;
+package org.SEAR.files;
 
 import java.io.IOException;
 

@@ -4,8 +4,8 @@ import com.jme3.math.Vector3f;
 import org.SEAR.geometry.Triangles;
 
 /** Where the centre of a terrain is: in the middle of its extent in x and z, on its highest surface there. */
-final class Terrain {
-    private Terrain() {
+final class TerrainCentre {
+    private TerrainCentre() {
     }
 
     /** The move that brings the centre to the origin, metres. */

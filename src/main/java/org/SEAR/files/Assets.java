@@ -1,4 +1,4 @@
-package org.SEAR.project.models;
+package org.SEAR.files;
 
 import java.io.FileNotFoundException;
 import java.io.IOException;
@@ -12,7 +12,7 @@ import java.nio.file.Path;
  */
 public final class Assets {
     /** Where the assets that come with SEAR lie on the class path. */
-    static final String SHIPPED = "org/SEAR/assets/";
+    public static final String SHIPPED = "org/SEAR/assets/";
 
     private final Path folder;
 
@@ -22,7 +22,7 @@ public final class Assets {
     }
 
     /** The path as it is looked up: {@code ./textures/roomba.jpg} becomes {@code textures/roomba.jpg}. */
-    static String normal(String path) {
+    public static String normal(String path) {
         return path.startsWith("./") ? normal(path.substring(2)) : path;
     }
 
@@ -46,7 +46,7 @@ public final class Assets {
      * @param path as written in an object
      * @throws FileNotFoundException if there is none
      */
-    long size(String path) throws IOException {
+    public long size(String path) throws IOException {
         Path file = folder.resolve(normal(path));
         if (Files.isRegularFile(file)) {
             return Files.size(file);
@@ -77,7 +77,7 @@ public final class Assets {
      */
     public byte[] readPicture(String path) throws IOException {
         try (InputStream in = open(path)) {
-            return PictureSize.checked(in.readNBytes(ModelLimits.MAX_PICTURE_FILE + 1), normal(path));
+            return PictureSize.checked(in.readNBytes(FileLimits.MAX_PICTURE + 1), normal(path));
         }
     }
 

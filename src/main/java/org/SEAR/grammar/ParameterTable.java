@@ -1,4 +1,4 @@
-package org.SEAR.POJOs;
+package org.SEAR.grammar;
 
 import java.lang.reflect.Constructor;
 import java.lang.reflect.Field;
@@ -73,7 +73,7 @@ public final class ParameterTable {
      *
      * @throws IllegalArgumentException if the class has none of that name
      */
-    Parameter get(String element) {
+    public Parameter get(String element) {
         Parameter parameter = find(element);
         if (parameter == null) {
             throw new IllegalArgumentException(type.getSimpleName() + " has no parameter " + element + ", but " + names());
@@ -107,7 +107,7 @@ public final class ParameterTable {
     }
 
     /** Everything that is wrong with an object's values, in words; empty if it is valid. */
-    List<String> problems(Object object, String path) {
+    public List<String> problems(Object object, String path) {
         List<String> problems = new ArrayList<>();
         for (Parameter parameter : parameters) {
             Object whole = parameter.get(object);
@@ -131,7 +131,7 @@ public final class ParameterTable {
         return problems;
     }
 
-    static String quote(Object value) {
+    public static String quote(Object value) {
         return value instanceof Number || value instanceof Boolean ? Parameter.format(value) : "\"" + value + "\"";
     }
 }

@@ -1,4 +1,4 @@
-package org.SEAR.POJOs;
+package org.SEAR.grammar;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;

@@ -1,4 +1,4 @@
-package org.SEAR.project.models;
+package org.SEAR.files;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -17,7 +17,7 @@ import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 
 /** How large a picture is when it is unpacked, read from its head. Any thread. */
-final class PictureSize {
+public final class PictureSize {
     private static final int PNG_HEAD = 8;
     private static final int PNG_AROUND = 12;
     /** What a PNG shows; its other parts are texts and colour profiles, which may be packed as well. */
@@ -39,8 +39,8 @@ final class PictureSize {
      * @return the same picture, without what doesn't belong to its pixels
      * @throws IOException that names the file, its size and the limit
      */
-    static byte[] checked(byte[] bytes, String name) throws IOException {
-        ModelLimits.range(name, "the file's size", bytes.length, 1, ModelLimits.MAX_PICTURE_FILE);
+    public static byte[] checked(byte[] bytes, String name) throws IOException {
+        FileLimits.range(name, "the file's size", bytes.length, 1, FileLimits.MAX_PICTURE);
         ByteBuffer head = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
         String lower = name.toLowerCase(Locale.ROOT);
         if (lower.endsWith(".tga")) {
@@ -49,12 +49,12 @@ final class PictureSize {
         } else if (lower.endsWith(".dds")) {
             need(name, bytes, DDS_HEAD);
             check(name, Integer.toUnsignedLong(head.getInt(16)), Integer.toUnsignedLong(head.getInt(12)));
-            ModelLimits.range(name, "the depth", head.getInt(24), 0, MAX_DDS_PARTS);
-            ModelLimits.range(name, "the number of mip maps", head.getInt(28), 0, 16);
+            FileLimits.range(name, "the depth", head.getInt(24), 0, MAX_DDS_PARTS);
+            FileLimits.range(name, "the number of mip maps", head.getInt(28), 0, 16);
         } else if (lower.endsWith(".hdr")) {
             Matcher size = HDR_SIZE.matcher(new String(bytes, 0, Math.min(bytes.length, HDR_HEAD), StandardCharsets.ISO_8859_1));
             if (!size.find()) {
-                throw ModelLimits.wrong(name, "the picture", "without a size", "a .hdr with -Y HEIGHT +X WIDTH");
+                throw FileLimits.wrong(name, "the picture", "without a size", "a .hdr with -Y HEIGHT +X WIDTH");
             }
             check(name, Long.parseLong(size.group(2)), Long.parseLong(size.group(1)));
         } else {
@@ -65,7 +65,7 @@ final class PictureSize {
     }
 
     private static void need(String name, byte[] bytes, int head) throws IOException {
-        ModelLimits.range(name, "the file's size", bytes.length, head, ModelLimits.MAX_PICTURE_FILE);
+        FileLimits.range(name, "the file's size", bytes.length, head, FileLimits.MAX_PICTURE);
     }
 
     private static void checkWithJava(byte[] bytes, String name) throws IOException {
@@ -94,8 +94,8 @@ final class PictureSize {
     }
 
     private static void check(String name, long width, long height) throws IOException {
-        if (width < 1 || height < 1 || width * height > ModelLimits.MAX_PIXELS) {
-            throw ModelLimits.wrong(name, "the picture's size", width + " x " + height, "at most " + ModelLimits.MAX_PIXELS + " pixels");
+        if (width < 1 || height < 1 || width * height > FileLimits.MAX_PIXELS) {
+            throw FileLimits.wrong(name, "the picture's size", width + " x " + height, "at most " + FileLimits.MAX_PIXELS + " pixels");
         }
     }
 

@@ -1,4 +1,4 @@
-package org.SEAR.POJOs;
+package org.SEAR.grammar;
 
 /** Takes what is wrong with an object beyond the legal range of a single parameter. */
 @FunctionalInterface

@@ -224,17 +224,19 @@ final class ContactRows {
             double friction = r[at + FRICTION];
             FrictionRows.solve(r, at + PATCH, this, slot, friction * pressing, friction * turning, pressing);
         }
-        boolean all = count > 1 && pressing > 0;
+        double[] p = speedsA[slot];
+        double[] q = speedsB[slot];
+        boolean all = count > 1;
+        boolean parting = pressing == 0;
         for (int i = 0; i < count; i++) {
             int point = at + POINTS + i * POINT;
             all &= r[point + AWAITED] == 0;
             double gap = r[point + GAP];
             double seconds = r[at + SECONDS];
             block.wanted[i] = (gap > CLOSE ? -(gap - CLOSE) / seconds : 0) + (recovers ? recovery(Math.min(gap, CLOSE), seconds) : 0);
+            parting = parting && PairRow.along(r, point, p, q) >= block.wanted[i];
         }
-        double[] p = speedsA[slot];
-        double[] q = speedsB[slot];
-        if (all && solveAll(at, count, p, q)) {
+        if (parting || all && solveAll(at, count, p, q)) {
             return;
         }
         for (int i = 0; i < count; i++) {

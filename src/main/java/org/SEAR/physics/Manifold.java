@@ -16,6 +16,32 @@ final class Manifold {
     /** What turns by more than this in a substep spins, radians. */
     private static final double SPINNING = 0.02;
 
+    /** One point at which two bodies touch or may touch within the step; the direction is the manifold's. Simulation thread. */
+    static final class Point {
+        /** On the second body, world frame, when it was found, metres. */
+        double x;
+        double y;
+        double z;
+        /** Of both bodies when it was found, metres; negative: so deep they are in each other. */
+        double found;
+        /** The same point in the frames of both bodies, by which it is known again. */
+        final double[] inA = new double[3];
+        final double[] inB = new double[3];
+        /** Push of the last substep, Ns. */
+        double impulse;
+        /** Distance of both surfaces here at the end of the last step, metres. */
+        double gap;
+
+        /** The square of the distance from another point, in the frame in which both are nearer, m^2. */
+        double square(Point other) {
+            return Math.min(square(inA, other.inA), square(inB, other.inB));
+        }
+
+        private static double square(double[] p, double[] q) {
+            return (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]);
+        }
+    }
+
     SolverBody a;
     SolverBody b;
     Body bodyA;
@@ -28,7 +54,7 @@ final class Manifold {
     double ny;
     double nz;
     int count;
-    final ContactPoint[] points = {new ContactPoint(), new ContactPoint(), new ContactPoint(), new ContactPoint()};
+    final Point[] points = {new Point(), new Point(), new Point(), new Point()};
     /** Coefficients of the pair. */
     double friction;
     double restitution;
@@ -71,7 +97,7 @@ final class Manifold {
      * @param gap to the first body, metres
      */
     void add(double x, double y, double z, double gap) {
-        ContactPoint point = points[count++];
+        Point point = points[count++];
         point.x = x;
         point.y = y;
         point.z = z;
@@ -94,7 +120,7 @@ final class Manifold {
         turned = from.turned;
         System.arraycopy(from.roll, 0, roll, 0, roll.length);
         for (int i = 0; i < count; i++) {
-            ContactPoint nearest = null;
+            Point nearest = null;
             double least = NEAR * NEAR;
             for (int k = 0; k < from.count; k++) {
                 double square = points[i].square(from.points[k]);

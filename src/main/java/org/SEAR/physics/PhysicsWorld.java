@@ -338,7 +338,7 @@ public final class PhysicsWorld {
 
     private void touches(Manifold manifold, Touches touches) {
         for (int i = 0; i < manifold.count; i++) {
-            ContactPoint point = manifold.points[i];
+            Manifold.Point point = manifold.points[i];
             if (point.gap < TOUCH) {
                 at.set((float) point.x, (float) point.y, (float) point.z);
                 normal.set((float) manifold.nx, (float) manifold.ny, (float) manifold.nz);

@@ -204,7 +204,17 @@ public final class Browser implements AutoCloseable {
         return driver.executeScript(code, arguments);
     }
 
-    /** Evaluates an expression in the scope of a panel, as {@code scope(".sear-main", "toScreen(1, 2).x")}. */
+    /**
+     * What JavaScript returns that has a module as {@code module}.
+     *
+     * @param module its path below {@code js/sear}, as {@code world/pointing.js}
+     */
+    public Object module(String module, String code) {
+        return script("return import(new URL('service/js/sear/" + module + "', document.baseURI)).then(function(module) {"
+            + code + "})");
+    }
+
+    /** Evaluates an expression in the scope of a panel, as {@code scope(".sear-main", "view.toScreen(1, 2).x")}. */
     public Object scope(String css, String expression) {
         return script("return angular.element(document.querySelector(arguments[0])).scope().$eval(arguments[1])", css, expression);
     }

@@ -155,6 +155,7 @@ export function onMap(world, x, z) {
             [x, body ? topOf(robot, body) : robot.pose[1], z], false)
     }
     geometry.shapesOf(world)
-    var below = world.objects.filter(object => object.$shape.outline.length > 2 && contains(object.$shape.outline, x, z)).sort((a, b) => top(b) - top(a))[0]
+    var below = world.objects.filter(object => object.$shape.outline.length > 2 && contains(object.$shape.outline, x, z))
+        .sort((a, b) => top(b) - top(a))[0]
     return below ? met(world, whose(world, below), [x, top(below), z], Boolean(below.ground)) : met(world, null, [x, 0, z], false)
 }

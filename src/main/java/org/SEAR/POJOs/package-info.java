@@ -1,5 +1,5 @@
 /**
- * The objects that a script or a file can say a world with. May use {@link org.SEAR.grammar}, {@link org.SEAR.protocol.lidar} and
- * {@link org.SEAR.protocol.arduino}; finds its store by {@link java.util.ServiceLoader}. An object belongs to the thread that makes it.
+ * The objects that a script or a file can say a world with. Uses {@link org.SEAR.grammar} and {@link org.SEAR.protocol.arduino}, and what these use.
+ * Its objects find their store by {@link java.util.ServiceLoader}. An object belongs to the thread that makes it.
  */
 package org.SEAR.POJOs;

@@ -1,5 +1,5 @@
 /**
- * How the parameters of objects are described, checked, read and documented: what stands at a field says all of it. Knows no object. May use
- * {@link org.SEAR.protocol.lidar}. Any thread.
+ * How the parameters of objects are described, checked, read and documented: what stands at a field says all of it. Knows no object. Uses
+ * {@link org.SEAR.protocol.lidar}, and what that uses. Any thread.
  */
 package org.SEAR.grammar;

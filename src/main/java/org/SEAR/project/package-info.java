@@ -1,6 +1,6 @@
 /**
- * SEARproject on disk: its folder's layout, reading it whole, writing single objects, replacing it so that no crash loses it, the named beams. May
- * use {@link org.SEAR.geometry}, {@link org.SEAR.project.xml}, {@link org.SEAR.project.models}, {@link org.SEAR.project.problems} and the object
- * grammar. Any thread; what replaces a project holds a lock on its folder.
+ * SEARproject on disk: its folder's layout, reading it whole, writing single objects, replacing it so that no crash loses it, the named beams. Uses
+ * {@link org.SEAR.project.models}, {@link org.SEAR.project.wiring} and {@link org.SEAR.terrain}, and what these use. Any thread; what replaces a
+ * project holds a lock on its folder.
  */
 package org.SEAR.project;

@@ -1,2 +1,2 @@
-/** What firmware and drivers share about serial lines. Uses nothing else. Any thread. */
+/** What firmware and drivers share about serial lines. Uses no other package of SEAR. Any thread. */
 package org.SEAR.protocol;

@@ -1,5 +1,5 @@
 /**
- * What beams meet: shapes and triangle meshes in hierarchies, and the walks of rays, fans and bundles through them. May use {@link
- * org.SEAR.raycast.solid} and {@link org.SEAR.geometry}. The simulation thread builds and moves; between two commits any number of threads may cast.
+ * What beams meet: shapes and triangle meshes in hierarchies, and the walks of rays, fans and bundles through them. Uses
+ * {@link org.SEAR.raycast.solid}, and what that uses. The simulation thread builds and moves; between two commits any number of threads may cast.
  */
 package org.SEAR.raycast;

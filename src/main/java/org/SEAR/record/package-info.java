@@ -1,5 +1,5 @@
 /**
- * Records of runs: writing them while a simulation runs, reading them as files of strangers, running their commands again, values over time. Uses the
- * simulator and knows nothing of MyRobotLab. One thread of its own: the writer of a record.
+ * Records of runs: writing them while a simulation runs, reading them as files of strangers, running their commands again, values over time. Uses
+ * {@link org.SEAR.simulator}, and what that uses. It knows nothing of MyRobotLab. One thread of its own: the writer of a record.
  */
 package org.SEAR.record;

@@ -1,5 +1,5 @@
 /**
- * From elevation maps to the ground of a world: the area that is used, its place on Earth, its height field. May use
- * {@link org.SEAR.terrain.format}, {@link org.SEAR.files} and {@link org.SEAR.geometry}. Any thread.
+ * From elevation maps to the ground of a world: the area that is used, its place on Earth, its height field. Uses {@link org.SEAR.POJOs},
+ * {@link org.SEAR.terrain.format} and {@link org.SEAR.terrain.relief}, and what these use. Any thread.
  */
 package org.SEAR.terrain;

@@ -1,4 +1,5 @@
 /**
- * The firmware of a compass and of an inertial measurement unit. May use {@link org.SEAR.devices} and {@link org.SEAR.sensors}. Simulation thread.
+ * The firmware of a compass and of an inertial measurement unit. Uses {@link org.SEAR.devices} and {@link org.SEAR.protocol.nmea}, and what these
+ * use. Simulation thread.
  */
 package org.SEAR.devices.imu;

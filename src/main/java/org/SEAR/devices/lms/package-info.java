@@ -1,2 +1,2 @@
-/** The firmware of SICK's LMS200. May use {@link org.SEAR.devices} and {@link org.SEAR.protocol.lms}. Simulation thread. */
+/** The firmware of SICK's LMS200. Uses {@link org.SEAR.devices} and {@link org.SEAR.protocol.lms}, and what these use. Simulation thread. */
 package org.SEAR.devices.lms;

@@ -1,2 +1,4 @@
-/** The firmware of Slamtec's RPLIDAR A1. May use {@link org.SEAR.devices} and {@link org.SEAR.protocol.rplidar}. Simulation thread. */
+/**
+ * The firmware of Slamtec's RPLIDAR A1. Uses {@link org.SEAR.devices} and {@link org.SEAR.protocol.rplidar}, and what these use. Simulation thread.
+ */
 package org.SEAR.devices.rplidar;

@@ -1,2 +1,2 @@
-/** The firmware of Hokuyo's scanners. May use {@link org.SEAR.devices} and {@link org.SEAR.protocol.scip}. Simulation thread. */
+/** The firmware of Hokuyo's scanners. Uses {@link org.SEAR.devices} and {@link org.SEAR.protocol.scip}, and what these use. Simulation thread. */
 package org.SEAR.devices.scip;

@@ -1,4 +1,5 @@
 /**
- * A project as the Python script that makes it, from the parameters of the grammar alone. Reads projects; no threads of its own.
+ * A project as the Python script that makes it, from the parameters of the grammar alone. Uses {@link org.SEAR.project}, and what that uses. Reads
+ * projects; no threads of its own.
  */
 package org.SEAR.project.script;

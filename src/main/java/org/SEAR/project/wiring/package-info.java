@@ -1,2 +1,2 @@
-/** What the wires of boards are to the components of their robots. May use {@link org.SEAR.POJOs} and the problems of files. One thread at a time. */
+/** What the wires of boards are to the components of their robots. Uses {@link org.SEAR.project.xml}, and what that uses. One thread at a time. */
 package org.SEAR.project.wiring;

@@ -1,5 +1,5 @@
 /**
- * The words on the window: numbers, warnings, messages, help. May use {@link org.SEAR.view.input} for the names of keys, {@link org.SEAR.view.scene}
- * for materials, and below. On the window's thread only.
+ * The words on the window: numbers, warnings, messages, help. Uses {@link org.SEAR.view.input}, and what that uses. It takes the names of keys from
+ * there. On the window's thread only.
  */
 package org.SEAR.view.hud;

@@ -1,4 +1,4 @@
 /**
- * Keys and mouse, and what they mean. May use {@link org.SEAR.view.scene}, whose camera they turn. On the window's thread only.
+ * Keys and mouse, and what they mean. Uses {@link org.SEAR.view.scene}, and what that uses. The keys turn its camera. On the window's thread only.
  */
 package org.SEAR.view.input;

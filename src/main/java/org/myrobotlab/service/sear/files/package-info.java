@@ -1,5 +1,6 @@
 /**
- * Saving, loading and importing projects, and moving them to and from a browser. May use {@link org.myrobotlab.service.sear.run} and
- * {@link org.SEAR.project}. Any thread; one call at a time.
+ * Saving, loading and importing projects, and moving them to and from a browser. Uses {@link org.SEAR.project.bundle},
+ * {@link org.SEAR.project.edit}, {@link org.SEAR.project.script} and {@link org.myrobotlab.service.sear.run}, and what these use. Any thread; one
+ * call at a time.
  */
 package org.myrobotlab.service.sear.files;

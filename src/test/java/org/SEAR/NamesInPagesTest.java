@@ -15,6 +15,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -27,7 +28,7 @@ public class NamesInPagesTest {
         "docs/physics.md");
     private static final Pattern CODE = Pattern.compile("(?s)```.*?```|`([^`]+)`");
     /** Packages, if any, a class, members, if any. */
-    private static final Pattern NAME = Pattern.compile("((?:[a-z]\\w*\\.)*)([A-Z]\\w*[a-z]\\w*)((?:\\.\\w+)*)(?:\\(.*\\))?");
+    private static final Pattern NAME = Pattern.compile("((?:[a-z]\\w*\\.)*)([A-Z]\\w*[a-z]\\w*)(?:\\.\\w+)*(?:\\(.*\\))?");
     private static final Pattern FILE = Pattern.compile(".*\\.(js|java|py|xml|html|css|sear)");
     private static final Pattern IMPORT = Pattern.compile("(?m)^import (?:static )?(?:\\w+\\.)*(\\w+);$");
     private static final Pattern DECLARED = Pattern.compile("\\b(?:class|interface|enum) (\\w+)");
@@ -43,9 +44,8 @@ public class NamesInPagesTest {
         for (String page : PAGES) {
             for (MatchResult code : CODE.matcher(Files.readString(ROOT.resolve(page))).results().collect(Collectors.toList())) {
                 String said = code.group(1) == null ? "" : OBJECTS.matcher(code.group(1)).replaceFirst("");
-                MatchResult name = NAME.matcher(said).matches() && !FILE.matcher(said).matches()
-                    ? NAME.matcher(said).results().iterator().next() : null;
-                if (name != null) {
+                Matcher name = NAME.matcher(said);
+                if (name.matches() && !FILE.matcher(said).matches()) {
                     seen++;
                     String file = "/" + name.group(1).replace('.', '/') + name.group(2) + ".java";
                     boolean there = name.group(1).isEmpty() ? known.contains(name.group(2))

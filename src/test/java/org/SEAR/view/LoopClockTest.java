@@ -96,12 +96,12 @@ public class LoopClockTest {
                 sheet.setQueueBucket(RenderQueue.Bucket.Gui);
                 sheets.attachChild(sheet);
             }
-            view.app().getRootNode().getChildren().forEach(child -> child.setCullHint(Spatial.CullHint.Always));
+            view.app().getRootNode().setCullHint(Spatial.CullHint.Always);
             return view.app().getGuiNode().attachChild(sheets);
         });
         double time = picture(view);
         view.ask(() -> {
-            view.app().getRootNode().getChildren().forEach(child -> child.setCullHint(Spatial.CullHint.Inherit));
+            view.app().getRootNode().setCullHint(Spatial.CullHint.Inherit);
             return sheets.removeFromParent();
         });
         return time;

@@ -214,9 +214,14 @@ public final class Browser implements AutoCloseable {
             + code + "})");
     }
 
-    /** Evaluates an expression in the scope of a panel, as {@code scope(".sear-main", "view.toScreen(1, 2).x")}. */
+    /**
+     * Evaluates an expression in the scope of a panel, as {@code scope(".sear-main", "view.toScreen(1, 2).x")}. Angular takes a name that is not
+     * there for null; here it is an error.
+     */
     public Object scope(String css, String expression) {
-        return script("return angular.element(document.querySelector(arguments[0])).scope().$eval(arguments[1])", css, expression);
+        return script("var scope = angular.element(document.querySelector(arguments[0])).scope(); var name = /[$\\w]+/.exec(arguments[1])[0];"
+            + "if (!(name in scope)) { throw new Error('no ' + name + ' in the scope of ' + arguments[0]) }"
+            + "return scope.$eval(arguments[1])", css, expression);
     }
 
     /** The same as a number. */

@@ -76,7 +76,7 @@ public class TerrainTabTest {
             assertTrue("interval " + interval, Math.abs(one - 1) < 1e-6 || Math.abs(one - 2) < 1e-6 || Math.abs(one - 5) < 1e-6);
             assertTrue("not too many", tab.number("ground.terrain().lines.lines.length") < 60_000);
         }
-        String line = "terrain().lines.lines[7]";
+        String line = "ground.terrain().lines.lines[7]";
         double wanted = tab.number(line + "[0]") * tab.number("ground.terrain().lines.interval");
         double middle = tab.number("ground.terrain().height(" + line + "[1], " + line + "[2]) + ground.terrain().sent.altitude");
         assertEquals("a line has the height that it says", wanted, middle, tab.number("ground.terrain().lines.interval"));

@@ -26,9 +26,20 @@ final class RealMrl {
     /** The Java that MyRobotLab runs on. */
     private static final Path JAVA = Path.of(System.getProperty("sear.mrlJava", System.getProperty("java.home")), "bin", "java");
     /** Runs a script as the Python tab does, and leaves what it and its callbacks print in a file that is whole when it has its name. */
-    private static final String WRAPPER = "import os, sys, traceback\n"
+    /**
+     * Runs a script with a file for its output. Whether "print a, b" still owes a space is kept for each thread by itself: MyRobotLab's Python
+     * service executes a line of its own after each service that starts, which would end the line of another thread.
+     */
+    private static final String WRAPPER = "import os, sys, threading, traceback\n"
+        + "class _Output(object):\n"
+        + "    def __init__(self, name):\n"
+        + "        self.__dict__.update(file=open(name, 'w', 0), owed=threading.local())\n"
+        + "    def __getattr__(self, name):\n"
+        + "        return getattr(self.owed, name, 0) if name == 'softspace' else getattr(self.file, name)\n"
+        + "    def __setattr__(self, name, value):\n"
+        + "        setattr(self.owed, name, value)\n"
         + "_console = sys.stdout, sys.stderr\n"
-        + "sys.stdout = sys.stderr = open(%1$s, 'w', 0)\n"
+        + "sys.stdout = sys.stderr = _Output(%1$s)\n"
         + "try:\n"
         + "    try:\n"
         + "        execfile(%2$s, globals())\n"

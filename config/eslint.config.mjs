@@ -1,4 +1,4 @@
-// The panels are ES 5 scripts for AngularJS 1.5, without semicolons; browsers give what is in globals.
+// What MyRobotLab loads are scripts for AngularJS 1.5, what they load are modules; without semicolons. Browsers give what is in globals.
 import js from '@eslint/js'
 
 const browser = ['angular', 'clearInterval', 'clearTimeout', 'console', 'document', 'location', 'navigator', 'setInterval', 'setTimeout', 'window',
@@ -8,7 +8,7 @@ export default [
     js.configs.recommended,
     {
         languageOptions: {
-            ecmaVersion: 2015,
+            ecmaVersion: 2022,
             sourceType: 'script',
             globals: Object.fromEntries(browser.map(name => [name, 'readonly']))
         },
@@ -35,5 +35,9 @@ export default [
             'semi': ['error', 'never'],
             'strict': ['error', 'never']
         }
+    },
+    {
+        files: ['**/js/sear/**'],
+        languageOptions: {sourceType: 'module'}
     }
 ]

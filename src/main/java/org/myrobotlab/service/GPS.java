@@ -48,7 +48,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
     private static final double BEFORE_BAUD_CHANGE = 0.1;
 
     static {
-        PanelFiles.install(GPS.class);
+        PanelFiles.install();
     }
 
     private final transient SentenceReader reader = new SentenceReader(this::onSentence);

@@ -38,7 +38,7 @@ public class LIDAR extends OwnConfigService<LIDARConfig> implements Reconnects, 
     private static final String CENTIMETRES = "cm";
 
     static {
-        PanelFiles.install(LIDAR.class);
+        PanelFiles.install();
     }
 
     private transient SerialLink link;

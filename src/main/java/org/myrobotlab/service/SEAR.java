@@ -39,7 +39,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     private static final long serialVersionUID = 1L;
 
     static {
-        PanelFiles.install(SEAR.class);
+        PanelFiles.install();
     }
 
     private final transient SearCalls calls = new SearCalls(this);

@@ -48,8 +48,8 @@ public class ClicksTest extends InPage {
 
     /** A narrow page shows the row of the project when one clicks its heading. */
     private void showProjects() {
-        page.await("a layout", "room !== undefined");
-        if (page.isTrue("isFolded('project')")) {
+        page.await("a layout", "layout.room !== undefined");
+        if (page.isTrue("layout.isFolded('project')")) {
             page.browser.click(".sear-fold-project");
         }
     }
@@ -67,42 +67,42 @@ public class ClicksTest extends InPage {
         page.browser.click(".sear-record");
         page.await("a record is asked for", "service.recorded");
         page.browser.click(".sear-start");
-        page.await("a running simulation", "state !== null && view.fitted");
-        double before = page.number("state.robots[0].pose[0]");
+        page.await("a running simulation", "world.running !== null && view.fitted");
+        double before = page.number("world.running.robots[0].pose[0]");
         page.browser.click(".sear-plots");
         page.browser.choose(".sear-add", "office Roomba.x");
         page.browser.click(".sear-forward");
-        page.await("half a metre", "state.robots[0].pose[0] > " + (before + 0.5));
-        page.await("a line", "plot() && plot().lines.length == 1 && plot().lines[0].values.length > 5");
+        page.await("half a metre", "world.running.robots[0].pose[0] > " + (before + 0.5));
+        page.await("a line", "plot.chart() && plot.chart().lines.length == 1 && plot.chart().lines[0].values.length > 5");
         page.browser.click(".sear-halt");
-        page.await("the robot stands", "state.robots[0].speed == 0");
+        page.await("the robot stands", "world.running.robots[0].speed == 0");
         page.browser.click(".sear-stop");
         page.await("the end of the record", "!service.recorded && !service.simulating");
         page.browser.choose(".sear-source", "run.searlog");
-        page.await("the record", "replay !== null && names.length > 5");
+        page.await("the record", "replay.shown !== null && plot.names.length > 5");
         page.browser.choose(".sear-replay-speed", "50 \u00d7");
         page.browser.click(".sear-play");
-        page.await("played to its end", "!replay.playing && replay.index === replay.times.length - 1");
-        assertTrue("it shows where the robot was", page.number("world().robots[0].pose[0]") > before + 0.5);
+        page.await("played to its end", "!replay.shown.playing && replay.shown.index === replay.shown.times.length - 1");
+        assertTrue("it shows where the robot was", page.number("world.shown().robots[0].pose[0]") > before + 0.5);
         page.browser.click(".sear-end-replay");
-        page.await("what is now", "replay === null");
+        page.await("what is now", "replay.shown === null");
         Files.delete(mrl.folder().resolve("run.searlog"));
     }
 
     @Test
     public void aThingIsBuiltTakenBackSavedBesideAForeignFileAndOverItAndUploaded() throws Exception {
         page.open(mrl, "sear");
-        page.await("an empty project", "preview !== null && grammar !== null && world() && !world().objects.length");
+        page.await("an empty project", "world.preview !== null && edits.grammar !== null && world.shown() && !world.shown().objects.length");
         page.browser.click(".sear-map");
         page.browser.click(".sear-build");
         page.browser.click(".sear-palette [data-make='Box']");
-        page.await("a box to place", "armed && armed.name == 'Box'");
+        page.await("a box to place", "palette.armed && palette.armed.name == 'Box'");
         WebElement view = page.browser.see(".sear-view");
         Dimension size = view.getSize();
         new Actions(page.browser.driver()).moveToElement(view, size.getWidth() / 10, -size.getHeight() / 10).click().perform();
-        page.await("the box", "object && object.object == 'box1' && world().objects.length == 1");
+        page.await("the box", "edits.object && edits.object.object == 'box1' && world.shown().objects.length == 1");
         page.browser.click(".sear-undo");
-        page.await("no box", "!world().objects.length && undoable === null");
+        page.await("no box", "!world.shown().objects.length && edits.undoable === null");
         Path foreign = Files.write(mrl.folder().resolve("maze.sear"), new byte[] {1, 2, 3});
         openExample("maze");
         page.browser.type(".sear-path", "maze.sear");
@@ -118,7 +118,7 @@ public class ClicksTest extends InPage {
         page.browser.seeText(".sear-last", "saved maze.sear");
         assertArrayEquals(Files.readAllBytes(saved), Files.readAllBytes(foreign));
         page.browser.all(".sear-file").get(0).sendKeys(ROOT.resolve("examples/ramps.sear").toString());
-        page.await("the uploaded project", "form.path == 'ramps.sear'");
+        page.await("the uploaded project", "project.path == 'ramps.sear'");
         page.browser.until("its files", () -> Files.notExists(mrl.folder().resolve("SEARproject/environment/goal.xml")));
         Files.delete(foreign);
         Files.delete(saved);

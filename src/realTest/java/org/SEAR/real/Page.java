@@ -44,6 +44,7 @@ final class Page implements AutoCloseable {
     private void see(String service) {
         browser.until("the header of " + service, () -> browser.texts(".tab-header .dropdown-toggle").stream()
             .anyMatch(text -> text.replace('\u00a0', ' ').trim().endsWith(" " + service)));
+        browser.until("the modules of all panels", () -> browser.all(".sear-loading").isEmpty());
     }
 
     void setSize(int width, int height) {

@@ -75,14 +75,14 @@ public class PanelsTest extends InPage {
     @Test
     public void aServiceThatIsStartedWhileThePageIsOpenHasAllInItsPanel() throws Exception {
         page.open(mrl, "sear");
-        page.await("what the first panel has asked for", "grammar !== null && examples.length > 5");
+        page.await("what the first panel has asked for", "edits.grammar !== null && project.examples.length > 5");
         assertEquals("", mrl.python("another = Runtime.start('another', 'SEAR')"));
         page.show("another");
         page.browser.until("what the second has asked for", () -> Boolean.TRUE.equals(page.browser.scope("#sear-workspace-another",
-            "grammar !== null && examples.length > 5 && scripts.length > 1")));
+            "edits.grammar !== null && project.examples.length > 5 && project.scripts.length > 1")));
         assertEquals("", mrl.python("Runtime.release('another')", "another = Runtime.start('another', 'SEAR')"));
         page.show("another");
         page.browser.until("the panel of the one that was started again", () -> Boolean.TRUE.equals(page.browser.scope("#sear-workspace-another",
-            "grammar !== null && examples.length > 5 && scripts.length > 1")));
+            "edits.grammar !== null && project.examples.length > 5 && project.scripts.length > 1")));
     }
 }

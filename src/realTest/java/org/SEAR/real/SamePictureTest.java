@@ -25,7 +25,8 @@ public class SamePictureTest extends InRealMrl {
     private static final double MOST_DIFFERENT = 0.015;
     /** The list of examples says where they lie, which is another folder here and there. */
     private static final String PREPARE = "document.querySelector('.sear-example').style.width = '190px'";
-    private static final String READY = "preview !== null && grammar !== null && world() && world().robots.length == 1 && view.fitted";
+    private static final String READY =
+        "world.preview !== null && edits.grammar !== null && world.shown() && world.shown().robots.length == 1 && view.fitted";
     /** Of each visible part of the panel: what it is, and left, top, width and height in the window. */
     private static final String BOXES = String.join("\n",
         "return [].filter.call(document.querySelectorAll('.sear-main, .sear-main *'), function(e) {",
@@ -64,7 +65,7 @@ public class SamePictureTest extends InRealMrl {
             page.browser.see(Page.SEAR);
             page.browser.script(PREPARE);
             page.await("the project", READY);
-            page.browser.script("angular.element(document.querySelector('.sear-main')).scope().$apply('fit()')");
+            page.browser.script("angular.element(document.querySelector('.sear-main')).scope().$apply('view.fit()')");
             page.browser.until("a drawn frame", () -> Boolean.TRUE.equals(page.browser.driver().executeAsyncScript(
                 "var done = arguments[0]; requestAnimationFrame(function() { requestAnimationFrame(function() { done(true) }) })")));
             parts = (List<Map<String, Object>>) page.browser.script(BOXES);

@@ -204,9 +204,24 @@ public final class Browser implements AutoCloseable {
         return driver.executeScript(code, arguments);
     }
 
-    /** Evaluates an expression in the scope of a panel, as {@code scope(".sear-main", "toScreen(1, 2).x")}. */
+    /**
+     * What JavaScript returns that has a module as {@code module}.
+     *
+     * @param module its path below {@code js/sear}, as {@code world/pointing.js}
+     */
+    public Object module(String module, String code) {
+        return script("return import(new URL('service/js/sear/" + module + "', document.baseURI)).then(function(module) {"
+            + code + "})");
+    }
+
+    /**
+     * Evaluates an expression in the scope of a panel, as {@code scope(".sear-main", "view.toScreen(1, 2).x")}. Angular takes a name that is not
+     * there for null; here it is an error.
+     */
     public Object scope(String css, String expression) {
-        return script("return angular.element(document.querySelector(arguments[0])).scope().$eval(arguments[1])", css, expression);
+        return script("var scope = angular.element(document.querySelector(arguments[0])).scope(); var name = /[$\\w]+/.exec(arguments[1])[0];"
+            + "if (!(name in scope)) { throw new Error('no ' + name + ' in the scope of ' + arguments[0]) }"
+            + "return scope.$eval(arguments[1])", css, expression);
     }
 
     /** The same as a number. */

@@ -50,32 +50,32 @@ final class BuildingPictures {
 
     private void build() throws IOException {
         browser.see("mrl-panel[name='sear'] > *");
-        browser.until("the panel", () -> tab.isTrue("service && preview !== null && grammar !== null"));
+        browser.until("the panel", () -> tab.isTrue("service && world.preview !== null && edits.grammar !== null"));
         browser.click(".sear-space");
-        browser.until("the view in space", () -> tab.isTrue("scene() !== null"));
-        browser.scope(SearTab.ROOT, "zoom(1.4)");
+        browser.until("the view in space", () -> tab.isTrue("view.scene() !== null"));
+        browser.scope(SearTab.ROOT, "view.zoom(1.4)");
         film = new Film(browser);
         film.shoot(LOOK);
-        if (!tab.isTrue("building")) {
+        if (!tab.isTrue("view.building")) {
             film.click(".sear-build");
             browser.see(".sear-palette");
         }
         place("Floor", 0, 0, 0, "floor1");
-        String template = (String) browser.script("var all = angular.element(document.querySelector('.sear-main')).scope().grammar.templates;"
+        String template = (String) browser.script("var all = angular.element(document.querySelector('.sear-main')).scope().edits.grammar.templates;"
             + "return all.filter(function(one) { return /rover/i.test(one) })[0] || all[all.length - 1]");
         place(template, 0, 0, -1.5, null);
         film.type("#sear-p-name", ROBOT);
         waitForSelected(ROBOT);
         film.shoot(LOOK);
-        double top = ((Number) browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope();"
-            + "return window.SEARPanel.pointing.extent(scope.world().robots[0])[1][1]")).doubleValue();
+        double top = ((Number) browser.module("world/pointing.js", "return module.extent("
+            + "angular.element(document.querySelector('.sear-main')).scope().world.shown().robots[0])[1][1]")).doubleValue();
         place("LIDAR", 0, top, -1.5, ROBOT + "/lidar1");
         place("Box", 0.3, 0, 1.3, "box1");
         film.type("[data-field='color'] .form-control", "orange");
-        browser.until("its colour", () -> tab.isTrue("object.values.color == 'orange'"));
+        browser.until("its colour", () -> tab.isTrue("edits.object.values.color == 'orange'"));
         settle();
         film.drag(inSpace(0.3, 0.4, 1.3), inSpace(-0.6, 0.4, 1.6));
-        browser.until("its place", () -> tab.isTrue("object.values.z != '1.3'"));
+        browser.until("its place", () -> tab.isTrue("edits.object.values.z != '1.3'"));
         film.shoot(LOOK);
         place("Cylinder", 1.2, 0, 0.5, "cylinder1");
         settle();
@@ -93,11 +93,11 @@ final class BuildingPictures {
 
     private void place(String what, double x, double y, double z, String name) throws IOException {
         film.click(".sear-palette [data-make='" + what + "']");
-        browser.until(what + " to place", () -> tab.isTrue("armed !== null"));
+        browser.until(what + " to place", () -> tab.isTrue("palette.armed !== null"));
         film.shoot(GLANCE);
         double[] at = inSpace(x, y, z);
         film.click(at[0], at[1]);
-        browser.until(what + " to be made", () -> tab.isTrue("armed === null && object !== null"));
+        browser.until(what + " to be made", () -> tab.isTrue("palette.armed === null && edits.object !== null"));
         if (name != null) {
             waitForSelected(name);
         }
@@ -106,15 +106,15 @@ final class BuildingPictures {
     }
 
     private void waitForSelected(String name) {
-        browser.until(name + " selected", () -> tab.isTrue("object && object.object == '" + name + "'"));
+        browser.until(name + " selected", () -> tab.isTrue("edits.object && edits.object.object == '" + name + "'"));
     }
 
     /** Until the view has got what it asked for. */
     private void settle() {
         browser.until("all that is to be seen", () -> Boolean.TRUE.equals(browser.script("var scope = angular.element("
-            + "document.querySelector('.sear-main')).scope(), scene = scope.scene();"
-            + "return Object.keys(scene.looks.wanted).length === 0 && scope.selected !== null"
-            + " && Boolean(window.SEARPanel.pointing.find(scope.world(), scope.selected))"
+            + "document.querySelector('.sear-main')).scope(), scene = scope.view.scene();"
+            + "return Object.keys(scene.looks.wanted).length === 0 && scope.edits.selected !== null"
+            + " && scope.building.found() !== null"
             + " && scene.objects.every(function(item) { return item.dressed })"
             + " && scene.robots.every(function(robot) { return robot.parts.every(function(item) { return item.dressed }) })")));
     }
@@ -124,15 +124,15 @@ final class BuildingPictures {
     private double[] inSpace(double x, double y, double z) {
         WebElement canvas = browser.see(".sear-scene");
         List<Number> at = (List<Number>) browser.script("var box = arguments[0].getBoundingClientRect();"
-            + "var at = angular.element(arguments[0]).scope().scene().toScreen(arguments[1], arguments[2], arguments[3]);"
+            + "var at = angular.element(arguments[0]).scope().view.scene().toScreen(arguments[1], arguments[2], arguments[3]);"
             + "return [box.left + at.x, box.top + at.y]", canvas, x, y, z);
         return new double[] {at.get(0).doubleValue(), at.get(1).doubleValue()};
     }
 
     private void drive() throws IOException {
-        browser.scope(SearTab.ROOT, "select(null)");
+        browser.scope(SearTab.ROOT, "edits.select(null)");
         film.click(".sear-start");
-        browser.until("a running simulation", () -> tab.isTrue("state !== null && service.simulating"));
+        browser.until("a running simulation", () -> tab.isTrue("world.running !== null && service.simulating"));
         robotLab.call("sear", "recordRun", "drive.searlog");
         film.shoot(LOOK);
         robotLab.call("sear", "pause");
@@ -161,21 +161,21 @@ final class BuildingPictures {
     }
 
     private void plot() throws IOException {
-        if (tab.isTrue("building")) {
+        if (tab.isTrue("view.building")) {
             browser.click(".sear-build");
         }
         if (browser.all(".sear-source").stream().noneMatch(WebElement::isDisplayed)) {
             browser.click(".sear-plots");
         }
         browser.choose(".sear-source", "drive.searlog");
-        browser.until("the record", () -> tab.isTrue("replay !== null && names.length > 5"));
+        browser.until("the record", () -> tab.isTrue("replay.shown !== null && plot.names.length > 5"));
         for (String value : List.of(ROBOT + ".z", ROBOT + ".speed", "lidar1")) {
             browser.choose(".sear-add", value);
         }
-        browser.until("three lines", () -> tab.isTrue("plot() && plot().lines.length == 3"));
+        browser.until("three lines", () -> tab.isTrue("plot.chart() && plot.chart().lines.length == 3"));
         browser.script("var s = document.querySelector('.sear-slider'); s.value = Math.round(s.max / 2);"
             + "['input', 'change'].forEach(function(one) { s.dispatchEvent(new Event(one, {bubbles: true})) })");
-        browser.until("the middle of the drive", () -> tab.isTrue("replay.index > 0"));
+        browser.until("the middle of the drive", () -> tab.isTrue("replay.shown.index > 0"));
         browser.script("document.activeElement.blur(); document.querySelector('.sear-plot').scrollIntoView({block: 'nearest'})");
         picture("tab-plot");
     }

@@ -46,9 +46,9 @@ public class DrivingExamplesInTheTabsTest {
         browser.choose(".sear-script", "obstacle avoidance");
         browser.click(".sear-run-script");
         tab.waitForRobot("office Roomba");
-        browser.until("a running simulation", () -> tab.isTrue("state !== null"));
-        browser.until("the robot at the goal", () -> Math.hypot(tab.number("state.robots[0].pose[0]") - 1.9,
-            tab.number("state.robots[0].pose[2]") - 1.8) < 0.2);
+        browser.until("a running simulation", () -> tab.isTrue("world.running !== null"));
+        browser.until("the robot at the goal", () -> Math.hypot(tab.number("world.running.robots[0].pose[0]") - 1.9,
+            tab.number("world.running.robots[0].pose[2]") - 1.8) < 0.2);
         assertTrue("no other is begun while one drives", !browser.see(".sear-run-script").isEnabled());
         tab.stopAll();
     }

@@ -93,10 +93,10 @@ public class GpsTabTest {
     public void theModelIsThatOfTheReceiver() {
         browser.until("the panel", () -> browser.text(".gps-status").equals("not connected"));
         browser.choose(".gps-model", "NEO-M8N");
-        browser.until("its speed", () -> browser.number(PANEL, "form.baud") == 9600);
+        browser.until("its speed", () -> browser.number(PANEL, "port.baud") == 9600);
         assertTrue("its fastest", browser.see(".gps-baud").getText().contains("921600"));
         browser.choose(".gps-model", "FV-M8");
-        browser.until("its speed", () -> browser.number(PANEL, "form.baud") == 38400);
+        browser.until("its speed", () -> browser.number(PANEL, "port.baud") == 38400);
         connect();
         browser.seeText(".gps-firmware", "MTK3301");
         browser.until("the model", () -> "MT3301".equals(browser.scope(PANEL, "form.model")));

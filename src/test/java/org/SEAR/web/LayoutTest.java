@@ -218,7 +218,7 @@ public class LayoutTest {
 
     private void openAgain() {
         TABS.open("sear");
-        browser.until("the world", () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "world() && world().robots.length > 0")));
+        browser.until("the world", () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "world.shown() && world.shown().robots.length > 0")));
     }
 
     @Test

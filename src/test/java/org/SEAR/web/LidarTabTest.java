@@ -221,7 +221,7 @@ public class LidarTabTest {
     public void aDeviceAtAnotherRateIsFoundAndShown() {
         connect(DeviceWorld.LIDAR_PORT, "19200");
         browser.seeText(".lidar-message", "the LIDAR answers at 38400 baud");
-        browser.until("the rate that was found", () -> browser.number(PANEL, "form.baud") == 38400);
+        browser.until("the rate that was found", () -> browser.number(PANEL, "port.baud") == 38400);
         seeMode("180° / 1°");
         scan();
     }

@@ -40,12 +40,12 @@ public class PreviewTest {
 
     private void open(String example, String robot) {
         tab.openExample(example);
-        browser.until("the preview of " + robot, () -> tab.isTrue("preview.world.robots[0].name === '" + robot + "'"));
+        browser.until("the preview of " + robot, () -> tab.isTrue("world.preview.world.robots[0].name === '" + robot + "'"));
     }
 
     private int index(String name) {
-        for (int i = 0; i < tab.number("world().objects.length"); i++) {
-            if (tab.isTrue("world().objects[" + i + "].name === '" + name + "'")) {
+        for (int i = 0; i < tab.number("world.shown().objects.length"); i++) {
+            if (tab.isTrue("world.shown().objects[" + i + "].name === '" + name + "'")) {
                 return i;
             }
         }
@@ -72,21 +72,21 @@ public class PreviewTest {
         tab.waitForStatus("no simulation runs");
         browser.seeText(".sear-tree", "office Roomba robot");
         browser.click(".sear-beams");
-        String plant = "world().objects[" + index("plant") + "]";
+        String plant = "world.shown().objects[" + index("plant") + "]";
         double[] at = pose(plant);
         browser.until("a green tree", () -> tab.colour(at[0] + 0.05, at[1] + 0.05) == PLANT);
         assertNotEquals("a metre beside it", PLANT, tab.colour(at[0] - 1, at[1]));
-        double[] start = pose("world().robots[0]");
+        double[] start = pose("world.shown().robots[0]");
         assertNotEquals("the robot is drawn", tab.colour(start[0] - 0.1, start[1] + 0.05), tab.colour(start[0] - 0.5, start[1] + 0.05));
         tab.start();
         browser.click(".sear-pause");
         browser.until("no note", () -> browser.see(".sear-note").getText().isEmpty());
         browser.click(".sear-reset");
         browser.until("time 0", () -> tab.time() == 0);
-        assertArrayEquals("it was the robot's start", pose("state.robots[0]"), start, 1e-3);
+        assertArrayEquals("it was the robot's start", pose("world.running.robots[0]"), start, 1e-3);
         browser.click(".sear-stop");
         browser.seeText(".sear-note", "Not running");
-        browser.until("the robot at its start", () -> tab.isTrue("world() === preview.world"));
+        browser.until("the robot at its start", () -> tab.isTrue("world.shown() === world.preview.world"));
     }
 
     @Test
@@ -94,7 +94,7 @@ public class PreviewTest {
         robotLab.call("sear", "newProject");
         browser.seeText(".sear-note", "the project is empty: open one or an example above");
         robotLab.run(OBJECTS + "Floor('ground', 8, 8)\ncrate = Box('crate', 0.5, 0.5, 0.5, 0)\ncrate.move(1, 0.25, 2)\n");
-        browser.until("the crate", () -> index("crate") >= 0 && tab.number("world().objects[" + index("crate") + "].pose[0]") == 1);
+        browser.until("the crate", () -> index("crate") >= 0 && tab.number("world.shown().objects[" + index("crate") + "].pose[0]") == 1);
         browser.until("its picture", () -> tab.colour(1, 2) == BOX);
         robotLab.run("crate.move(-2, 0.25, -1)");
         browser.until("it at its new place", () -> tab.colour(-2, -1) == BOX);
@@ -126,7 +126,7 @@ public class PreviewTest {
         Files.writeString(bad, "<Box>\n<name>bad</name>\n<length>-1</length>\n</Box>\n");
         browser.seeText(".sear-problems tbody tr", "environment/bad.xml 3 length -1");
         browser.seeText(".sear-note", "Not running, and nothing to show: the project has 3 problems, listed below");
-        assertTrue("nothing is drawn that is not so", tab.isTrue("world() === null"));
+        assertTrue("nothing is drawn that is not so", tab.isTrue("world.shown() === null"));
         TABS.open("sear");
         browser.seeText(".sear-problems tbody tr", "environment/bad.xml 3 length -1");
         assertTrue("it is no message each second", browser.all(".sear-main .alert").isEmpty());

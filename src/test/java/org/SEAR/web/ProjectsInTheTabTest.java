@@ -229,7 +229,7 @@ public class ProjectsInTheTabTest {
             robotLab.call("sear", "saveProject", "later.sear");
             other.seeText(".sear-last", "saved by another page");
             assertEquals("nothing was loaded beside it", 0, other.downloads().toFile().list().length);
-            assertEquals("nor begun", null, other.scope(SearTab.ROOT, "transfer"));
+            assertEquals("nor begun", null, other.scope(SearTab.ROOT, "project.transfer"));
         }
     }
 
@@ -250,7 +250,7 @@ public class ProjectsInTheTabTest {
         browser.see(".sear-main .alert-danger");
         browser.seeText(".sear-main .alert-danger", "nonsense.sear");
         assertFalse(browser.text(".sear-main .alert-danger"), browser.text(".sear-main .alert-danger").contains("/tmp"));
-        browser.until("no upload", () -> tab.isTrue("transfer === null"));
+        browser.until("no upload", () -> tab.isTrue("project.transfer === null"));
         tab.waitForRobot("maze Roomba");
     }
 

@@ -52,30 +52,30 @@ public class RecordsTabTest {
     }
 
     private double plot(String expression) {
-        return tab.number("plot()." + expression);
+        return tab.number("plot.chart()." + expression);
     }
 
     @Test
     public void valuesOfTheRunAndOfRecordsAreDrawnAndTheRecordIsShownAgain() throws IOException {
         TABS.robotLab().run(WORLD + "\n" + RUNS);
-        browser.until("the world", () -> tab.isTrue("world() && world().robots.length == 1"));
+        browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
         browser.click(".sear-map");
         browser.click(".sear-plots");
         browser.choose(".sear-source", "run3.searlog");
-        browser.until("the record", () -> tab.isTrue("replay !== null && names.length > 5"));
-        assertEquals("at its start", 0, tab.number("world().robots[0].pose[2]"), 0.01);
+        browser.until("the record", () -> tab.isTrue("replay.shown !== null && plot.names.length > 5"));
+        assertEquals("at its start", 0, tab.number("world.shown().robots[0].pose[2]"), 0.01);
         browser.choose(".sear-other", "run1.searlog");
         browser.choose(".sear-add", "roomba.z");
         browser.choose(".sear-add", "ping");
-        browser.until("four lines", () -> tab.isTrue("plot() && plot().lines.length == 4"));
-        assertEquals(0.6, plot("lines[0].values[plot().lines[0].values.length - 1]"), 0.03);
-        assertEquals(0.2, plot("lines[1].values[plot().lines[1].values.length - 1]"), 0.02);
+        browser.until("four lines", () -> tab.isTrue("plot.chart() && plot.chart().lines.length == 4"));
+        assertEquals(0.6, plot("lines[0].values[plot.chart().lines[0].values.length - 1]"), 0.03);
+        assertEquals(0.2, plot("lines[1].values[plot.chart().lines[1].values.length - 1]"), 0.02);
         assertEquals(2, plot("scale.to"), 0.05);
         slideTo("max");
-        browser.until("the robot at its end", () -> tab.number("world().robots[0].pose[2]") > 0.55);
+        browser.until("the robot at its end", () -> tab.number("world.shown().robots[0].pose[2]") > 0.55);
         browser.seeText(".sear-note", "run3.searlog at 2.00 s of 2.00 s");
         browser.seeText(".sear-readings-of", "run3.searlog at 2.00 s");
-        double read = plot("lines[2].values[plot().lines[2].values.length - 1]");
+        double read = plot("lines[2].values[plot.chart().lines[2].values.length - 1]");
         browser.seeText("[data-sensor='ping'] .sear-reading", String.format(Locale.ROOT, "%.3f", read));
         browser.seeText("[data-sensor='touch'] .sear-reading", "not pressed");
         browser.seeText("[data-sensor='scanner'] .sear-reading", "nearest ");
@@ -87,9 +87,9 @@ public class RecordsTabTest {
         assertTrue(csv, csv.startsWith("time (s) run3.searlog,roomba.z run3.searlog,"));
         browser.choose(".sear-replay-speed", "50 \u00d7");
         browser.click(".sear-play");
-        browser.until("played to its end", () -> tab.isTrue("!replay.playing && replay.index === replay.times.length - 1"));
+        browser.until("played to its end", () -> tab.isTrue("!replay.shown.playing && replay.shown.index === replay.shown.times.length - 1"));
         browser.click(".sear-end-replay");
-        browser.until("what is now", () -> tab.isTrue("replay === null && world().robots[0].pose[2] < 0.1"));
+        browser.until("what is now", () -> tab.isTrue("replay.shown === null && world.shown().robots[0].pose[2] < 0.1"));
     }
 
     private void slideTo(String end) {
@@ -101,18 +101,18 @@ public class RecordsTabTest {
     @Test
     public void theRunIsPlottedWhileItGoesOnAndRecordedByAButton() {
         TABS.robotLab().run(WORLD);
-        browser.until("the world", () -> tab.isTrue("world() && world().robots.length == 1"));
+        browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
         browser.click(".sear-record");
         browser.until("a record is asked for", () -> tab.isTrue("service.recorded"));
         tab.start();
         browser.click(".sear-plots");
         browser.choose(".sear-add", "ping");
-        browser.until("points", () -> tab.isTrue("plot() && plot().lines.length == 1 && plot().lines[0].values.length > 5"));
+        browser.until("points", () -> tab.isTrue("plot.chart() && plot.chart().lines.length == 1 && plot.chart().lines[0].values.length > 5"));
         browser.click(".sear-forward");
-        browser.until("it comes nearer", () -> tab.isTrue("plot().lines[0].values[plot().lines[0].values.length - 1]"
-            + " < plot().lines[0].values[3] - 0.05"));
+        browser.until("it comes nearer", () -> tab.isTrue("plot.chart().lines[0].values[plot.chart().lines[0].values.length - 1]"
+            + " < plot.chart().lines[0].values[3] - 0.05"));
         browser.click(".sear-pause-plot");
-        browser.until("held", () -> tab.isTrue("paused !== null"));
+        browser.until("held", () -> tab.isTrue("plot.paused !== null"));
         browser.click(".sear-stop");
         browser.until("the record has ended", () -> tab.isTrue("!service.recorded"));
         assertTrue(TABS.robotLab().call("sear", "getRecordNames", "run.searlog").toString().contains("ping"));
@@ -122,8 +122,8 @@ public class RecordsTabTest {
     public void theProjectIsShownAsItsScript() {
         TABS.robotLab().run(WORLD);
         browser.click(".sear-show-script");
-        browser.until("the script", () -> tab.isTrue("python && python.text.indexOf('Box(\"wall\", 4, 0.2, 0.5, 0, 0, 0.25, 3)') > 0"));
+        browser.until("the script", () -> tab.isTrue("script.shown && script.shown.text.indexOf('Box(\"wall\", 4, 0.2, 0.5, 0, 0, 0.25, 3)') > 0"));
         browser.click(".sear-close-script");
-        browser.until("closed", () -> tab.isTrue("python === null"));
+        browser.until("closed", () -> tab.isTrue("script.shown === null"));
     }
 }

@@ -46,7 +46,7 @@ final class SearTab {
     /** Starts the simulation; returns when its first picture is there. */
     void start() {
         browser.click(".sear-start");
-        browser.until("a running simulation", () -> isTrue("state !== null && view.fitted"));
+        browser.until("a running simulation", () -> isTrue("world.running !== null && view.fitted"));
     }
 
     void waitForStatus(String part) {
@@ -63,7 +63,7 @@ final class SearTab {
 
     /** Simulated seconds that the panel shows; -1 if none. */
     double time() {
-        return number("state ? state.time : -1");
+        return number("world.running ? world.running.time : -1");
     }
 
     /** Waits until the panel shows a later time. */
@@ -74,7 +74,7 @@ final class SearTab {
     /** The colour of a point of the ground in the view: red, green, blue, alpha as 0xRRGGBBAA. */
     long colour(double x, double z) {
         WebElement view = browser.see(".sear-view");
-        Object value = browser.script("var at = angular.element(arguments[0]).scope().toScreen(arguments[1], arguments[2]);"
+        Object value = browser.script("var at = angular.element(arguments[0]).scope().view.toScreen(arguments[1], arguments[2]);"
             + "var ratio = window.devicePixelRatio || 1;"
             + "var c = arguments[0].getContext('2d').getImageData(Math.round(at.x * ratio), Math.round(at.y * ratio), 1, 1).data;"
             + "return ((c[0] * 256 + c[1]) * 256 + c[2]) * 256 + c[3]", view, x, z);
@@ -84,7 +84,7 @@ final class SearTab {
     /** Where a point of the ground is on the canvas, pixels. */
     @SuppressWarnings("unchecked")
     double[] toScreen(double x, double z) {
-        Map<String, Number> at = (Map<String, Number>) browser.scope(ROOT, "toScreen(" + x + ", " + z + ")");
+        Map<String, Number> at = (Map<String, Number>) browser.scope(ROOT, "view.toScreen(" + x + ", " + z + ")");
         return new double[] {at.get("x").doubleValue(), at.get("y").doubleValue()};
     }
 }

@@ -44,29 +44,29 @@ public class SearTabTest {
         tab.openExample("office");
         tab.start();
         tab.waitForStatus("running at ");
-        double[] before = {tab.number("state.robots[0].pose[0]"), tab.number("state.robots[0].pose[2]")};
+        double[] before = {tab.number("world.running.robots[0].pose[0]"), tab.number("world.running.robots[0].pose[2]")};
         long robot = tab.colour(before[0] - 0.1, before[1] + 0.05);
         assertNotEquals("the robot is drawn where it stands", tab.colour(before[0] - 0.5, before[1] + 0.05), robot);
         browser.click(".sear-forward");
-        browser.until("half a metre to the north", () -> tab.number("state.robots[0].pose[0]") > before[0] + 0.5);
+        browser.until("half a metre to the north", () -> tab.number("world.running.robots[0].pose[0]") > before[0] + 0.5);
         browser.click(".sear-halt");
-        browser.until("the robot stands", () -> tab.number("state.robots[0].speed") == 0);
+        browser.until("the robot stands", () -> tab.number("world.running.robots[0].speed") == 0);
         double[] truth = pose("office Roomba");
-        browser.until("the pose in the tab is the robot's", () -> Math.abs(tab.number("state.robots[0].pose[0]") - truth[0]) < 0.001);
-        double[] now = tab.toScreen(tab.number("state.robots[0].pose[0]"), tab.number("state.robots[0].pose[2]"));
+        browser.until("the pose in the tab is the robot's", () -> Math.abs(tab.number("world.running.robots[0].pose[0]") - truth[0]) < 0.001);
+        double[] now = tab.toScreen(tab.number("world.running.robots[0].pose[0]"), tab.number("world.running.robots[0].pose[2]"));
         double[] expected = tab.toScreen(truth[0], truth[2]);
         assertEquals(expected[0], now[0], SearTab.NEAR);
         assertEquals(expected[1], now[1], SearTab.NEAR);
         assertEquals("north is up", tab.toScreen(before[0], before[1])[1] - (truth[0] - before[0]) * tab.number("view.scale"), now[1], SearTab.NEAR);
         assertEquals("east is to the right", now[0] + tab.number("view.scale"), tab.toScreen(truth[0], truth[2] + 1)[0], SearTab.NEAR);
         browser.until("the robot is no longer drawn where it was", () -> tab.colour(before[0] - 0.1, before[1] + 0.05) != robot);
-        assertTrue("its path is kept", tab.number("state.robots[0].path.length") > 10);
+        assertTrue("its path is kept", tab.number("world.running.robots[0].path.length") > 10);
         browser.click(".sear-stop");
         tab.waitForStatus("no simulation runs");
     }
 
     private boolean isCircleNamed() {
-        return Boolean.TRUE.equals(browser.script("return angular.element(document.querySelector('.sear-main')).scope().messages"
+        return Boolean.TRUE.equals(browser.script("return angular.element(document.querySelector('.sear-main')).scope().messages.list"
             + ".some(function(message) { return message.text.indexOf('circle') >= 0 })"));
     }
 
@@ -76,9 +76,9 @@ public class SearTabTest {
         tab.openExample("car");
         tab.start();
         browser.click(".sear-forward");
-        browser.until("the car drives", () -> tab.number("state.robots[0].speed") > 0.1);
+        browser.until("the car drives", () -> tab.number("world.running.robots[0].speed") > 0.1);
         browser.click(".sear-halt");
-        browser.until("the car stands", () -> tab.number("state.robots[0].speed") == 0);
+        browser.until("the car stands", () -> tab.number("world.running.robots[0].speed") == 0);
         assertFalse(isCircleNamed());
         browser.click(".sear-left");
         browser.until("the servo is named", this::isCircleNamed);
@@ -91,10 +91,10 @@ public class SearTabTest {
         tab.start();
         browser.click(".sear-beams");
         int plant = -1;
-        for (int i = 0; i < tab.number("state.objects.length"); i++) {
-            plant = tab.isTrue("state.objects[" + i + "].name === 'plant'") ? i : plant;
+        for (int i = 0; i < tab.number("world.running.objects.length"); i++) {
+            plant = tab.isTrue("world.running.objects[" + i + "].name === 'plant'") ? i : plant;
         }
-        String object = "state.objects[" + plant + "]";
+        String object = "world.running.objects[" + plant + "]";
         assertTrue(tab.number(object + ".corners.length") > 8);
         double x = tab.number(object + ".pose[0]");
         double z = tab.number(object + ".pose[2]");
@@ -132,7 +132,7 @@ public class SearTabTest {
         browser.until("time 0", () -> tab.time() == 0);
         browser.click(".sear-resume");
         browser.choose(".sear-speed", "5 ×");
-        browser.until("five times real time", () -> tab.number("state.speed") > 1.5);
+        browser.until("five times real time", () -> tab.number("world.running.speed") > 1.5);
         TABS.open("sear");
         browser.until("a page that comes later shows the speed", () -> "5".equals(browser.see(".sear-speed").getAttribute("value")));
     }
@@ -155,15 +155,15 @@ public class SearTabTest {
         tab.start();
         WebElement view = browser.see(".sear-view");
         new Actions(browser.driver()).moveToElement(view, 0, 0).click().sendKeys("u").perform();
-        browser.until("forward", () -> tab.number("state.robots[0].speed") > 0.1);
+        browser.until("forward", () -> tab.number("world.running.robots[0].speed") > 0.1);
         view.sendKeys("j");
-        browser.until("backward", () -> tab.number("state.robots[0].speed") < -0.1);
+        browser.until("backward", () -> tab.number("world.running.robots[0].speed") < -0.1);
         view.sendKeys("h");
-        browser.until("to the left", () -> tab.number("state.robots[0].turnRate") > 0.1);
+        browser.until("to the left", () -> tab.number("world.running.robots[0].turnRate") > 0.1);
         view.sendKeys("k");
-        browser.until("to the right", () -> tab.number("state.robots[0].turnRate") < -0.1);
+        browser.until("to the right", () -> tab.number("world.running.robots[0].turnRate") < -0.1);
         view.sendKeys(";");
-        browser.until("halt", () -> Math.abs(tab.number("state.robots[0].turnRate")) < 0.001);
+        browser.until("halt", () -> Math.abs(tab.number("world.running.robots[0].turnRate")) < 0.001);
         double before = tab.time();
         view.sendKeys(Keys.ENTER);
         browser.until("reset", () -> tab.time() < before);
@@ -186,14 +186,14 @@ public class SearTabTest {
     public void anOlderStateDoesNotOfferTheStartAgain() {
         tab.openExample("maze");
         String scope = "angular.element(document.querySelector('" + SearTab.ROOT + "')).scope()";
-        browser.script(scope + ".$apply(function(s) { s.pending = 'starting'; s.service.older = true })");
+        browser.script(scope + ".$apply(function(s) { s.run.pending = 'starting'; s.service.older = true })");
         robotLab.call("sear", "broadcastState");
         browser.until("a state that came after", () -> tab.isTrue("service.older === undefined"));
         tab.waitForStatus("starting");
         assertFalse("can't be clicked", browser.see(".sear-start").isEnabled());
         robotLab.call("sear", "startSimulation");
         tab.waitForStatus("running");
-        browser.script(scope + ".$apply(function(s) { s.pending = 'stopping'; s.service.older = true })");
+        browser.script(scope + ".$apply(function(s) { s.run.pending = 'stopping'; s.service.older = true })");
         robotLab.call("sear", "broadcastState");
         browser.until("a state that came after", () -> tab.isTrue("service.older === undefined"));
         tab.waitForStatus("stopping");
@@ -227,8 +227,8 @@ public class SearTabTest {
         WebElement view = browser.see(".sear-view");
         view.sendKeys(Keys.chord(Keys.CONTROL, Keys.ALT, "k"));
         view.sendKeys("u");
-        browser.until("forward, and no turn before", () -> tab.number("state.robots[0].speed") > 0.1);
-        assertEquals(0, tab.number("state.robots[0].turnRate"), 0.1);
+        browser.until("forward, and no turn before", () -> tab.number("world.running.robots[0].speed") > 0.1);
+        assertEquals(0, tab.number("world.running.robots[0].turnRate"), 0.1);
     }
 
     @Test
@@ -236,11 +236,11 @@ public class SearTabTest {
         tab.openExample("maze");
         tab.start();
         browser.click(".sear-left");
-        browser.until("to the left", () -> tab.number("state.robots[0].turnRate") > 0.1);
+        browser.until("to the left", () -> tab.number("world.running.robots[0].turnRate") > 0.1);
         browser.click(".sear-right");
-        browser.until("to the right", () -> tab.number("state.robots[0].turnRate") < -0.1);
+        browser.until("to the right", () -> tab.number("world.running.robots[0].turnRate") < -0.1);
         browser.click(".sear-backward");
-        browser.until("backward", () -> tab.number("state.robots[0].speed") < -0.1);
+        browser.until("backward", () -> tab.number("world.running.robots[0].speed") < -0.1);
     }
 
     @Test
@@ -292,9 +292,9 @@ public class SearTabTest {
             + "robot.addComponent(Distance('behind', 'PING)))', 0, 0.1, -0.15, 0, 180, 0))\n");
         tab.start();
         browser.seeText(".sear-sensors tr[data-sensor='behind'] .sear-reading", "nothing within 3 m");
-        String ahead = "state.sensors[0].name === 'ahead' ? state.sensors[0] : state.sensors[1]";
+        String ahead = "world.running.sensors[0].name === 'ahead' ? world.running.sensors[0] : world.running.sensors[1]";
         assertEquals(2 - 0.1, tab.number("(" + ahead + ").hit[2]"), 0.01);
-        String behind = "state.sensors[0].name === 'ahead' ? state.sensors[1] : state.sensors[0]";
+        String behind = "world.running.sensors[0].name === 'ahead' ? world.running.sensors[1] : world.running.sensors[0]";
         assertTrue(tab.isTrue("(" + behind + ").hit === null"));
         assertNotEquals("no square at the end of the beam that met nothing", 0xd9534fffL, tab.colour(0, -0.15 - 3));
         double z = tab.number("(" + ahead + ").hit[2]");
@@ -327,9 +327,9 @@ public class SearTabTest {
         robotLab.run("from org.SEAR.POJOs import Cylinder, Distance, Dynamics, Floor, SEARrobot, Wheel\nsear.newProject()\n"
             + "Floor('floor', 20, 20, False)\n" + robot("anna", 0) + PING + robot("bert", 2) + PING);
         tab.start();
-        int bert = tab.isTrue("state.robots[0].name === 'bert'") ? 0 : 1;
-        String driven = "state.robots[" + bert + "]";
-        String other = "state.robots[" + (1 - bert) + "]";
+        int bert = tab.isTrue("world.running.robots[0].name === 'bert'") ? 0 : 1;
+        String driven = "world.running.robots[" + bert + "]";
+        String other = "world.running.robots[" + (1 - bert) + "]";
         browser.choose(".sear-robot", "bert");
         browser.click(".sear-follow");
         browser.click(".sear-forward");
@@ -359,16 +359,16 @@ public class SearTabTest {
         browser.until("the box has fallen", () -> robotLab.call("sear", "getPose", "faller").get(1).asDouble() < 0.16);
         robotLab.call("sear", "drive", 0.2, 1e6);
         TABS.open("sear");
-        browser.until("the world", () -> tab.isTrue("state.objects.length === 3"));
+        browser.until("the world", () -> tab.isTrue("world.running.objects.length === 3"));
         double height = robotLab.call("sear", "getPose", "faller").get(1).asDouble();
-        assertEquals("it lies where it fell", height, tab.number("(state.objects | filter:{name: 'faller'})[0].pose[1]"), 0.001);
-        double before = tab.number("state.robots[0].pose[2]");
-        browser.until("the robot drives on", () -> tab.number("state.robots[0].pose[2]") > before + 0.1);
-        assertTrue("its path grows", tab.number("state.robots[0].path.length") > 3);
+        assertEquals("it lies where it fell", height, tab.number("(world.running.objects | filter:{name: 'faller'})[0].pose[1]"), 0.001);
+        double before = tab.number("world.running.robots[0].pose[2]");
+        browser.until("the robot drives on", () -> tab.number("world.running.robots[0].pose[2]") > before + 0.1);
+        assertTrue("its path grows", tab.number("world.running.robots[0].path.length") > 3);
         double time = tab.time();
-        browser.script("angular.element(document.querySelector('.sear-main')).scope().state.number -= 2");
+        browser.script("angular.element(document.querySelector('.sear-main')).scope().world.running.number -= 2");
         tab.waitForTime(time + 0.3);
-        browser.until("a page that has missed something asks for the whole", () -> Math.abs(tab.number("state.robots[0].pose[2]")
+        browser.until("a page that has missed something asks for the whole", () -> Math.abs(tab.number("world.running.robots[0].pose[2]")
             - robotLab.call("sear", "getPose", "anna").get(2).asDouble()) < 0.2);
     }
 
@@ -379,7 +379,7 @@ public class SearTabTest {
         tab.start();
         browser.until("the box has fallen", () -> robotLab.call("sear", "getPose", "lost").get(1).asDouble() < -12);
         TABS.open("sear");
-        browser.until("the warning", () -> tab.isTrue("(messages | filter:{text: 'lost has fallen out of the world'}).length === 1"));
+        browser.until("the warning", () -> tab.isTrue("(messages.list | filter:{text: 'lost has fallen out of the world'}).length === 1"));
     }
 
     @Test
@@ -400,7 +400,8 @@ public class SearTabTest {
         browser.click(".sear-fit");
         browser.until("fitted", () -> Math.abs(tab.number("view.scale") - scale) < 1e-6);
         browser.click(".sear-follow");
-        browser.until("the robot in the middle", () -> tab.isTrue("view.x === state.robots[0].pose[0] && view.z === state.robots[0].pose[2]"));
+        browser.until("the robot in the middle",
+            () -> tab.isTrue("view.x === world.running.robots[0].pose[0] && view.z === world.running.robots[0].pose[2]"));
         assertFalse(tab.isTrue("view.scale === 0"));
     }
 }

@@ -158,7 +158,7 @@ public class ShellTest {
             tab.start();
             other.seeText(".sear-status", "running at ");
             other.click(".sear-forward");
-            browser.until("movement", () -> tab.number("state.robots[0].speed") > 0.1);
+            browser.until("movement", () -> tab.number("world.running.robots[0].speed") > 0.1);
             browser.click(".sear-stop");
             other.seeText(".sear-status", "no simulation runs");
             assertEquals(List.of(), other.errors());

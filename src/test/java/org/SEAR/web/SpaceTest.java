@@ -56,7 +56,7 @@ public class SpaceTest {
     public void showTheWorld() {
         browser.until("no simulation", () -> tab.isTrue("service && !service.simulating"));
         TABS.robotLab().run(WORLD);
-        browser.until("the world", () -> tab.isTrue("world() && world().robots.length == 1"));
+        browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
         browser.click(".sear-space");
         browser.until("all of it", () -> Boolean.TRUE.equals(inScene("Object.keys(scene.looks.wanted).length === 0 && scene.robots.length === 1"
             + " && scene.objects.concat(scene.robots[0].parts).every(function(item) { return item.dressed && item.holder.visible })")));
@@ -70,7 +70,7 @@ public class SpaceTest {
     }
 
     private Object inScene(String expression) {
-        return browser.script("var scene = angular.element(document.querySelector('.sear-main')).scope().scene();"
+        return browser.script("var scene = angular.element(document.querySelector('.sear-main')).scope().view.scene();"
             + "return scene && (" + expression + ")");
     }
 
@@ -116,12 +116,12 @@ public class SpaceTest {
         browser.click(".sear-follow");
         double before = ((Number) inScene("scene.robots[0].parts[1].holder.quaternion.x")).doubleValue();
         browser.click(".sear-forward");
-        browser.until("the robot half a metre ahead", () -> tab.number("state.robots[0].pose[2]") > 0.5);
+        browser.until("the robot half a metre ahead", () -> tab.number("world.running.robots[0].pose[2]") > 0.5);
         browser.click(".sear-halt");
-        browser.until("the robot stands, in the view, too", () -> tab.number("state.robots[0].speed") == 0
-            && Math.abs(((Number) inScene("scene.robots[0].holder.position.z")).doubleValue() - tab.number("state.robots[0].pose[2]")) < 0.002);
+        browser.until("the robot stands, in the view, too", () -> tab.number("world.running.robots[0].speed") == 0
+            && Math.abs(number("scene.robots[0].holder.position.z") - tab.number("world.running.robots[0].pose[2]")) < 0.002);
         assertNotEquals("the first wheel has turned", before, ((Number) inScene("scene.robots[0].parts[1].holder.quaternion.x")).doubleValue(), 1e-3);
-        assertEquals("the camera's target", tab.number("state.robots[0].pose[2]"), ((Number) inScene("scene.orbit.target.z")).doubleValue(), 0.002);
+        assertEquals("the camera's target", tab.number("world.running.robots[0].pose[2]"), number("scene.orbit.target.z"), 0.002);
         assertTrue("beams that met something", ((Number) inScene("[].filter.call(scene.sensors[0].fan.geometry.attributes.position.array,"
             + " function(value) { return value !== 0 }).length")).intValue() > 50);
         browser.click(".sear-follow");
@@ -167,19 +167,19 @@ public class SpaceTest {
     public void oneLooksThroughASensor() throws IOException {
         browser.choose(".sear-eye", "scanner");
         browser.until("the camera in the scanner",
-            () -> Math.abs(number("scene.camera.position.y") - tab.number("world().sensors[0].pose[1]")) < 1e-3);
+            () -> Math.abs(number("scene.camera.position.y") - tab.number("world.shown().sensors[0].pose[1]")) < 1e-3);
         double[] ahead = place(0, 0.15, 5);
         assertEquals(browser.see(".sear-scene").getSize().getWidth() / 2.0, ahead[0], 1);
         double[] left = place(2, 0.15, 2);
         assertTrue("+x, north, is on the left of who looks east", left[0] < ahead[0] - 100);
-        browser.scope(SearTab.ROOT, "select('roomba/scanner')");
+        browser.scope(SearTab.ROOT, "edits.select('roomba/scanner')");
         browser.until("the lines around what it sees", () -> Boolean.TRUE.equals(inScene("scene.handles && scene.handles.eye.visible")));
         String corner = "scene.handles.eye.localToWorld(new THREE.Vector3(-1, 1, 1)).project(scene.camera)";
         browser.until("their end in the view's corner",
             () -> Math.abs(number(corner + ".x") - 1) < 0.01 && Math.abs(number(corner + ".y") - 1) < 0.01);
-        browser.scope(SearTab.ROOT, "select('roomba/body')");
+        browser.scope(SearTab.ROOT, "edits.select('roomba/body')");
         browser.until("no such lines of what is no sensor", () -> Boolean.TRUE.equals(inScene("!scene.handles.eye.visible")));
-        browser.scope(SearTab.ROOT, "select(null)");
+        browser.scope(SearTab.ROOT, "edits.select(null)");
         browser.choose(".sear-eye", "outside");
         browser.until("the camera outside", () -> number("scene.camera.position.y") > 1);
     }

@@ -48,9 +48,9 @@ public final class TabPictures {
             browser.until("all panels", () -> browser.all("mrl-panel[name='gps'] > *").size() > 0);
             robotLab.call("sear", "setSpeed", FACTOR);
             robotLab.call("sear", "drive", SPEED, RADIUS);
-            browser.until("the drive", () -> browser.number(SearTab.ROOT, "state ? state.time : -1") > DRIVE);
+            browser.until("the drive", () -> browser.number(SearTab.ROOT, "world.running ? world.running.time : -1") > DRIVE);
             robotLab.call("sear", "drive", 0, 0);
-            browser.until("the robot stands", () -> browser.number(SearTab.ROOT, "state.robots[0].speed") == 0);
+            browser.until("the robot stands", () -> browser.number(SearTab.ROOT, "world.running.robots[0].speed") == 0);
             robotLab.call("sear", "setSpeed", 1);
             browser.click("#tab-lidar");
             browser.until("a scan in the tab", () -> {
@@ -73,8 +73,9 @@ public final class TabPictures {
 
     private static void showInSpace(Browser browser) {
         browser.click(".sear-space");
-        browser.until("all that is to be seen", () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "scene() !== null")) && Boolean.TRUE.equals(
-            browser.script("var scene = angular.element(document.querySelector('.sear-main')).scope().scene();"
+        browser.until("all that is to be seen",
+            () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "view.scene() !== null")) && Boolean.TRUE.equals(
+            browser.script("var scene = angular.element(document.querySelector('.sear-main')).scope().view.scene();"
                 + "return Object.keys(scene.looks.wanted).length === 0 && scene.objects.every(function(item) { return item.dressed })")));
     }
 
@@ -89,9 +90,10 @@ public final class TabPictures {
     private static void terrain(Browser browser, MyRobotLab robotLab, Path folder) throws Exception {
         browser.see("mrl-panel[name='sear'] > *");
         robotLab.run(Files.readString(Paths.get("examples/mountain.py")));
-        browser.until("the ground", () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "terrain() !== null && terrain().picture.complete")));
+        browser.until("the ground",
+            () -> Boolean.TRUE.equals(browser.scope(SearTab.ROOT, "ground.terrain() !== null && ground.terrain().picture.complete")));
         browser.script("document.querySelectorAll('footer .btn-link, .sear-clear').forEach(function(clear) { clear.click() })");
-        browser.script("angular.element(document.querySelector('.sear-main')).scope().zoom(0.3)");
+        browser.script("angular.element(document.querySelector('.sear-main')).scope().view.zoom(0.3)");
         new Actions(browser.driver()).moveToElement(browser.see(".sear-view"), 120, -90).perform();
         browser.seeText(".sear-pointed", "above the geoid");
         take(browser, folder.resolve(TERRAIN + ".png"));

@@ -85,6 +85,7 @@ public final class Tabs extends ExternalResource {
     public void open(Browser other, String service) {
         other.driver().get(robotLab.url() + "?load=" + ++loads + "#/" + service);
         other.see("mrl-panel[name='" + service + "'] > *");
+        other.until("the modules of " + service, () -> other.all("mrl-panel[name='" + service + "'] .sear-loading").isEmpty());
     }
 
     /**

@@ -35,9 +35,9 @@ public class TwoPagesTest {
         }
 
         void select(String object) {
-            browser.until(object + " in the world", () -> tab.isTrue("grammar !== null && world() && world().objects.length > 0"));
-            browser.scope(SearTab.ROOT, "select('" + object + "')");
-            browser.until(object + " selected", () -> tab.isTrue("object && object.object == '" + object + "'"));
+            browser.until(object + " in the world", () -> tab.isTrue("edits.grammar !== null && world.shown() && world.shown().objects.length > 0"));
+            browser.scope(SearTab.ROOT, "edits.select('" + object + "')");
+            browser.until(object + " selected", () -> tab.isTrue("edits.object && edits.object.object == '" + object + "'"));
         }
 
         void type(String field, String value) {
@@ -48,12 +48,12 @@ public class TwoPagesTest {
 
         /** In what it knows, and in the field. */
         void waitFor(String field, String value) {
-            browser.until(field + " to be " + value, () -> tab.isTrue("object && object.values." + field + " == '" + value + "'")
+            browser.until(field + " to be " + value, () -> tab.isTrue("edits.object && edits.object.values." + field + " == '" + value + "'")
                 && value.equals(browser.see("[data-field='" + field + "'] .form-control").getAttribute("value")));
         }
 
         void build() {
-            if (!tab.isTrue("building")) {
+            if (!tab.isTrue("view.building")) {
                 browser.click(".sear-build");
             }
         }
@@ -107,7 +107,7 @@ public class TwoPagesTest {
     private static void aStaleOneIsRefused(Page one, Page two) throws IOException {
         one.type("x", "3");
         two.waitFor("x", "3");
-        two.browser.script("var rows = angular.element(document.querySelector(\"[data-field='x']\")).scope().rows;"
+        two.browser.script("var rows = angular.element(document.querySelector(\"[data-field='x']\")).scope().inspector.rows;"
             + "rows.filter(function(row) { return row.p.name === 'x' })[0].was = '1'");
         two.type("x", "5");
         two.browser.seeText("[data-field='x'] .sear-wrong", "a value set by somebody who has seen that it is 3 now, since another page");
@@ -120,11 +120,11 @@ public class TwoPagesTest {
         one.build();
         one.browser.click(".sear-palette [data-make='Sphere']");
         one.browser.click(".sear-middle");
-        two.browser.until("what the other one has made", () -> two.tab.isTrue("world().objects.length == 2"));
+        two.browser.until("what the other one has made", () -> two.tab.isTrue("world.shown().objects.length == 2"));
         two.build();
-        two.browser.until("its edit", () -> two.tab.isTrue("undoable == 'add sphere1'"));
+        two.browser.until("its edit", () -> two.tab.isTrue("edits.undoable == 'add sphere1'"));
         two.browser.click(".sear-undo");
-        one.browser.until("that it was taken back", () -> one.tab.isTrue("world().objects.length == 1 && redoable == 'add sphere1'"));
+        one.browser.until("that it was taken back", () -> one.tab.isTrue("world.shown().objects.length == 1 && edits.redoable == 'add sphere1'"));
         assertTrue(Files.notExists(TABS.robotLab().file("SEARproject/environment/sphere1.xml")));
         assertTrue(crate(), crate().contains("<x>6</x>") && crate().contains("<color>red</color>"));
     }

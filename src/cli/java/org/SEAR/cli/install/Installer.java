@@ -7,11 +7,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Properties;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipException;
 import java.util.zip.ZipFile;
@@ -29,8 +31,8 @@ public final class Installer {
     private static final String RECEIPT = "libraries/sear-install.json";
     /** What the services put below the resource root at run time, by name, as SHA-256. */
     private static final String COPIED = "resource/.sear-files.properties";
-    /** A file in a folder of a service's own, which that service may have made. */
-    private static final Pattern OWN_RESOURCE = Pattern.compile("resource/(?!WebGui/)\\w+/[^/]+");
+    /** A folder of our own, which a service may have made. */
+    private static final Pattern OWN_FOLDER = Pattern.compile("resource/(?!WebGui$)\\w+|resource/WebGui/app/service/js/sear(/\\w+)?");
     private static final Pattern BARE = Pattern.compile("(?s)\\A(---\\s*)?!!org\\.myrobotlab\\.service\\.config\\.ServiceConfig\\b.*");
     private static final Pattern TYPE = Pattern.compile("(?m)^type:\\s*['\"]?(?:org\\.myrobotlab\\.service\\.)?(\\w+)['\"]?\\s*$");
 
@@ -263,8 +265,8 @@ public final class Installer {
         LibraryChoice.putBack(mrl, old, plan);
         plan.delete(RECEIPT);
         plan.deleteEmptied(old.folders);
-        plan.deleteEmptied(ours.keySet().stream().filter(path -> OWN_RESOURCE.matcher(path).matches())
-            .map(path -> path.substring(0, path.lastIndexOf('/'))).collect(Collectors.toSet()));
+        plan.deleteEmptied(ours.keySet().stream().map(Path::of).flatMap(path -> Stream.iterate(path, Objects::nonNull, Path::getParent))
+            .map(folder -> folder.toString().replace('\\', '/')).filter(OWN_FOLDER.asMatchPredicate()).collect(Collectors.toSet()));
         mrl.refuseIfNotWritable(plan);
         return plan;
     }

@@ -1,7 +1,9 @@
 package org.myrobotlab.service.link;
 
+import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -16,20 +18,14 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Puts a service's panel, icon, example script and example projects where MyRobotLab serves them from: below its resource root, on the disk. Files
- * that are missing or that an older version put there are written; files that the user has changed are left alone. Never
- * creates the resource root itself, whose absence makes MyRobotLab unpack its own.
+ * Puts the services' panels, icons, example scripts and example projects where MyRobotLab serves them from: below its resource root, on the disk.
+ * Files that are missing or that an older version put there are written, those that only the older one had go; files that the user has changed are
+ * left alone. Never creates the resource root itself, whose absence makes MyRobotLab unpack its own.
  */
 public final class PanelFiles {
     private static final Logger log = LoggerFactory.getLogger(PanelFiles.class);
-    private static final List<String> FILES = Arrays.asList("%s.png", "%s/%s.py", "WebGui/app/service/views/%sGui.html",
-        example("car"), example("line"), example("maze"), example("mountain"), example("office"), example("ramps"), example("rover"),
-        example("sensors"), example("turret"),
-        script("Gui"), script("Balance"), script("Beams"), script("Building"), script("Edits"), script("Geometry"), script("Ground"),
-        script("Handles"), script("Inspector"), script("Item"), script("Looks"), script("Map"), script("Palette"), script("Panel"), script("Places"),
-        script("Plot"), script("Pointing"), script("Projects"), script("Records"), script("Replay"), script("Robots"), script("Scene"),
-        script("Script"),
-        script("Terrain"), script("Views"), script("Words"), script("Workspace"), script("World"));
+    /** In the jar: the files of all panels, a line each, as the build found them. */
+    private static final String LIST = "/org/SEAR/panel-files.txt";
     /** Where the jar has them. */
     private static final String IN_JAR = "/resource/";
     /** Below the resource root: what was written, by file name, as SHA-256. */
@@ -38,39 +34,40 @@ public final class PanelFiles {
     private PanelFiles() {
     }
 
-    private static String example(String name) {
-        return "%s/" + name + ".sear";
-    }
-
-    /** A file of a panel's script: {@code Gui} is the one that MyRobotLab loads, the others are loaded by it. */
-    private static String script(String part) {
-        return "WebGui/app/service/js/%s" + part + ".js";
-    }
-
-    /** Installs the files of a service class. Never throws: what goes wrong is logged. */
-    public static void install(Class<? extends Service<?>> type) {
+    /** Installs the files of all panels, which share some. Never throws: what goes wrong is logged. */
+    public static void install() {
         try {
-            install(type, Paths.get(Service.getResourceRoot()));
+            install(Paths.get(Service.getResourceRoot()));
         } catch (IOException | RuntimeException e) {
-            log.warn("the panel files of {} could not be written: {}", type.getSimpleName(), e.toString());
+            log.warn("the panel files could not be written: {}", e.toString());
         }
     }
 
-    /** Installs the files of a class below a resource root, if that is there. */
-    static synchronized void install(Class<?> type, Path root) throws IOException {
+    /** Installs the files below a resource root, if that is there. */
+    static synchronized void install(Path root) throws IOException {
         if (!Files.isDirectory(root)) {
             return;
         }
         Properties record = read(root.resolve(RECORD));
         boolean changed = false;
-        for (String pattern : FILES) {
-            String name = pattern.replace("%s", type.getSimpleName());
-            try (InputStream in = type.getResourceAsStream(IN_JAR + name)) {
-                changed |= in != null && update(root, name, in.readAllBytes(), record);
-            }
+        List<String> names = Arrays.asList(new String(bytes(LIST), StandardCharsets.UTF_8).split("\n"));
+        for (String name : names) {
+            changed |= update(root, name, bytes(IN_JAR + name), record);
+        }
+        for (String name : record.stringPropertyNames()) {
+            changed |= !names.contains(name) && drop(root.resolve(name), record.remove(name));
         }
         if (changed) {
             write(root.resolve(RECORD), record);
+        }
+    }
+
+    private static byte[] bytes(String name) throws IOException {
+        try (InputStream in = PanelFiles.class.getResourceAsStream(name)) {
+            if (in == null) {
+                throw new FileNotFoundException(name + " is not in the jar of SEAR: install it again");
+            }
+            return in.readAllBytes();
         }
     }
 
@@ -96,6 +93,14 @@ public final class PanelFiles {
             Files.deleteIfExists(temporary);
         }
         record.put(name, hash);
+        return true;
+    }
+
+    /** Deletes what only an older version had, unless the user has changed it; true in any case: it is recorded no more. */
+    private static boolean drop(Path file, Object hash) throws IOException {
+        if (Files.exists(file) && hash(Files.readAllBytes(file)).equals(hash)) {
+            Files.delete(file);
+        }
         return true;
     }
 

@@ -4,6 +4,7 @@ import io.undertow.server.HttpServerExchange;
 import io.undertow.util.StatusCodes;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.concurrent.Executor;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
@@ -80,10 +81,14 @@ final class RequestBody {
         Guard.refuse(exchange, status, why);
     }
 
+    /**
+     * The taker gets it when this connection's thread has left the receiver: an answer that another thread gives while the receiver still returns can
+     * leave the connection asleep, and the next request on it is never read.
+     */
     private void handOn(HttpServerExchange exchange) {
         String text = whole();
         if (text != null) {
-            taker.accept(exchange, text);
+            exchange.dispatch((Executor) exchange.getIoThread(), () -> taker.accept(exchange, text));
         }
     }
 

@@ -7,7 +7,10 @@ import java.io.InputStream;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.Random;
+import org.SEAR.HowMany;
 import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Rule;
@@ -169,5 +172,49 @@ public class IdleAndSlowTest {
             one.shutdownOutput();
         }
         server.servesOthers();
+    }
+
+    /**
+     * Programs send the head and the body apart, and ask again on the same connection. Now and then, on a busy computer, the next request was never
+     * read: answered by another thread while the connection's own was still in the receiver, the connection stayed asleep.
+     */
+    @Test
+    public void bodiesThatComeAfterTheirHeads() throws Exception {
+        int calls = HowMany.of("sear.calls", 40_000);
+        List<IOException> failures = Collections.synchronizedList(new ArrayList<>());
+        List<Thread> programs = new ArrayList<>();
+        for (int i = 0; i < 4; i++) {
+            Random pauses = new Random(i);
+            Thread program = new Thread(() -> askInParts(calls, pauses, failures), "program " + i);
+            program.start();
+            programs.add(program);
+        }
+        for (Thread program : programs) {
+            program.join();
+        }
+        assertEquals(List.of(), failures);
+    }
+
+    private void askInParts(int calls, Random pauses, List<IOException> failures) {
+        try (Socket one = server.connect()) {
+            one.setTcpNoDelay(true);
+            for (int i = 0; i < calls; i++) {
+                Server.send(one, server.head("POST /api/service/talker/getName", "Content-Type: application/json", "Content-Length: 2") + "\r\n");
+                spin(pauses.nextInt(100_000));
+                Server.send(one, "[");
+                spin(pauses.nextInt(100_000));
+                Server.send(one, "]");
+                assertEquals("\"talker\"", Server.body(one.getInputStream()).trim());
+            }
+        } catch (IOException e) {
+            failures.add(e);
+        }
+    }
+
+    private static void spin(int nanos) {
+        long end = System.nanoTime() + nanos;
+        while (System.nanoTime() < end) {
+            Thread.onSpinWait();
+        }
     }
 }

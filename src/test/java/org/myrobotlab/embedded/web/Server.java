@@ -20,6 +20,7 @@ import org.myrobotlab.service.WebGui;
 final class Server extends ExternalResource {
     /** So long may an answer take on a busy machine; a server that is blocked never answers. */
     private static final int PATIENCE_MILLIS = (int) TimeUnit.SECONDS.toMillis(20);
+    private static final String LENGTH = "Content-Length:";
 
     private final boolean withToken;
     private WebGui webGui;
@@ -77,7 +78,7 @@ final class Server extends ExternalResource {
     }
 
     /** The head of a request; a Host among the headers replaces the right one. */
-    private String head(String request, String... headers) {
+    String head(String request, String... headers) {
         StringBuilder head = new StringBuilder(request).append(" HTTP/1.1\r\n");
         String all = String.join("\r\n", headers);
         if (Arrays.stream(headers).noneMatch(one -> one.startsWith("Host:"))) {
@@ -183,6 +184,15 @@ final class Server extends ExternalResource {
     static String answer(Socket page) throws IOException {
         String text = nextText(page.getInputStream());
         return text.startsWith("{\"services\":") ? answer(page) : text;
+    }
+
+    /** The body of the next answer. */
+    static String body(InputStream in) throws IOException {
+        int length = 0;
+        for (String line = line(in); !line.isEmpty(); line = line(in)) {
+            length = line.startsWith(LENGTH) ? Integer.parseInt(line.substring(LENGTH.length()).trim()) : length;
+        }
+        return new String(in.readNBytes(length), StandardCharsets.UTF_8);
     }
 
     private static String line(InputStream in) throws IOException {

@@ -11,16 +11,12 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.Arrays;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
-import org.myrobotlab.service.GPS;
-import org.myrobotlab.service.LIDAR;
-import org.myrobotlab.service.SEAR;
 
 /** Panels come to where MyRobotLab serves them, and what the user changed stays. */
 public class PanelFilesTest {
@@ -35,7 +31,7 @@ public class PanelFilesTest {
     }
 
     private String installed() throws IOException {
-        PanelFiles.install(LIDAR.class, root());
+        PanelFiles.install(root());
         return Files.readString(root().resolve(SCRIPT));
     }
 
@@ -48,7 +44,7 @@ public class PanelFilesTest {
 
     @Test
     public void everyExampleProjectIsOfferedInTheTab() throws IOException {
-        PanelFiles.install(SEAR.class, root());
+        PanelFiles.install(root());
         try (DirectoryStream<Path> examples = Files.newDirectoryStream(Paths.get(System.getProperty("sear.root", "."), "examples"), "*.sear")) {
             for (Path example : examples) {
                 assertArrayEquals(Files.readAllBytes(example), Files.readAllBytes(root().resolve("SEAR").resolve(example.getFileName())));
@@ -59,9 +55,7 @@ public class PanelFilesTest {
     /** A panel that MyRobotLab serves lacks nothing that the jar has. */
     @Test
     public void everyFileOfThePanelsIsInstalled() throws IOException {
-        for (Class<?> service : Arrays.asList(SEAR.class, LIDAR.class, GPS.class)) {
-            PanelFiles.install(service, root());
-        }
+        PanelFiles.install(root());
         Path ours = Paths.get(System.getProperty("sear.root", "."), "resources/resource");
         try (Stream<Path> files = Files.walk(ours)) {
             for (Path file : files.filter(Files::isRegularFile).collect(Collectors.toList())) {
@@ -89,6 +83,18 @@ public class PanelFilesTest {
     }
 
     @Test
+    public void whatOnlyAnOlderVersionHadGoesUnlessTheUserChangedIt() throws IOException {
+        installed();
+        Files.writeString(root().resolve("WebGui/older.js"), "older");
+        Files.writeString(root().resolve("WebGui/changed.js"), "mine");
+        Files.writeString(root().resolve(RECORD), "WebGui/older.js=" + sha256("older") + "\nWebGui/changed.js=" + sha256("older") + "\n");
+        installed();
+        assertFalse(Files.exists(root().resolve("WebGui/older.js")));
+        assertEquals("mine", Files.readString(root().resolve("WebGui/changed.js")));
+        assertFalse(Files.readString(root().resolve(RECORD)).contains("WebGui/changed.js"));
+    }
+
+    @Test
     public void whatTheUserChangedStays() throws IOException {
         installed();
         Files.writeString(root().resolve(SCRIPT), "mine");
@@ -98,7 +104,7 @@ public class PanelFilesTest {
     @Test
     public void withoutMyRobotLabsResourcesNothingIsMade() throws IOException {
         Path missing = root().resolve("resource");
-        PanelFiles.install(LIDAR.class, missing);
+        PanelFiles.install(missing);
         assertFalse(Files.exists(missing));
     }
 

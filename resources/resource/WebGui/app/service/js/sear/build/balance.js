@@ -1,0 +1,114 @@
+// Where the centre of mass of a selected robot is, and what it stands on, in the views of the SEAR panel. The numbers come with the world.
+import * as geometry from '../shared/geometry.js'
+
+var SAFE = '#5cb85c'
+var CRITICAL = '#d9534f'
+var SIZE = 0.035            // of the mark, as a share of the camera's distance
+var RADIUS = 7              // of the mark on the map, pixels
+var ABOVE = 0.004           // metres between the ground and what is drawn there
+
+/** The robot that is selected, or whose part is; null for none. @param found see pointing.find */
+export function robotOf(found) {
+    var robot = found && (found.robot || found.object)
+    return robot && robot.balance ? robot : null
+}
+function color(balance) {
+    return balance.critical ? CRITICAL : SAFE
+}
+/** The usual mark of a centre of mass: a circle of black and white quarters. */
+function mark(pen, x, y, radius) {
+    for (var i = 0; i < 4; i++) {
+        pen.beginPath()
+        pen.moveTo(x, y)
+        pen.arc(x, y, radius, i * Math.PI / 2, (i + 1) * Math.PI / 2)
+        pen.closePath()
+        pen.fillStyle = i % 2 ? '#ffffff' : '#000000'
+        pen.fill()
+    }
+    pen.beginPath()
+    pen.arc(x, y, radius, 0, 2 * Math.PI)
+    pen.strokeStyle = '#000000'
+    pen.stroke()
+}
+
+function lineOf(points, ink) {
+    var THREE = window.THREE
+    var shape = new THREE.Geometry()
+    points.forEach(function(point) {
+        shape.vertices.push(new THREE.Vector3(point[0], point[1] + ABOVE, point[2]))
+    })
+    var line = new THREE.Line(shape, new THREE.LineBasicMaterial({color: ink, depthTest: false, transparent: true, linewidth: 2}))
+    line.renderOrder = 11
+    return line
+}
+function spriteOf() {
+    var THREE = window.THREE
+    var picture = document.createElement('canvas')
+    picture.width = picture.height = 64
+    mark(picture.getContext('2d'), 32, 32, 30)
+    var texture = new THREE.Texture(picture)
+    texture.needsUpdate = true
+    var sprite = new THREE.Sprite(new THREE.SpriteMaterial({map: texture, depthTest: false}))
+    sprite.renderOrder = 12
+    return sprite
+}
+
+/** Where the plumb line from the centre of mass ends, in the body. */
+function plumb(balance) {
+    var sum = balance.support.reduce((height, corner) => height + corner[1], 0)
+    return [balance.centre[0], balance.support.length ? sum / balance.support.length : 0, balance.centre[2]]
+}
+function make(scene, balance) {
+    var group = new window.THREE.Object3D()
+    group.balance = balance
+    group.mark = spriteOf()
+    group.mark.position.fromArray(balance.centre)
+    group.add(group.mark)
+    if (balance.support.length) {
+        group.add(lineOf(balance.support.concat([balance.support[0]]), color(balance)))
+        group.add(lineOf([balance.centre, plumb(balance)], color(balance)))
+    }
+    scene.scene.add(group)
+    return group
+}
+
+/** Shows it in space. @param found what is selected, null for nothing */
+export function show(scene, found) {
+    var robot = robotOf(found)
+    if (scene.balance && (!robot || scene.balance.balance !== robot.balance)) {
+        scene.scene.remove(scene.balance)
+        scene.balance = null
+    }
+    if (robot) {
+        var group = scene.balance = scene.balance || make(scene, robot.balance)
+        var pose = geometry.frame(robot.pose)
+        group.position.set(pose[0], pose[1], pose[2])
+        group.quaternion.set(pose[3], pose[4], pose[5], pose[6])
+        group.updateMatrixWorld(true)
+        var size = SIZE * scene.camera.position.distanceTo(group.position)
+        group.mark.scale.set(size, size, size)
+    }
+}
+
+/** Draws it on the map. @param at where a point of the ground lies there, in pixels */
+export function draw(pen, found, at) {
+    var robot = robotOf(found)
+    if (!robot) {
+        return
+    }
+    var pose = geometry.frame(robot.pose)
+    function pixel(point) {
+        var ground = geometry.onGround(pose, point)
+        return at(ground[0], ground[1])
+    }
+    pen.beginPath()
+    robot.balance.support.forEach(function(corner) {
+        pen.lineTo(pixel(corner).x, pixel(corner).y)
+    })
+    pen.closePath()
+    pen.strokeStyle = color(robot.balance)
+    pen.lineWidth = 2
+    pen.stroke()
+    pen.lineWidth = 1
+    mark(pen, pixel(robot.balance.centre).x, pixel(robot.balance.centre).y, RADIUS)
+}

@@ -1,0 +1,382 @@
+// Mouse and keys that select, place, move, turn and size things in the views of the SEAR panel.
+import * as balance from './balance.js'
+import * as geometry from '../shared/geometry.js'
+import * as handles from './handles.js'
+import {mounted} from './mounting.js'
+import * as places from './places.js'
+import * as pointing from '../world/pointing.js'
+
+var CLICK = 4               // pixels: a mouse that moves less than this clicks
+var STEP = 0.05             // metres of an arrow key; a fifth of it with the alt key
+var TURN = 15               // degrees
+var SMALLEST = 0.05         // metres that a size snaps to, at least
+var NEAR = 10               // pixels of the map: what is selected and has no shape, or is below others, can be taken so near
+var PAUSE_MILLIS = 400      // several keys within this time are one edit
+var ARROWS = {ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 0, 1], ArrowDown: [0, 0, -1], PageUp: [0, 1, 0], PageDown: [0, -1, 0]}
+var AXES = ['x', 'y', 'z']
+
+/** Of one panel. */
+export function makeBuilding(panel, messages, world, view, edits, palette, pointer, picture) {
+    var building = {found: found}
+    var drag = null             // what the mouse does with the selected object
+    var grip = null             // where the mouse went down
+    var nudged = null           // what the keys have done that is not sent yet
+    var held = null             // where what is selected is shown until the service answers, whatever a running simulation tells meanwhile
+
+    /** What is selected, see pointing.find. */
+    function found() {
+        return pointing.find(world.shown(), edits.selected)
+    }
+    /** The ray of a pixel while something is dragged. */
+    function ray(x, y) {
+        return pointer.ray(x, y, drag.from[1] + 1)
+    }
+
+    // ---- what is shown -----------------------------------------------------------------------------------------------------------------
+    building.decorate = function(scene, seen) {
+        var selected = found()
+        handles.showAids(scene, seen, view.building)
+        balance.show(scene, selected)
+        handles.show(scene, selected, selected && extent(selected), selected && spots(selected))
+    }
+    building.decorateMap = function(shown) {
+        var selected = found()
+        if (selected) {
+            var pen = shown.getContext('2d')
+            handles.draw(pen, selected, extent(selected), spots(selected), view.toScreen)
+            balance.draw(pen, selected, view.toScreen)
+        }
+    }
+    /** With the size that the mouse gives it. */
+    function extent(selected) {
+        return drag && drag.extent || pointing.extent(selected.object)
+    }
+    function spots(selected) {
+        var scene = pointer.scene()
+        return handles.spots(selected, extent(selected), selected.object.type ? handles.sizesOf(edits.typeOf(selected.object.type)) : {},
+            scene ? handles.inSpace(scene, selected) : handles.above(view.scale))
+    }
+    /** Where the handle of what is selected is in the world; null if it has none of that name. */
+    building.handle = function(name) {
+        var selected = found()
+        var spot = selected && spots(selected)[name]
+        return spot ? handles.placed(selected, spot) : null
+    }
+
+    // ---- moving ------------------------------------------------------------------------------------------------------------------------
+    function place(selected) {
+        return places.of(selected, edits.object.values, panel.isSimulating() && world.shown() === world.running)
+    }
+    /** Shows it elsewhere until the service answers. @param shift in its parent's frame @param degrees that it is turned about y */
+    function showMoved(start, shift, degrees) {
+        var selected = found()
+        if (!selected) {
+            return
+        }
+        var isSensor = selected.robot && selected.robot.parts.indexOf(selected.object) < 0
+        var way = isSensor ? geometry.rotate(selected.parent, shift) : shift
+        var pose = start.slice()
+        for (var i = 0; i < 3; i++) {
+            pose[i] += way[i]
+        }
+        pose[4] += degrees
+        held = {object: edits.selected, pose: pose}
+        picture.repaint()
+    }
+    /** Comes before the views are drawn. */
+    building.hold = function() {
+        var selected = held && pointing.find(world.shown(), held.object)
+        if (selected) {
+            selected.object.pose = held.pose
+        }
+    }
+    /** Sends what was changed. What was shown meanwhile goes back if it is refused. @param done start: its pose before, place: see places.of */
+    function send(done, set) {
+        edits.edit({'do': 'set', object: edits.selected, set: places.edit(done.place, set), stand: done.place.stands && set.y === undefined},
+            function(answer) {
+                if (!answer.done) {
+                    showMoved(done.start, [0, 0, 0], 0)
+                    messages.say('error', edits.refusal(answer))
+                }
+                building.hold()
+                held = null
+            })
+    }
+
+    function startDrag(event, x, y) {
+        var scene = pointer.scene()
+        var selected = found()
+        if (!selected || !edits.object || palette.armed) {
+            return null
+        }
+        var kind = scene ? handles.pick(scene, x, y) : handles.pickOnMap(selected, spots(selected), view.toScreen, x, y)
+        var under = kind ? null : pointer.at(x, y)
+        if (!kind && !isAt(selected, under, x, y)) {
+            return null
+        }
+        return {kind: kind || 'move', start: selected.object.pose.slice(), place: place(selected), pose: selected.pose, parent: selected.parent,
+            from: kind ? building.handle(kind) : under.point, up: event.shiftKey && Boolean(scene), set: null,
+            extent: kind && kind !== 'turn' ? pointing.extent(selected.object) : null}
+    }
+    /** Whether what is selected is what was met at a pixel. */
+    function isAt(selected, under, x, y) {
+        if (under && under.who && (under.who.address === edits.selected || under.who.robot === edits.selected)) {
+            return true
+        }
+        var pixel = pointer.scene() || !selected.robot ? null : view.toScreen(selected.pose[0], selected.pose[2])
+        return Boolean(pixel) && Math.abs(pixel.x - x) < NEAR && Math.abs(pixel.y - y) < NEAR
+    }
+    function continueDrag(event, x, y) {
+        var free = event.altKey
+        if (drag.kind === 'turn') {
+            turn(x, y, free)
+        } else if (drag.kind === 'move') {
+            move(x, y, free)
+        } else {
+            size(x, y, free)
+        }
+        picture.repaint()
+    }
+    function groundPoint(x, y) {
+        return pointing.onPlane(ray(x, y), drag.from, [0, 1, 0])
+    }
+    function move(x, y, free) {
+        var shift
+        if (slideOnBody(x, y, free)) {
+            return
+        }
+        if (drag.up) {
+            shift = [0, pointing.alongAxis(ray(x, y), drag.from, [0, 1, 0]), 0]
+        } else {
+            var point = groundPoint(x, y)
+            if (!point) {
+                return
+            }
+            shift = [point[0] - drag.from[0], 0, point[2] - drag.from[2]]
+        }
+        shift = pointing.back(drag.parent, shift)
+        drag.set = {}
+        AXES.forEach(function(axis, i) {
+            if (Math.abs(shift[i]) > 1e-6 && (drag.up || axis !== 'y')) {
+                var value = palette.snapped(drag.place.at[i] + shift[i], free)
+                shift[i] = value - drag.place.at[i]
+                drag.set[axis] = places.plain(value)
+            }
+        })
+        showMoved(drag.start, shift, 0)
+    }
+    /** A sensor that is dragged over the body of its robot stays on it. @return whether there was one below the mouse */
+    function slideOnBody(x, y, free) {
+        var selected = found()
+        var isSensor = selected && selected.robot && selected.robot.parts.indexOf(selected.object) < 0
+        var under = isSensor && pointer.scene() && !drag.up ? pointer.at(x, y, selected.object) : null
+        if (!under || under.robot !== selected.robot.name || !under.normal) {
+            return false
+        }
+        drag.set = mounted(under, edits.typeOf(edits.object.type), free, palette.snapped)
+        showMoved(drag.start, AXES.map(function(axis, i) {
+            return Number(drag.set[axis]) - drag.place.at[i]
+        }), drag.set.ry === undefined ? 0 : Number(drag.set.ry) - drag.place.ry)
+        return true
+    }
+    function turn(x, y, free) {
+        var point = groundPoint(x, y)
+        if (!point) {
+            return
+        }
+        function angle(of) {
+            var v = pointing.back(drag.parent, [of[0] - drag.pose[0], 0, of[2] - drag.pose[2]])
+            return Math.atan2(v[0], v[2]) * 180 / Math.PI
+        }
+        var ry = drag.place.ry + angle(point) - angle(drag.from)
+        ry = places.wrapped(palette.snap && !free ? Math.round(ry / TURN) * TURN : ry)
+        drag.set = {ry: places.plain(ry)}
+        showMoved(drag.start, [0, 0, 0], ry - drag.place.ry)
+    }
+    /** The side opposite to the handle stays where it is. */
+    function size(x, y, free) {
+        var i = AXES.indexOf(drag.kind)
+        var what = handles.sizesOf(edits.typeOf(edits.object.type))[drag.kind]
+        var values = edits.object.values
+        var scale = Number(values['scale' + 'XYZ'[i]]) || 1
+        var unit = [0, 0, 0]
+        unit[i] = 1
+        var along = pointing.alongAxis(ray(x, y), drag.from, geometry.rotate(drag.pose, unit))
+        var old = Number(values[what.name])
+        var wanted = old + along / scale
+        var value = palette.snap && !free ? Math.max(SMALLEST, palette.snapped(wanted, false)) : Math.max(1e-3, wanted)
+        var grown = (value - old) * scale
+        drag.set = {}
+        drag.set[what.name] = places.plain(value)
+        drag.extent = pointing.extent(found().object)
+        drag.extent[1][i] += grown
+        if (what.share !== 1) {
+            drag.extent[0][i] -= grown
+        } else {
+            keepOpposite(geometry.rotate(geometry.frame(drag.start), unit), grown / 2)
+        }
+    }
+    function keepOpposite(axis, shift) {
+        AXES.forEach(function(name, i) {
+            var stands = name === 'y' && edits.object.values.onGround === 'true'
+            if (Math.abs(axis[i] * shift) > 1e-6 && !stands) {
+                drag.set[name] = places.plain(drag.place.at[i] + axis[i] * shift)
+            }
+        })
+    }
+    function endDrag() {
+        var done = drag
+        drag = null
+        if (done.set && Object.keys(done.set).length) {
+            send(done, done.set)
+        } else {
+            held = null
+        }
+        picture.repaint()
+    }
+
+    // ---- clicks ------------------------------------------------------------------------------------------------------------------------
+    function click(event, x, y) {
+        var under = pointer.at(x, y)
+        if (palette.armed) {
+            if (under) {
+                palette.place(under, event.altKey)
+            }
+        } else {
+            edits.select(choice(under && under.who))
+        }
+        panel.scope.$applyAsync()
+    }
+    /** A robot first, its parts once it is selected. */
+    function choice(who) {
+        if (!who) {
+            return null
+        }
+        var selected = edits.selected || ''
+        var inside = who.robot && (selected === who.robot || selected.indexOf(who.robot + '/') === 0)
+        return who.robot && !inside && !(who.object.cones || who.object.ranges) ? who.robot : who.address
+    }
+
+    function down(event) {
+        if (event.button !== 0 || event.target !== pointer.canvas()) {
+            return
+        }
+        var p = pointer.position(event)
+        grip = {x: event.clientX, y: event.clientY, moved: false}
+        drag = startDrag(event, p[0], p[1])
+        if (drag) {
+            event.stopPropagation()
+        }
+    }
+    function moved(event) {
+        if (grip && Math.abs(event.clientX - grip.x) + Math.abs(event.clientY - grip.y) >= CLICK) {
+            grip.moved = true
+        }
+        if (drag) {
+            event.stopPropagation()
+            if (grip.moved) {
+                var p = pointer.position(event)
+                continueDrag(event, p[0], p[1])
+            }
+        }
+    }
+    function up(event) {
+        var was = grip
+        grip = null
+        if (was && drag) {
+            endDrag()
+        }
+        if (was && !was.moved && event.target === pointer.canvas()) {
+            var p = pointer.position(event)
+            click(event, p[0], p[1])
+        }
+    }
+    /** Once the canvases are there; what is done here comes before what turns and moves the views. */
+    building.listen = function() {
+        panel.element('view').parentNode.addEventListener('mousedown', down, true)
+        window.addEventListener('mousemove', moved, true)
+        window.addEventListener('mouseup', up, true)
+        panel.scope.$on('$destroy', function() {
+            window.removeEventListener('mousemove', moved, true)
+            window.removeEventListener('mouseup', up, true)
+        })
+    }
+
+    // ---- keys --------------------------------------------------------------------------------------------------------------------------
+    /** Left and right, forth and back as one sees it, along the world's axes. */
+    function direction(arrow) {
+        var scene = pointer.scene()
+        if (!scene || arrow[1]) {
+            return scene || arrow[1] ? arrow : [arrow[2], 0, arrow[0]]
+        }
+        var azimuth = Math.round(scene.orbit.azimuth / (Math.PI / 2)) * Math.PI / 2
+        var forth = [-Math.cos(azimuth), -Math.sin(azimuth)]
+        return [forth[0] * arrow[2] - forth[1] * arrow[0], 0, forth[1] * arrow[2] + forth[0] * arrow[0]]
+    }
+    function nudge(arrow, fine) {
+        var selected = found()
+        if (!selected || !edits.object) {
+            return
+        }
+        if (!nudged) {
+            nudged = {start: selected.object.pose.slice(), place: place(selected), shift: [0, 0, 0], object: edits.selected}
+        } else {
+            clearTimeout(nudged.timer)
+        }
+        var shift = pointing.back(selected.parent, direction(arrow))
+        for (var i = 0; i < 3; i++) {
+            nudged.shift[i] += shift[i] * (fine ? STEP / 5 : STEP)
+        }
+        showMoved(nudged.start, nudged.shift, 0)
+        nudged.timer = setTimeout(sendNudged, PAUSE_MILLIS)
+    }
+    function sendNudged() {
+        var done = nudged
+        nudged = null
+        var set = {}
+        AXES.forEach(function(axis, i) {
+            if (Math.abs(done.shift[i]) > 1e-6) {
+                set[axis] = places.plain(done.place.at[i] + done.shift[i])
+            }
+        })
+        if (done.object === edits.selected && Object.keys(set).length) {
+            send(done, set)
+        } else {
+            held = null
+        }
+    }
+    function turnBy(degrees) {
+        if (edits.object && edits.object.values.ry !== undefined) {
+            var selected = found()
+            var now = place(selected)
+            send({start: selected && selected.object.pose.slice(), place: now}, {ry: places.plain(places.wrapped(now.ry + degrees))})
+        }
+    }
+    /** @return whether it was a key of building */
+    building.key = function(event) {
+        var command = event.ctrlKey || event.metaKey
+        var key = event.key.length === 1 ? event.key.toLowerCase() : event.key
+        if (command && (key === 'z' || key === 'y')) {
+            (key === 'y' || event.shiftKey ? edits.redo : edits.undo)()
+        } else if (key === 'Escape' && (palette.armed || edits.selected)) {
+            palette.disarm()
+            edits.select(null)
+        } else if (!edits.selected) {
+            return false
+        } else if (ARROWS[key] && !command) {
+            nudge(ARROWS[key], event.altKey)
+        } else if (key === '[' || key === ']') {
+            turnBy(key === '[' ? TURN : -TURN)
+        } else if (key === 'Delete') {
+            edits.remove()
+        } else if (command && key === 'd') {
+            edits.duplicate()
+        } else {
+            return false
+        }
+        event.preventDefault()
+        return true
+    }
+    view.overlaidBy(building)
+    return building
+}

@@ -1,0 +1,164 @@
+// What the SEAR panel has the service do to the project, and which object is selected.
+import {plain} from './places.js'
+import {makeEvent} from '../shared/event.js'
+
+/** Of one panel. */
+export function makeEdits(panel, messages, world, view, picture) {
+    var msg = panel.msg
+    var page = Math.random().toString(36).slice(2)      // tells answers to this page from those to others
+    var sent = 0
+    var waiting = {}            // by number of an edit: what is done with its answer
+    var edits = {
+        grammar: null,          // types and templates of what can be made; null until it is known
+        undoable: null,         // what undo would take back, in words
+        redoable: null,
+        selected: null,         // what edits call it: box1, rover, rover/ping
+        object: null,           // as its file has it; null until it is known
+        changed: makeEvent()    // what is selected is another thing, or has other values
+    }
+
+    /** Has the service do an edit. @param then takes its answer; else this page says what was wrong */
+    edits.edit = function(edit, then) {
+        edit.page = page + ' ' + ++sent
+        waiting[edit.page] = then || sayRefusal
+        view.choose()           // who builds looks where he wants to
+        msg.send('tryEdit', edit)
+    }
+    function sayRefusal(answer) {
+        if (!answer.done) {
+            messages.say('error', edits.refusal(answer))
+        }
+    }
+    /** Why an edit was not done, in one text. */
+    edits.refusal = function(answer) {
+        return answer.reason || answer.problems.map(function(problem) {
+            return problem.file + ': ' + (problem.field ? problem.field + ' is "' + problem.value + '"' : problem.value) + ', legal: ' + problem.legal
+        }).join('\n')
+    }
+
+    function onEdit(answer) {
+        if (!answer) {
+            return
+        }
+        var then = waiting[answer.page]
+        delete waiting[answer.page]
+        if (answer.done) {
+            onEdits(answer)
+            world.look()
+            edits.ask()
+            if (answer.note && then) {
+                messages.say('warn', answer.note)
+            }
+        }
+        if (then) {
+            then(answer)
+        }
+    }
+    function onEdits(state) {
+        if (state) {
+            edits.undoable = state.undo
+            edits.redoable = state.redo
+        }
+    }
+    function takeBack(kind, said) {
+        edits.edit({'do': kind}, function(answer) {
+            messages.say(answer.done ? 'info' : 'error', answer.done ? said + ': ' + answer.words : edits.refusal(answer))
+        })
+    }
+    edits.undo = function() {
+        takeBack('undo', 'undone')
+    }
+    edits.redo = function() {
+        takeBack('redo', 'done again')
+    }
+
+    // ---- what is selected --------------------------------------------------------------------------------------------------------------
+    /** @param address what edits call it; null for nothing */
+    edits.select = function(address) {
+        if (edits.selected !== address) {
+            edits.selected = address
+            edits.object = null
+            edits.changed.tell()
+        }
+        edits.ask()
+        picture.repaint()
+    }
+    edits.ask = function() {
+        if (edits.selected) {
+            msg.send('getProjectObject', edits.selected)
+        }
+    }
+    /** Each page gets the answers to all pages. */
+    function onProjectObject(object) {
+        if (!object || object.object !== edits.selected) {
+            return
+        }
+        if (object.gone) {
+            edits.select(null)
+            return
+        }
+        edits.object = object
+        edits.changed.tell()
+        picture.repaint()
+    }
+    /** What edits call a part or sensor of a robot, which the world may tell with its robot's name before it. */
+    edits.address = function(robot, name) {
+        return robot + '/' + name.slice(name.indexOf('/') + 1)
+    }
+
+    /** The description of a class; null if there is none. */
+    edits.typeOf = function(name) {
+        return edits.grammar && edits.grammar.types.filter(type => type.type === name)[0] || null
+    }
+
+    // ---- edits of what is selected -----------------------------------------------------------------------------------------------------
+    function selectAfter(answer) {
+        sayRefusal(answer)
+        if (answer.done && answer.object) {
+            edits.select(answer.object)
+        }
+    }
+    edits.selectAfter = selectAfter
+    edits.remove = function() {
+        if (edits.selected) {
+            edits.edit({'do': 'delete', object: edits.selected}, function(answer) {
+                sayRefusal(answer)
+                if (answer.done) {
+                    if (!answer.note) {     // else that says what went with it
+                        messages.say('info', answer.words + ': Undo brings it back')
+                    }
+                    edits.select(null)
+                }
+            })
+        }
+    }
+    /** The copy stands a little beside. */
+    edits.duplicate = function() {
+        var object = edits.object
+        if (object) {
+            edits.edit({'do': 'duplicate', object: object.object, set: {z: plain(Number(object.values.z) + 0.5)}}, selectAfter)
+        }
+    }
+    edits.rename = function(name) {
+        edits.edit({'do': 'rename', object: edits.selected, name: name}, selectAfter)
+    }
+    edits.mount = function(robot) {
+        if (robot) {
+            edits.edit({'do': 'mount', object: edits.selected, to: robot, set: {x: '0', y: '0.1', z: '0'}}, selectAfter)
+        } else {
+            edits.edit({'do': 'unmount', object: edits.selected, set: {x: '0', y: '0.5', z: '0'}}, selectAfter)
+        }
+    }
+
+    world.previewed.hear(edits.ask)
+    edits.handlers = {
+        onEdit: onEdit,
+        onEdits: onEdits,
+        onGrammar: function(grammar) {
+            edits.grammar = grammar || edits.grammar
+            edits.changed.tell()
+        },
+        onProjectObject: onProjectObject
+    }
+    return edits
+}

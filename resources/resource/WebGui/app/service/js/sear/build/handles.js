@@ -1,0 +1,270 @@
+// What shows which object is selected in the views of the SEAR panel: a frame around it, and handles that turn it and change its size.
+import * as geometry from '../shared/geometry.js'
+import * as pointing from '../world/pointing.js'
+
+var FRAME = 0xff7f0e
+var EYE = 0x8e5bd0
+var FAR = 1                 // metres from a sensor to the far end of what one sees through its eye
+var HANDLES = [['x', 0xd9534f], ['y', 0x5cb85c], ['z', 0x337ab7], ['turn', 0xf0ad4e]]
+var SIZE = 0.012            // of a handle, as a share of the camera's distance
+var GAP = 0.06              // between the frame and the handle that turns, likewise
+var CUBE = 1.6              // sizes: side of a handle that changes a size
+var DISC = 1.3              // sizes: radius of the one that turns
+var ABOVE = 520             // pixels: the map shows handles as large as a camera at this distance does
+var NEAR = 3                // pixels beside a handle of the map that still count
+var ALONG = 0.95            // cosine: what one looks along that much can't be dragged
+var GROUND = 20             // metres that the grid is wide, to either side
+var MARKER = 0.02           // radius in metres of what stands for a sensor, which has no shape
+
+/** Which parameter is how long along which axis, for the handles: {x: {name, share}, ..}; share is how much of the length it is. */
+export function sizesOf(type) {
+    var names = type ? type.parameters.map(parameter => parameter.name) : []
+    function has(name) {
+        return names.indexOf(name) >= 0
+    }
+    var sizes = {}
+    if (has('length') && has('width')) {
+        sizes.x = {name: 'length', share: 1}
+        sizes.z = {name: 'width', share: 1}
+    } else if (has('radius') && has('width')) {
+        sizes.x = {name: 'width', share: 1}
+        sizes.y = {name: 'radius', share: 0.5}
+    } else if (has('radius')) {
+        sizes.x = {name: 'radius', share: 0.5}
+    }
+    if (has('height')) {
+        sizes.y = {name: 'height', share: 1}
+    }
+    return sizes
+}
+
+/**
+ * Where the handles are in the frame of what is selected, by their names; those of sizes only where there is one that can be seen.
+ * @param found see pointing.find @param extent its corners @param sizes see sizesOf @param eye away: its distance, metres, along: where it looks
+ */
+export function spots(found, extent, sizes, eye) {
+    var middle = [0, 1, 2].map(i => (extent[0][i] + extent[1][i]) / 2)
+    var all = {}
+    HANDLES.forEach(function(one, i) {
+        var name = one[0]
+        var at = middle.slice()
+        if (name === 'turn') {
+            at[2] = extent[1][2] + GAP * eye.away
+            all[name] = at
+        } else if (sizes[name] && Math.abs(pointing.back(found.pose, eye.along)[i]) < ALONG) {
+            at[i] = extent[1][i]
+            all[name] = at
+        }
+    })
+    return all
+}
+/** A spot in the world. */
+export function placed(found, spot) {
+    var at = geometry.rotate(found.pose, spot)
+    return [found.pose[0] + at[0], found.pose[1] + at[1], found.pose[2] + at[2]]
+}
+
+// ---- on the map ------------------------------------------------------------------------------------------------------------------------
+/** The eye of a map that shows so many pixels a metre. */
+export function above(scale) {
+    return {away: ABOVE / scale, along: [0, -1, 0]}
+}
+function css(color) {
+    return '#' + ('00000' + color.toString(16)).slice(-6)
+}
+/** Draws frame and handles on the map. @param all see spots @param at where a point of the ground lies there, in pixels */
+export function draw(pen, found, extent, all, at) {
+    function pixel(spot) {
+        var point = geometry.onGround(found.pose, spot)
+        return at(point[0], point[1])
+    }
+    pen.beginPath()
+    ;[[0, 0], [1, 0], [1, 1], [0, 1]].forEach(function(corner) {
+        var point = pixel([extent[corner[0]][0], 0, extent[corner[1]][2]])
+        pen.lineTo(point.x, point.y)
+    })
+    pen.closePath()
+    pen.strokeStyle = css(FRAME)
+    pen.lineWidth = 2
+    pen.stroke()
+    pen.lineWidth = 1
+    HANDLES.forEach(function(one) {
+        if (all[one[0]]) {
+            var point = pixel(all[one[0]])
+            var half = CUBE / 2 * SIZE * ABOVE
+            pen.beginPath()
+            if (one[0] === 'turn') {
+                pen.arc(point.x, point.y, DISC * SIZE * ABOVE, 0, 2 * Math.PI)
+            } else {
+                pen.rect(point.x - half, point.y - half, 2 * half, 2 * half)
+            }
+            pen.fillStyle = css(one[1])
+            pen.fill()
+            pen.strokeStyle = '#ffffff'
+            pen.stroke()
+        }
+    })
+}
+/** The handle under a pixel of the map; null for none. */
+export function pickOnMap(found, all, at, x, y) {
+    var nearest = null
+    var least = DISC * SIZE * ABOVE + NEAR
+    HANDLES.forEach(function(one) {
+        if (all[one[0]]) {
+            var point = geometry.onGround(found.pose, all[one[0]])
+            var pixel = at(point[0], point[1])
+            var away = Math.sqrt(Math.pow(pixel.x - x, 2) + Math.pow(pixel.y - y, 2))
+            if (away < least) {
+                least = away
+                nearest = one[0]
+            }
+        }
+    })
+    return nearest
+}
+
+// ---- in space --------------------------------------------------------------------------------------------------------------------------
+/** The eye of the view in space. */
+export function inSpace(scene, found) {
+    var from = scene.camera.position
+    var way = [found.pose[0] - from.x, found.pose[1] - from.y, found.pose[2] - from.z]
+    var away = Math.sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2])
+    return {away: away, along: way.map(metres => metres / away)}
+}
+function lines(points, color) {
+    var THREE = window.THREE
+    var shape = new THREE.Geometry()
+    points.forEach(function(point) {
+        shape.vertices.push(new THREE.Vector3(point[0], point[1], point[2]))
+    })
+    var material = new THREE.LineBasicMaterial({color: color})
+    return THREE.LineSegments ? new THREE.LineSegments(shape, material) : new THREE.Line(shape, material, THREE.LinePieces)
+}
+/** The twelve edges of a cube of side 1. */
+function edges() {
+    var points = []
+    for (var axis = 0; axis < 3; axis++) {
+        for (var corner = 0; corner < 4; corner++) {
+            [-0.5, 0.5].forEach(function(end) {
+                var point = [0, 0, 0]
+                point[axis] = end
+                point[(axis + 1) % 3] = corner & 1 ? 0.5 : -0.5
+                point[(axis + 2) % 3] = corner & 2 ? 0.5 : -0.5
+                points.push(point)
+            })
+        }
+    }
+    return points
+}
+
+/** What is seen from the origin: four edges and the far end of a pyramid that is 2 wide, 2 high and 1 long, along z. */
+function pyramid() {
+    var corners = [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]]
+    var points = []
+    corners.forEach(function(corner, i) {
+        points.push([0, 0, 0], corner, corner, corners[(i + 1) % 4])
+    })
+    return points
+}
+
+function make(scene) {
+    var THREE = window.THREE
+    var group = new THREE.Object3D()
+    group.frame = lines(edges(), FRAME)
+    group.add(group.frame)
+    group.eye = lines(pyramid(), EYE)
+    group.add(group.eye)
+    group.knobs = {}
+    HANDLES.forEach(function(one) {
+        var shape = one[0] === 'turn' ? new THREE.CylinderGeometry(DISC, DISC, 0.5, 20) : new THREE.BoxGeometry(CUBE, CUBE, CUBE)
+        var knob = new THREE.Mesh(shape, new THREE.MeshBasicMaterial({color: one[1], depthTest: false, transparent: true}))
+        knob.renderOrder = 10
+        knob.handle = one[0]
+        group.knobs[one[0]] = knob
+        group.add(knob)
+    })
+    scene.scene.add(group)
+    return group
+}
+
+/** Shows what is selected. @param found see pointing.find, null for nothing @param extent its corners @param all see spots */
+export function show(scene, found, extent, all) {
+    if (!scene.handles) {
+        if (!found) {
+            return
+        }
+        scene.handles = make(scene)
+    }
+    var group = scene.handles
+    group.visible = Boolean(found)
+    if (!found) {
+        return
+    }
+    var pose = found.pose
+    group.position.set(pose[0], pose[1], pose[2])
+    group.quaternion.set(pose[3], pose[4], pose[5], pose[6])
+    var low = extent[0]
+    var high = extent[1]
+    group.frame.position.set((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2)
+    group.frame.scale.set(high[0] - low[0], Math.max(1e-3, high[1] - low[1]), high[2] - low[2])
+    var size = SIZE * inSpace(scene, found).away
+    HANDLES.forEach(function(one) {
+        var knob = group.knobs[one[0]]
+        knob.visible = Boolean(all[one[0]])
+        if (knob.visible) {
+            knob.position.fromArray(all[one[0]])
+            knob.scale.set(size, size, size)
+        }
+    })
+    showEye(scene, group.eye, found)
+    group.updateMatrixWorld(true)
+}
+/** Of a sensor, what the view shows when one looks through its eye. */
+function showEye(scene, eye, found) {
+    var up = Math.tan(scene.eyeField * Math.PI / 360)
+    eye.visible = Boolean(found.robot) && found.robot.parts.indexOf(found.object) < 0
+    eye.scale.set(FAR * up * scene.camera.aspect, FAR * up, FAR)
+}
+
+/** The handle under a pixel: 'x', 'y', 'z' or 'turn'; null for none. */
+export function pick(scene, x, y) {
+    if (!scene.handles || !scene.handles.visible) {
+        return null
+    }
+    var knobs = HANDLES.map(one => scene.handles.knobs[one[0]]).filter(knob => knob.visible)
+    var hit = pointing.ray(scene, x, y).caster.intersectObjects(knobs, false)[0]
+    return hit ? hit.object.handle : null
+}
+
+/** While one builds: a grid on the ground, and something to click on for each sensor. */
+export function showAids(scene, world, building) {
+    var THREE = window.THREE
+    if (building && !scene.grid) {
+        var points = []
+        for (var i = -GROUND; i <= GROUND; i++) {
+            points.push([i, 0.002, -GROUND], [i, 0.002, GROUND], [-GROUND, 0.002, i], [GROUND, 0.002, i])
+        }
+        scene.grid = lines(points, 0x888888)
+        scene.grid.material.transparent = true
+        scene.grid.material.opacity = 0.35
+        scene.scene.add(scene.grid)
+    }
+    if (scene.grid) {
+        scene.grid.visible = building
+    }
+    world.sensors.forEach(function(sensor, k) {
+        var item = scene.sensors[k]
+        if (building && item && !item.marker) {
+            item.marker = new THREE.Object3D()
+            var ball = new THREE.Mesh(new THREE.SphereGeometry(MARKER, 12, 8), new THREE.MeshLambertMaterial({color: FRAME}))
+            ball.named = sensor
+            item.marker.add(ball)
+            scene.scene.add(item.marker)
+        }
+        if (item && item.marker) {
+            var pose = geometry.frame(sensor.pose)
+            item.marker.position.set(pose[0], pose[1], pose[2])
+            item.marker.visible = building
+        }
+    })
+}

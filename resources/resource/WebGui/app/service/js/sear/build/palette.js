@@ -1,0 +1,162 @@
+// The palette of the SEAR panel: everything that can be made, and where a click in the view puts it.
+import {mounted, withGround} from './mounting.js'
+import {plain} from './places.js'
+
+var GRID = 0.05             // metres between the places that things snap to
+
+/** Of one panel. */
+export function makePalette(panel, messages, world, view, edits, pointer) {
+    var carried = null          // the button from which something is being dragged
+    var palette = {
+        armed: null,            // what the next click makes: type or template, and fields that have to be filled in
+        snap: true
+    }
+
+    palette.build = function() {
+        palette.armed = null
+        view.build(!view.building)
+    }
+    /** Classes of one kind: shape, sensor, part. */
+    palette.typesOf = function(kind) {
+        return edits.grammar ? edits.grammar.types.filter(type => type.kind === kind) : []
+    }
+
+    palette.arm = function(type, template) {
+        var name = template || type.type
+        if (palette.armed && palette.armed.name === name) {
+            palette.armed = null
+            return
+        }
+        palette.armed = {name: name, type: type, template: template, fields: type ? type.parameters.filter(isAsked).map(function(parameter) {
+            return {p: parameter, text: ''}
+        }) : []}
+        edits.select(null)
+    }
+    /** What has no value to begin with: somebody has to say it. */
+    function isAsked(parameter) {
+        return parameter.required && parameter.initial === '' && parameter.name !== 'name'
+    }
+    palette.disarm = function() {
+        palette.armed = null
+    }
+    palette.isForRobots = function() {
+        return Boolean(palette.armed && palette.armed.type && !palette.armed.type.environment)
+    }
+    palette.armedText = function() {
+        var armed = palette.armed
+        return !armed ? '' : palette.isForRobots() ? 'Click on a robot to mount it there' : 'Click where it is to stand'
+    }
+
+    /** The number of a parameter with which a new object begins. */
+    function initial(type, name) {
+        var found = type.parameters.filter(parameter => parameter.name === name)[0]
+        return found ? Number(found.initial || found['default']) || 0 : 0
+    }
+    /** How far the middle of a new object is above what it stands on. */
+    function lift(type) {
+        return initial(type, 'height') / 2 || initial(type, 'radius')
+    }
+
+    palette.snapped = function(value, free) {
+        return palette.snap && !free ? Math.round(value / GRID) * GRID : value
+    }
+
+    /**
+     * Makes what is armed. @param at what was met: point [x, y, z] in the world, ground (whether that is a terrain), robot (its name, null for
+     * none), local (the point in its frame), normal (of its surface, there) @param free whether it does not snap
+     */
+    palette.place = function(at, free) {
+        var armed = palette.armed
+        var edit = {'do': armed.template ? 'robot' : 'add', set: {}}
+        armed.fields.forEach(function(field) {
+            edit.set[field.p.name] = field.text
+        })
+        if (armed.template) {
+            edit.template = armed.template
+        } else {
+            edit.type = armed.type.type
+        }
+        if (palette.isForRobots()) {
+            var robot = at.robot || view.robot
+            if (!robot) {
+                messages.say('error', 'a ' + armed.name + ' is a part of a robot: make one first')
+                return
+            }
+            edit.to = robot
+            if (at.robot) {
+                edit.set = angular.extend(edit.set, mounted(at, armed.type, free, palette.snapped))
+            } else {
+                put(edit.set, [0, 0.1, 0], free)
+            }
+        } else if (at.ground) {
+            edit.set.x = plain(palette.snapped(at.point[0], free))
+            edit.set.z = plain(palette.snapped(at.point[2], free))
+            edit.set.onGround = 'true'
+        } else {
+            put(edit.set, [at.point[0], at.point[1] + (armed.type ? lift(armed.type) : 0), at.point[2]], free)
+        }
+        edits.edit(armed.template ? withGround(edit, world.shown()) : edit, function(answer) {
+            edits.selectAfter(answer)
+            if (answer.done) {
+                palette.armed = null
+            } else if (armed.type) {
+                askFor(armed, answer.problems)
+            }
+        })
+    }
+    /** What was wrong gets a field, so that somebody can say it: the name of a motor's wheel. */
+    function askFor(armed, problems) {
+        armed.type.parameters.forEach(function(parameter) {
+            var wrong = problems.some(problem => problem.field.split(/[.#]/)[0] === parameter.name)
+            var known = armed.fields.some(field => field.p.name === parameter.name)
+            if (wrong && !known) {
+                armed.fields.push({p: parameter, text: ''})
+            }
+        })
+    }
+    /** The height stays that of what was met, but for the last digits of a sum. */
+    function put(set, point, free) {
+        set.x = plain(palette.snapped(point[0], free))
+        set.y = plain(point[1])
+        set.z = plain(palette.snapped(point[2], free))
+    }
+    /** For those who use no mouse: where the view looks at. */
+    palette.placeInTheMiddle = function() {
+        palette.place(pointer.middle(), false)
+    }
+    // ---- from the palette into the view ------------------------------------------------------------------------------------------------
+    function grab(event) {
+        carried = event.target.closest && event.button === 0 ? event.target.closest('.sear-palette [data-make]') : null
+    }
+    /** The views don't turn meanwhile. */
+    function carry(event) {
+        if (carried) {
+            event.stopPropagation()
+        }
+    }
+    function drop(event) {
+        var name = carried && carried.getAttribute('data-make')
+        carried = null
+        if (!name || event.target !== pointer.canvas()) {
+            return
+        }
+        if (!palette.armed || palette.armed.name !== name) {
+            var type = edits.typeOf(name)
+            palette.arm(type, type ? undefined : name)
+        }
+        var under = pointer.under(event)
+        if (under) {
+            palette.place(under, event.altKey)
+        }
+        panel.scope.$applyAsync()
+    }
+    window.addEventListener('mousedown', grab, true)
+    window.addEventListener('mousemove', carry, true)
+    window.addEventListener('mouseup', drop, true)
+    panel.scope.$on('$destroy', function() {
+        window.removeEventListener('mousedown', grab, true)
+        window.removeEventListener('mousemove', carry, true)
+        window.removeEventListener('mouseup', drop, true)
+    })
+    return palette
+}

@@ -1,0 +1,103 @@
+// Where a thing of the SEAR panel stands, in the numbers of its file: those that stand there, or, once a running simulation has moved it, those with
+// which it would start where it is now.
+import * as geometry from '../shared/geometry.js'
+
+var AXES = ['x', 'y', 'z']
+var ANGLES = ['rx', 'ry', 'rz']
+var MOVED = 0.01            // metres: what has moved less stands where its file says, but for its springs
+var TURNED = 1              // degrees, likewise
+var FINEST = 1e4            // a tenth of a millimetre
+var NORTH = 90              // degrees about y of what looks to the north
+
+/** A number as it stands in files, without the last digits of a sum. */
+export function plain(number) {
+    return String(Math.round(number * FINEST) / FINEST)
+}
+function numbers(values, names) {
+    return names.map(name => Number(values[name]) || 0)
+}
+/** Within half a turn to either side. */
+export function wrapped(degrees) {
+    return degrees - 360 * Math.round(degrees / 360)
+}
+/** Degrees about y to where a frame looks. */
+function heading(frame) {
+    var ahead = geometry.rotate(frame, [0, 0, 1])
+    return Math.atan2(ahead[0], ahead[2]) * 180 / Math.PI
+}
+/** Degrees between two rotations. */
+function between(a, b) {
+    var cosine = 0
+    for (var i = 3; i < 7; i++) {
+        cosine += a[i] * b[i]
+    }
+    return 2 * Math.acos(Math.min(1, Math.abs(cosine))) * 180 / Math.PI
+}
+
+/**
+ * Where something stands.
+ * @param selected see pointing.find @param values of its file @param live whether it is seen as a running simulation moves it
+ * @return at [x, y, z] and ry, degrees, as its file has them or should; strayed: what its file has to say, too, if it is put elsewhere;
+ * onGround, onEarth, headed: how its file says where it is; moves: whether it is seen as a running simulation moves it;
+ * stands: whether its height is to come from what is below it
+ */
+export function of(selected, values, live) {
+    var headed = values.placeHeading !== undefined
+    var onEarth = values.placeLatitude !== undefined
+    var place = {at: numbers(values, AXES), ry: headed ? NORTH - Number(values.placeHeading) : Number(values.ry) || 0, strayed: {}, headed: headed,
+        onEarth: onEarth, onGround: onEarth || values.onGround === 'true', moves: Boolean(selected && !selected.robot && live), stands: false}
+    if (place.moves) {
+        (selected.object.parts ? robot : thing)(place, selected.object, values)
+    } else if (selected && onEarth) {
+        stray(place, selected.object.pose)
+    }
+    return place
+}
+/** It is seen somewhere else than its file says. */
+function stray(place, at) {
+    AXES.forEach(function(axis, i) {
+        var fixed = axis === 'y' && (place.onGround || place.stands)
+        if (!fixed && (place.onEarth || Math.abs(at[i] - place.at[i]) > MOVED)) {
+            place.strayed[axis] = plain(at[i])
+        }
+    })
+    place.at = at.slice(0, 3)
+}
+function thing(place, object, values) {
+    var file = [0, 0, 0].concat(numbers(values, ANGLES))
+    if (between(geometry.frame(file), geometry.frame(object.pose)) > TURNED) {
+        ANGLES.forEach(function(angle, i) {
+            place.strayed[angle] = plain(object.pose[3 + i])
+        })
+        place.ry = object.pose[4]
+    }
+    stray(place, object.pose)
+}
+/** What it has moved and turned since its start is added to the numbers that it was put there with, since its Dynamics may stand apart from it. */
+function robot(place, object) {
+    var start = geometry.frame(object.start)
+    var now = geometry.frame(object.pose)
+    var turned = wrapped(heading(now) - heading(start))
+    var ry = wrapped(place.headed ? heading(now) : object.written[4] + turned)
+    var apart = geometry.rotate(geometry.frame([0, 0, 0, 0, turned, 0]), AXES.map((axis, i) => place.onGround ? 0 : object.written[i] - start[i]))
+    place.stands = true
+    stray(place, apart.map((value, i) => value + now[i]))
+    if (Math.abs(wrapped(ry - place.ry)) > TURNED) {
+        place.ry = ry
+        place.strayed[place.headed ? 'placeHeading' : 'ry'] = plain(place.headed ? wrapped(NORTH - ry) : ry)
+    }
+}
+
+/** What an edit sets. @param place see of @param set what the user has changed: x, y, z, ry, sizes */
+export function edit(place, set) {
+    var stays = !place.moves && AXES.every(axis => set[axis] === undefined)
+    var all = angular.extend({}, stays ? {} : place.strayed, set)
+    if (set.ry !== undefined && place.headed) {
+        delete all.ry
+        all.placeHeading = plain(wrapped(NORTH - Number(set.ry)))
+    }
+    if (place.onEarth && all.x !== undefined && all.y === undefined) {
+        all.onGround = 'true'
+    }
+    return all
+}

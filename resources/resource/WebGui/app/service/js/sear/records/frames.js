@@ -1,0 +1,29 @@
+// What was read at one moment of a record, in the form in which the world tells it while it runs.
+/**
+ * The sensors with what they read then.
+ * @param sensors of the world that is shown; @param record its frames; @param index of one of them
+ */
+export function sensorsAt(sensors, record, index) {
+    return sensors.map(function(sensor) {
+        var place = record.sensors.indexOf(sensor.name)
+        return {name: sensor.name, type: sensor.type, robot: sensor.robot, words: place >= 0 && record.words[index][place] || 'not in the record'}
+    })
+}
+
+/** Has the robots of a world drive and shine as they did then. @param robots by name */
+export function robotsAt(robots, record, index) {
+    record.robots.forEach(function(name, i) {
+        if (robots[name]) {
+            robots[name].pose = record.robotPoses[index][i]
+            robots[name].speed = record.speeds[index][i][0]
+            robots[name].turnRate = record.speeds[index][i][1]
+            robots[name].path = record.robotPoses.slice(0, index + 1).map(poses => [poses[i][0], poses[i][2]])
+        }
+    })
+    record.lights.forEach(function(light, i) {
+        var robot = robots[record.robots[light[0]]]
+        if (robot && robot.lights) {
+            robot.lights[light[1]] = record.brightness[index][i]
+        }
+    })
+}

@@ -1,0 +1,234 @@
+// Plots in the SEAR panel: values over time, live and from records.
+import {Chart, colors, csv, valueAt} from './chart.js'
+import {frame, rotate} from '../shared/geometry.js'
+import {whenPageChanges} from '../shared/page.js'
+import {saveText} from '../shared/words.js'
+
+var MOST_SAMPLES = 6000     // live ones; ten minutes
+var MOST_NAMES = 300        // values of a live world
+var MOST_LINES = 16
+
+/** All values of a world by their names. */
+function valuesOf(world) {
+    var values = {}
+    world.robots.forEach(function(robot) {
+        var ahead = rotate(frame(robot.pose), [0, 0, 1])
+        values[robot.name + '.x'] = robot.pose[0]
+        values[robot.name + '.y'] = robot.pose[1]
+        values[robot.name + '.z'] = robot.pose[2]
+        values[robot.name + '.heading'] = Math.atan2(ahead[2], ahead[0]) * 180 / Math.PI
+        values[robot.name + '.speed'] = robot.speed
+        values[robot.name + '.turnRate'] = robot.turnRate
+    })
+    world.sensors.forEach(function(sensor) {
+        sensor.names.forEach(function(name, i) {
+            values[sensor.name + name] = sensor.numbers[i]
+        })
+    })
+    return values
+}
+
+/** Of one panel. */
+export function makePlot(panel, world, records, replay, layout) {
+    var msg = panel.msg
+    var chart = null            // made when it is first seen
+    var live = {times: [], values: {}, last: -1}
+    var fetched = {}            // values of records: by path and name, {times, values}
+    var awaited = {}
+    var plot = {
+        source: '',             // path of the record that is plotted; empty for the running simulation
+        other: '',              // path of a second one
+        add: '',                // the name that is being chosen
+        open: false,            // whether that part is open
+        paused: null,           // the live samples as they were when the plot was paused
+        lines: [],              // names that are plotted
+        names: []               // names that there are
+    }
+
+    // ---- which values ------------------------------------------------------------------------------------------------------------------
+    panel.scope.$watch(() => layout.isFolded('plots'), function(folded) {
+        plot.open = !folded
+        if (plot.open) {
+            msg.send('getRecords')
+            nameValues()
+        }
+    })
+    function nameValues() {
+        var running = plot.source ? null : world.running
+        if (running) {
+            plot.names = Object.keys(valuesOf(running)).slice(0, MOST_NAMES)
+        }
+    }
+    plot.chooseSource = function() {
+        plot.names = []
+        replay.end()
+        showAll()
+        if (plot.source) {
+            awaited.frames = plot.source
+            msg.send('getRecordFrames', plot.source)
+        }
+        nameValues()
+        fetch()
+    }
+    plot.addLine = function() {
+        var name = plot.add
+        if (name && plot.lines.indexOf(name) < 0 && plot.lines.length < MOST_LINES) {
+            plot.lines.push(name)
+        }
+        plot.add = ''
+        fetch()
+    }
+    plot.removeLine = function(name) {
+        plot.lines = plot.lines.filter(other => other !== name)
+        draw()
+    }
+    /** Asks for what is plotted of records and not there yet. */
+    function fetch() {
+        [plot.source, plot.other].filter(Boolean).forEach(function(path) {
+            plot.lines.forEach(function(name) {
+                var key = path + '\n' + name
+                if (!fetched[key] && !awaited[key]) {
+                    awaited[key] = true
+                    msg.send('getRecordValues', path, [name])
+                }
+            })
+        })
+        draw()
+    }
+    plot.compare = fetch
+
+    // ---- live --------------------------------------------------------------------------------------------------------------------------
+    /** After each message of the running world. */
+    function sample() {
+        var state = world.running
+        if (!state || state.time === live.last) {
+            return
+        }
+        if (state.time < live.last || !live.times.length) {     // another run
+            live = {times: [], values: {}, last: -1}
+        }
+        live.last = state.time
+        var values = valuesOf(state)
+        live.times.push(state.time)
+        Object.keys(values).slice(0, MOST_NAMES).forEach(function(name) {
+            var column = live.values[name] = live.values[name] || []
+            column[live.times.length - 1] = values[name]
+        })
+        if (live.times.length > MOST_SAMPLES) {
+            live.times.shift()
+            angular.forEach(live.values, function(column) {
+                column.shift()
+            })
+        }
+        if (plot.open && !plot.source) {
+            if (!plot.names.length) {
+                nameValues()
+            }
+            draw()
+        }
+    }
+    plot.pause = function() {
+        plot.paused = plot.paused ? null : angular.copy(live)
+        draw()
+    }
+
+    // ---- drawing -----------------------------------------------------------------------------------------------------------------------
+    function linesToDraw() {
+        var shown = []
+        plot.lines.forEach(function(name, i) {
+            var color = colors[i % colors.length]
+            if (!plot.source) {
+                var from = plot.paused || live
+                shown.push({name: name, times: from.times, values: from.values[name] || [], color: color})
+            }
+            [plot.source, plot.other].forEach(function(path, k) {
+                var data = path && fetched[path + '\n' + name]
+                if (data && (k === 0 || path !== plot.source)) {
+                    shown.push({name: name, source: path, times: data.times, values: data.values, color: color, dashed: k === 1})
+                }
+            })
+        })
+        return shown
+    }
+    plot.lineColor = function(name) {
+        return colors[plot.lines.indexOf(name) % colors.length]
+    }
+    var pointed = null
+    function timeMarked() {
+        return pointed !== null ? pointed : replay.time()
+    }
+    /** A line's values at the time that the mouse points at, or the slider. */
+    plot.lineText = function(name) {
+        var time = timeMarked()
+        return !chart ? '' : chart.lines.filter(line => line.name === name).map(function(line) {
+            var value = time === null ? line.values[line.values.length - 1] : valueAt(line, time)
+            return typeof value === 'number' && isFinite(value) ? String(Number(value.toPrecision(6))) : '-'
+        }).join(' / ')
+    }
+    function draw() {
+        var canvas = panel.element('plot')
+        if (!canvas || !canvas.clientWidth) {
+            return
+        }
+        if (!chart || chart.canvas !== canvas) {
+            chart = new Chart(canvas, function(time) {
+                pointed = time
+                draw()
+                panel.scope.$applyAsync()
+            })
+        }
+        chart.marked = timeMarked()
+        chart.draw(linesToDraw())
+    }
+    plot.zoom = function(factor) {
+        if (chart) {
+            chart.zoom(factor)
+            draw()
+        }
+    }
+    function showAll() {
+        if (chart) {
+            chart.range = null
+        }
+    }
+    plot.whole = function() {
+        showAll()
+        draw()
+    }
+    plot.save = function() {
+        saveText('plot.csv', csv(linesToDraw()))
+    }
+    panel.scope.$watch(function() {
+        var canvas = plot.open && panel.element('plot')
+        return canvas ? canvas.clientWidth + ' ' + canvas.clientHeight : ''
+    }, draw)
+    /** What draws it, for tests; null before it was seen. */
+    plot.chart = function() {
+        return chart
+    }
+
+    world.told.hear(sample)
+    replay.moved.hear(draw)
+    whenPageChanges(panel.scope, draw)
+    records.ended.hear(function() {
+        fetched = {}
+        awaited = {}
+    })
+    plot.handlers = {
+        onRecordFrames: function(sent) {
+            if (sent && sent.path === awaited.frames && sent.path === plot.source) {
+                awaited.frames = null
+                plot.names = sent.names
+                replay.show(sent)
+            }
+        },
+        onRecordValues: function(sent) {
+            sent.names.forEach(function(name, i) {
+                fetched[sent.path + '\n' + name] = {times: sent.times, values: sent.values[i]}
+                delete awaited[sent.path + '\n' + name]
+            })
+            draw()
+        }
+    }
+    return plot
+}

@@ -1,0 +1,33 @@
+// Writing what happens in a run into a file, and which of these files there are.
+import {makeEvent} from '../shared/event.js'
+
+/** Of one panel. */
+export function makeRecords(panel, messages) {
+    var msg = panel.msg
+    var records = {
+        path: 'run.searlog',    // of the next one
+        list: [],
+        ended: makeEvent()      // one has ended
+    }
+    records.toggle = function() {
+        if (panel.scope.service.recorded) {
+            msg.send('endRecord')
+        } else {
+            msg.send('recordRun', records.path)
+        }
+    }
+    records.handlers = {
+        onRecords: function(paths) {
+            records.list = paths || []
+        },
+        onRecordRun: function(path) {
+            messages.say('info', 'recording ' + (panel.isSimulating() ? '' : 'the next run ') + 'into ' + path)
+        },
+        onEndRecord: function(seconds) {
+            messages.say('info', 'recorded ' + Number(seconds).toFixed(2) + ' s')
+            records.ended.tell()
+            msg.send('getRecords')
+        }
+    }
+    return records
+}

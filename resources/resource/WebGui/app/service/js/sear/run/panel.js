@@ -1,0 +1,102 @@
+// The SEAR panel as a whole: its parts, each of which knows only those before it, and what they hear of the service.
+import '../shared/style.js'
+import {makeBuilding} from '../build/building.js'
+import {makeEdits} from '../build/edits.js'
+import {makeGround} from '../world/ground.js'
+import {makeInspector} from '../build/inspector.js'
+import {makeLayout} from '../shared/layout.js'
+import {makeMessages} from '../shared/messages.js'
+import {makePalette} from '../build/palette.js'
+import {makePanel} from '../shared/panel.js'
+import {makePicture} from '../shared/picture.js'
+import {makePlot} from '../records/plot.js'
+import {makePointed} from '../scene/gestures.js'
+import {makePointer} from '../build/pointer.js'
+import {makeProblems} from '../world/problems.js'
+import {makeProject} from './project.js'
+import {makeRecords} from '../records/records.js'
+import {makeReplay} from '../records/replay.js'
+import {makeRun} from './run.js'
+import {makeScript} from './script.js'
+import {makeView} from '../scene/view.js'
+import {makeWorld} from '../world/world.js'
+import {count} from '../shared/words.js'
+
+var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'checkProject', 'getBundle',
+    'getTerrain', 'getLooks', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate', 'startSimulation', 'stopSimulation',
+    'publishEdit', 'getProjectObject', 'getScript', 'recordRun', 'endRecord', 'getRecords', 'getRecordFrames', 'getRecordValues']
+var ASKED = ['getExamples', 'getExampleScripts', 'getGrammar', 'getEdits']
+var LOOK_MILLIS = 1000      // how often a page that shows the project asks whether that has changed
+var LISTEN_MILLIS = 100     // how often a panel looks whether the page has its view
+
+/** Opens a panel. @param controller of MyRobotLab's, on whose scope the panel's parts are put */
+export function open(controller, $scope, $timeout, $interval) {
+    var panel = makePanel(controller, $scope, 'sear', $timeout)
+    var messages = makeMessages()
+    var picture = makePicture($scope)
+    var world = makeWorld(panel, messages, picture)
+    var problems = makeProblems(panel, world, messages)
+    var ground = makeGround(panel, picture)
+    var view = makeView(panel, messages, world, ground, picture)
+    var pointed = makePointed(panel, world, ground, view)
+    var edits = makeEdits(panel, messages, world, view, picture)
+    var inspector = makeInspector(panel, world, edits)
+    var pointer = makePointer(world, view, picture)
+    var palette = makePalette(panel, messages, world, view, edits, pointer)
+    var building = makeBuilding(panel, messages, world, view, edits, palette, pointer, picture)
+    var layout = makeLayout(panel, messages)
+    var records = makeRecords(panel, messages)
+    var replay = makeReplay(panel, messages, world, picture)
+    var plot = makePlot(panel, world, records, replay, layout)
+    var project = makeProject(panel, messages, problems)
+    var script = makeScript(panel, messages, project)
+    var run = makeRun(panel, messages, world, problems, view, edits, picture)
+
+    function onState(service) {
+        $scope.service = service
+        run.follow()
+        world.follow()
+    }
+    function onStatus(status) {
+        if (status && status.level === 'error') {
+            project.fail()
+            run.settle()
+        }
+        var text = messages.newsOf(status)
+        var all = problems.all()
+        var listed = all.length > 1 && text.indexOf(all[0].file) === 0
+        if (text) {
+            messages.say(status.level, listed ? 'the project has ' + count(all.length, 'problem') + ', listed below' : text)
+        }
+    }
+    function key(event) {
+        return building.key(event) || view.key(event) || run.key(event)
+    }
+
+    // ---- the page --------------------------------------------------------------------------------------------------------------------------
+    var first = null
+    function listen() {
+        if (panel.element('view')) {
+            [pointed, building, project].forEach(function(part) {
+                part.listen()
+            })
+            picture.repaint()
+        } else {
+            first = $timeout(listen, LISTEN_MILLIS)
+        }
+    }
+    var looks = $interval(world.look, LOOK_MILLIS, 0, false)
+    first = $timeout(listen)
+    $scope.$on('$destroy', function() {
+        $interval.cancel(looks)
+        $timeout.cancel(first)
+    })
+
+    var parts = {messages, world, problems, ground, view, pointed, edits, inspector, palette, building, layout, records, replay, plot, project,
+        script, run}
+    angular.extend($scope, parts, {key})
+    panel.hear(TOPICS, ASKED, angular.extend.apply(angular, [{onState, onStatus}].concat(Object.values(parts).map(part => part.handlers))))
+    if ($scope.service) {
+        onState($scope.service)
+    }
+}

@@ -1,0 +1,188 @@
+// Opening, saving, uploading and downloading projects in the SEAR panel.
+import {recallJson, remember} from '../shared/page.js'
+import * as words from '../shared/words.js'
+
+var CHUNK = 256 * 1024      // characters; MyRobotLab takes messages up to 1 MiB
+var RECENT = 'sear.recentProjects'
+var NEW = 'project.sear'
+var MOST_RECENT = 8
+
+/** Of one panel. */
+export function makeProject(panel, messages, problems) {
+    var msg = panel.msg
+    var asked = {}              // paths that this page wants saved and opened
+    var project = {
+        path: NEW,
+        example: '',
+        examples: [],
+        script: '',
+        scripts: [],            // names of the examples that drive
+        template: 'userCode.py',
+        folder: 'SEARproject',  // into which that is copied
+        question: null,         // a file that is to be overwritten: path, and free, a name that is not taken
+        transfer: null,
+        recent: recallJson(RECENT) || []
+    }
+
+    function addRecent(path) {
+        project.recent = [path].concat(project.recent.filter(other => other !== path)).slice(0, MOST_RECENT)
+        remember(RECENT, JSON.stringify(project.recent), messages, 'recent projects')
+    }
+    project.open = function(path) {
+        problems.forget()
+        project.path = path
+        addRecent(path)
+        asked.load = path
+        msg.send('loadProject', path)
+    }
+    /** What comes from an example is saved beside it, not over it. */
+    function onLoaded() {
+        messages.say('info', 'opened ' + (asked.load || 'by another page'))
+        if (asked.load && project.examples.indexOf(asked.load) >= 0) {
+            project.path = words.fileName(asked.load)
+        }
+        asked.load = null
+    }
+    project.startAnew = function() {
+        asked.anew = true
+        msg.send('newProject')
+    }
+
+    var written = {}            // paths that this page has saved to: those it overwrites without asking
+    project.save = function() {
+        project.saveTo(project.path, Boolean(written[project.path]))
+    }
+    project.saveTo = function(path, overwrite) {
+        project.question = null
+        asked.save = path
+        msg.send('saveProjectAs', path, overwrite)
+    }
+    project.cancel = function() {
+        project.question = null
+    }
+    function onSaved(answer) {
+        var mine = asked.save === answer.asked
+        if (answer.saved) {
+            messages.say('info', mine ? 'saved ' + answer.path : 'saved by another page')
+        }
+        if (mine && answer.saved) {
+            written[answer.path] = true
+            project.path = answer.path
+            addRecent(answer.path)
+        } else if (mine) {
+            project.question = answer
+        }
+        asked.save = mine ? null : asked.save
+    }
+    project.named = function(script) {
+        return script.replace(/\.py$/, '').replace(/_/g, ' ')
+    }
+    project.runScript = function() {
+        messages.say('info', 'running ' + project.script)
+        msg.send('runExampleScript', project.script)
+    }
+    project.copyTemplate = function() {
+        msg.send('copyTemplate', project.template, project.folder)
+    }
+
+    project.upload = function(file) {
+        if (!file) {
+            return
+        }
+        var reader = new FileReader()
+        reader.onload = function() {
+            var text = reader.result.substring(reader.result.indexOf(',') + 1)
+            var parts = Math.max(1, Math.ceil(text.length / CHUNK))
+            problems.forget()
+            for (var i = 0; i < parts; i++) {
+                msg.send('uploadProject', file.name, i, parts, text.substring(i * CHUNK, (i + 1) * CHUNK))
+            }
+            project.transfer = 'loading ' + file.name
+            asked.upload = file.name
+            panel.scope.$applyAsync()
+        }
+        reader.onerror = function() {
+            messages.say('error', file.name + ' can\'t be read: ' + reader.error.message)
+            panel.scope.$applyAsync()
+        }
+        reader.readAsDataURL(file)
+    }
+
+    var parts = null            // of the bundle that this page downloads
+    project.download = function() {
+        parts = []
+        project.transfer = 'saving'
+        msg.send('getBundle', 0)
+    }
+    function onBundle(part) {
+        if (!parts || part.index !== parts.length) {
+            return              // another page downloads
+        }
+        parts.push(part.data)
+        if (parts.length < part.count) {
+            project.transfer = 'saving, part ' + parts.length + ' of ' + part.count
+            msg.send('getBundle', parts.length)
+            return
+        }
+        words.saveFile(words.fileName(project.path).replace(/(\.sear)?$/, '.sear'), parts)
+        parts = null
+        project.transfer = null
+    }
+
+    /** Once its fields are there. */
+    project.listen = function() {
+        var drop = panel.element('drop')
+        drop.addEventListener('dragover', function(event) {
+            event.preventDefault()
+        })
+        drop.addEventListener('drop', function(event) {
+            event.preventDefault()
+            project.upload(event.dataTransfer.files[0])
+        })
+        panel.element('file').addEventListener('change', function(event) {
+            project.upload(event.target.files[0])
+            event.target.value = ''     // so that the same file can be chosen again
+        })
+    }
+
+    /** A call has failed: nothing is awaited any more. */
+    project.fail = function() {
+        project.transfer = null
+        asked = {}
+    }
+
+    project.handlers = {
+        onBundle: onBundle,
+        onExamples: function(paths) {
+            project.examples = paths || []
+        },
+        onExampleScripts: function(names) {
+            project.scripts = names || []
+            project.script = project.script || project.scripts[0]
+        },
+        onUploaded: function(text) {
+            project.transfer = null
+            if (asked.upload) {
+                project.path = asked.upload
+            }
+            asked.upload = null
+            messages.say('info', text)
+        },
+        onSaveProject: function() {
+            messages.say('info', 'saved by another page')
+        },
+        onSaveProjectAs: onSaved,
+        onLoadProject: onLoaded,
+        onNewProject: function(backup) {
+            if (asked.anew) {
+                project.path = NEW
+            }
+            asked.anew = false
+            messages.say('info', 'an empty project' + (backup ? '; the former one is kept in ' + backup : ''))
+        },
+        onCopyTemplate: function(path) {
+            messages.say('info', 'copied to ' + path)
+        }
+    }
+    return project
+}

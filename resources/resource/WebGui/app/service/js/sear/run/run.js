@@ -1,0 +1,105 @@
+// The run of the simulation in the SEAR panel: start, stop, speed, driving.
+import {find} from '../world/pointing.js'
+
+var SPEED = 0.2             // m/s of the drive buttons, MyRobotLab's Roomba default
+// The method, and what it is given after the robot's name.
+var DRIVES = {forward: ['driveStraight', SPEED], backward: ['driveStraight', -SPEED], left: ['drive', SPEED, 0], right: ['drive', -SPEED, 0],
+    stop: ['driveStraight', 0]}
+var KEYS = {h: 'left', k: 'right', u: 'forward', j: 'backward', ';': 'stop', enter: 'reset'}
+
+/** Of one panel. */
+export function makeRun(panel, messages, world, problems, view, edits, picture) {
+    var $scope = panel.scope
+    var msg = panel.msg
+    var known = 1               // the speed that the simulation has
+    var driving = false         // whether a test drive is to begin as soon as the simulation runs
+    var run = {
+        pending: null,          // what the service has been told to do and has not done yet: starting or stopping
+        speed: '1'
+    }
+
+    run.start = function() {
+        problems.forget()
+        run.pending = 'starting'
+        msg.send('startSimulation')
+    }
+    run.stop = function() {
+        run.pending = 'stopping'
+        msg.send('stopSimulation')
+    }
+    run.setSpeed = function() {
+        msg.send('setSpeed', Number(run.speed))
+    }
+    run.drive = function(way) {
+        if (way === 'reset') {
+            msg.send('reset')
+        } else {
+            msg.send.apply(msg, DRIVES[way].slice(0, 1).concat(view.robot || [], DRIVES[way].slice(1)))
+        }
+    }
+    run.key = function(event) {
+        var way = KEYS[(event.key || '').toLowerCase()]
+        if (way && panel.isSimulating() && !event.ctrlKey && !event.altKey && !event.metaKey) {
+            run.drive(way)
+            event.preventDefault()
+        }
+    }
+    /** Nobody waits for the script any more: time runs by itself. */
+    run.letTimeRun = function() {
+        msg.send('setSpeed', 1)
+        msg.send('setLockStep', false)
+    }
+    run.statusText = function() {
+        return run.pending || (!panel.isSimulating() ? 'no simulation runs' : $scope.service.paused ? 'paused' :
+            world.waiting ? 'time waits for a script' : 'running')
+    }
+    /** Goes on where the status ends; apart from it, since that is read out when it changes. */
+    run.timeText = function() {
+        var state = run.pending ? null : world.running
+        return state ? ' at ' + state.time.toFixed(2) + ' s' + (state.speed ? ', ' + state.speed.toFixed(1) + ' × real time' : '') : ''
+    }
+
+    // ---- the test drive --------------------------------------------------------------------------------------------------------------------
+    /** Starts, or ends, a simulation in which the keys drive the robot that is selected, else the one that is driven anyway. */
+    run.testDrive = function() {
+        var seen = world.shown()
+        if (panel.isSimulating()) {
+            run.stop()
+        } else if (!seen || !seen.robots.length) {
+            messages.say('error', 'there is no robot to drive: choose one in the palette and click on the ground')
+        } else {
+            var found = find(seen, edits.selected)
+            var robot = found && (found.robot || found.object)
+            view.driveRobot(robot && robot.parts ? robot.name : view.robot || seen.robots[0].name)
+            driving = true
+            run.start()
+        }
+    }
+    panel.scope.$watch(panel.isSimulating, function(simulating) {
+        if (simulating && driving) {
+            picture.canvas().focus()
+            messages.say('info', 'drive ' + view.robot + ': U forward, J back, H left, K right, ; halt, Enter back to the start')
+        }
+        driving = driving && !simulating && Boolean(run.pending)
+    })
+
+    // ---- what the service tells ------------------------------------------------------------------------------------------------------------
+    /** The service has done what it was told, or has failed, whatever has happened since. */
+    run.settle = function() {
+        run.pending = null
+    }
+    /** The service has said whether it simulates; another state may have been on its way before. */
+    run.follow = function() {
+        if (run.pending === (panel.isSimulating() ? 'starting' : 'stopping')) {
+            run.settle()
+        }
+    }
+    world.told.hear(function(running) {
+        if (running && running.wantedSpeed !== known) {
+            known = running.wantedSpeed
+            run.speed = String(known)
+        }
+    })
+    run.handlers = {onStartSimulation: run.settle, onStopSimulation: run.settle}
+    return run
+}

@@ -1,0 +1,81 @@
+// What sensors see, in the view in space of the SEAR panel: fans of LIDARs, cones of distance sensors and what they hit.
+var HIT = '#d9534f'
+var BEAM = '#f0ad4e'
+var CONE = '#d9534f'
+
+function seeThrough(color, opacity) {
+    return new window.THREE.MeshBasicMaterial({color: color, transparent: true, opacity: opacity, side: window.THREE.DoubleSide, depthWrite: false})
+}
+
+/** Shows in an item of a scene what a sensor sees. @param beams whether to */
+export function show(scene, item, sensor, beams) {
+    var THREE = window.THREE
+    if (!item.dressed) {
+        item.dressed = true
+        angular.forEach(sensor.cones, function(cone) {
+            item.holder.add(coneOf(cone))
+        })
+        if (sensor.ranges) {
+            item.fan = new THREE.Mesh(new THREE.BufferGeometry(), seeThrough(BEAM, 0.22))
+            item.fan.frustumCulled = false
+            item.holder.add(item.fan)
+        }
+        if (sensor.hit !== undefined) {
+            item.hit = new THREE.Mesh(new THREE.SphereGeometry(1, 8, 6), new THREE.MeshBasicMaterial({color: HIT}))
+            scene.scene.add(item.hit)
+            item.extra = item.hit
+        }
+    }
+    item.holder.visible = beams
+    if (item.hit) {
+        item.hit.visible = Boolean(beams && sensor.hit)
+        if (sensor.hit) {
+            item.hit.position.set(sensor.hit[0], sensor.hit[1], sensor.hit[2])
+            var size = 0.006 * Math.max(0.5, scene.orbit.distance)
+            item.hit.scale.set(size, size, size)
+        }
+    }
+    if (item.fan && item.ranges !== sensor.ranges) {
+        item.ranges = sensor.ranges
+        spreadFan(item.fan, sensor)
+    }
+}
+
+/** Around the forward axis, +z, turned by its yaw to the left. */
+function coneOf(cone) {
+    var THREE = window.THREE
+    var radius = Math.max(0.003, Math.tan(cone.halfAngle * Math.PI / 180) * cone.range)
+    var shape = new THREE.CylinderGeometry(0, radius, cone.range, 24, 1, true)
+    shape.applyMatrix(new THREE.Matrix4().makeTranslation(0, -cone.range / 2, 0))
+    shape.applyMatrix(new THREE.Matrix4().makeRotationX(-Math.PI / 2))
+    var mesh = new THREE.Mesh(shape, seeThrough(CONE, 0.13))
+    mesh.rotation.y = (cone.yaw || 0) * Math.PI / 180
+    return mesh
+}
+
+/** A triangle for each two beams that met something; where nothing was met there is a gap. */
+function spreadFan(fan, sensor) {
+    var THREE = window.THREE
+    var count = Math.max(0, sensor.ranges.length - 1)
+    var held = fan.geometry.attributes.position
+    var points = held && held.array.length === 9 * count ? held.array : new window.Float32Array(9 * count)
+    for (var i = 0; i < count; i++) {
+        var a = sensor.ranges[i]
+        var b = sensor.ranges[i + 1]
+        var shown = a !== null && b !== null
+        corner(points, 9 * i + 3, sensor, i, shown ? a : 0)
+        corner(points, 9 * i + 6, sensor, i + 1, shown ? b : 0)
+    }
+    if (held && held.array === points) {
+        held.needsUpdate = true
+    } else {
+        fan.geometry.dispose()
+        fan.geometry = new THREE.BufferGeometry()
+        fan.geometry.addAttribute('position', new THREE.BufferAttribute(points, 3))
+    }
+}
+function corner(points, at, sensor, beam, metres) {
+    var angle = (beam * sensor.resolution - sensor.spread / 2) * Math.PI / 180
+    points[at] = Math.sin(angle) * metres
+    points[at + 2] = Math.cos(angle) * metres
+}

@@ -1,0 +1,142 @@
+// What shapes look like, for the view in space of the SEAR panel: asked for once, each look when it is first needed. The form of what the service
+// sends stands at the Java class Looks.
+var KEYS_AT_ONCE = 60
+var PATIENCE_MILLIS = 10000 // an answer that takes longer is asked for again
+var MOST_SAMPLES = 8
+
+function numbers(Type, base64) {
+    var text = window.atob(base64)
+    var bytes = new Uint8Array(text.length)
+    for (var i = 0; i < text.length; i++) {
+        bytes[i] = text.charCodeAt(i)
+    }
+    return new Type(bytes.buffer)
+}
+
+function surface(part) {
+    var THREE = window.THREE
+    var packed = numbers(window.Uint16Array, part.positions)
+    var signed = numbers(window.Int8Array, part.normals)
+    var positions = new window.Float32Array(packed.length)
+    var normals = new window.Float32Array(packed.length)
+    for (var i = 0; i < packed.length; i++) {
+        positions[i] = part.low[i % 3] + packed[i] * (part.high[i % 3] - part.low[i % 3]) / 65535
+        normals[i] = signed[i] / 127
+    }
+    var made = new THREE.BufferGeometry()
+    made.addAttribute('position', new THREE.BufferAttribute(positions, 3))
+    made.addAttribute('normal', new THREE.BufferAttribute(normals, 3))
+    made.addAttribute('uv', new THREE.BufferAttribute(numbers(window.Float32Array, part.pictures), 2))
+    return made
+}
+
+/**
+ * @param ask a function that asks the service for looks and pictures by their keys
+ * @param whenThere called when some have come
+ * @param smooth samples of a pixel at a flat angle that the graphics card can take
+ */
+export function Looks(ask, whenThere, smooth) {
+    this.ask = ask
+    this.whenThere = whenThere
+    this.smooth = Math.min(MOST_SAMPLES, smooth)
+    this.looks = {}             // by the number of a look: its parts that have come
+    this.textures = {}          // by the path of a picture: texture, or null if it can't be shown
+    this.wanted = {}            // keys, and when they were asked for
+}
+
+/** The parts of a look; null while they are not all there. */
+Looks.prototype.look = function(id) {
+    var look = this.looks[id]
+    if (!look) {
+        this.wanted[id + '/0'] = this.wanted[id + '/0'] || 0
+        return null
+    }
+    for (var i = 0; i < look.length; i++) {
+        if (!look[i]) {
+            this.wanted[id + '/' + i] = this.wanted[id + '/' + i] || 0
+            return null
+        }
+    }
+    return look
+}
+
+/** Of a picture; undefined while it is not there, null if it can't be shown. */
+Looks.prototype.texture = function(path) {
+    if (!Object.prototype.hasOwnProperty.call(this.textures, path)) {
+        this.wanted['picture ' + path] = this.wanted['picture ' + path] || 0
+    }
+    return this.textures[path]
+}
+
+Looks.prototype.want = function() {
+    var now = Date.now()
+    var keys = Object.keys(this.wanted)
+    var open = keys.some(function(key) {
+        return this.wanted[key] && now - this.wanted[key] < PATIENCE_MILLIS
+    }, this)
+    if (!open && keys.length) {
+        keys = keys.slice(0, KEYS_AT_ONCE)
+        keys.forEach(function(key) {
+            this.wanted[key] = now
+        }, this)
+        this.ask(keys)
+    }
+}
+
+/** Takes what the service has sent, for this page or for another one. */
+Looks.prototype.take = function(sent) {
+    angular.forEach(sent, function(one) {
+        if (Object.prototype.hasOwnProperty.call(this.wanted, one.key)) {
+            delete this.wanted[one.key]
+            if (one.positions) {
+                var at = one.key.lastIndexOf('/')
+                var id = one.key.slice(0, at)
+                this.looks[id] = this.looks[id] || new Array(one.parts).fill(null)
+                this.looks[id][Number(one.key.slice(at + 1))] = surface(one)
+            } else {
+                this.takePicture(one)
+            }
+        }
+    }, this)
+    Object.keys(this.wanted).forEach(function(key) {
+        this.wanted[key] = 0        // what did not fit into the answer is asked for again
+    }, this)
+    this.whenThere()
+}
+
+Looks.prototype.takePicture = function(sent) {
+    var THREE = window.THREE
+    var self = this
+    var path = sent.key.slice('picture '.length)
+    if (!sent.data) {
+        this.textures[path] = null
+        return
+    }
+    var image = new window.Image()
+    image.onload = function() {
+        var texture = new THREE.Texture(image)
+        var round = (image.width & image.width - 1) === 0 && (image.height & image.height - 1) === 0
+        texture.wrapS = texture.wrapT = THREE.RepeatWrapping
+        if (!round) {
+            texture.image = squared(image)      // only such pictures are repeated
+        }
+        texture.anisotropy = self.smooth
+        texture.needsUpdate = true
+        self.textures[path] = texture
+        self.whenThere()
+    }
+    image.onerror = function() {
+        self.textures[path] = null
+        self.whenThere()
+    }
+    image.src = sent.data
+}
+
+/** A picture whose sides are powers of two. */
+function squared(image) {
+    var canvas = document.createElement('canvas')
+    canvas.width = Math.pow(2, Math.round(Math.log(image.width) / Math.LN2))
+    canvas.height = Math.pow(2, Math.round(Math.log(image.height) / Math.LN2))
+    canvas.getContext('2d').drawImage(image, 0, 0, canvas.width, canvas.height)
+    return canvas
+}

@@ -1,0 +1,168 @@
+// The flat view of the SEAR panel, from above: north (+x) up, east (+z) to the right. It works on each machine, without WebGL.
+import * as geometry from '../shared/geometry.js'
+import {penOf} from '../shared/page.js'
+
+var PATH = '#337ab7'
+var SMALLEST_ROBOT = 4      // pixels: one that looks smaller is a dot
+
+/** A function from metres on the ground to pixels of a canvas. */
+export function projection(element, view) {
+    var x0 = element.clientWidth / 2
+    var y0 = element.clientHeight / 2
+    return function(x, z) {
+        return {x: x0 + (z - view.z) * view.scale, y: y0 - (x - view.x) * view.scale}
+    }
+}
+
+/** @param world may be null @param terrain null without one @param beams whether to draw what the sensors see */
+export function draw(element, view, world, terrain, shapes, beams) {
+    var pen = penOf(element)
+    var at = projection(element, view)
+    var ink = window.getComputedStyle(element).color
+    if (terrain) {
+        terrain.draw(pen, at, areaOf(element, view), view.scale, geometry.isLight(ink))
+    }
+    drawGrid(pen, at, ink, element, view)
+    if (!world) {
+        return
+    }
+    shapes.forEach(function(shape) {
+        drawShape(pen, at, ink, shape)
+    })
+    world.robots.forEach(function(robot) {
+        trace(pen, robot.path.map(point => at(point[0], point[1])))
+        pen.strokeStyle = PATH
+        pen.stroke()
+    })
+    if (beams) {
+        world.sensors.forEach(function(sensor) {
+            drawBeams(pen, at, sensor)
+        })
+    }
+    world.robots.forEach(function(robot) {
+        drawHeading(pen, at, ink, robot)
+    })
+}
+
+/** What a canvas shows: its ends in metres. */
+function areaOf(element, view) {
+    var up = element.clientHeight / 2 / view.scale
+    var across = element.clientWidth / 2 / view.scale
+    return {south: view.x - up, north: view.x + up, west: view.z - across, east: view.z + across}
+}
+
+/** Makes points, in pixels, the present path. */
+function trace(pen, points) {
+    pen.beginPath()
+    points.forEach(function(point) {
+        pen.lineTo(point.x, point.y)
+    })
+}
+
+function drawGrid(pen, at, ink, element, view) {
+    var step = 1
+    while (step * view.scale < 40) {
+        step *= String(step).charAt(0) === '2' ? 2.5 : 2      // 1, 2, 5, 10, ..
+    }
+    var across = element.clientWidth / 2 / view.scale
+    var up = element.clientHeight / 2 / view.scale
+    pen.beginPath()
+    for (var z = Math.ceil((view.z - across) / step) * step; z <= view.z + across; z += step) {
+        pen.moveTo(at(0, z).x, 0)
+        pen.lineTo(at(0, z).x, element.clientHeight)
+    }
+    for (var x = Math.ceil((view.x - up) / step) * step; x <= view.x + up; x += step) {
+        pen.moveTo(0, at(x, 0).y)
+        pen.lineTo(element.clientWidth, at(x, 0).y)
+    }
+    pen.globalAlpha = 0.12
+    pen.strokeStyle = ink
+    pen.stroke()
+    pen.globalAlpha = 0.8
+    pen.fillStyle = ink
+    pen.font = '12px sans-serif'
+    pen.fillText('N ↑   grid ' + step + ' m', 8, 16)
+    pen.globalAlpha = 1
+}
+
+function drawShape(pen, at, ink, shape) {
+    trace(pen, shape.outline.map(point => at(point[0], point[1])))
+    pen.closePath()
+    pen.fillStyle = shape.color
+    pen.fill()
+    pen.globalAlpha = 0.6
+    pen.strokeStyle = ink
+    pen.stroke()
+    pen.globalAlpha = 1
+}
+
+function drawBeams(pen, at, sensor) {
+    var pose = geometry.frame(sensor.pose)
+    if (sensor.ranges) {
+        drawScan(pen, at, pose, sensor)
+    }
+    angular.forEach(sensor.cones, function(cone) {
+        drawCone(pen, at, pose, cone)
+    })
+    if (sensor.hit) {
+        var hit = at(sensor.hit[0], sensor.hit[2])
+        pen.fillStyle = '#d9534f'
+        pen.fillRect(hit.x - 2.5, hit.y - 2.5, 5, 5)
+    }
+}
+
+/** Where a beam ends, in pixels. @param degrees to the left of the sensor's forward axis */
+function beamEnd(at, pose, degrees, metres) {
+    var angle = degrees * Math.PI / 180
+    var end = geometry.onGround(pose, [Math.sin(angle) * metres, 0, Math.cos(angle) * metres])
+    return at(end[0], end[1])
+}
+
+/** The beams that met something; where nothing was met there is a gap. */
+function drawScan(pen, at, pose, sensor) {
+    var from = at(pose[0], pose[2])
+    var ends = sensor.ranges.map((metres, i) => metres === null ? null : beamEnd(at, pose, i * sensor.resolution - sensor.spread / 2, metres))
+    trace(pen, [from].concat(ends.map(end => end || from)))
+    pen.closePath()
+    pen.fillStyle = 'rgba(240, 173, 78, 0.18)'
+    pen.fill()
+    pen.fillStyle = '#f0ad4e'
+    ends.forEach(function(end) {
+        if (end) {
+            pen.fillRect(end.x - 1.5, end.y - 1.5, 3, 3)
+        }
+    })
+}
+
+/** A cone of a sonar; one without width is a line. */
+function drawCone(pen, at, pose, cone) {
+    var points = [at(pose[0], pose[2])]
+    for (var i = -6; i <= 6; i++) {
+        points.push(beamEnd(at, pose, (cone.yaw || 0) + cone.halfAngle * i / 6, cone.range))
+    }
+    trace(pen, points)
+    pen.closePath()
+    pen.fillStyle = 'rgba(217, 83, 79, 0.12)'
+    pen.fill()
+    pen.strokeStyle = 'rgba(217, 83, 79, 0.25)'
+    pen.stroke()
+}
+
+function drawHeading(pen, at, ink, robot) {
+    var ahead = geometry.onGround(geometry.frame(robot.pose), [0, 0, 0.3])
+    var from = at(robot.pose[0], robot.pose[2])
+    var end = at(ahead[0], ahead[1])
+    if (Math.abs(end.x - from.x) + Math.abs(end.y - from.y) < SMALLEST_ROBOT) {
+        pen.beginPath()
+        pen.arc(from.x, from.y, SMALLEST_ROBOT, 0, 2 * Math.PI)
+        pen.fillStyle = PATH
+        pen.fill()
+    }
+    trace(pen, [from, end])
+    pen.strokeStyle = ink
+    pen.lineWidth = 2
+    pen.stroke()
+    pen.lineWidth = 1
+    pen.fillStyle = ink
+    pen.fillText(robot.name, from.x + 8, from.y - 8)
+}

@@ -1,0 +1,366 @@
+// The view in space of the SEAR panel, with three.js as MyRobotLab has it (release 73; it works with 71, too). World frame: x north, y up, z east.
+import {show as showBeams} from './beams.js'
+import * as geometry from '../shared/geometry.js'
+import * as shapes from './shapes.js'
+import {Item} from './item.js'
+import {Looks} from './looks.js'
+
+var FIELD_OF_VIEW = 50      // degrees, of the camera
+var EYE_FIELD = 75          // looking through a sensor
+var NEAREST = 0.05          // metres between camera and what it turns around
+var FARTHEST = 20000
+var STEEPEST = 1.55         // radians: straight down is the map's
+var SLOWEST_MILLIS = 250    // between two states; longer is no movement to be smoothed
+var SUN = [-0.35, 1, -0.25]
+var SHADOW_PIXELS = 2048
+var SKY = {light: ['#7fb2e5', '#e8f1fa', '#cfd3c8', '#b9bdb0'], dark: ['#0d1b2f', '#33475f', '#2c2f2b', '#20231f']}
+var BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i
+var PATH = '#337ab7'
+var DARK = 0.2              // what is seen of the colour of a light that is dark
+
+/** Whether the browser draws in space; with a graphics card and not by the processor, if that is asked for. */
+export function isPossible(fast) {
+    try {
+        var canvas = document.createElement('canvas')
+        var gl = window.THREE && (canvas.getContext('webgl') || canvas.getContext('experimental-webgl'))
+        var about = gl && fast && gl.getExtension('WEBGL_debug_renderer_info')
+        return Boolean(gl) && !(about && BY_PROCESSOR.test(gl.getParameter(about.UNMASKED_RENDERER_WEBGL)))
+    } catch (e) {
+        return false
+    }
+}
+
+/**
+ * @param canvas to draw on
+ * @param ask a function that asks the service for looks and pictures by their keys
+ * @param repaint a function that has the panel draw again
+ */
+export function Scene(canvas, ask, repaint) {
+    var THREE = window.THREE
+    this.canvas = canvas
+    this.repaint = repaint
+    this.renderer = new THREE.WebGLRenderer({canvas: canvas, antialias: true, alpha: true})
+    this.renderer.setClearColor(0x000000, 0)
+    if (this.renderer.shadowMap) {
+        this.renderer.shadowMap.enabled = true
+    } else {
+        this.renderer.shadowMapEnabled = true
+    }
+    this.scene = new THREE.Scene()
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x9a958a, 0.75))
+    this.camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 1000)
+    this.orbit = {target: new THREE.Vector3(), distance: 5, azimuth: Math.PI, elevation: 0.6}
+    this.eyeField = EYE_FIELD
+    this.objects = []           // in the order of the world's lists
+    this.robots = []
+    this.sensors = []
+    this.looks = new Looks(ask, repaint, this.renderer.getMaxAnisotropy ? this.renderer.getMaxAnisotropy() : 1)
+    this.ground = null
+    this.arrived = 0
+    this.period = 100
+    this.light(10)
+}
+
+// ---- what it shows -------------------------------------------------------------------------------------------------------------------------
+/** A sun whose shadow covers so many metres around what the camera turns around. */
+Scene.prototype.light = function(reach) {
+    var THREE = window.THREE
+    if (this.sun) {
+        this.scene.remove(this.sun)
+    }
+    var sun = new THREE.DirectionalLight(0xffffff, 0.55)
+    sun.castShadow = true
+    sun.shadowMapWidth = sun.shadowMapHeight = SHADOW_PIXELS
+    sun.shadowCameraLeft = sun.shadowCameraBottom = -reach
+    sun.shadowCameraRight = sun.shadowCameraTop = reach
+    sun.shadowCameraNear = 0.1
+    sun.shadowCameraFar = 8 * reach
+    sun.shadowBias = -0.0005
+    sun.shadowDarkness = 0.35
+    sun.reach = reach
+    this.scene.add(sun)
+    this.scene.add(sun.target)
+    this.sun = sun
+}
+
+/** Brings the scene to a world as the service tells it. @param terrain null without one @param beams whether to show what sensors see */
+Scene.prototype.show = function(world, terrain, beams) {
+    var now = Date.now()
+    if (this.time !== world.time) {
+        var passed = now - this.arrived
+        this.period = passed < SLOWEST_MILLIS ? 0.8 * this.period + 0.2 * passed : this.period
+        this.arrived = now
+        this.time = world.time
+    }
+    this.keep('objects', world.objects, this.scene)
+    this.keep('robots', world.robots, this.scene)
+    this.keep('sensors', world.sensors, this.scene)
+    world.objects.forEach(function(object, i) {
+        this.objects[i].goTo(object.pose, now)
+        this.dress(this.objects[i], object)
+    }, this)
+    world.robots.forEach(function(robot, i) {
+        this.showRobot(this.robots[i], robot, now)
+    }, this)
+    world.sensors.forEach(function(sensor, i) {
+        this.sensors[i].goTo(sensor.pose, now)
+        showBeams(this, this.sensors[i], sensor, beams)
+    }, this)
+    this.showGround(terrain)
+    this.looks.want()
+}
+
+/** Has one item for each of a list; those of another world go. */
+Scene.prototype.keep = function(list, sources, parent) {
+    var items = this[list]
+    for (var i = 0; i < Math.max(items.length, sources.length); i++) {
+        if (items[i] && items[i].source !== sources[i]) {
+            items[i].parent.remove(items[i].holder)
+            this.scene.remove(items[i].extra)
+            this.scene.remove(items[i].marker)
+            items[i] = null
+        }
+        if (!items[i] && i < sources.length) {
+            items[i] = new Item(parent, sources[i])
+        }
+    }
+    items.length = sources.length
+}
+
+/** Gives an item its surface as soon as that is there. */
+Scene.prototype.dress = function(item, object) {
+    if (item.dressed) {
+        return
+    }
+    if (object.look === undefined || object.ground) {
+        item.dressed = true
+        return
+    }
+    var parts = object.look ? this.looks.look(object.look) : object.corners.length ? [shapes.boxAround(object.corners)] : []
+    var texture = object.picture ? this.looks.texture(object.picture) : null
+    if (!parts || texture === undefined) {
+        return
+    }
+    item.dressed = true
+    var material = new window.THREE.MeshLambertMaterial({color: texture ? 0xffffff : object.color, map: texture,
+        side: object.type === 'Model' ? window.THREE.DoubleSide : window.THREE.FrontSide})
+    parts.forEach(function(part) {
+        var mesh = new window.THREE.Mesh(part, material)
+        mesh.castShadow = object.type !== 'Floor'
+        mesh.receiveShadow = true
+        mesh.named = object
+        item.holder.add(mesh)
+    })
+}
+
+Scene.prototype.showRobot = function(item, robot, now) {
+    item.goTo(robot.pose, now)
+    item.parts = item.parts || robot.parts.map(part => new Item(item.holder, part))
+    var wheel = 0
+    robot.parts.forEach(function(part, i) {
+        item.parts[i].goTo(part.type === 'Wheel' && robot.wheels ? robot.wheels[wheel++] : robot.turned ? robot.turned[i] : part.pose, now)
+        this.dress(item.parts[i], part)
+    }, this)
+    this.showLights(item, robot, now)
+    this.showPath(item, robot)
+}
+
+/** Lights, lit or dark. */
+Scene.prototype.showLights = function(item, robot, now) {
+    var THREE = window.THREE
+    item.lights = item.lights || (robot.leds || []).map(function(led) {
+        var light = new Item(item.holder, led)
+        light.bulb = new THREE.Mesh(new THREE.SphereGeometry(led.size / 2, 12, 8), new THREE.MeshBasicMaterial())
+        light.holder.add(light.bulb)
+        return light
+    })
+    item.lights.forEach(function(light, i) {
+        light.goTo(robot.turnedLeds ? robot.turnedLeds[i] : light.source.pose, now)
+        light.bulb.material.color.set(light.source.color).multiplyScalar(DARK + (1 - DARK) * (robot.lights[i] || 0))
+    })
+}
+
+Scene.prototype.showPath = function(item, robot) {
+    var last = robot.path[robot.path.length - 1]
+    if (item.pathEnd === last) {
+        return
+    }
+    item.pathEnd = last
+    var THREE = window.THREE
+    if (item.extra) {
+        this.scene.remove(item.extra)
+        item.extra.geometry.dispose()
+    }
+    var line = new THREE.Geometry()
+    robot.path.forEach(function(point) {
+        line.vertices.push(new THREE.Vector3(point[0], robot.pose[1] + 0.005, point[1]))
+    })
+    item.extra = new THREE.Line(line, new THREE.LineBasicMaterial({color: PATH}))
+    this.scene.add(item.extra)
+}
+
+// ---- the ground ----------------------------------------------------------------------------------------------------------------------------
+Scene.prototype.showGround = function(terrain) {
+    var stamp = terrain ? terrain.sent.stamp : null
+    var picture = terrain && terrain.picture.complete && terrain.picture.naturalWidth > 0
+    if (this.ground && this.ground.stamp !== stamp) {
+        this.scene.remove(this.ground)
+        this.ground = null
+    }
+    if (!terrain || this.ground || !picture) {
+        return
+    }
+    var THREE = window.THREE
+    var texture = new THREE.Texture(terrain.picture)
+    texture.minFilter = THREE.LinearFilter
+    texture.needsUpdate = true
+    this.ground = new THREE.Mesh(shapes.ground(terrain), new THREE.MeshBasicMaterial({map: texture, side: THREE.DoubleSide}))
+    this.ground.stamp = stamp
+    this.scene.add(this.ground)
+}
+
+// ---- the camera ----------------------------------------------------------------------------------------------------------------------------
+/** Has the camera show everything but the ground. @param shapes as on the map */
+Scene.prototype.fit = function(area) {
+    this.orbit.target.set(area.x, area.y, area.z)
+    this.orbit.distance = Math.min(FARTHEST, Math.max(1, 1.15 * area.size / Math.tan(FIELD_OF_VIEW * Math.PI / 360) / 2))
+    this.orbit.azimuth = Math.PI * 0.92
+    this.orbit.elevation = 0.65
+}
+Scene.prototype.zoom = function(factor) {
+    this.orbit.distance = Math.min(FARTHEST, Math.max(NEAREST, this.orbit.distance / factor))
+}
+/** @param right pixels that the mouse has moved, likewise down */
+Scene.prototype.turn = function(right, down) {
+    this.orbit.azimuth += right * 0.008
+    this.orbit.elevation = Math.max(-STEEPEST, Math.min(STEEPEST, this.orbit.elevation + down * 0.008))
+}
+/** Along what the camera sees, so that the point under the mouse stays there. */
+Scene.prototype.pan = function(right, down) {
+    var metres = 2 * this.orbit.distance * Math.tan(FIELD_OF_VIEW * Math.PI / 360) / Math.max(1, this.canvas.clientHeight)
+    var e = this.camera.matrixWorld.elements
+    for (var i = 0; i < 3; i++) {
+        this.orbit.target.setComponent(i, this.orbit.target.getComponent(i) - e[i] * right * metres + e[4 + i] * down * metres)
+    }
+}
+Scene.prototype.follow = function(robot) {
+    var at = this.robots[robot] && this.robots[robot].shown
+    if (at) {
+        this.orbit.target.set(at[0], at[1], at[2])
+    }
+}
+
+/** @param sensor number of the sensor through whose eye one looks; -1 for the free camera */
+Scene.prototype.aim = function(sensor) {
+    var camera = this.camera
+    var orbit = this.orbit
+    var eye = this.sensors[sensor] && this.sensors[sensor].shown
+    camera.aspect = this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight)
+    camera.fov = eye ? EYE_FIELD : FIELD_OF_VIEW
+    camera.near = eye ? 0.02 : Math.max(0.01, orbit.distance / 200)
+    camera.far = Math.max(500, 60 * orbit.distance)
+    camera.updateProjectionMatrix()
+    if (eye) {
+        camera.position.set(eye[0], eye[1], eye[2])
+        var at = geometry.rotate(eye, [0, 0, 1])
+        var up = geometry.rotate(eye, [0, 1, 0])
+        camera.up.set(up[0], up[1], up[2])
+        camera.lookAt(new window.THREE.Vector3(eye[0] + at[0], eye[1] + at[1], eye[2] + at[2]))
+    } else {
+        var flat = orbit.distance * Math.cos(orbit.elevation)
+        camera.position.set(orbit.target.x + flat * Math.cos(orbit.azimuth), orbit.target.y + orbit.distance * Math.sin(orbit.elevation),
+            orbit.target.z + flat * Math.sin(orbit.azimuth))
+        camera.up.set(0, 1, 0)
+        camera.lookAt(orbit.target)
+    }
+    camera.updateMatrixWorld(true)
+}
+
+// ---- drawing -------------------------------------------------------------------------------------------------------------------------------
+/** Draws. @param sensor see {@link aim} @param followed number of the robot in the middle, -1 for none @param dark the theme */
+Scene.prototype.draw = function(sensor, followed, dark) {
+    var now = Date.now()
+    var moving = false
+    var period = this.period
+    function move(item) {
+        moving = item.move(now, period) || moving
+    }
+    this.objects.forEach(move)
+    this.sensors.forEach(move)
+    this.robots.forEach(function(robot) {
+        move(robot)
+        robot.parts.forEach(move)
+        robot.lights.forEach(move)
+    })
+    this.follow(followed)
+    this.aim(sensor)
+    this.shade()
+    this.paintSky(dark)
+    var width = this.canvas.clientWidth
+    var height = this.canvas.clientHeight
+    var ratio = Math.min(2, window.devicePixelRatio || 1)
+    if (this.size !== width + ' ' + height + ' ' + ratio) {
+        this.size = width + ' ' + height + ' ' + ratio
+        this.renderer.setPixelRatio(ratio)
+        this.renderer.setSize(width, height, false)
+    }
+    this.renderer.render(this.scene, this.camera)
+    if (moving) {
+        this.repaint()
+    }
+}
+
+/** The shadow lies where the camera looks. */
+Scene.prototype.shade = function() {
+    var reach = Math.min(200, Math.max(2, 1.5 * this.orbit.distance))
+    if (reach > 1.5 * this.sun.reach || reach < this.sun.reach / 1.5) {
+        this.light(reach)
+    }
+    var target = this.orbit.target
+    this.sun.target.position.copy(target)
+    this.sun.position.set(target.x + SUN[0] * 3 * reach, target.y + SUN[1] * 3 * reach, target.z + SUN[2] * 3 * reach)
+    this.sun.target.updateMatrixWorld()
+}
+
+/** Sky above the horizon, haze below, behind the canvas. */
+Scene.prototype.paintSky = function(dark) {
+    var forward = this.camera.getWorldDirection ? this.camera.getWorldDirection() : new window.THREE.Vector3(0, 0, -1)
+    var pitch = Math.asin(Math.max(-1, Math.min(1, forward.y)))
+    var horizon = 50 + 50 * Math.tan(Math.max(-1.4, Math.min(1.4, pitch))) / Math.tan(this.camera.fov * Math.PI / 360)
+    horizon = Math.max(-400, Math.min(500, horizon))
+    var colors = SKY[dark ? 'dark' : 'light']
+    var style = 'linear-gradient(' + colors[0] + ' ' + (horizon - 120) + '%, ' + colors[1] + ' ' + horizon + '%, ' + colors[2] + ' ' + horizon
+        + '%, ' + colors[3] + ' ' + (horizon + 100) + '%)'
+    if (this.sky !== style) {
+        this.sky = style
+        this.canvas.style.background = style
+    }
+}
+
+// ---- what is where -------------------------------------------------------------------------------------------------------------------------
+/** Where a point of the world lies on the canvas, in pixels. */
+Scene.prototype.toScreen = function(x, y, z) {
+    var at = new window.THREE.Vector3(x, y, z).project(this.camera)
+    return {x: (at.x + 1) / 2 * this.canvas.clientWidth, y: (1 - at.y) / 2 * this.canvas.clientHeight, seen: Math.abs(at.z) < 1}
+}
+
+/**
+ * What is under a point of the canvas: its object or part, where it was met, and the surface's normal there, in the world; null for nothing.
+ * @param without an object that is looked through
+ */
+Scene.prototype.pick = function(x, y, without) {
+    var THREE = window.THREE
+    var caster = new THREE.Raycaster()
+    caster.setFromCamera(new THREE.Vector2(2 * x / this.canvas.clientWidth - 1, 1 - 2 * y / this.canvas.clientHeight), this.camera)
+    var found = caster.intersectObjects(this.scene.children, true).filter(function(one) {
+        return one.object.named ? one.object.named !== without : one.object === this.ground
+    }, this)[0]
+    return found ? {object: found.object.named || null, point: found.point.toArray(),
+        normal: found.face ? found.face.normal.clone().transformDirection(found.object.matrixWorld).toArray() : null} : null
+}
+
+Scene.prototype.close = function() {
+    if (this.renderer.forceContextLoss) {
+        this.renderer.forceContextLoss()
+    }
+}

@@ -1,0 +1,247 @@
+// The view of the SEAR panel: the one in space where the browser can do that, else the map.
+import * as geometry from '../shared/geometry.js'
+import * as map from './map.js'
+import {recall, remember, whenPageChanges} from '../shared/page.js'
+import {Scene, isPossible} from './scene.js'
+
+var MODE = 'sear.view'      // where the browser remembers which one was chosen
+var MOST_LISTED = 100       // objects of the world; the others on request
+var TURN = 20               // pixels of a mouse that an arrow key stands for
+var ARROWS = {ArrowLeft: [-TURN, 0], ArrowRight: [TURN, 0], ArrowUp: [0, TURN], ArrowDown: [0, -TURN]}
+
+/** Of one panel. */
+export function makeView(panel, messages, world, ground, picture) {
+    var element = panel.element
+    var overlay = null          // what is drawn with the world, see view.overlaidBy
+    var scene = null            // made when it is first seen
+    var fitted = {}             // by mode: whether that view shows everything, or what the user wants
+    var view = {
+        x: 0, z: 0,             // metres: the middle of the map
+        scale: 60,              // its pixels a metre
+        fitted: false,
+        chosen: false,          // whether the user has zoomed or moved
+        building: false,        // whether things are made in it
+        listed: MOST_LISTED,
+        mode: firstMode(),      // 'space' or 'map'
+        noSpace: '',            // why there is no view in space
+        beams: true,
+        follow: false,
+        robot: null,            // that is driven and followed
+        eye: ''                 // the sensor through whose eye one looks
+    }
+
+    function firstMode() {
+        var mode = recall(MODE)
+        return mode === 'map' || !isPossible(mode !== 'space') ? 'map' : 'space'
+    }
+    view.setMode = function(mode) {
+        if (mode === 'space' && !isPossible(false)) {
+            view.noSpace = 'This browser has no WebGL: the map is all that it can show'
+            return
+        }
+        view.mode = mode
+        remember(MODE, mode, messages, 'the view')
+        panel.timeout(picture.repaint)      // when the canvas is there
+    }
+
+    function canvas() {
+        return element(view.mode === 'space' ? 'scene' : 'view')
+    }
+    /** Width and height of the canvas; changes when something beside it is folded, too. */
+    function sizeOf() {
+        var shown = canvas()
+        return shown ? shown.clientWidth + ' ' + shown.clientHeight : ''
+    }
+
+    /** Where a point of the ground lies on the map; also what tests compare with the robot's pose. */
+    view.toScreen = function(x, z) {
+        return map.projection(element('view'), view)(x, z)
+    }
+    /** The view in space; null before it was seen. */
+    view.scene = function() {
+        return scene
+    }
+    view.zoom = function(factor) {
+        if (view.mode === 'space' && scene) {
+            scene.zoom(factor)
+        } else {
+            view.scale = Math.min(2000, Math.max(0.002, view.scale * factor))
+        }
+        view.chosen = true
+        picture.repaint()
+    }
+    view.fit = function() {
+        refit()
+        view.chosen = false
+        view.eye = ''
+        picture.repaint()
+    }
+    view.redraw = picture.repaint
+    /** The user looks where he wants to. */
+    view.choose = function() {
+        view.chosen = true
+    }
+    view.build = function(on) {
+        view.building = on
+        picture.repaint()
+    }
+    view.driveRobot = function(name) {
+        view.robot = name
+    }
+    /** @param drawn hold() comes before the world is drawn, decorate(scene, world) and decorateMap(canvas) after it */
+    view.overlaidBy = function(drawn) {
+        overlay = drawn
+    }
+
+    /** Another world is to be seen: what the user has zoomed to stays as long as it has the same robots. */
+    world.news.hear(function(shown) {
+        var robots = shown.robots.map(robot => robot.name).join('\n')
+        if (!shown.robots.some(isChosen)) {
+            view.robot = shown.robots.length ? shown.robots[0].name : null
+        }
+        view.listed = MOST_LISTED
+        view.chosen = Boolean(view.chosen && (view.robots === robots || view.building))
+        if (!view.chosen) {
+            refit()
+        }
+        view.robots = robots
+    })
+    /** Each view shows everything when it is drawn next. */
+    function refit() {
+        view.fitted = false      // the one that is shown
+        fitted = {}
+    }
+
+    function isChosen(robot) {
+        return robot.name === view.robot
+    }
+    view.listAll = function() {
+        view.listed = Infinity
+    }
+
+    // ---- drawing -----------------------------------------------------------------------------------------------------------------------
+    function draw() {
+        var shown = canvas()
+        if (!picture.width()) {
+            return
+        }
+        var seen = world.shown()
+        var size = sizeOf()
+        if (view.size !== size && !view.chosen) {
+            refit()
+        }
+        view.size = size
+        if (view.building && (!seen || !seen.objects.length && !seen.robots.length)) {
+            fitted = {space: true, map: true}       // what is made first does not fill the view
+        }
+        overlay.hold()
+        if (view.mode === 'space') {
+            drawScene(shown, seen)
+        } else {
+            drawMap(shown, seen)
+        }
+        view.fitted = Boolean(fitted[view.mode])
+    }
+
+    function followed(seen) {
+        return view.follow && seen.robots.length ? Math.max(0, seen.robots.findIndex(isChosen)) : -1
+    }
+
+    function drawMap(shown, seen) {
+        var shapes = seen ? geometry.shapesOf(seen) : []
+        if (seen && !fitted.map) {
+            geometry.fit(view, shapes, shown)
+            fitted.map = true
+        }
+        if (seen && followed(seen) >= 0) {
+            var robot = seen.robots[followed(seen)]
+            view.x = robot.pose[0]
+            view.z = robot.pose[2]
+        }
+        map.draw(shown, view, seen, ground.of(seen), shapes, view.beams)
+        overlay.decorateMap(shown)
+    }
+
+    function drawScene(shown, drawn) {
+        if (!scene) {
+            scene = new Scene(shown, function(keys) {
+                panel.msg.send('getLooks', keys)
+            }, picture.repaint)
+        }
+        var seen = drawn || {objects: [], robots: [], sensors: []}
+        var terrain = ground.of(seen)
+        scene.show(seen, terrain, view.beams)
+        if (!fitted.space && (seen.objects.length || seen.robots.length)) {
+            var area = geometry.area(geometry.shapesOf(seen))
+            if (area) {
+                scene.fit({x: area.x, y: heightOf(seen, terrain, area), z: area.z, size: area.size})
+            }
+            fitted.space = true
+        }
+        overlay.decorate(scene, seen)
+        scene.draw(eyes(seen).indexOf(view.eye), followed(seen), geometry.isLight(window.getComputedStyle(shown).color))
+    }
+
+    /** Of what is looked at: that of the first robot, else that of the ground. */
+    function heightOf(seen, terrain, area) {
+        return seen.robots.length ? seen.robots[0].pose[1] : terrain ? terrain.height(area.x, area.z) || 0 : 0
+    }
+
+    function eyes(seen) {
+        return seen.sensors.map(sensor => sensor.name)
+    }
+    /** Names of the sensors through whose eyes one may look. */
+    view.eyes = function() {
+        var seen = world.shown()
+        return seen ? eyes(seen) : []
+    }
+
+    /** Turns the view in space, or moves it. @param right pixels, likewise down */
+    view.drag = function(right, down, moves) {
+        if (scene) {
+            scene[moves ? 'pan' : 'turn'](right, down)
+            view.eye = ''
+            view.chosen = true
+            picture.repaint()
+        }
+    }
+    /** Moves the map to a point of the ground. */
+    view.moveTo = function(x, z) {
+        view.x = x
+        view.z = z
+        view.chosen = true
+        picture.repaint()
+    }
+    /** Arrow keys turn the view in space, + and - zoom. @return whether it was such a key */
+    view.key = function(event) {
+        if (ARROWS[event.key] && view.mode === 'space') {
+            view.drag(ARROWS[event.key][0], ARROWS[event.key][1], event.shiftKey)
+            event.preventDefault()
+        } else if (event.key === '+' || event.key === '-') {
+            view.zoom(event.key === '+' ? 1.3 : 1 / 1.3)
+        } else {
+            return false
+        }
+        return true
+    }
+
+    picture.drawnBy({canvas: canvas, draw: draw})
+    whenPageChanges(panel.scope, picture.repaint)       // which digests, too, and so measures
+    panel.scope.$on('$destroy', function() {
+        if (scene) {
+            scene.close()
+        }
+    })
+    panel.scope.$watch(sizeOf, function() {
+        draw()
+        world.look()
+    })
+    view.handlers = {
+        onLooks: function(sent) {
+            if (scene) {
+                scene.looks.take(sent)
+            }
+        }
+    }
+    return view
+}

@@ -1,0 +1,134 @@
+// Poses and outlines of what a world holds, as functions of what they are given. Metres; degrees at the edges.
+var GROUND = 'rgba(128, 128, 128, 0.12)'
+var ROBOT = 'rgba(51, 122, 183, 0.55)'
+
+/** A pose [x, y, z, rx, ry, rz] in metres and degrees as [x, y, z, qx, qy, qz, qw], the rotation as jME's Quaternion.fromAngles. */
+export function frame(pose) {
+    var a = [3, 4, 5].map(i => pose[i] * Math.PI / 360)
+    var s = a.map(Math.sin)
+    var c = a.map(Math.cos)
+    return [pose[0], pose[1], pose[2], c[1] * c[2] * s[0] + s[1] * s[2] * c[0], s[1] * c[2] * c[0] + c[1] * s[2] * s[0],
+        c[1] * s[2] * c[0] - s[1] * c[2] * s[0], c[1] * c[2] * c[0] - s[1] * s[2] * s[0]]
+}
+
+function cross(a, b) {
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+export function rotate(pose, v) {
+    var q = [pose[3], pose[4], pose[5]]
+    var t = cross(q, v).map(value => 2 * value)
+    var u = cross(q, t)
+    return [v[0] + pose[6] * t[0] + u[0], v[1] + pose[6] * t[1] + u[1], v[2] + pose[6] * t[2] + u[2]]
+}
+
+export function times(outer, inner) {
+    var p = rotate(outer, inner)
+    var a = outer.slice(3)
+    var b = inner.slice(3)
+    return [outer[0] + p[0], outer[1] + p[1], outer[2] + p[2],
+        a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1], a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0],
+        a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3], a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]]
+}
+
+/** Where a point that is fixed to something lies on the ground: [x, z]. */
+export function onGround(pose, point) {
+    var at = rotate(pose, point)
+    return [pose[0] + at[0], pose[2] + at[2]]
+}
+
+/** The convex outline on the ground, [x, z] points in order. */
+function outline(object, pose) {
+    var points = object.corners.map(corner => onGround(pose, corner)).sort((a, b) => a[0] - b[0] || a[1] - b[1])
+    return halfHull(points).concat(halfHull(points.reverse()))
+}
+
+function halfHull(points) {
+    var hull = []
+    points.forEach(function(p) {
+        while (hull.length > 1 && turn(hull[hull.length - 2], hull[hull.length - 1], p) <= 0) {
+            hull.pop()
+        }
+        hull.push(p)
+    })
+    hull.pop()
+    return hull
+}
+
+function turn(a, b, c) {
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
+
+/** Everything of a world that has a surface, with its outline on the ground; floors and terrains first, since all else lies on them. */
+export function shapesOf(world) {
+    var all = world.objects.map(shapeOf)
+    world.robots.forEach(function(robot) {
+        var body = frame(robot.pose)
+        var others = robot.turned ? robot.turned.length : 0
+        robot.parts.forEach(function(part, i) {
+            var pose = i < others ? robot.turned[i] : part.type === 'Wheel' && robot.wheels ?
+                robot.wheels[i - robot.parts.length + robot.wheels.length] : part.pose
+            all.push({color: colorOf(part, ROBOT), ground: false, robot: true, outline: outline(part, times(body, frame(pose)))})
+        })
+    })
+    all = all.filter(shape => shape.outline.length > 2)
+    return all.filter(isGround).concat(all.filter(isNoGround))
+}
+/** Of an object of the environment, made anew only when that has moved. */
+function shapeOf(object) {
+    if (!object.$shape || object.$shape.pose !== object.pose) {
+        var ground = object.type === 'Floor' || object.type === 'Terrain' || object.terrain
+        object.$shape = {color: object.ground ? 'transparent' : colorOf(object, ground ? GROUND : object.color), ground: ground, robot: false,
+            pose: object.pose, outline: outline(object, frame(object.pose))}
+    }
+    return object.$shape
+}
+/** An object's own colour, else another one. */
+function colorOf(object, other) {
+    return object.colored ? object.color : other
+}
+function isGround(shape) {
+    return shape.ground
+}
+function isNoGround(shape) {
+    return !shape.ground
+}
+
+/** The middle of everything but the ground, of that too if there is nothing but robots on it; null for nothing. */
+export function area(shapes) {
+    var things = shapes.filter(isNoGround)
+    var points = [].concat.apply([], (things.some(isNoRobot) ? things : shapes).map(shape => shape.outline))
+    if (!points.length) {
+        return null
+    }
+    var x = extent(points, 0)
+    var z = extent(points, 1)
+    return {x: x.middle, z: z.middle, north: x.length, east: z.length, size: Math.max(x.length, z.length)}
+}
+/** Has a map show that. */
+export function fit(view, shapes, element) {
+    var all = area(shapes)
+    if (all) {
+        view.x = all.x
+        view.z = all.z
+        view.scale = 0.92 * Math.min(element.clientHeight / all.north, element.clientWidth / all.east)
+    }
+}
+function isNoRobot(shape) {
+    return !shape.robot
+}
+function extent(points, axis) {
+    var low = Infinity
+    var high = -Infinity
+    points.forEach(function(point) {
+        low = Math.min(low, point[axis])
+        high = Math.max(high, point[axis])
+    })
+    return {middle: (low + high) / 2, length: Math.max(0.1, high - low)}
+}
+
+/** Whether a colour as the browser says it is light: then the theme is dark. */
+export function isLight(color) {
+    var parts = (color.match(/[\d.]+/g) || [0, 0, 0]).map(Number)
+    return parts[0] + parts[1] + parts[2] > 384
+}

@@ -1,0 +1,22 @@
+import {oncePerPicture} from './page.js'
+
+/** The picture of the world, for those below the view: they ask for it, and the view draws it. */
+export function makePicture($scope) {
+    var view = null             // canvas(): the one that is shown, draw()
+    return {
+        drawnBy: function(one) {
+            view = one
+        },
+        canvas: () => view.canvas(),
+        /** Of the canvas, in pixels; 0 while the tab is not shown. */
+        width: function() {
+            var shown = view.canvas()
+            return shown ? shown.clientWidth : 0
+        },
+        /** Draws with the browser's next picture, however much changes until then. */
+        repaint: oncePerPicture(function() {
+            view.draw()
+            $scope.$applyAsync()
+        })
+    }
+}

@@ -1,0 +1,33 @@
+// Words of the SEAR panel, and the files that it gives to the browser.
+export function count(number, thing) {
+    return number + ' ' + thing + (number === 1 ? '' : 's')
+}
+
+// ---- files -----------------------------------------------------------------------------------------------------------------------------
+function bytes(base64) {
+    return Uint8Array.from(window.atob(base64), one => one.charCodeAt(0))
+}
+
+/** The last part of a path. */
+export function fileName(path) {
+    return path.split(/[\\/]/).pop()
+}
+
+/** Has the browser save a file. @param parts of it, in base64 */
+export function saveFile(name, parts) {
+    saveBlob(name, new Blob(parts.map(bytes), {type: 'application/zip'}))
+}
+export function saveText(name, text) {
+    saveBlob(name, new Blob([text], {type: 'text/plain'}))
+}
+function saveBlob(name, blob) {
+    var link = document.createElement('a')
+    link.href = window.URL.createObjectURL(blob)
+    link.download = name
+    document.body.appendChild(link)
+    link.click()
+    document.body.removeChild(link)
+    setTimeout(function() {
+        window.URL.revokeObjectURL(link.href)
+    }, 60000)
+}

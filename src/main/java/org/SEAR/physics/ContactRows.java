@@ -50,15 +50,27 @@ final class ContactRows {
     private double[] r = {};
     private double[][] speedsA = {};
     private double[][] speedsB = {};
+    private double[][] movedA = {};
+    private double[][] movedB = {};
+    /** 1 or -1 if what moves comes out of what is fixed along the normal or against it, 0 if neither is fixed. */
+    private byte[] out = {};
     private Manifold[] manifolds = {};
     /** Points of each manifold; 0 where there is none. */
     private int[] points = {};
     private int size;
+    /** Whether anything of the island bounces. */
+    private boolean bounces;
     private final NormalBlock block = new NormalBlock();
 
     /** An island begins. */
     void clear() {
         size = 0;
+        bounces = false;
+    }
+
+    /** Whether there is anything with a restitution. */
+    boolean hasBouncing() {
+        return bounces;
     }
 
     /** How many there may be. */
@@ -73,6 +85,9 @@ final class ContactRows {
             r = Arrays.copyOf(r, more * SIZE);
             speedsA = Arrays.copyOf(speedsA, more);
             speedsB = Arrays.copyOf(speedsB, more);
+            movedA = Arrays.copyOf(movedA, more);
+            movedB = Arrays.copyOf(movedB, more);
+            out = Arrays.copyOf(out, more);
             manifolds = Arrays.copyOf(manifolds, more);
             points = Arrays.copyOf(points, more);
         }
@@ -96,6 +111,10 @@ final class ContactRows {
         manifolds[slot] = of;
         speedsA[slot] = of.a.v;
         speedsB[slot] = of.b.v;
+        movedA[slot] = of.a.moved;
+        movedB[slot] = of.b.moved;
+        out[slot] = (byte) (of.bodyB.isFixed() ? 1 : of.bodyA.isFixed() ? -1 : 0);
+        bounces |= of.restitution > 0;
         points[slot] = of.count;
         r[at] = of.nx;
         r[at + 1] = of.ny;
@@ -168,8 +187,8 @@ final class ContactRows {
 
     /** Looks how far both are from each other now. */
     private void measure(int slot) {
-        double[] p = manifolds[slot].a.moved;
-        double[] q = manifolds[slot].b.moved;
+        double[] p = movedA[slot];
+        double[] q = movedB[slot];
         for (int i = 0; i < points[slot]; i++) {
             int point = slot * SIZE + POINTS + i * POINT;
             r[point + GAP] = r[point + BASE] + PairRow.along(r, point, p, q);
@@ -202,7 +221,9 @@ final class ContactRows {
             if (points[slot] > 0) {
                 if (first) {
                     measure(slot);
-                    stayOut(slot);
+                    if (out[slot] != 0) {
+                        stayOut(slot);
+                    }
                 }
                 solve(slot, false);
             }
@@ -264,14 +285,11 @@ final class ContactRows {
     /** Nothing gets deeper into what is fixed than half of its own half size, whatever pushes it: beyond its middle it would come out behind. */
     private void stayOut(int slot) {
         Manifold of = manifolds[slot];
-        if (of.bodyA.isFixed() || of.bodyB.isFixed()) {
-            Body body = of.bodyB.isFixed() ? of.bodyA : of.bodyB;
-            double sign = of.bodyB.isFixed() ? 1 : -1;
-            double deepest = gap(slot) + DEEPEST_SHARE * body.getLeast();
-            if (deepest < 0 && body.isSolved()) {
-                body.getSolver().lift(sign * of.nx, sign * of.ny, sign * of.nz, -deepest);
-                measure(slot);
-            }
+        Body body = out[slot] > 0 ? of.bodyA : of.bodyB;
+        double deepest = gap(slot) + DEEPEST_SHARE * body.getLeast();
+        if (deepest < 0 && body.isSolved()) {
+            body.getSolver().lift(out[slot] * of.nx, out[slot] * of.ny, out[slot] * of.nz, -deepest);
+            measure(slot);
         }
     }
 

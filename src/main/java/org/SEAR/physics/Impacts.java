@@ -34,13 +34,11 @@ final class Impacts {
      * @return how many it takes
      */
     double next(ContactRows rows, double seconds, double gravity) {
-        boolean bounces = false;
+        if (!rows.hasBouncing()) {
+            return seconds;
+        }
         for (int slot = 0; slot < rows.size(); slot++) {
             rows.clearThrown(slot);
-            bounces |= rows.restitution(slot) > 0;
-        }
-        if (!bounces) {
-            return seconds;
         }
         boolean mayCut = cuts < MOST_CUTS;
         rebound(rows, mayCut ? 0 : seconds);

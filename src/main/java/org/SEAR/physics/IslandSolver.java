@@ -1,5 +1,6 @@
 package org.SEAR.physics;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -38,6 +39,7 @@ final class IslandSolver {
 
     private List<Body> bodies;
     private List<PairContacts> pairs;
+    private final List<PairContacts> ofMeshes = new ArrayList<>();
     private List<WheelDrive> drives;
     private final ContactRows rows = new ContactRows();
     private final Impacts impacts = new Impacts();
@@ -77,8 +79,12 @@ final class IslandSolver {
         }
         double substep = seconds / substeps(seconds);
         rows.clear();
+        ofMeshes.clear();
         for (int i = 0; i < pairs.size(); i++) {
             pairs.get(i).enter(rows, substep);
+            if (pairs.get(i).isOfMesh()) {
+                ofMeshes.add(pairs.get(i));
+            }
         }
         double left = seconds;
         impacts.begin();
@@ -202,9 +208,7 @@ final class IslandSolver {
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).getSolver().advance(gravity);
         }
-        for (int i = 0; i < pairs.size(); i++) {
-            pairs.get(i).stopBeforeMesh(taken);
-        }
+        stopBeforeMeshes(taken);
         for (int i = 0; i < rounds; i++) {
             relax(i == 0);
         }
@@ -214,11 +218,17 @@ final class IslandSolver {
                 bodies.get(i).getSolver().even();
             }
         }
+        stopBeforeMeshes(taken);
         for (int i = 0; i < pairs.size(); i++) {
-            pairs.get(i).stopBeforeMesh(taken);
             pairs.get(i).moved(taken);
         }
         return taken;
+    }
+
+    private void stopBeforeMeshes(double seconds) {
+        for (int i = 0; i < ofMeshes.size(); i++) {
+            ofMeshes.get(i).stopBeforeMesh(seconds);
+        }
     }
 
     /** A pass that takes penetrations back. */

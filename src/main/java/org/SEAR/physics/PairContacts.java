@@ -45,6 +45,8 @@ final class PairContacts extends CollisionAlgorithm {
     private boolean flat;
     /** How far both may have moved against each other since the contacts were found, metres. */
     private double travelled;
+    /** How fast any points of both may come together since the last substep, m/s. */
+    private double fast;
     private double margin;
     /** Up to how far apart they were looked for, metres. */
     private double reach;
@@ -83,8 +85,9 @@ final class PairContacts extends CollisionAlgorithm {
             return;
         }
         double ahead = finder.stepSeconds();
-        double speed = speed(finder.stepGain());
-        if (!known || travelled + speed(0) * ahead > still || a.getShapeVersion() + b.getShapeVersion() != version) {
+        fast = speed();
+        double speed = fast + finder.stepGain();
+        if (!known || travelled + fast * ahead > still || a.getShapeVersion() + b.getShapeVersion() != version) {
             version = a.getShapeVersion() + b.getShapeVersion();
             find(speed, ahead, ahead / LEAST_SUBSTEPS);
         }
@@ -94,13 +97,13 @@ final class PairContacts extends CollisionAlgorithm {
     }
 
     /** How fast any points of both may come together, m/s. */
-    private double speed(double gain) {
+    private double speed() {
         double[] p = a.getSolver().v;
         double[] q = b.getSolver().v;
         double dx = p[0] - q[0];
         double dy = p[1] - q[1];
         double dz = p[2] - q[2];
-        return Math.sqrt(dx * dx + dy * dy + dz * dz) + a.turningSpeed() + b.turningSpeed() + gain;
+        return Math.sqrt(dx * dx + dy * dy + dz * dz) + a.turningSpeed() + b.turningSpeed();
     }
 
     /**
@@ -157,7 +160,7 @@ final class PairContacts extends CollisionAlgorithm {
      * @param seconds that the substep will take
      */
     void refresh(ContactRows rows, double seconds) {
-        double next = speed(finder.stepGain()) * seconds;
+        double next = (fast + finder.stepGain()) * seconds;
         if (travelled + next > mostTravel()) {
             store(rows);
             find(next / seconds, seconds, seconds);
@@ -172,16 +175,22 @@ final class PairContacts extends CollisionAlgorithm {
         return count == 0 ? free : Math.max(free, Math.min(Math.min(tolerance, slip), margin - MARGIN / 2));
     }
 
+    /** Whether the second body is one. */
+    boolean isOfMesh() {
+        return b.isMesh();
+    }
+
     /** What went through a mesh in the substep goes back. */
     void stopBeforeMesh(double seconds) {
-        if (b.isMesh() && a.isSolved() && travelled + speed(0) * seconds > PASSING * a.getLeast()) {
+        if (a.isSolved() && travelled + speed() * seconds > PASSING * a.getLeast()) {
             finder.stopBefore(a, b);
         }
     }
 
     /** A substep has passed. */
     void moved(double seconds) {
-        travelled += speed(0) * seconds;
+        fast = speed();
+        travelled += fast * seconds;
     }
 
     /** A manifold to be filled; its points are told by {@link #inherit} what they pushed before. */

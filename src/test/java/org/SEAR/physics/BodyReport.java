@@ -26,8 +26,8 @@ public final class BodyReport {
             all.put("drops" + seed, into -> DropScenes.single(Integer.getInteger("sear.singles", 1000), number, into));
         }
         all.put("landing", into -> DropScenes.landing(300, into));
-        all.put("pile100", into -> DropScenes.pile(100, into));
-        all.put("pile1000", into -> DropScenes.pile(1000, into));
+        all.put("pile100", into -> DropScenes.pile(100, 1, into));
+        all.put("pile1000", into -> DropScenes.pile(1000, 1, into));
         for (double height : DominoScenes.HEIGHTS) {
             for (double gap : DominoScenes.GAPS) {
                 all.put("dominoes" + height + "/" + gap, into -> DominoScenes.row(height, gap, into));

@@ -103,8 +103,8 @@ final class DropScenes {
     }
 
     /** Cubes of 10 cm fall onto one heap. */
-    static void pile(int count, Findings into) throws Exception {
-        Random random = new Random(1);
+    static void pile(int count, long seed, Findings into) throws Exception {
+        Random random = new Random(seed);
         int row = count > 200 ? 8 : 4;
         try (Stage stage = new Stage(60)) {
             Cuboids cubes = new Cuboids();
@@ -116,7 +116,7 @@ final class DropScenes {
                 cubes.add("cube" + i, SIZE, SIZE, SIZE);
             }
             BodyRun run = stage.start();
-            into.in("pile of " + count);
+            into.in("pile of " + count + ", seed " + seed);
             run.run(15 - Rest.WATCH);
             cubes.remember(run);
             run.run(Rest.WATCH);

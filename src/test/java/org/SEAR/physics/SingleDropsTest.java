@@ -22,9 +22,12 @@ public class SingleDropsTest {
         findings.assertHold();
     }
 
+    /** In all but the first a cube hangs between others by its corners: without a brake on what rocks it would swing, and keep all awake. */
     @Test
-    public void aHeapComesToRest() throws Exception {
-        DropScenes.pile(100, findings);
+    public void heapsComeToRest() throws Exception {
+        for (long seed : new long[] {1, 13, 16, 18}) {
+            DropScenes.pile(100, seed, findings);
+        }
         findings.assertHold();
     }
 }

@@ -219,7 +219,8 @@ public final class Browser implements AutoCloseable {
      * there for null; here it is an error.
      */
     public Object scope(String css, String expression) {
-        return script("var scope = angular.element(document.querySelector(arguments[0])).scope(); var name = /[A-Za-z_$][\\w$]*/.exec(arguments[1])[0];"
+        return script("var scope = angular.element(document.querySelector(arguments[0])).scope();"
+            + "var name = /[A-Za-z_$][\\w$]*/.exec(arguments[1])[0];"
             + "if (!(name in scope)) { throw new Error('no ' + name + ' in the scope of ' + arguments[0]) }"
             + "return scope.$eval(arguments[1])", css, expression);
     }

@@ -29,6 +29,8 @@ final class IslandSolver {
     private static final double PASSES_EACH = 0.3;
     /** Passes in a substep for a ratio of masses of 1: what is heavy on what is light is stopped by little and little. */
     private static final double PASSES_RATIO = 0.1;
+    /** Passes at least where something is on top of another thing: a heap of which each hears too late of the others sways on. */
+    private static final int LEAST_PASSES_ON_OTHERS = 2;
     /** Points times substeps times passes, beyond which there are fewer passes. */
     private static final int MOST_PASSES_WORK = 60_000;
     private static final int LEAST_SUBSTEPS = 4;
@@ -143,7 +145,9 @@ final class IslandSolver {
         double wanted = Math.max(SUBSTEPS * Math.sqrt(Math.max(1, ratio / RATIO)), turning);
         double paid = Math.max(LEAST_SUBSTEPS, MOST_WORK / Math.max(1, points));
         int substeps = (int) Math.ceil(Math.min(Math.min(wanted, MOST_SUBSTEPS), paid));
-        double needed = Math.max(PASSES_EACH * height(), PASSES_RATIO * ratio);
+        int height = height();
+        int least = height > 1 ? LEAST_PASSES_ON_OTHERS : 1;
+        double needed = Math.max(least, Math.max(PASSES_EACH * height, PASSES_RATIO * ratio));
         rounds = (int) Math.max(1, Math.min(needed, (double) MOST_PASSES_WORK / Math.max(1, points * substeps)));
         return substeps;
     }

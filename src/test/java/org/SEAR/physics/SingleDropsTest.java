@@ -25,7 +25,7 @@ public class SingleDropsTest {
     /** In all but the first a cube hangs between others by its corners: without a brake on what rocks it would swing, and keep all awake. */
     @Test
     public void heapsComeToRest() throws Exception {
-        for (long seed : new long[] {1, 13, 16, 18}) {
+        for (long seed : new long[] {1, 10, 13, 16, 18, 29, 35}) {
             DropScenes.pile(100, seed, findings);
         }
         findings.assertHold();

@@ -6,6 +6,7 @@ import com.bulletphysics.linearmath.Transform;
 import java.util.List;
 import javax.vecmath.Quat4f;
 import org.SEAR.collision.ConvexShape;
+import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Frame;
 import org.SEAR.geometry.Placement;
 import org.SEAR.geometry.Pose;
@@ -45,7 +46,7 @@ public final class Body {
     private int group;
     private int contacts;
     private boolean rolls;
-    private final double[] room = new double[6];
+    private final Aabb room = new Aabb();
     private Symmetry symmetry = Symmetry.NONE;
     /** Where it starts. */
     private Pose start;
@@ -143,23 +144,18 @@ public final class Body {
             double[] each = solids.get(0).convex().inertia();
             return new double[] {mass * each[0], mass * each[1], mass * each[2]};
         }
-        double[] half = new double[3];
-        double[] low = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE};
-        double[] high = {-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
+        Aabb all = new Aabb();
         for (int i = 0; i < placed.length; i++) {
             set(places[i], placed[i].place);
             placed[i].bound();
-            for (int axis = 0; axis < 3; axis++) {
-                low[axis] = Math.min(low[axis], placed[i].box[axis]);
-                high[axis] = Math.max(high[axis], placed[i].box[axis + 3]);
-            }
+            all.add(placed[i].box);
         }
         placedAt = -1;
-        for (int axis = 0; axis < 3; axis++) {
-            half[axis] = (high[axis] - low[axis]) / 2;
-        }
-        return new double[] {mass / 3 * (half[1] * half[1] + half[2] * half[2]), mass / 3 * (half[0] * half[0] + half[2] * half[2]),
-            mass / 3 * (half[0] * half[0] + half[1] * half[1])};
+        double halfX = (all.maxX - all.minX) / 2;
+        double halfY = (all.maxY - all.minY) / 2;
+        double halfZ = (all.maxZ - all.minZ) / 2;
+        return new double[] {mass / 3 * (halfY * halfY + halfZ * halfZ), mass / 3 * (halfX * halfX + halfZ * halfZ),
+            mass / 3 * (halfX * halfX + halfY * halfY)};
     }
 
     private static void set(Pose pose, Placement into) {
@@ -325,38 +321,25 @@ public final class Body {
     }
 
     /** The box around it in the world. */
-    void bounds(double[] into) {
+    void bounds(Aabb into) {
         place();
-        System.arraycopy(placed[0].box, 0, into, 0, 6);
+        into.set(placed[0].box);
         for (int i = 1; i < placed.length; i++) {
-            for (int axis = 0; axis < 3; axis++) {
-                into[axis] = Math.min(into[axis], placed[i].box[axis]);
-                into[axis + 3] = Math.max(into[axis + 3], placed[i].box[axis + 3]);
-            }
+            into.add(placed[i].box);
         }
     }
 
     /** The box that the broad phase knows of it, without its margin. */
-    double[] getRoom() {
+    Aabb getRoom() {
         return room;
     }
 
-    /** Whether a box lies in that. */
-    boolean isWithin(double[] box) {
-        return box[0] >= room[0] && box[1] >= room[1] && box[2] >= room[2] && box[3] <= room[3] && box[4] <= room[4] && box[5] <= room[5];
-    }
-
     /** Widens a box around it by where it may go in a while. */
-    void widen(double[] box, double seconds) {
+    void widen(Aabb box, double seconds) {
         if (isFixed() || !isActive()) {
             return;
         }
-        double turn = turningSpeed() * seconds;
-        for (int axis = 0; axis < 3; axis++) {
-            double way = solver.v[axis] * seconds;
-            box[axis] += Math.min(0, way) - turn;
-            box[axis + 3] += Math.max(0, way) + turn;
-        }
+        box.sweep(solver.v[0] * seconds, solver.v[1] * seconds, solver.v[2] * seconds).grow(turningSpeed() * seconds);
     }
 
     /**
@@ -461,7 +444,7 @@ public final class Body {
     public double lowest() {
         double least = Double.POSITIVE_INFINITY;
         for (PlacedSolid one : place()) {
-            least = Math.min(least, one.box[1]);
+            least = Math.min(least, one.box.minY);
         }
         return least;
     }

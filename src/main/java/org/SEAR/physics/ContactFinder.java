@@ -17,6 +17,7 @@ import org.SEAR.collision.Convex;
 import org.SEAR.collision.Crossing;
 import org.SEAR.collision.GjkDistance;
 import org.SEAR.collision.ManifoldClipper;
+import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Placement;
 import org.SEAR.physics.solid.Solid;
 
@@ -51,7 +52,7 @@ final class ContactFinder extends DefaultCollisionConfiguration {
     private final double[] end = new double[3];
     private final Vector3f low = new Vector3f();
     private final Vector3f high = new Vector3f();
-    private final double[] box = new double[6];
+    private final Aabb box = new Aabb();
     private final List<PairContacts> pairs = new ArrayList<>();
     private final double seconds;
     private final double gain;
@@ -160,8 +161,8 @@ final class ContactFinder extends DefaultCollisionConfiguration {
             solid = a;
             mesh = b;
             b.inFrame(a, reach, box);
-            low.set((float) box[0], (float) box[1], (float) box[2]);
-            high.set((float) box[3], (float) box[4], (float) box[5]);
+            low.set((float) box.minX, (float) box.minY, (float) box.minZ);
+            high.set((float) box.maxX, (float) box.maxY, (float) box.maxZ);
             ((ConcaveShape) b.getShape()).processAllTriangles(triangles, low, high);
         } else if (!(pair.isSingle() && gjk.gap(a, b, guess) > reach) && measure(a, b.core(), b, b.solid.convex().skin())) {
             if (touched && pair.isFlat()) {

@@ -2,7 +2,9 @@ package org.SEAR.physics;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.vecmath.Vector3f;
+import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 
@@ -56,8 +58,8 @@ public final class PhysicsWorld {
     private SteppedWorld world;
     private IslandSolver solver;
     private int sleepers;
-    private double[][] bounds;
-    private double[][] zones;
+    private Aabb[] bounds;
+    private Aabb[] zones;
     private boolean[] inside;
     private boolean[] awake;
     private boolean[] wanted;
@@ -65,7 +67,8 @@ public final class PhysicsWorld {
     private boolean redraw;
     private final Vector3f at = new Vector3f();
     private final Vector3f normal = new Vector3f();
-    private final double[] beside = new double[6];
+    private final Aabb beside = new Aabb();
+    private final Aabb soon = new Aabb();
 
     /** Adds a body; then {@link #restart}. */
     public void add(Body body) {
@@ -88,8 +91,8 @@ public final class PhysicsWorld {
         drives.clear();
         sleepers = 0;
         int count = bodies.size();
-        bounds = new double[count][6];
-        zones = new double[count][6];
+        bounds = boxes(count);
+        zones = boxes(count);
         inside = new boolean[count];
         awake = new boolean[count];
         wanted = new boolean[count];
@@ -100,6 +103,10 @@ public final class PhysicsWorld {
             awake[body.number] = !body.isFixed();
         }
         redraw = true;
+    }
+
+    private static Aabb[] boxes(int count) {
+        return Stream.generate(Aabb::new).limit(count).toArray(Aabb[]::new);
     }
 
     /** Joins the drive of a robot's body to the new world. */
@@ -124,13 +131,9 @@ public final class PhysicsWorld {
     }
 
     private void wakeBeside(Body moved) {
-        System.arraycopy(bounds[moved.number], 0, beside, 0, beside.length);
-        for (int i = 0; i < 3; i++) {
-            beside[i] -= NEIGHBOUR;
-            beside[i + 3] += NEIGHBOUR;
-        }
+        beside.set(bounds[moved.number]).grow(NEIGHBOUR);
         for (Body body : movable) {
-            if (overlap(beside, bounds[body.number])) {
+            if (beside.overlaps(bounds[body.number])) {
                 body.wake();
             }
         }
@@ -263,12 +266,8 @@ public final class PhysicsWorld {
     }
 
     private boolean leavesZone(int number) {
-        double[] box = bounds[number];
-        double[] zone = zones[number];
         double[] v = bodies.get(number).getSolver().v;
-        return box[0] - EDGE + Math.min(0, v[0] * SOON) < zone[0] || box[3] + EDGE + Math.max(0, v[0] * SOON) > zone[3]
-            || box[1] - EDGE + Math.min(0, v[1] * SOON) < zone[1] || box[4] + EDGE + Math.max(0, v[1] * SOON) > zone[4]
-            || box[2] - EDGE + Math.min(0, v[2] * SOON) < zone[2] || box[5] + EDGE + Math.max(0, v[2] * SOON) > zone[5];
+        return !zones[number].contains(soon.set(bounds[number]).grow(EDGE).sweep(v[0] * SOON, v[1] * SOON, v[2] * SOON));
     }
 
     private void drawZones() {
@@ -284,7 +283,7 @@ public final class PhysicsWorld {
             int number = queue[next];
             drawZone(number);
             for (int i = 0; i < wanted.length; i++) {
-                if (!wanted[i] && overlap(zones[number], bounds[i])) {
+                if (!wanted[i] && zones[number].overlaps(bounds[i])) {
                     wanted[i] = true;
                     if (!bodies.get(i).isFixed()) {
                         queue[last++] = i;
@@ -307,18 +306,7 @@ public final class PhysicsWorld {
     private void drawZone(int number) {
         double reach = awake[number] ? REACH : NEIGHBOUR;
         double[] v = bodies.get(number).getSolver().v;
-        double[] box = bounds[number];
-        double[] zone = zones[number];
-        zone[0] = box[0] - reach + Math.min(0, v[0] * AHEAD);
-        zone[1] = box[1] - reach + Math.min(0, v[1] * AHEAD);
-        zone[2] = box[2] - reach + Math.min(0, v[2] * AHEAD);
-        zone[3] = box[3] + reach + Math.max(0, v[0] * AHEAD);
-        zone[4] = box[4] + reach + Math.max(0, v[1] * AHEAD);
-        zone[5] = box[5] + reach + Math.max(0, v[2] * AHEAD);
-    }
-
-    private static boolean overlap(double[] a, double[] b) {
-        return a[0] <= b[3] && b[0] <= a[3] && a[1] <= b[4] && b[1] <= a[4] && a[2] <= b[5] && b[2] <= a[5];
+        zones[number].set(bounds[number]).grow(reach).sweep(v[0] * AHEAD, v[1] * AHEAD, v[2] * AHEAD);
     }
 
     /** Whether a body moved in the last step, or may have. */

@@ -4,6 +4,7 @@ import com.bulletphysics.collision.shapes.CollisionShape;
 import org.SEAR.collision.ContactFeature;
 import org.SEAR.collision.Convex;
 import org.SEAR.collision.PlacedConvex;
+import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Placement;
 import org.SEAR.physics.solid.Solid;
 
@@ -14,8 +15,8 @@ final class PlacedSolid implements Convex {
     private final PlacedConvex convex = new PlacedConvex();
     private final CollisionShape shape;
     private final boolean mesh;
-    /** {x, y, z} low, {x, y, z} high, world frame, metres. */
-    final double[] box = new double[6];
+    /** World frame. */
+    final Aabb box = new Aabb();
     private final double[] low = new double[3];
     private final double[] high = new double[3];
 
@@ -59,15 +60,12 @@ final class PlacedSolid implements Convex {
             double z = axis == 0 ? place.m02 : axis == 1 ? place.m12 : place.m22;
             double at = axis == 0 ? place.x : axis == 1 ? place.y : place.z;
             double half = Math.abs(x) * solid.halfX + Math.abs(y) * solid.halfY + Math.abs(z) * solid.halfZ;
-            box[axis] = at - half;
-            box[axis + 3] = at + half;
+            box.set(axis, at - half, at + half);
         }
     }
 
     boolean isNear(PlacedSolid other, double margin) {
-        double[] b = other.box;
-        return box[0] - margin <= b[3] && b[0] <= box[3] + margin && box[1] - margin <= b[4] && b[1] <= box[4] + margin
-            && box[2] - margin <= b[5] && b[2] <= box[5] + margin;
+        return box.overlaps(other.box, margin);
     }
 
     /**
@@ -75,15 +73,15 @@ final class PlacedSolid implements Convex {
      *
      * @param margin by which it is wider, metres
      */
-    void inFrame(PlacedSolid other, double margin, double[] into) {
+    void inFrame(PlacedSolid other, double margin, Aabb into) {
         for (int axis = 0; axis < 3; axis++) {
             double x = axis == 0 ? place.m00 : axis == 1 ? place.m01 : place.m02;
             double y = axis == 0 ? place.m10 : axis == 1 ? place.m11 : place.m12;
             double z = axis == 0 ? place.m20 : axis == 1 ? place.m21 : place.m22;
             other.support(-x, -y, -z, low);
             other.support(x, y, z, high);
-            into[axis] = x * (low[0] - place.x) + y * (low[1] - place.y) + z * (low[2] - place.z) - margin;
-            into[axis + 3] = x * (high[0] - place.x) + y * (high[1] - place.y) + z * (high[2] - place.z) + margin;
+            into.set(axis, x * (low[0] - place.x) + y * (low[1] - place.y) + z * (low[2] - place.z) - margin,
+                x * (high[0] - place.x) + y * (high[1] - place.y) + z * (high[2] - place.z) + margin);
         }
     }
 }

@@ -5,6 +5,7 @@ import com.bulletphysics.collision.dispatch.CollisionDispatcher;
 import com.bulletphysics.collision.dispatch.CollisionObject;
 import com.bulletphysics.collision.dispatch.CollisionWorld;
 import javax.vecmath.Vector3f;
+import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.TimeStep;
 
 /**
@@ -21,7 +22,7 @@ final class SteppedWorld extends CollisionWorld {
 
     private final Vector3f low = new Vector3f();
     private final Vector3f high = new Vector3f();
-    private final double[] box = new double[6];
+    private final Aabb box = new Aabb();
 
     SteppedWorld(ContactFinder finder) {
         super(new CollisionDispatcher(finder), new PairSearch(), finder);
@@ -39,7 +40,7 @@ final class SteppedWorld extends CollisionWorld {
     @Override
     public void addCollisionObject(CollisionObject object, short group, short mask) {
         super.addCollisionObject(object, group, mask);
-        ((Body) object.getUserPointer()).getRoom()[0] = Double.NaN;
+        ((Body) object.getUserPointer()).getRoom().clear();
         updateSingleAabb(object);
     }
 
@@ -48,20 +49,13 @@ final class SteppedWorld extends CollisionWorld {
         Body body = (Body) object.getUserPointer();
         body.bounds(box);
         body.widen(box, TimeStep.SECONDS);
-        if (body.isWithin(box)) {
+        if (body.getRoom().contains(box)) {
             return;
         }
-        double[] roomy = body.getRoom();
-        for (int axis = 0; axis < 3; axis++) {
-            roomy[axis] = box[axis] - MARGIN - ROOM;
-            roomy[axis + 3] = box[axis + 3] + MARGIN + ROOM;
-        }
-        low.set((float) roomy[0], (float) roomy[1], (float) roomy[2]);
-        high.set((float) roomy[3], (float) roomy[4], (float) roomy[5]);
+        Aabb room = body.getRoom().set(box).grow(MARGIN + ROOM);
+        low.set((float) room.minX, (float) room.minY, (float) room.minZ);
+        high.set((float) room.maxX, (float) room.maxY, (float) room.maxZ);
         broadphasePairCache.setAabb(object.getBroadphaseHandle(), low, high, dispatcher1);
-        for (int axis = 0; axis < 3; axis++) {
-            roomy[axis] += MARGIN;
-            roomy[axis + 3] -= MARGIN;
-        }
+        room.grow(-MARGIN);
     }
 }

@@ -6,6 +6,7 @@ import java.util.function.Predicate;
 import org.SEAR.POJOs.Model;
 import org.SEAR.collision.ConvexHull;
 import org.SEAR.collision.ConvexShape;
+import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.geometry.Triangles;
@@ -79,7 +80,7 @@ class MeshSolid extends Solid {
     }
 
     @Override
-    public boolean anyTriangle(double[] box, Predicate<double[]> test) {
+    public boolean anyTriangle(Aabb box, Predicate<double[]> test) {
         double[] at = new double[9];
         for (int first = 0; first < mesh.indices.length; first += 3) {
             for (int i = 0; i < at.length; i++) {

@@ -5,6 +5,7 @@ import com.bulletphysics.collision.shapes.CollisionShape;
 import java.util.function.Predicate;
 import javax.vecmath.Vector3f;
 import org.SEAR.collision.ConvexShape;
+import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.raycast.BeamScene;
@@ -109,11 +110,11 @@ public abstract class Solid {
     /**
      * Tries the triangles of a mesh, at least those that reach into a box, until one passes.
      *
-     * @param box {x, y, z} low, {x, y, z} high, in its own frame
+     * @param box in its own frame
      * @param test takes x, y and z of the three corners in its own frame, only while it is called
      * @return whether one passed
      */
-    public boolean anyTriangle(double[] box, Predicate<double[]> test) {
+    public boolean anyTriangle(Aabb box, Predicate<double[]> test) {
         throw new UnsupportedOperationException("only a mesh has triangles");
     }
 

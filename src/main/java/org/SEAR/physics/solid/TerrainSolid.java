@@ -4,6 +4,7 @@ import com.bulletphysics.collision.shapes.CollisionShape;
 import java.util.function.Predicate;
 import org.SEAR.collision.ConvexHull;
 import org.SEAR.collision.ConvexShape;
+import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.HeightSearch;
 import org.SEAR.geometry.Pose;
@@ -80,9 +81,9 @@ public final class TerrainSolid extends Solid {
     }
 
     @Override
-    public boolean anyTriangle(double[] box, Predicate<double[]> test) {
+    public boolean anyTriangle(Aabb box, Predicate<double[]> test) {
         double[] corners = new double[9];
-        return search.any(box[0], box[1], box[2], box[3], box[4], box[5], at -> {
+        return search.any(box.minX, box.minY, box.minZ, box.maxX, box.maxY, box.maxZ, at -> {
             for (int i = 0; i < corners.length; i++) {
                 corners[i] = at[i];
             }

@@ -2,7 +2,9 @@ package org.SEAR.physics.start;
 
 import org.SEAR.collision.Convex;
 import org.SEAR.collision.GjkDistance;
+import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.Vec3;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.solid.Solid;
 
@@ -18,17 +20,18 @@ final class Overlap {
         this.body = body;
     }
 
-    /** The box around the body at a pose: {x, y, z} low, {x, y, z} high. */
-    double[] bounds(Pose pose) {
-        double[] box = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
-        double[] point = new double[3];
+    /** The box around the body at a pose. */
+    Aabb bounds(Pose pose) {
+        Aabb box = new Aabb();
+        double[] low = new double[3];
+        double[] high = new double[3];
         for (int i = 0; i < body.solids.size(); i++) {
             Placed part = new Placed(body.solids.get(i), pose.times(body.places[i]));
             for (int axis = 0; axis < 3; axis++) {
-                part.support(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0, point);
-                box[axis + 3] = Math.max(box[axis + 3], point[axis]);
-                part.support(axis == 0 ? -1 : 0, axis == 1 ? -1 : 0, axis == 2 ? -1 : 0, point);
-                box[axis] = Math.min(box[axis], point[axis]);
+                part.support(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0, high);
+                box.add(high[0], high[1], high[2]);
+                part.support(axis == 0 ? -1 : 0, axis == 1 ? -1 : 0, axis == 2 ? -1 : 0, low);
+                box.add(low[0], low[1], low[2]);
             }
         }
         return box;
@@ -45,10 +48,6 @@ final class Overlap {
             points[i] = body.places[part].transform(point[0], point[1], point[2]);
         }
         return points;
-    }
-
-    boolean isApart(double[] a, double[] b) {
-        return a[0] > b[3] || b[0] > a[3] || a[1] > b[4] || b[1] > a[4] || a[2] > b[5] || b[2] > a[5];
     }
 
     /** Whether the body at a pose overlaps another at its start by more than {@code allowed} metres. */
@@ -75,7 +74,7 @@ final class Overlap {
         return gjk.measure(mine, other, 0) && gjk.distance < -allowed;
     }
 
-    private boolean meets(Placed mine, double[] box, Solid solid, Pose place, double allowed) {
+    private boolean meets(Placed mine, Aabb box, Solid solid, Pose place, double allowed) {
         Corners corners = new Corners();
         return solid.anyTriangle(inFrame(box, place), at -> {
             corners.set(at, place);
@@ -84,14 +83,13 @@ final class Overlap {
     }
 
     /** The box around a box, in a frame. */
-    private static double[] inFrame(double[] box, Pose frame) {
-        double[] around = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
-        for (int corner = 0; corner < 8; corner++) {
-            double[] at = frame.rotateBack(box[corner % 2 * 3] - frame.x, box[1 + corner / 2 % 2 * 3] - frame.y, box[2 + corner / 4 * 3] - frame.z);
-            for (int axis = 0; axis < 3; axis++) {
-                around[axis] = Math.min(around[axis], at[axis]);
-                around[axis + 3] = Math.max(around[axis + 3], at[axis]);
-            }
+    private static Aabb inFrame(Aabb box, Pose frame) {
+        Aabb around = new Aabb();
+        Vec3 corner = new Vec3();
+        for (int i = 0; i < 8; i++) {
+            box.corner(i, corner);
+            double[] at = frame.rotateBack(corner.x - frame.x, corner.y - frame.y, corner.z - frame.z);
+            around.add(at[0], at[1], at[2]);
         }
         return around;
     }
@@ -118,21 +116,18 @@ final class Overlap {
     /** A triangle. */
     private static final class Corners implements Convex {
         private final double[][] at = new double[3][];
+        private final Aabb around = new Aabb();
 
         void set(double[] corners, Pose place) {
+            around.clear();
             for (int i = 0; i < at.length; i++) {
                 at[i] = place.transform(corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]);
+                around.add(at[i][0], at[i][1], at[i][2]);
             }
         }
 
-        boolean near(double[] box) {
-            for (int axis = 0; axis < 3; axis++) {
-                if (Math.min(at[0][axis], Math.min(at[1][axis], at[2][axis])) > box[axis + 3]
-                    || Math.max(at[0][axis], Math.max(at[1][axis], at[2][axis])) < box[axis]) {
-                    return false;
-                }
-            }
-            return true;
+        boolean near(Aabb box) {
+            return around.overlaps(box);
         }
 
         @Override

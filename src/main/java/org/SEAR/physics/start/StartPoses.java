@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.Scenes;
@@ -61,15 +62,14 @@ public final class StartPoses {
      */
     public static String crowd(List<Body> bodies) {
         List<Body> moving = bodies.stream().filter(body -> !body.isFixed()).collect(Collectors.toList());
-        List<double[]> boxes = moving.stream().map(body -> new Overlap(body).bounds(body.getStart())).collect(Collectors.toList());
-        Integer[] order = IntStream.range(0, boxes.size()).boxed().sorted(Comparator.comparingDouble(i -> boxes.get(i)[0]))
+        List<Aabb> boxes = moving.stream().map(body -> new Overlap(body).bounds(body.getStart())).collect(Collectors.toList());
+        Integer[] order = IntStream.range(0, boxes.size()).boxed().sorted(Comparator.comparingDouble(i -> boxes.get(i).minX))
             .toArray(Integer[]::new);
         int pairs = 0;
         for (int i = 0; i < order.length; i++) {
-            double[] box = boxes.get(order[i]);
-            for (int k = i + 1; k < order.length && boxes.get(order[k])[0] <= box[3]; k++) {
-                double[] other = boxes.get(order[k]);
-                pairs += box[1] <= other[4] && other[1] <= box[4] && box[2] <= other[5] && other[2] <= box[5] ? 1 : 0;
+            Aabb box = boxes.get(order[i]);
+            for (int k = i + 1; k < order.length && boxes.get(order[k]).minX <= box.maxX; k++) {
+                pairs += box.overlaps(boxes.get(order[k])) ? 1 : 0;
                 if (pairs > MOST_PAIRS) {
                     return "more than " + MOST_PAIRS + " pairs of things with mass start inside one another, as " + moving.get(order[i]).name
                         + " and " + moving.get(order[k]).name;
@@ -83,7 +83,7 @@ public final class StartPoses {
     public static void tellOverlaps(List<Body> bodies, List<String> warnings) {
         List<Body> moving = bodies.stream().filter(body -> !body.isFixed()).collect(Collectors.toList());
         List<Overlap> overlaps = moving.stream().map(Overlap::new).collect(Collectors.toList());
-        List<double[]> boxes = new ArrayList<>();
+        List<Aabb> boxes = new ArrayList<>();
         int told = 0;
         for (int i = 0; i < moving.size(); i++) {
             Overlap mine = overlaps.get(i);
@@ -94,7 +94,7 @@ public final class StartPoses {
                     warnings.add("more things start inside one another; only the first " + MOST_TOLD + " are named");
                     return;
                 }
-                if (!mine.isApart(boxes.get(i), boxes.get(k)) && mine.overlaps(start, overlaps.get(k), ALLOWED)) {
+                if (boxes.get(i).overlaps(boxes.get(k)) && mine.overlaps(start, overlaps.get(k), ALLOWED)) {
                     told++;
                     warnings.add(String.format(Locale.ROOT, "%s and %s start inside one another and will be pushed apart; move one of them",
                         moving.get(k).name, moving.get(i).name));
@@ -141,10 +141,10 @@ public final class StartPoses {
     }
 
     private static boolean overlapsGround(Body body, Overlap mine, Pose pose, Scenes scenes) {
-        double[] box = mine.bounds(pose);
+        Aabb box = mine.bounds(pose);
         for (Body ground : scenes.grounds()) {
             Overlap other = new Overlap(ground);
-            if (ground != body && !mine.isApart(box, other.bounds(ground.getStart())) && mine.overlaps(pose, other, TOUCHING)) {
+            if (ground != body && box.overlaps(other.bounds(ground.getStart())) && mine.overlaps(pose, other, TOUCHING)) {
                 return true;
             }
         }
@@ -153,17 +153,17 @@ public final class StartPoses {
 
     private static boolean liftOnce(Body body, List<Body> others) {
         Overlap mine = new Overlap(body);
-        double[] box = mine.bounds(body.getStart());
+        Aabb box = mine.bounds(body.getStart());
         boolean lifted = false;
         for (Body obstacle : others) {
             Overlap other = new Overlap(obstacle);
             Pose there = obstacle.getPose();
-            double[] around = other.bounds(there);
-            if (mine.isApart(box, around) || !mine.overlaps(body.getStart(), other, there, ALLOWED)) {
+            Aabb around = other.bounds(there);
+            if (!box.overlaps(around) || !mine.overlaps(body.getStart(), other, there, ALLOWED)) {
                 continue;
             }
             double in = 0;
-            double out = around[4] - box[1] + ALLOWED;
+            double out = around.maxY - box.minY + ALLOWED;
             for (int i = 0; i < HALVINGS; i++) {
                 double middle = (in + out) / 2;
                 if (mine.overlaps(up(body.getStart(), middle), other, there, 0)) {

@@ -1,11 +1,11 @@
-package org.SEAR.view.link;
+package org.SEAR.scene;
 
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import org.SEAR.geometry.Pose;
 
-/** What a window needs to know about the world after one step, in the window's own terms. Immutable, any thread. */
+/** What is to be drawn of the world after one step, for window and tab. {@link SceneStates} makes it. Immutable, any thread. */
 public final class SceneState {
     /** Steps since start or reset. */
     public final long step;

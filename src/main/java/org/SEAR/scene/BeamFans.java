@@ -1,6 +1,5 @@
-package org.SEAR.view.link;
+package org.SEAR.scene;
 
-import com.jme3.math.ColorRGBA;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -13,11 +12,11 @@ import org.SEAR.project.ObjectPose;
 import org.SEAR.project.Project;
 import org.SEAR.sensors.BeamPattern;
 
-/** The beams of a project's sensors. */
+/** The beams of a project's sensors, as window and tab draw them. Any thread. */
 public final class BeamFans {
-    private static final ColorRGBA DISTANCE_HIT = new ColorRGBA(1, 0.08f, 0.05f, 1);
-    private static final ColorRGBA LIDAR_HIT = new ColorRGBA(1, 0.95f, 0.1f, 1);
-    private static final ColorRGBA LIDAR_BEAM = new ColorRGBA(1, 0.12f, 0.08f, 1);
+    private static final int DISTANCE_HIT = 0xff140d;
+    private static final int LIDAR_HIT = 0xfff21a;
+    private static final int LIDAR_BEAM = 0xff1f14;
     private static final float DISTANCE_RADIUS = 0.03f;
     private static final float LIDAR_RADIUS = 0.018f;
     /** Share of a step that a spread may fall short of a whole number of steps. */
@@ -57,10 +56,7 @@ public final class BeamFans {
             directions[3 * i + 1] = (float) pattern.getY(i);
             directions[3 * i + 2] = (float) pattern.getZ(i);
             ranges[i] = (float) pattern.getRange(i);
-            int color = pattern.getColor(i);
-            colors[3 * i] = (color >> 16 & 0xff) / BYTE;
-            colors[3 * i + 1] = (color >> 8 & 0xff) / BYTE;
-            colors[3 * i + 2] = (color & 0xff) / BYTE;
+            paint(colors, i, pattern.getColor(i));
         }
         return new BeamFan(sensor.getFullName(), robot, part, ObjectPose.of(sensor), directions, ranges, colors,
             lines(sensor.getCones(), count), DISTANCE_HIT, DISTANCE_RADIUS, false);
@@ -76,12 +72,16 @@ public final class BeamFans {
             directions[3 * i] = (float) Math.sin(angle);
             directions[3 * i + 2] = (float) Math.cos(angle);
             ranges[i] = (float) lidar.getRange();
-            colors[3 * i] = LIDAR_BEAM.r;
-            colors[3 * i + 1] = LIDAR_BEAM.g;
-            colors[3 * i + 2] = LIDAR_BEAM.b;
+            paint(colors, i, LIDAR_BEAM);
         }
         return new BeamFan(lidar.getFullName(), robot, part, ObjectPose.of(lidar), directions, ranges, colors,
             everyNth(count, stride(count)), LIDAR_HIT, LIDAR_RADIUS, true);
+    }
+
+    private static void paint(float[] colors, int beam, int color) {
+        colors[3 * beam] = (color >> 16 & 0xff) / BYTE;
+        colors[3 * beam + 1] = (color >> 8 & 0xff) / BYTE;
+        colors[3 * beam + 2] = (color & 0xff) / BYTE;
     }
 
     private static int stride(int count) {

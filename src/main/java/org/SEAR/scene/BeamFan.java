@@ -1,9 +1,8 @@
-package org.SEAR.view.link;
+package org.SEAR.scene;
 
-import com.jme3.math.ColorRGBA;
 import org.SEAR.geometry.Pose;
 
-/** The beams of one sensor as they are drawn: directions in the sensor's frame, greatest lengths, colours. Immutable. */
+/** The beams of one sensor as they are drawn: directions in the sensor's frame, greatest lengths, colours. Immutable, any thread. */
 public final class BeamFan {
     public final String sensor;
     /** Number of the robot that carries the sensor. */
@@ -20,15 +19,15 @@ public final class BeamFan {
     public final float[] colors;
     /** Numbers of the beams that are drawn as lines: not all, where there are very many. */
     public final int[] lines;
-    /** Colour of the spheres where beams end on something. */
-    public final ColorRGBA hitColor;
+    /** Colour of the spheres where beams end on something, 0xrrggbb. */
+    public final int hitColor;
     /** Radius of these spheres, metres. */
     public final float hitRadius;
     /** Whether a beam ends where it hits; else it is drawn in full length and only the sphere shows the hit. */
     public final boolean cut;
 
-    BeamFan(String sensor, int robot, int part, Pose mount, float[] directions, float[] ranges, float[] colors, int[] lines,
-            ColorRGBA hitColor, float hitRadius, boolean cut) {
+    BeamFan(String sensor, int robot, int part, Pose mount, float[] directions, float[] ranges, float[] colors, int[] lines, int hitColor,
+            float hitRadius, boolean cut) {
         this.sensor = sensor;
         this.robot = robot;
         this.part = part;

@@ -20,7 +20,7 @@ public class FirstRobotTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    private static void robot(Dynamics drive, double axle, double castorZ, double castorRadius, double castorY) {
+    private static void robot(Dynamics drive, double axle, double casterZ, double casterRadius, double casterY) {
         new Floor("floor", 20, 20);
         SEARrobot robot = new SEARrobot("first");
         robot.move(0, 0.06, 0);
@@ -28,7 +28,7 @@ public class FirstRobotTest {
         robot.addComponent(new Box("body", 0.2, 0.3, 0.08, 0));
         robot.addWheel(new Wheel("left", 0.05, 0.03, 1, 0.12, 0, axle));
         robot.addWheel(new Wheel("right", 0.05, 0.03, 1, -0.12, 0, axle));
-        robot.addWheel(new Wheel("castor", castorRadius, 0.02, 0, 0, castorY, castorZ));
+        robot.addWheel(new Wheel("caster", casterRadius, 0.02, 0, 0, casterY, casterZ));
     }
 
     private void standsAndDrives(String what) throws Exception {
@@ -50,11 +50,11 @@ public class FirstRobotTest {
     public void itStandsLevelAndDrives() throws Exception {
         for (double mass : new double[] {0.2, 2, 50}) {
             robot(new Dynamics("drive", mass), 0.1, -0.1, 0.05, 0);
-            standsAndDrives(mass + " kg, castor behind");
+            standsAndDrives(mass + " kg, caster behind");
             robot(new Dynamics("drive", mass), 0.05, -0.15, 0.03, -0.02);
-            standsAndDrives(mass + " kg, small castor");
+            standsAndDrives(mass + " kg, small caster");
             robot(new Dynamics("drive", mass), -0.1, 0.1, 0.02, 0);
-            standsAndDrives(mass + " kg, castor in front that does not reach as low");
+            standsAndDrives(mass + " kg, caster in front that does not reach as low");
         }
     }
 

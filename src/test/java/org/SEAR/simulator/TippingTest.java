@@ -122,9 +122,9 @@ public class TippingTest {
         }
     }
 
-    /** A castor carries where it touches, behind its axis. */
+    /** A caster carries where it touches, behind its axis. */
     @Test
-    public void aCastorCarriesWhereItTouches() throws Exception {
+    public void aCasterCarriesWhereItTouches() throws Exception {
         new Floor("floor", 10, 10);
         Robots.rover("rover");
         double[][] support = Worlds.start(project).getRobots().get(0).getStability().getSupport();

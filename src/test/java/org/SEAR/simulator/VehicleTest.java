@@ -24,7 +24,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.function.ThrowingRunnable;
 
-/** Steered wheels, castors, omni and mecanum wheels against their closed forms, each within 2 %. */
+/** Steered wheels, casters, omni and mecanum wheels against their closed forms, each within 2 %. */
 public class VehicleTest {
     private static final double RADIUS = 0.05;
     private static final double BASE = 0.3;
@@ -210,14 +210,14 @@ public class VehicleTest {
         assertTrue("it turns to the right, to the east", world.robot.getPose().z > 0.02);
     }
 
-    /** A castor that was turned about follows as a tractrix: tan(angle / 2) falls by e for each trail length. */
+    /** A caster that was turned about follows as a tractrix: tan(angle / 2) falls by e for each trail length. */
     @Test
-    public void aCastorFollowsATractrix() throws Exception {
+    public void aCasterFollowsATractrix() throws Exception {
         new Floor("floor", 60, 60);
         SEARrobot robot = chassis(4);
         wheel(robot, "left", 1, TRACK / 2, 0.05);
         wheel(robot, "right", 1, -TRACK / 2, 0.05);
-        wheel(robot, "castor", 0, 0, -0.15).setTrail(0.04);
+        wheel(robot, "caster", 0, 0, -0.15).setTrail(0.04);
         wheel(robot, "ball", 0, 0, 0.17);
         Simulation simulation = Worlds.start(project);
         Worlds.run(simulation, 1);
@@ -236,9 +236,9 @@ public class VehicleTest {
         double expected = Math.toDegrees(2 * Math.atan(start * Math.exp(-way / 0.04)));
         assertEquals(expected, heading(simulation, 2), SHARE * Math.abs(turned));
         Worlds.run(simulation, 4);
-        Pose castor = simulation.snapshot().robots.get(0).wheels.get(2);
-        assertEquals("it trails behind", -0.19, castor.z, 1e-3);
-        assertEquals(0, castor.x, 1e-3);
+        Pose caster = simulation.snapshot().robots.get(0).wheels.get(2);
+        assertEquals("it trails behind", -0.19, caster.z, 1e-3);
+        assertEquals(0, caster.x, 1e-3);
     }
 
     private static SEARrobot mecanum() {
@@ -316,10 +316,10 @@ public class VehicleTest {
 
     @Test
     public void theSameBytesEveryRun() throws Exception {
-        wheel(mecanum(), "castor", 0, 0, 0.2).setTrail(0.03);
+        wheel(mecanum(), "caster", 0, 0, 0.2).setTrail(0.03);
         sameTwice("frontLeftMotor");
         SEARrobot robot = car();
-        wheel(robot, "castor", 0, 0, 0).setTrail(0.03);
+        wheel(robot, "caster", 0, 0, 0).setTrail(0.03);
         sameTwice("engine");
     }
 
@@ -334,7 +334,7 @@ public class VehicleTest {
                     simulation.getRobots().get(0).steer(30 * Math.cos(i * 0.03));
                 }
                 simulation.step();
-                text.append(simulation.getPose("car")).append(simulation.getPose("castor"));
+                text.append(simulation.getPose("car")).append(simulation.getPose("caster"));
             }
             runs.add(text.toString());
             simulation.reset();
@@ -345,14 +345,14 @@ public class VehicleTest {
     @Test
     public void wrongWheelsAreRefused() throws Exception {
         String idler = "legal: none for an idler (type 0), which rolls in every direction; a wheel of type 1 or 2 can have it";
-        Wheel castor = new Wheel("castor", RADIUS, 0.02, 0);
-        said("Wheel \"castor\": steering is 30, " + idler, () -> castor.setSteering(30));
-        said("Wheel \"castor\": rollers is 45, " + idler, () -> castor.setRollers(45));
-        said("Wheel \"castor\": trail is -1, legal: a number from 0 to 10 m", () -> castor.setTrail(-1));
+        Wheel caster = new Wheel("caster", RADIUS, 0.02, 0);
+        said("Wheel \"caster\": steering is 30, " + idler, () -> caster.setSteering(30));
+        said("Wheel \"caster\": rollers is 45, " + idler, () -> caster.setRollers(45));
+        said("Wheel \"caster\": trail is -1, legal: a number from 0 to 10 m", () -> caster.setTrail(-1));
         Wheel driven = new Wheel("driven", RADIUS, 0.02);
-        said("Wheel \"driven\": trail is 0.1, legal: 0 for a wheel of type 1; an idler (type 0) can be a castor", () -> driven.setTrail(0.1));
+        said("Wheel \"driven\": trail is 0.1, legal: 0 for a wheel of type 1; an idler (type 0) can be a caster", () -> driven.setTrail(0.1));
         said("Wheel \"driven\": steering is 90, legal: a number from 0.1 to 80 deg", () -> driven.setSteering(90));
-        said("Wheel \"driven\": steering is Wheel \"castor\", legal: a Servo, or the greatest angle", () -> driven.setSteering(castor));
+        said("Wheel \"driven\": steering is Wheel \"caster\", legal: a Servo, or the greatest angle", () -> driven.setSteering(caster));
         driven.setSteering(30);
         said("Wheel \"driven\": rollers is 45, legal: none for a wheel that is steered", () -> driven.setRollers(45));
         SEARrobot robot = car();

@@ -25,7 +25,7 @@ import org.SEAR.physics.solid.Solid;
  * Finds where bodies touch or come near, from the shapes themselves in double precision; jbullet is told to use it for every pair, and finds only
  * the pairs. Simulation thread.
  */
-final class ContactFinder extends DefaultCollisionConfiguration {
+final class NarrowPhase extends DefaultCollisionConfiguration {
     /** Normals whose cosine is greater belong to one manifold. */
     private static final double SAME = 0.9998;
     /** A direction that parts two flat things nearly as far as the best one stays, metres: else their contact would change to and fro. */
@@ -66,7 +66,7 @@ final class ContactFinder extends DefaultCollisionConfiguration {
     private final CollisionAlgorithmCreateFunc maker = new CollisionAlgorithmCreateFunc() {
         @Override
         public CollisionAlgorithm createCollisionAlgorithm(CollisionAlgorithmConstructionInfo info, CollisionObject first, CollisionObject second) {
-            return new PairContacts(info, ContactFinder.this);
+            return new PairContacts(info, NarrowPhase.this);
         }
 
         @Override
@@ -85,7 +85,7 @@ final class ContactFinder extends DefaultCollisionConfiguration {
      * @param seconds length of a step
      * @param gravity m/s^2
      */
-    ContactFinder(double seconds, double gravity) {
+    NarrowPhase(double seconds, double gravity) {
         this.seconds = seconds;
         gain = gravity * seconds;
     }

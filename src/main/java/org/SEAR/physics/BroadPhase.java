@@ -15,10 +15,11 @@ import java.util.List;
 import javax.vecmath.Vector3f;
 
 /**
- * jbullet's search for pairs of bodies that may touch, but only those are looked for whose boxes have changed, and with stacks that are kept:
- * jbullet's own makes two new ones of a kilobyte in each step. Simulation thread.
+ * The broad phase: which pairs of bodies may touch. It is jbullet's, two trees of axis-aligned bounding boxes, one of what moves and one of what
+ * rests, into which a box is put anew only when its body has left it; two boxes that overlap are a pair. But only those are looked for whose boxes
+ * have changed, and with stacks that are kept: jbullet's own makes two new ones of a kilobyte in each step. Simulation thread.
  */
-final class PairSearch extends DbvtBroadphase {
+final class BroadPhase extends DbvtBroadphase {
     private static final int PER_CENT = 100;
 
     private Dbvt.Node[] left = new Dbvt.Node[64];

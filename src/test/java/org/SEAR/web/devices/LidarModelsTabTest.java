@@ -1,4 +1,4 @@
-package org.SEAR.web;
+package org.SEAR.web.devices;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
@@ -7,6 +7,9 @@ import static org.junit.Assert.assertTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.SEAR.web.Browser;
+import org.SEAR.web.MyRobotLab;
+import org.SEAR.web.Tabs;
 import org.junit.Before;
 import org.junit.ClassRule;
 import org.junit.Rule;

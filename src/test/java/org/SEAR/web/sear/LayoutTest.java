@@ -1,10 +1,14 @@
-package org.SEAR.web;
+package org.SEAR.web.sear;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import java.util.Arrays;
 import java.util.List;
+import org.SEAR.web.Accessibility;
+import org.SEAR.web.Browser;
+import org.SEAR.web.SearTab;
+import org.SEAR.web.Tabs;
 import org.junit.After;
 import org.junit.ClassRule;
 import org.junit.Rule;

@@ -1,4 +1,4 @@
-package org.SEAR.web;
+package org.SEAR.web.sear;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertNotEquals;
@@ -6,6 +6,10 @@ import static org.junit.Assert.assertTrue;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.SEAR.web.Browser;
+import org.SEAR.web.MyRobotLab;
+import org.SEAR.web.SearTab;
+import org.SEAR.web.Tabs;
 import org.junit.Before;
 import org.junit.ClassRule;
 import org.junit.Rule;

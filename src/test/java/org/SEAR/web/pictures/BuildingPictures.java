@@ -1,9 +1,12 @@
-package org.SEAR.web;
+package org.SEAR.web.pictures;
 
 import java.io.IOException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.List;
+import org.SEAR.web.Browser;
+import org.SEAR.web.MyRobotLab;
+import org.SEAR.web.SearTab;
 import org.openqa.selenium.WebElement;
 
 /** A rover is built by mouse and driven: a moving picture of it, one of the tab at that, and one of a plot of the drive. */

@@ -1,4 +1,4 @@
-package org.SEAR.web;
+package org.SEAR.web.pictures;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;

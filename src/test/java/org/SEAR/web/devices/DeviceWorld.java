@@ -1,20 +1,22 @@
-package org.SEAR.web;
+package org.SEAR.web.devices;
+
+import org.SEAR.web.MyRobotLab;
 
 /**
  * A world whose scans can be told by hand, with a robot whose LIDAR and GPS are ready on their ports: a wall 1.9 m before the LIDAR, a crate 0.8 m to
  * its left, nothing to its right.
  */
-final class DeviceWorld {
-    static final String LIDAR_PORT = "/dev/SEAR_LIDAR_01";
-    static final String GPS_PORT = "/dev/SEAR_GPS_01";
+public final class DeviceWorld {
+    public static final String LIDAR_PORT = "/dev/SEAR_LIDAR_01";
+    public static final String GPS_PORT = "/dev/SEAR_GPS_01";
     static final String ROBOT_PORT = "/dev/SEAR_Robot_01";
     /** Metres straight ahead. */
-    static final double AHEAD = 1.9;
+    public static final double AHEAD = 1.9;
     /** Metres to the left. */
     static final double LEFT = 0.8;
 
     /** Starts it, with the services sear, lidar and gps. */
-    static final String SCRIPT = String.join("\n",
+    public static final String SCRIPT = String.join("\n",
         "sear = Runtime.start('sear', 'SEAR')",
         "from org.SEAR.POJOs import Box, Cylinder, Dynamics, Floor, GPS, LIDAR, SEARrobot, Wheel",
         "Floor('floor', 40, 40, False)",
@@ -44,7 +46,7 @@ final class DeviceWorld {
     }
 
     /** A simulation that has just begun: the devices are as when they are switched on. */
-    static void restart(MyRobotLab robotLab) {
+    public static void restart(MyRobotLab robotLab) {
         robotLab.call("lidar", "disconnect");
         robotLab.call("gps", "disconnect");
         if (robotLab.call("sear", "isSimulating").asBoolean()) {

@@ -1,4 +1,4 @@
-package org.SEAR.web;
+package org.SEAR.web.build;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
@@ -10,6 +10,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.SEAR.project.ProjectRule;
+import org.SEAR.web.Browser;
+import org.SEAR.web.SearTab;
+import org.SEAR.web.Tabs;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.ClassRule;

@@ -1,4 +1,4 @@
-package org.SEAR.web;
+package org.SEAR.web.pictures;
 
 import java.awt.Graphics2D;
 import java.awt.Image;
@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import javax.imageio.ImageIO;
+import org.SEAR.web.Browser;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.OutputType;
 import org.openqa.selenium.WebElement;

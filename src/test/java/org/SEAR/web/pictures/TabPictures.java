@@ -1,10 +1,13 @@
-package org.SEAR.web;
+package org.SEAR.web.pictures;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.List;
+import org.SEAR.web.Browser;
+import org.SEAR.web.MyRobotLab;
+import org.SEAR.web.SearTab;
 import org.openqa.selenium.Dimension;
 import org.openqa.selenium.interactions.Actions;
 

@@ -1,4 +1,4 @@
-package org.SEAR.web;
+package org.SEAR.web.devices;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
@@ -10,6 +10,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.SEAR.web.Accessibility;
+import org.SEAR.web.Browser;
+import org.SEAR.web.MyRobotLab;
+import org.SEAR.web.Tabs;
 import org.junit.Before;
 import org.junit.ClassRule;
 import org.junit.Rule;

@@ -1,4 +1,4 @@
-package org.SEAR.web;
+package org.SEAR.web.sear;
 
 import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
@@ -11,6 +11,10 @@ import java.nio.file.Path;
 import java.util.Base64;
 import java.util.List;
 import java.util.Random;
+import org.SEAR.web.Browser;
+import org.SEAR.web.MyRobotLab;
+import org.SEAR.web.SearTab;
+import org.SEAR.web.Tabs;
 import org.junit.Before;
 import org.junit.ClassRule;
 import org.junit.Rule;

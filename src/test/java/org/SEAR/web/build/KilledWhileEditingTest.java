@@ -1,4 +1,4 @@
-package org.SEAR.web;
+package org.SEAR.web.build;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
@@ -17,6 +17,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
+import org.SEAR.web.MyRobotLab;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;

@@ -1,4 +1,4 @@
-package org.SEAR.web;
+package org.SEAR.web.sear;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertNotEquals;
@@ -9,6 +9,9 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.util.Map;
 import javax.imageio.ImageIO;
+import org.SEAR.web.Browser;
+import org.SEAR.web.SearTab;
+import org.SEAR.web.Tabs;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.ClassRule;

@@ -1,4 +1,4 @@
-package org.SEAR.web;
+package org.SEAR.web.pictures;
 
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;

@@ -1,4 +1,4 @@
-package org.SEAR.web;
+package org.SEAR.web.sear;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
@@ -6,6 +6,9 @@ import static org.junit.Assert.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.util.Locale;
+import org.SEAR.web.Browser;
+import org.SEAR.web.SearTab;
+import org.SEAR.web.Tabs;
 import org.junit.After;
 import org.junit.ClassRule;
 import org.junit.Rule;

@@ -1,4 +1,4 @@
-package org.SEAR.web;
+package org.SEAR.web.sear;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
@@ -6,6 +6,8 @@ import static org.junit.Assert.assertTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.SEAR.web.Browser;
+import org.SEAR.web.MyRobotLab;
 import org.example.OtherJar;
 import org.junit.Rule;
 import org.junit.Test;

@@ -1,4 +1,4 @@
-package org.SEAR.web;
+package org.SEAR.web.sear;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
@@ -7,6 +7,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
+import org.SEAR.web.Browser;
+import org.SEAR.web.MyRobotLab;
+import org.SEAR.web.SearTab;
+import org.SEAR.web.Tabs;
 import org.junit.BeforeClass;
 import org.junit.ClassRule;
 import org.junit.Rule;

@@ -24,9 +24,9 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
-import org.myrobotlab.service.ThirdPartyDriversTest;
-import org.myrobotlab.service.ThirdPartyGpsTest;
-import org.myrobotlab.service.ThirdPartyScannersTest;
+import org.myrobotlab.service.thirdparty.ThirdPartyDriversTest;
+import org.myrobotlab.service.thirdparty.ThirdPartyGpsTest;
+import org.myrobotlab.service.thirdparty.ThirdPartyScannersTest;
 
 /**
  * Every block of README, CONTRIBUTING and docs is run: Python that needs nothing but a floor here, everything else by a class of its own, in the

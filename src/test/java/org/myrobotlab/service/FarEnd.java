@@ -11,7 +11,7 @@ import org.myrobotlab.serial.VirtualSerialPort;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 
 /** What sits at the far end of a cable in a test, in place of a device. */
-final class FarEnd implements SerialDataListener, AutoCloseable {
+public final class FarEnd implements SerialDataListener, AutoCloseable {
     private static final long PATIENCE = TimeUnit.SECONDS.toNanos(60);
 
     private final VirtualSerialPort device;
@@ -20,7 +20,7 @@ final class FarEnd implements SerialDataListener, AutoCloseable {
     private final List<String> heard = new ArrayList<>();
 
     /** @param answers hex of what comes to hex of what goes back, null for nothing */
-    FarEnd(String userPort, Function<String, String> answers) throws IOException {
+    public FarEnd(String userPort, Function<String, String> answers) throws IOException {
         this.answers = answers;
         device = new VirtualSerialPort(userPort + "_device");
         user = new VirtualSerialPort(userPort);
@@ -45,7 +45,7 @@ final class FarEnd implements SerialDataListener, AutoCloseable {
         }
     }
 
-    void send(byte[] bytes) {
+    public void send(byte[] bytes) {
         try {
             device.write(bytes);
         } catch (IOException e) {
@@ -54,7 +54,7 @@ final class FarEnd implements SerialDataListener, AutoCloseable {
     }
 
     /** What came so far, at least that many pieces. */
-    List<String> await(int count) throws InterruptedException {
+    public List<String> await(int count) throws InterruptedException {
         long end = System.nanoTime() + PATIENCE;
         synchronized (heard) {
             while (heard.size() < count && System.nanoTime() < end) {
@@ -64,7 +64,7 @@ final class FarEnd implements SerialDataListener, AutoCloseable {
         }
     }
 
-    static byte[] bytes(String hex) {
+    public static byte[] bytes(String hex) {
         String[] parts = hex.trim().split("\\s+");
         byte[] bytes = new byte[parts.length];
         for (int i = 0; i < parts.length; i++) {
@@ -73,7 +73,7 @@ final class FarEnd implements SerialDataListener, AutoCloseable {
         return bytes;
     }
 
-    static String hex(byte[] bytes) {
+    public static String hex(byte[] bytes) {
         StringBuilder text = new StringBuilder();
         for (byte b : bytes) {
             text.append(text.length() == 0 ? "" : " ").append(String.format("%02X", b));

@@ -19,12 +19,12 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
 
 /** A floor, a wall 2 m ahead, and a Roomba with one of each sensor at the origin, looking along +z. */
-final class TestWorld {
-    static final String ROOMBA_PORT = "/dev/SEAR_Robot_01";
-    static final String LIDAR_PORT = "/dev/SEAR_LIDAR_01";
-    static final String GPS_PORT = "/dev/SEAR_GPS_01";
+public final class TestWorld {
+    public static final String ROOMBA_PORT = "/dev/SEAR_Robot_01";
+    public static final String LIDAR_PORT = "/dev/SEAR_LIDAR_01";
+    public static final String GPS_PORT = "/dev/SEAR_GPS_01";
     /** Where the wall's near face is. */
-    static final double WALL = 2;
+    public static final double WALL = 2;
     /** Where the LIDAR sits in front of the robot's middle. */
     static final double LIDAR_Z = 0.1;
 
@@ -32,7 +32,7 @@ final class TestWorld {
     }
 
     /** Writes the project below a folder and makes it the present one. */
-    static Path build(Path parent) {
+    public static Path build(Path parent) {
         Path folder = parent.resolve("SEARproject");
         System.setProperty("sear.project", folder.toString());
         Floor floor = new Floor("floor", 40, 40, false);
@@ -70,7 +70,7 @@ final class TestWorld {
     }
 
     /** All threads that SEAR starts and that live now. */
-    static List<String> threads() {
+    public static List<String> threads() {
         List<String> names = new ArrayList<>();
         for (Thread thread : Thread.getAllStackTraces().keySet()) {
             String name = thread.getName();

@@ -15,7 +15,6 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
-import org.SEAR.physics.Body;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;

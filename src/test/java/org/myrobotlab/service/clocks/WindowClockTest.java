@@ -1,0 +1,99 @@
+package org.myrobotlab.service.clocks;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicLong;
+import org.SEAR.Slow;
+import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.SimulationRunner;
+import org.SEAR.view.SimulatorWindow;
+import org.SEAR.view.UnderXvfb;
+import org.SEAR.view.WindowOptions;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Test;
+import org.junit.experimental.categories.Category;
+import org.junit.runner.RunWith;
+import org.myrobotlab.service.Runtime;
+import org.myrobotlab.service.SEAR;
+import org.myrobotlab.service.TestWorld;
+
+/** Simulated time begins when the window is up: nobody misses the seconds that opening it takes. */
+@RunWith(UnderXvfb.class)
+@Category(Slow.class)
+public class WindowClockTest {
+    private static final double NANOS = 1e9;
+
+    private Path project;
+    private SEAR sear;
+
+    @Before
+    public void build() throws Exception {
+        System.clearProperty("sear.headless");
+        System.setProperty("sear.speed", "1");
+        project = Files.createTempDirectory("window-clock");
+        TestWorld.build(project);
+        sear = (SEAR) Runtime.start("sear", "SEAR");
+    }
+
+    @After
+    public void release() {
+        Runtime.releaseAll();
+    }
+
+    private static boolean isThereAWindow() {
+        try {
+            Process tool = new ProcessBuilder("xdotool", "search", "--onlyvisible", "--name", "SEAR").start();
+            return tool.getInputStream().readAllBytes().length > 0;
+        } catch (IOException e) {
+            throw new AssertionError("xdotool (Debian: apt-get install xdotool)", e);
+        }
+    }
+
+    /** However busy the machine is, no more simulated time than real time has gone by since the last look at a display without a window. */
+    @Test
+    public void timeBeginsWhenTheWindowIsThere() throws Exception {
+        AtomicLong withoutWindow = new AtomicLong(System.nanoTime());
+        Thread watcher = new Thread(() -> {
+            long asked = System.nanoTime();
+            while (!isThereAWindow()) {
+                withoutWindow.set(asked);
+                asked = System.nanoTime();
+            }
+        });
+        watcher.start();
+        sear.startSimulation();
+        double simulated = sear.getTime();
+        long now = System.nanoTime();
+        watcher.join();
+        double real = (now - withoutWindow.get()) / NANOS;
+        assertTrue(simulated + " s are simulated, the window is there for " + real + " s at most", simulated <= real + Simulation.STEP);
+        sear.simSleep(0.2);
+        assertTrue("time goes on", sear.getTime() > simulated);
+    }
+
+    @Test
+    public void inLockStepTimeIsTheScripts() {
+        sear.setLockStep(true);
+        sear.startSimulation();
+        assertEquals(0, sear.getTime(), 0);
+        sear.simSleep(0.5);
+        assertEquals(0.5, sear.getTime(), Simulation.STEP);
+    }
+
+    /** A process has one window at a time, so this one keeps the simulation's from opening. */
+    @Test
+    public void withoutAWindowTimeBeginsAllTheSame() throws Exception {
+        SimulationRunner other = new SimulationRunner(Simulation.load(project.resolve("SEARproject"), 1));
+        try (SimulatorWindow inTheWay = SimulatorWindow.open(other, new WindowOptions().setSize(320, 200))) {
+            assertTrue(inTheWay.getProblem(), inTheWay.isOpen());
+            sear.startSimulation();
+            sear.simSleep(0.2);
+            assertTrue(sear.getTime() >= 0.2);
+        }
+    }
+}

@@ -1,0 +1,110 @@
+package org.myrobotlab.service.devices;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNull;
+import static org.junit.Assert.assertTrue;
+
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Test;
+import org.myrobotlab.service.Roomba;
+import org.myrobotlab.service.Runtime;
+import org.myrobotlab.service.Serial;
+
+/** The bytes of MyRobotLab's Roomba service, as the real one sends them. */
+public class RoombaTest {
+    private Roomba roomba;
+    private Serial uart;
+
+    @Before
+    public void connect() throws Exception {
+        roomba = (Roomba) Runtime.start("roomba", "Roomba");
+        uart = Serial.connectVirtualUart("/dev/roomba");
+        uart.setTimeout(5000);
+        roomba.connect("/dev/roomba");
+    }
+
+    @After
+    public void release() {
+        Runtime.releaseAll();
+    }
+
+    private void sends(String hex) throws InterruptedException {
+        StringBuilder got = new StringBuilder();
+        for (byte one : uart.read(hex.split(" ").length)) {
+            got.append(got.length() == 0 ? "" : " ").append(String.format("%02X", one));
+        }
+        assertEquals(hex, got.toString());
+        assertEquals(0, uart.available());
+    }
+
+    @Test
+    public void connectOpensThePortAt57600() {
+        assertTrue(roomba.connected());
+        Serial serial = (Serial) Runtime.getService("roomba.serial");
+        assertEquals("/dev/roomba", serial.getPortName());
+        assertEquals(57600, serial.getRate());
+        roomba.disconnect();
+        assertFalse(roomba.connected());
+    }
+
+    @Test
+    public void commandsAreTheBytesOfTheRealOne() throws InterruptedException {
+        roomba.startup();
+        sends("80");
+        roomba.control();
+        sends("82 8B 01 80 FF");
+        roomba.goForward();
+        sends("89 00 C8 80 00");
+        roomba.goBackward();
+        sends("89 FF 38 80 00");
+        roomba.stop();
+        sends("89 00 00 00 00");
+        roomba.spinLeft();
+        sends("89 00 C8 00 01");
+        roomba.spinRight();
+        sends("89 00 C8 FF FF");
+        roomba.turnLeft();
+        sends("89 00 C8 00 81");
+        roomba.turnRight();
+        sends("89 00 C8 FF 7F");
+        assertFalse(roomba.updateSensors());
+        sends("8E 00");
+        roomba.reset();
+        sends("89 00 00 00 00 80 82 8B 01 80 FF 8E 00");
+        roomba.goForwardAt(300);
+        sends("89 01 2C 80 00");
+        roomba.drive(200, 500);
+        sends("89 00 C8 01 F4");
+        roomba.setSpeed(900);
+        assertEquals(500, roomba.getSpeed());
+    }
+
+    @Test
+    public void theNameSerialIsLeftToTheUser() throws Exception {
+        assertNull(Runtime.getService("serial"));
+        Serial.connectVirtualUart("/dev/controller");
+        Serial own = (Serial) Runtime.start("serial", "Serial");
+        own.connect("/dev/controller", 9600, 8, 1, 0);
+        roomba.startup();
+        sends("80");
+        assertEquals("/dev/controller", own.getPortName());
+    }
+
+    @Test
+    public void aSecondRoombaHasASerialOfItsOwn() throws Exception {
+        Serial.connectVirtualUart("/dev/second");
+        Roomba second = (Roomba) Runtime.start("second", "Roomba");
+        assertTrue(second.connect("/dev/second", 57600, 8, 1, 0));
+        assertEquals("/dev/second", ((Serial) Runtime.getService("second.serial")).getPortName());
+        assertEquals("/dev/roomba", ((Serial) Runtime.getService("roomba.serial")).getPortName());
+    }
+
+    @Test
+    public void withoutAPortCommandsAreErrors() {
+        roomba.disconnect();
+        roomba.goForward();
+        assertEquals("is not connected: call connect(port) first", roomba.getLastError().key);
+    }
+}

@@ -1,0 +1,110 @@
+package org.myrobotlab.service.life;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.File;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.SEAR.Slow;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.experimental.categories.Category;
+import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.service.TestWorld;
+
+/** A library that is not there is named in an error status, which says what to do; the service lives on. */
+@Category(Slow.class)
+public class MissingLibraryTest {
+    @Rule
+    public final TemporaryFolder temporary = new TemporaryFolder();
+
+    @Before
+    public void project() {
+        System.setProperty("sear.headless", "true");
+        System.setProperty("sear.speed", "max");
+        TestWorld.build(temporary.getRoot().toPath());
+    }
+
+    @After
+    public void forget() {
+        System.clearProperty("sear.project");
+        System.clearProperty("sear.speed");
+    }
+
+    /** Runs the probe on the class path of the program, less the jars whose names begin so. */
+    private static List<?> runWithout(String jar) throws Exception {
+        List<URL> path = new ArrayList<>();
+        boolean there = false;
+        for (String entry : System.getProperty("sear.cliClasspath").split(File.pathSeparator)) {
+            if (new File(entry).getName().startsWith(jar)) {
+                there = true;
+            } else {
+                path.add(new File(entry).toURI().toURL());
+            }
+        }
+        assertTrue(jar + " is not on the class path anyway", there);
+        path.add(LibraryProbe.class.getProtectionDomain().getCodeSource().getLocation());
+        try (URLClassLoader loader = new URLClassLoader(path.toArray(new URL[0]), ClassLoader.getPlatformClassLoader())) {
+            ClassLoader before = Thread.currentThread().getContextClassLoader();
+            Thread.currentThread().setContextClassLoader(loader);
+            try {
+                Object probe = loader.loadClass(LibraryProbe.class.getName()).getConstructor().newInstance();
+                return (List<?>) ((Callable<?>) probe).call();
+            } finally {
+                Thread.currentThread().setContextClassLoader(before);
+            }
+        }
+    }
+
+    private static void assertNamed(String jar, String type) throws Exception {
+        List<?> heard = runWithout(jar);
+        String all = heard.toString();
+        assertTrue(all, heard.get(0).toString().startsWith("thrown: ") && all.contains("error: "));
+        for (String part : new String[] {type, "a library is missing or broken", "run \"sear install\" for this MyRobotLab again", "libraries/jar"}) {
+            assertTrue(part + " in " + all, heard.stream().skip(1).anyMatch(status -> status.toString().contains(part)));
+        }
+        assertEquals(Collections.emptyList(), TestWorld.threads());
+    }
+
+    @Test
+    public void withAllLibrariesTheProbeRuns() throws Exception {
+        assertEquals(List.of("runs"), runWithout("bootstrap"));
+    }
+
+    @Test
+    public void withoutThePhysics() throws Exception {
+        assertNamed("jbullet", "com/bulletphysics");
+    }
+
+    @Test
+    public void withoutVecmath() throws Exception {
+        assertNamed("vecmath", "javax/vecmath");
+    }
+
+    @Test
+    public void withoutXstream() throws Exception {
+        assertNamed("xstream", "com/thoughtworks/xstream");
+    }
+
+    @Test
+    public void withoutJMonkeyEngineTheSimulationRunsAllTheSame() throws Exception {
+        assertEquals(List.of("runs"), runWithout("jme3-core"));
+    }
+
+    @Test
+    public void withoutGeographicLib() throws Exception {
+        assertNamed("GeographicLib", "net/sf/geographiclib");
+    }
+
+    @Test
+    public void withoutProj4j() throws Exception {
+        assertNamed("proj4j-1", "org/locationtech/proj4j");
+    }
+}

@@ -1,0 +1,71 @@
+package org.myrobotlab.service.scripts;
+
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.service.Heard;
+import org.myrobotlab.service.Python;
+import org.myrobotlab.service.Runtime;
+import org.myrobotlab.service.SEAR;
+import org.myrobotlab.service.TestWorld;
+
+/** When a script starts what it has built, it hears what in the project is not its own. */
+public class OthersObjectsTest {
+    private static final String BUILD = "from org.SEAR.POJOs import Box\nsear = Runtime.start('othersSear', 'SEAR')\n";
+    private static final String START = "Box('mine', 1, 1, 1, 0).move(9, 0.5, 9)\nsear.startSimulation()\n";
+    private static final String NAMED = "in the project, but not made by this script: \"floor\", \"wall\", \"roomba\" (of";
+
+    @Rule
+    public final TemporaryFolder temporary = new TemporaryFolder();
+
+    private Python python;
+    private Heard heard;
+
+    @Before
+    public void start() {
+        System.setProperty("sear.headless", "true");
+        System.setProperty("sear.speed", "max");
+        TestWorld.build(temporary.getRoot().toPath());
+        python = (Python) Runtime.start("othersPython", "Python");
+        SEAR sear = (SEAR) Runtime.start("othersSear", "SEAR");
+        heard = (Heard) Runtime.start("othersHeard", "Heard");
+        sear.addListener("publishStatus", "othersHeard", "onStatus");
+    }
+
+    @After
+    public void release() {
+        for (String name : new String[] {"othersSear", "othersPython", "othersHeard"}) {
+            Runtime.releaseService(name);
+        }
+        System.clearProperty("sear.project");
+        System.clearProperty("sear.speed");
+    }
+
+    @Test
+    public void theyAreNamedInOneLine() throws Exception {
+        python.execAndWait(BUILD + START);
+        assertTrue(heard.getStatuses().toString(), heard.awaitStatus(NAMED));
+    }
+
+    @Test
+    public void notAfterNewProject() throws Exception {
+        python.execAndWait(BUILD + "sear.newProject()\n" + START + "sear.info('that was all')\n");
+        assertTrue(heard.getStatuses().toString(), heard.awaitStatus("that was all"));
+        assertFalse(heard.getStatuses().toString(), heard.getStatuses().toString().contains("not made by this script"));
+    }
+
+    /** A robot's drive, say, which the robot of the project opened next has, too. */
+    @Test
+    public void aNameThatWasGivenInAnotherProjectIsNotGivenYet() throws Exception {
+        String other = "'" + temporary.getRoot().toPath().resolve("other.sear") + "'";
+        python.execAndWait(BUILD + "from org.SEAR.POJOs import Robots\nsear.newProject()\nRobots.create2('first')\nsear.saveProject(" + other
+            + ")\nsear.loadProject(" + other + ")\nRobots.create2('second')\nsear.info('that was all')\n");
+        assertTrue(heard.getStatuses().toString(), heard.awaitStatus("that was all"));
+        assertFalse(heard.getStatuses().toString(), heard.getStatuses().toString().contains("made already"));
+    }
+}

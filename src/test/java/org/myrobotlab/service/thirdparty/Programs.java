@@ -1,0 +1,140 @@
+package org.myrobotlab.service.thirdparty;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNotNull;
+import static org.junit.Assert.assertTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import org.junit.rules.TemporaryFolder;
+
+/** Programs of others that a test runs in its temporary folder; they end with it. */
+final class Programs {
+    /** Seconds that a driver runs. */
+    static final int SECONDS = Integer.getInteger("sear.driverSeconds", 8);
+    /** Seconds after which a driver that says nothing will never do. */
+    static final int PATIENCE = 60;
+    private static final int TRIES = 3;
+
+    private final TemporaryFolder folder;
+    private final List<Process> processes = new ArrayList<>();
+    private final List<File> outputs = new ArrayList<>();
+
+    Programs(TemporaryFolder folder) {
+        this.folder = folder;
+    }
+
+    Process start(ProcessBuilder builder) throws IOException {
+        builder.environment().merge("PATH", "/usr/sbin:/sbin", (path, more) -> path + File.pathSeparator + more);
+        Process process = builder.redirectErrorStream(true).redirectOutput(folder.newFile()).directory(folder.getRoot()).start();
+        processes.add(process);
+        outputs.add(builder.redirectOutput().file());
+        return process;
+    }
+
+    /** All that a process has said when it ends, or after some seconds. */
+    List<String> read(Process process, int seconds) throws Exception {
+        process.waitFor(seconds, TimeUnit.SECONDS);
+        File file = outputs.get(processes.indexOf(process));
+        return Arrays.stream(new String(Files.readAllBytes(file.toPath()), StandardCharsets.ISO_8859_1).split("\r?\n|\r"))
+            .collect(Collectors.toList());
+    }
+
+    /** Waits until a process has said a line like that. */
+    void untilItTells(Process process, String pattern) throws Exception {
+        long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE);
+        List<String> output = new ArrayList<>();
+        while (output.stream().noneMatch(line -> line.matches(pattern))) {
+            assertTrue("no " + pattern + " in " + output, process.isAlive() && System.nanoTime() < deadline);
+            output = read(process, 1);
+        }
+    }
+
+    /** All that a process says that has to end well. */
+    List<String> run(ProcessBuilder builder, List<String> before) throws Exception {
+        Process process = start(builder);
+        List<String> output = read(process, SECONDS + PATIENCE);
+        before.addAll(output);
+        assertTrue("it has not ended: " + String.join("\n", before), process.waitFor(0, TimeUnit.SECONDS));
+        assertEquals(String.join("\n", before), 0, process.exitValue());
+        return output;
+    }
+
+    private void forget(String glob) throws IOException {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder.getRoot().toPath(), glob)) {
+            for (Path file : files) {
+                Files.delete(file);
+            }
+        }
+    }
+
+    /** The first file of that name without those words in it; null if there is none. */
+    private Path find(String glob, String... without) throws IOException {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder.getRoot().toPath(), glob)) {
+            for (Path file : files) {
+                if (Arrays.stream(without).noneMatch(file.getFileName().toString()::contains)) {
+                    return file;
+                }
+            }
+        }
+        return null;
+    }
+
+    /** The only file of that name without those words in it. */
+    Path only(String glob, List<String> output, String... without) throws IOException {
+        Path file = find(glob, without);
+        assertNotNull("there is no " + glob + " in " + Arrays.toString(folder.getRoot().list()) + "\n" + String.join("\n", output), file);
+        return file;
+    }
+
+    /**
+     * What MRPT's rawlog-grabber, whose only sensor is a laser scanner with the label LASER, logs in {@link #SECONDS} and some time to start. Where
+     * the machine lets it wait for a tenth of a second it ends, or goes on for ever without the scanner: then it is started again.
+     *
+     * @param config its configuration, which logs to {@code log} in the temporary folder
+     * @param starting seconds
+     * @return a line for each scan: time, ranges in metres, which of them are valid
+     */
+    List<String[]> grabScans(Path config, int starting) throws Exception {
+        List<String> output = new ArrayList<>();
+        List<String> lines = grab(config, starting, output);
+        for (int i = 1; i < TRIES && lines.size() <= SECONDS; i++) {
+            forget("log*.rawlog");
+            forget("*LASER*.txt");
+            lines = grab(config, starting, output);
+        }
+        assertTrue("only " + lines.size() + " scans in " + SECONDS + " s: " + String.join("\n", output), lines.size() > SECONDS);
+        return lines.stream().skip(1).map(line -> line.trim().split("\\s+")).collect(Collectors.toList());
+    }
+
+    /** The lines of what it logs: the first says what is in them, the others are scans; none if it has found no scanner. */
+    private List<String> grab(Path config, int starting, List<String> output) throws Exception {
+        Process grabber = start(new ProcessBuilder("rawlog-grabber", config.toString()));
+        List<String> said = read(grabber, SECONDS + starting);
+        if (!grabber.isAlive()) {
+            output.addAll(said);
+            return List.of();
+        }
+        grabber.getOutputStream().write('\n');
+        grabber.getOutputStream().flush();
+        assertTrue("rawlog-grabber ends at a key", grabber.waitFor(60, TimeUnit.SECONDS));
+        output.addAll(read(grabber, 0));
+        Path log = only("log*.rawlog", output);
+        run(new ProcessBuilder("rawlog-edit", "--export-2d-scans-txt", "-i", log.getFileName().toString(), "--out-dir", "."), output);
+        Path scans = find("*LASER*.txt", "times");
+        return scans == null ? List.of() : Files.readAllLines(scans);
+    }
+
+    void end() {
+        processes.forEach(Process::destroyForcibly);
+    }
+}

@@ -1,0 +1,193 @@
+package org.myrobotlab.service.thirdparty;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.IntSummaryStatistics;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.SEAR.POJOs.Arduino;
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Distance;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Motor;
+import org.SEAR.POJOs.Robots;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.VoltagePoint;
+import org.SEAR.POJOs.Wheel;
+import org.SEAR.Slow;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.experimental.categories.Category;
+import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.service.Runtime;
+import org.myrobotlab.service.SEAR;
+
+/**
+ * Programs of others, written for real Arduinos with StandardFirmata, on the exported port of a simulated Uno, in real time. They are killed in the
+ * middle of their work and come back, {@code sear.driverRestarts} times, and then run for {@code sear.driverSeconds}: 20 and 600 for the long run.
+ */
+@Category(Slow.class)
+public class ThirdPartyArduinoTest {
+    private static final Path SCRIPTS = Paths.get(System.getProperty("sear.root", "."), "src/test/drivers").toAbsolutePath();
+    private static final String PORT = "/dev/SEAR_UNO_01";
+    private static final double STEP = 5.0 / 1024;
+    private static final int KILLS = Integer.getInteger("sear.driverRestarts", 1);
+    /** Of 52 values a second, for a machine that is busy. */
+    private static final int VALUES_A_SECOND = 10;
+    /** Between the middle of a wall and a corner, in steps of the converter; there are some 30. */
+    private static final int SEEN = 12;
+
+    @Rule
+    public final TemporaryFolder folder = new TemporaryFolder();
+    private Programs programs;
+    private SEAR sear;
+    private Distance sharp;
+
+    /** A robot with two motors, a Sharp sensor and a PING))) in the middle of a room of 1.4 m. */
+    @Before
+    public void start() {
+        programs = new Programs(folder);
+        System.setProperty("sear.project", folder.getRoot().toPath().resolve("SEARproject").toString());
+        System.setProperty("sear.headless", "true");
+        new Floor("floor", 20, 20);
+        for (int way : new int[] {-1, 1}) {
+            new Box("wall at z " + way, 2.4, 0.5, 0.5, 0).move(0, 0.25, 0.95 * way);
+            new Box("wall at x " + way, 0.5, 1.4, 0.5, 0).move(0.95 * way, 0.25, 0);
+        }
+        SEARrobot robot = Robots.create2("rover");
+        Arduino uno = new Arduino("uno", "uno");
+        uno.setFirmware("StandardFirmata");
+        uno.setPorts("/dev/my_UNO_01", PORT);
+        sharp = new Distance("sharp", "GP2Y0A21");
+        sharp.move(0, 0.05, 0.16);
+        robot.addComponent(sharp);
+        uno.wire("A0", sharp);
+        Distance ping = new Distance("ping", "PING)))");
+        ping.move(0, 0.3, 0.16);
+        robot.addComponent(ping);
+        uno.wire(4, ping);
+        int pin = 9;
+        for (Wheel wheel : robot.getWheels()) {
+            if (wheel.isDriven()) {
+                Motor motor = new Motor(wheel.getName() + "Motor", wheel, 0.5, 5);
+                robot.addComponent(motor);
+                uno.wire(pin, motor, "pwm");
+                uno.wire(pin++ - 2, motor, "direction");
+            }
+        }
+        robot.addComponent(uno);
+        sear = (SEAR) Runtime.start("sear", "SEAR");
+        sear.startSimulation();
+        sear.simSleep(1);
+    }
+
+    @After
+    public void stop() {
+        programs.end();
+        sear.stopSimulation();
+        Runtime.releaseService("sear");
+        System.clearProperty("sear.project");
+        System.clearProperty("sear.headless");
+    }
+
+    /** By the data sheet's curve, between whose points the voltage goes linearly with 1 / distance. */
+    private double volts() {
+        double distance = sear.getDistanceResult("sharp");
+        List<VoltagePoint> curve = sharp.getShape().getVoltages();
+        int next = 1;
+        while (curve.get(next).getDistance() < distance) {
+            next++;
+        }
+        VoltagePoint near = curve.get(next - 1);
+        VoltagePoint far = curve.get(next);
+        double share = (1 / near.getDistance() - 1 / distance) / (1 / near.getDistance() - 1 / far.getDistance());
+        return near.getVolts() + share * (far.getVolts() - near.getVolts());
+    }
+
+    /** Twice, so that a program may come back. */
+    @Test
+    public void pyfirmata2DrivesAndReads() throws Exception {
+        String port = sear.exportPort(PORT);
+        for (int i = 0; i < 2; i++) {
+            double before = volts();
+            double from = sear.getPose("rover")[2];
+            List<String> output = programs.run(python("pyfirmata2_drive.py", port, Programs.SECONDS), new ArrayList<>());
+            assertEquals(output.toString(), 4, output.size());
+            assertEquals("StandardFirmata.ino 2.5", output.get(0));
+            assertEquals(before, Double.parseDouble(output.get(1)), STEP);
+            assertEquals("True", output.get(2));
+            double path = sear.getPose("rover")[2] - from;
+            assertTrue("drove " + path + " m, with what simulated time a busy machine finds in 1.5 s", path > 0.02);
+            assertEquals(volts(), Double.parseDouble(output.get(3)), STEP);
+        }
+    }
+
+    private ProcessBuilder python(String script, String port, int seconds) {
+        ProcessBuilder python = new ProcessBuilder("python3", SCRIPTS.resolve(script).toString(), port, Integer.toString(seconds));
+        python.environment().put("PYTHONPATH", System.getProperty("sear.drivers"));
+        return python;
+    }
+
+    /** Starts a program, lets it work, and kills it. */
+    private void kill(ProcessBuilder program) throws Exception {
+        for (int i = 0; i < KILLS; i++) {
+            Process process = programs.start(program);
+            programs.untilItTells(process, "1 s .*");
+            process.destroyForcibly().waitFor();
+        }
+    }
+
+    /** A line each second has how many values came, the least and the greatest: the robot turned, now towards a wall, now towards a corner. */
+    private static void assertValues(List<String> lines) {
+        List<int[]> seconds = lines.stream().filter(line -> line.matches("\\d+ s .*"))
+            .map(line -> Arrays.stream(line.replace(" s", "").split(" ")).mapToInt(Integer::parseInt).toArray()).collect(Collectors.toList());
+        assertEquals(lines.toString(), Programs.SECONDS, seconds.size());
+        assertTrue(lines.toString(), seconds.stream().mapToInt(second -> second[1]).sum() >= VALUES_A_SECOND * Programs.SECONDS);
+        IntSummaryStatistics least = seconds.stream().filter(second -> second[1] > 0).mapToInt(second -> second[2]).summaryStatistics();
+        IntSummaryStatistics greatest = seconds.stream().mapToInt(second -> second[3]).summaryStatistics();
+        assertTrue(lines.toString(), greatest.getMax() - least.getMin() > SEEN);
+        assertEquals("done", lines.get(lines.size() - 1));
+    }
+
+    @Test
+    public void pyfirmata2IsKilledAndComesBack() throws Exception {
+        String port = sear.exportPort(PORT);
+        kill(python("pyfirmata2_endure.py", port, Programs.PATIENCE));
+        assertValues(programs.run(python("pyfirmata2_endure.py", port, Programs.SECONDS), new ArrayList<>()));
+    }
+
+    private ProcessBuilder node(int port, int seconds) {
+        ProcessBuilder node = new ProcessBuilder("node", SCRIPTS.resolve("johnny_five_drive.js").toString(), Integer.toString(port),
+            Integer.toString(seconds));
+        node.environment().put("NODE_PATH", System.getProperty("sear.johnnyFive"));
+        return node;
+    }
+
+    /** Over TCP: its package for serial ports is machine code that would have to be fetched from elsewhere. */
+    @Test
+    public void johnnyFiveDrivesReadsIsKilledAndComesBack() throws Exception {
+        int port = sear.exportTcp(PORT, 0);
+        kill(node(port, Programs.PATIENCE));
+        sear.reset();
+        sear.simSleep(1);
+        double steps = volts() / STEP;
+        double centimetres = 100 * sear.getDistanceResult("ping");
+        Process johnny = programs.start(node(port, Programs.SECONDS));
+        programs.untilItTells(johnny, "drove");
+        double driven = sear.getPose("rover")[2];
+        List<String> output = programs.read(johnny, Programs.SECONDS + Programs.PATIENCE);
+        assertEquals(output.toString(), 0, johnny.waitFor());
+        assertEquals("StandardFirmata.ino, 20 pins", output.get(0));
+        assertEquals(steps, Double.parseDouble(output.get(1)), 1.5);
+        assertEquals("it takes 29.1 us for a centimetre", centimetres, Double.parseDouble(output.get(2)), 1);
+        assertTrue("drove " + driven + " m", driven > 0.02);
+        assertValues(output);
+    }
+}

@@ -1,0 +1,213 @@
+package org.myrobotlab.service.thirdparty;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.TreeSet;
+import org.SEAR.SearProcess;
+import org.SEAR.Slow;
+import org.SEAR.documents.DocBlock;
+import org.SEAR.protocol.scip.HokuyoModel;
+import org.junit.After;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.experimental.categories.Category;
+import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.service.Runtime;
+import org.myrobotlab.service.SEAR;
+import org.myrobotlab.service.devices.ScannedRoom;
+
+/** Drivers of others on the exported ports of Hokuyo's scanners and the RPLIDAR, in real time: they read what {@code sear.getLidarResult} answers. */
+@Category(Slow.class)
+public class ThirdPartyScannersTest {
+    private static final Path SCRIPTS = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("src/test/drivers");
+    private static final int STARTING = 15;
+    private static final int TURNS = 5;
+
+    @Rule
+    public TemporaryFolder folder = new TemporaryFolder();
+    private final Programs programs = new Programs(folder);
+    private SEAR sear;
+    private double range;
+
+    private void start(String model) throws IOException {
+        System.setProperty("sear.project", folder.getRoot().toPath().resolve("SEARproject").toString());
+        System.setProperty("sear.headless", "true");
+        ScannedRoom.build(model, scanner -> {
+            range = scanner.getRange();
+            if (model.equals("URG-04LX")) {
+                scanner.setBaud(HokuyoModel.USB);
+            }
+        });
+        sear = (SEAR) Runtime.start("sear", "SEAR");
+        sear.startSimulation();
+        sear.simSleep(1);
+    }
+
+    @After
+    public void stop() {
+        programs.end();
+        sear.stopSimulation();
+        Runtime.releaseService("sear");
+        System.clearProperty("sear.project");
+        System.clearProperty("sear.headless");
+    }
+
+    /** @param rate how often the driver looks for a scan in a second: when it finds none ten times it begins anew */
+    private List<String[]> mrpt(String file, int rate) throws Exception {
+        String text = Files.readString(SCRIPTS.resolve(file)).replace("@PORT@", sear.exportPort(ScannedRoom.PORT)).replace("@RATE@", "" + rate)
+            .replace("@OUTPUT@", folder.getRoot().toPath().resolve("log").toString());
+        return programs.grabScans(Files.writeString(folder.newFile("grabber.ini").toPath(), text), STARTING);
+    }
+
+    @Test
+    public void mrptReadsAnUrg04lx() throws Exception {
+        start("URG-04LX");
+        compare(mrpt("hokuyo-mrpt.ini", 10), 682, 1, 0.00051);
+    }
+
+    @Test
+    public void mrptReadsAnUtm30lx() throws Exception {
+        start("UTM-30LX");
+        compare(mrpt("hokuyo-mrpt.ini", 40), 1081, 0, 0.00051);
+    }
+
+    /** Lines have the time, the ranges right to left and which of them are valid; their first value is the sensor's {@code offset}th. */
+    private void compare(List<String[]> lines, int values, int offset, double tolerance) {
+        float[] expected = sear.getLidarResult("scanner");
+        int seen = 0;
+        for (String[] line : lines) {
+            assertEquals(1 + 2 * values, line.length);
+            for (int i = 0; i < values; i++) {
+                boolean valid = line[1 + values + i].equals("1");
+                assertEquals("beam " + i, expected[i + offset] < range - 0.001, valid);
+                if (valid) {
+                    assertEquals("beam " + i, expected[i + offset], Double.parseDouble(line[1 + i]), tolerance);
+                    seen++;
+                }
+            }
+        }
+        assertTrue("only " + seen + " beams hit something", seen > lines.size() * values / 4);
+    }
+
+    /**
+     * Version 2.5.8 takes the angles of its SDK, 65536 a turn, for such of two 64ths of a degree: what is at an angle clockwise from ahead it tells
+     * at 64/45 of it, and leaves out what is beyond a turn then. The ranges are right.
+     */
+    @Test
+    public void mrptReadsAnRplidar() throws Exception {
+        start("RPLIDAR-A1");
+        float[] expected = sear.getLidarResult("scanner");
+        List<String[]> lines = mrpt("rplidar-mrpt.ini", 10);
+        int seen = 0;
+        for (String[] line : lines) {
+            assertEquals(1 + 2 * 360, line.length);
+            for (int i = 0; i < 360; i++) {
+                int before = (int) Math.floor(i * 45 / 64.0);
+                float[] around = {beam(expected, before), beam(expected, before + 1), beam(expected, before + 2)};
+                Arrays.sort(around);
+                if (line[1 + 360 + i].equals("1") && around[2] < range) {
+                    double metres = Double.parseDouble(line[1 + i]);
+                    boolean near = metres > around[0] - 0.002 && metres < around[2] + 0.002;
+                    assertTrue(i + ": " + metres + " of " + Arrays.toString(around), near);
+                    seen++;
+                }
+            }
+        }
+        assertTrue("only " + seen + " beams hit something", seen > lines.size() * 90);
+    }
+
+    /** Of a whole circle, right to left, one beam a degree. */
+    private static float beam(float[] ranges, int clockwise) {
+        return ranges[Math.floorMod(180 - clockwise, 360)];
+    }
+
+    @Test
+    public void roboticiaReadsAnRplidar() throws Exception {
+        start("RPLIDAR-A1");
+        roboticia("normal", 1);
+    }
+
+    @Test
+    public void roboticiaReadsAnRplidarsExpressScans() throws Exception {
+        start("RPLIDAR-A1");
+        roboticia("express", 0.5);
+    }
+
+    /** Of an express scan the driver tells each sample one step, half a degree, beside its place: between two beams it may lie anywhere. */
+    private void roboticia(String kind, double step) throws Exception {
+        float[] expected = sear.getLidarResult("scanner");
+        List<String> output = withModemLines("rplidar_scan.py", kind, Integer.toString(TURNS));
+        assertTrue(output.get(0), output.get(0).contains("'model': 24, 'firmware': (1, 20), 'hardware': 0"));
+        assertTrue(output.get(1), output.get(1).contains("'Good', 0"));
+        assertEquals(2 + TURNS, output.size());
+        compareTurns(output.subList(3, output.size()), expected, step);
+    }
+
+    /** An unchanged driver at a pseudo-terminal, started by {@code sear modem-lines}, since it sets DTR. */
+    private List<String> withModemLines(String script, String... arguments) throws Exception {
+        String asOnThePage = DocBlock.commands("docs/other-programs.md", "sear modem-lines").get(0)
+            .replace("my.py", SCRIPTS.resolve(script).toString()).replace("/dev/pts/3", sear.exportPort(ScannedRoom.PORT));
+        List<String> command = SearProcess.command();
+        command.addAll(Arrays.asList(asOnThePage.split(" ")).subList(1, asOnThePage.split(" ").length));
+        command.addAll(List.of(arguments));
+        ProcessBuilder builder = new ProcessBuilder(command);
+        builder.environment().put("PYTHONPATH", System.getProperty("sear.drivers"));
+        return programs.run(builder, new ArrayList<>());
+    }
+
+    @Test
+    public void pyrplidarReadsAnRplidar() throws Exception {
+        start("RPLIDAR-A1");
+        float[] expected = sear.getLidarResult("scanner");
+        List<String> output = withModemLines("pyrplidar_scan.py", Integer.toString(TURNS));
+        output.removeIf(line -> line.startsWith("PyRPlidar Info"));
+        assertTrue(output.get(0), output.get(0).contains("'model': 24"));
+        assertEquals(2 + TURNS, output.size());
+        compareTurns(output.subList(3, output.size()), expected, 1);
+    }
+
+    /** Version 0.1.3 drops a bit of the angle: what is at an odd degree it tells at the even one before. */
+    @Test
+    public void rplidarc1ReadsAnRplidar() throws Exception {
+        start("RPLIDAR-A1");
+        float[] expected = sear.getLidarResult("scanner");
+        List<String> output = withModemLines("rplidarc1_scan.py", "1000");
+        String[] samples = output.get(output.size() - 1).split(" ");
+        assertEquals(1000, samples.length);
+        TreeSet<Integer> degrees = new TreeSet<>();
+        for (String each : samples) {
+            int even = (int) Math.round(Double.parseDouble(each.split(":")[0]));
+            double metres = Double.parseDouble(each.split(":")[1]) / 1000;
+            degrees.add(even);
+            boolean near = Math.abs(beam(expected, even) - metres) < 0.0007 || Math.abs(beam(expected, even + 1) - metres) < 0.0007;
+            assertTrue(each + " of " + beam(expected, even) + ", " + beam(expected, even + 1), even % 2 == 0 && near);
+        }
+        assertTrue(degrees.toString(), degrees.size() > 45);
+    }
+
+    private static void compareTurns(List<String> lines, float[] expected, double step) {
+        for (String line : lines) {
+            TreeSet<Integer> degrees = new TreeSet<>();
+            for (String each : line.split(" ")) {
+                double clockwise = Double.parseDouble(each.split(":")[0]) - (step < 1 ? step : 0);
+                double millimetres = Double.parseDouble(each.split(":")[1]);
+                int degree = (int) Math.round(clockwise);
+                if (Math.abs(clockwise - degree) < 0.05) {
+                    degrees.add(Math.floorMod(degree, 360));
+                    String where = String.format(Locale.ROOT, "step %s at %s", step, each);
+                    assertEquals(where, beam(expected, degree) * 1000.0, millimetres, 0.7);
+                }
+            }
+            assertTrue(degrees.toString(), degrees.size() > 90);
+        }
+    }
+}

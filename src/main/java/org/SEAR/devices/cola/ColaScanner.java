@@ -14,7 +14,7 @@ import org.SEAR.sensors.LidarSource;
 
 /**
  * The firmware of SICK's LMS1xx and TiM: requests of CoLa A and B, each answered in its own dialect, and a stream of scans. It measures scan
- * after scan at its own rate; a request for a scan gets the newest one. What the requests do stands in {@link Commands}. One client at a time.
+ * after scan at its own rate; a request for a scan gets the newest one. What the requests do stands in {@link ColaCommands}. One client at a time.
  */
 public final class ColaScanner implements SerialDevice {
     /** End of a request to its answer, seconds; real ones take a few milliseconds. */
@@ -50,7 +50,7 @@ public final class ColaScanner implements SerialDevice {
     private final EventQueue events = new EventQueue();
     private final Deque<ColaTelegram> waiting = new ArrayDeque<>();
     private final ColaReader reader = new ColaReader(LONGEST, this::onTelegram);
-    private final Commands commands;
+    private final ColaCommands commands;
     private Settings saved;
     private Settings settings;
     private State state;
@@ -79,7 +79,7 @@ public final class ColaScanner implements SerialDevice {
         this.context = context;
         this.source = (LidarSource) context.sensor();
         this.delivered = Settings.of(model.rateWith(resolution), spread);
-        this.commands = new Commands(this, model);
+        this.commands = new ColaCommands(this, model);
         reset();
     }
 

@@ -20,7 +20,7 @@ import org.SEAR.sensors.LidarSource;
 /**
  * The firmware of a SICK LMS200 and of its sisters for outdoors, LMS221 and LMS291: telegrams in ({@link TelegramReader}), an ACK and a reply out,
  * one request after the other, and streams of scans.
- * What the commands do stands in {@link Commands}. Source: SICK telegram listing 8007954/Q501/2006-08-01.
+ * What the commands do stands in {@link LmsCommands}. Source: SICK telegram listing 8007954/Q501/2006-08-01.
  */
 public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     /** Requests that wait while another is being answered; more are dropped. */
@@ -37,7 +37,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     private final EventQueue events = new EventQueue();
     private final Deque<Telegram> waiting = new ArrayDeque<>();
     private final TelegramReader reader;
-    private final Commands commands;
+    private final LmsCommands commands;
     private Baud baud;
     private boolean busy;
     private boolean booting;
@@ -61,7 +61,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
         this.context = context;
         this.source = (LidarSource) context.sensor();
         this.reader = new TelegramReader(address -> true, this);
-        this.commands = new Commands(this, powerOn);
+        this.commands = new LmsCommands(this, powerOn);
         reset();
     }
 

@@ -5,11 +5,11 @@ import java.util.Deque;
 import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.EventQueue;
 import org.SEAR.devices.SerialDevice;
-import org.SEAR.protocol.rplidar.Command;
 import org.SEAR.protocol.rplidar.Health;
 import org.SEAR.protocol.rplidar.Info;
-import org.SEAR.protocol.rplidar.Request;
 import org.SEAR.protocol.rplidar.RequestReader;
+import org.SEAR.protocol.rplidar.RplidarCommand;
+import org.SEAR.protocol.rplidar.RplidarRequestPacket;
 
 /**
  * The firmware 1.20 of an RPLIDAR A1M8. Its motor turns as long as there is power: on the real one the line DTR of the USB adapter switches it,
@@ -37,9 +37,9 @@ public final class RplidarA1 implements SerialDevice {
     private final DeviceContext context;
     private final Head head;
     private final EventQueue events = new EventQueue();
-    private final Deque<Request> waiting = new ArrayDeque<>();
+    private final Deque<RplidarRequestPacket> waiting = new ArrayDeque<>();
     private final RequestReader reader = new RequestReader(this::onRequest);
-    private Command scan;
+    private RplidarCommand scan;
     private int session;
     private boolean busy;
     private double heardAt;
@@ -117,11 +117,11 @@ public final class RplidarA1 implements SerialDevice {
 
     @Override
     public String status() {
-        String doing = scan == null ? "idle" : scan == Command.EXPRESS_SCAN ? "express scan" : "scan";
+        String doing = scan == null ? "idle" : scan == RplidarCommand.EXPRESS_SCAN ? "express scan" : "scan";
         return "RPLIDAR-A1: " + doing + ", " + Math.round(head.turnsPerSecond() * 10) / 10.0 + " turns/s, " + BAUD + " baud";
     }
 
-    private void onRequest(Request request) {
+    private void onRequest(RplidarRequestPacket request) {
         if (waiting.size() < MAX_WAITING) {
             waiting.add(request);
             serve(heardAt);
@@ -133,7 +133,7 @@ public final class RplidarA1 implements SerialDevice {
             return;
         }
         busy = true;
-        Request request = waiting.remove();
+        RplidarRequestPacket request = waiting.remove();
         events.at(Math.max(time + ANSWER, context.lineFreeAt()), t -> {
             execute(request, t);
             busy = false;
@@ -141,9 +141,9 @@ public final class RplidarA1 implements SerialDevice {
         });
     }
 
-    private void execute(Request request, double time) {
-        Command command = Command.of(request.getCode());
-        if (command == null || command == Command.EXPRESS_SCAN && (request.size() != EXPRESS_PAYLOAD || request.at(0) != 0)) {
+    private void execute(RplidarRequestPacket request, double time) {
+        RplidarCommand command = RplidarCommand.of(request.getCode());
+        if (command == null || command == RplidarCommand.EXPRESS_SCAN && (request.size() != EXPRESS_PAYLOAD || request.at(0) != 0)) {
             return;
         }
         context.understood();
@@ -176,17 +176,17 @@ public final class RplidarA1 implements SerialDevice {
         }
     }
 
-    private void startScan(Command command, double time) {
+    private void startScan(RplidarCommand command, double time) {
         scan = command;
-        head.start(command == Command.EXPRESS_SCAN);
+        head.start(command == RplidarCommand.EXPRESS_SCAN);
         send(command, session, true, time + Head.BLOCK_SECONDS);
     }
 
     /** A block is measured by {@code time}. */
-    private void send(Command command, int wanted, boolean first, double time) {
+    private void send(RplidarCommand command, int wanted, boolean first, double time) {
         events.at(time, t -> {
             if (wanted == session) {
-                context.send(command == Command.EXPRESS_SCAN ? head.capsule(first) : head.nodes(), t);
+                context.send(command == RplidarCommand.EXPRESS_SCAN ? head.capsule(first) : head.nodes(), t);
                 send(command, wanted, false, time + Head.BLOCK_SECONDS);
             }
         });

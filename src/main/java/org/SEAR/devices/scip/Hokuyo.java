@@ -8,11 +8,11 @@ import org.SEAR.devices.SerialDevice;
 import org.SEAR.protocol.scip.HokuyoModel;
 import org.SEAR.protocol.scip.ReplyWriter;
 import org.SEAR.protocol.scip.ScanCommand;
-import org.SEAR.protocol.scip.Status;
+import org.SEAR.protocol.scip.ScipStatus;
 
 /**
  * The firmware of a Hokuyo scanner that speaks SCIP 2.0: a line in, its echo and a reply out, one command after the other, and streams of scans
- * meanwhile. What the commands do stands in {@link Commands}. Source: SCIP 2.0 specification C-42-03320B.
+ * meanwhile. What the commands do stands in {@link ScipCommands}. Source: SCIP 2.0 specification C-42-03320B.
  */
 public final class Hokuyo implements SerialDevice {
     /** Commands that wait while another is being answered; more are dropped. */
@@ -31,7 +31,7 @@ public final class Hokuyo implements SerialDevice {
     private final Deque<String> waiting = new ArrayDeque<>();
     private final StringBuilder line = new StringBuilder();
     private final Scanner scanner;
-    private final Commands commands;
+    private final ScipCommands commands;
     private int baud;
     private boolean busy;
     private double bootedAt;
@@ -50,7 +50,7 @@ public final class Hokuyo implements SerialDevice {
         this.powerOnBaud = baud;
         this.context = context;
         this.scanner = new Scanner(model, context);
-        this.commands = new Commands(this, model, scanner);
+        this.commands = new ScipCommands(this, model, scanner);
         reset();
     }
 
@@ -181,7 +181,7 @@ public final class Hokuyo implements SerialDevice {
 
     /** Measures one scan and answers the present command with it. */
     void answerScan(String echo, ScanCommand command, double time) {
-        scanner.measure(command, time, events, (scan, end) -> reply(scan.write(new ReplyWriter(echo, Status.OK)), end));
+        scanner.measure(command, time, events, (scan, end) -> reply(scan.write(new ReplyWriter(echo, ScipStatus.OK)), end));
     }
 
     /** Sends scans until there were as many as wanted, or {@link #stopStream}. */
@@ -202,7 +202,7 @@ public final class Hokuyo implements SerialDevice {
                 return;
             }
             int remaining = Math.max(0, left - 1);
-            context.send(scan.write(new ReplyWriter(command.withCount(remaining).toString(), Status.SCAN)).toBytes(), end);
+            context.send(scan.write(new ReplyWriter(command.withCount(remaining).toString(), ScipStatus.SCAN)).toBytes(), end);
             if (command.getCount() > 0 && remaining == 0) {
                 stopStream();
                 commands.laserOff();

@@ -5,7 +5,7 @@ import org.SEAR.protocol.lidar.LidarModel;
 import org.SEAR.protocol.scip.HokuyoModel;
 import org.SEAR.protocol.scip.Reply;
 import org.SEAR.protocol.scip.ScanCommand;
-import org.SEAR.protocol.scip.Status;
+import org.SEAR.protocol.scip.ScipStatus;
 import org.myrobotlab.service.lidar.requests.DeviceLine;
 import org.myrobotlab.service.link.SerialLink;
 
@@ -122,7 +122,7 @@ final class HokuyoDevice implements LidarDevice {
         }
         String name = "the change to " + baud + " baud";
         ask(name, HokuyoModel.baudCommand(baud), SHORT_REPLY, reply -> {
-            if (Status.UNCHANGED.equals(reply.getStatus()) || succeeded(reply, name)) {
+            if (ScipStatus.UNCHANGED.equals(reply.getStatus()) || succeeded(reply, name)) {
                 driver.changeBaud(baud);
                 listener.baud(baud);
             }
@@ -194,7 +194,7 @@ final class HokuyoDevice implements LidarDevice {
     }
 
     private boolean succeeded(Reply reply, String what) {
-        boolean done = Status.OK.equals(reply.getStatus());
+        boolean done = ScipStatus.OK.equals(reply.getStatus());
         if (!done) {
             listener.error("the LIDAR did not take " + what + " (status " + reply.getStatus() + ")");
         }

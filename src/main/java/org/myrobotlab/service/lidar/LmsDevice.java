@@ -2,12 +2,12 @@ package org.myrobotlab.service.lidar;
 
 import java.util.function.Consumer;
 import org.SEAR.protocol.lms.Baud;
-import org.SEAR.protocol.lms.Command;
 import org.SEAR.protocol.lms.Configuration;
+import org.SEAR.protocol.lms.LmsCommand;
+import org.SEAR.protocol.lms.LmsPayload;
+import org.SEAR.protocol.lms.LmsStatus;
 import org.SEAR.protocol.lms.MeasuringMode;
 import org.SEAR.protocol.lms.OperatingMode;
-import org.SEAR.protocol.lms.Payload;
-import org.SEAR.protocol.lms.Status;
 import org.SEAR.protocol.lms.Telegram;
 import org.SEAR.protocol.lms.Variant;
 import org.myrobotlab.service.lidar.requests.DeviceLine;
@@ -73,11 +73,11 @@ public final class LmsDevice implements LidarDevice {
     @Override
     public void learn() {
         learnConfiguration();
-        ask("the request for the status", Command.STATUS, Command.STATUS.request(), Status.SIZE + OVERHEAD, SHORT_PATIENCE,
-            reply -> onStatus(Status.of(reply)));
+        ask("the request for the status", LmsCommand.STATUS, LmsCommand.STATUS.request(), LmsStatus.SIZE + OVERHEAD, SHORT_PATIENCE,
+            reply -> onStatus(LmsStatus.of(reply)));
     }
 
-    private void onStatus(Status status) {
+    private void onStatus(LmsStatus status) {
         fan(status.getSpread(), status.getResolution());
         boolean streams = OperatingMode.isStream(status.getMode());
         if (streams != streaming) {
@@ -92,7 +92,7 @@ public final class LmsDevice implements LidarDevice {
     }
 
     private void learnConfiguration() {
-        ask("the request for the configuration", Command.GET_CONFIGURATION, Command.GET_CONFIGURATION.request(), Configuration.SIZE + OVERHEAD,
+        ask("the request for the configuration", LmsCommand.GET_CONFIGURATION, LmsCommand.GET_CONFIGURATION.request(), Configuration.SIZE + OVERHEAD,
             SHORT_PATIENCE, reply -> configured(Configuration.of(reply, CONFIGURATION_AT)));
     }
 
@@ -104,8 +104,8 @@ public final class LmsDevice implements LidarDevice {
 
     @Override
     public void setBaud(int baud) {
-        Payload request = Command.MODE.request().add(Baud.ofRate(baud).getMode());
-        ask("the change to " + baud + " baud", Command.MODE, request, OVERHEAD, MODE_PATIENCE, reply -> {
+        LmsPayload request = LmsCommand.MODE.request().add(Baud.ofRate(baud).getMode());
+        ask("the change to " + baud + " baud", LmsCommand.MODE, request, OVERHEAD, MODE_PATIENCE, reply -> {
             if (succeeded(reply, "the change to " + baud + " baud")) {
                 driver.changeBaud(baud);
                 listener.baud(baud);
@@ -120,8 +120,8 @@ public final class LmsDevice implements LidarDevice {
             throw new IllegalArgumentException("scan mode is spread " + spread + ", resolution " + newResolution
                 + ", legal: 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5");
         }
-        Payload request = Command.VARIANT.request().word(variant.getSpread()).word(variant.getResolution());
-        pauseStreaming(() -> ask("scan mode " + spread + " degrees by " + newResolution, Command.VARIANT, request, OVERHEAD + 3, MODE_PATIENCE,
+        LmsPayload request = LmsCommand.VARIANT.request().word(variant.getSpread()).word(variant.getResolution());
+        pauseStreaming(() -> ask("scan mode " + spread + " degrees by " + newResolution, LmsCommand.VARIANT, request, OVERHEAD + 3, MODE_PATIENCE,
             reply -> {
                 int nowSpread = reply.wordAt(2);
                 int nowResolution = reply.wordAt(4);
@@ -137,9 +137,9 @@ public final class LmsDevice implements LidarDevice {
     @Override
     public void setUnit(boolean millimetres) {
         pauseStreaming(() -> {
-            mode("installation mode", Command.MODE.request().add(OperatingMode.INSTALLATION).text(OperatingMode.PASSWORD));
+            mode("installation mode", LmsCommand.MODE.request().add(OperatingMode.INSTALLATION).text(OperatingMode.PASSWORD));
             learnConfiguration();
-            driver.ask(new LmsRequest("the change of unit", Command.SET_CONFIGURATION, () -> withUnit(millimetres), Configuration.SIZE + OVERHEAD,
+            driver.ask(new LmsRequest("the change of unit", LmsCommand.SET_CONFIGURATION, () -> withUnit(millimetres), Configuration.SIZE + OVERHEAD,
                 WRITE_PATIENCE, reply -> {
                     if (reply.at(1) == 1) {
                         configured(Configuration.of(reply, SET_CONFIGURATION_AT));
@@ -147,21 +147,21 @@ public final class LmsDevice implements LidarDevice {
                         listener.error("the LIDAR refused the change of unit");
                     }
                 }));
-            mode("measuring on request", Command.MODE.request().add(OperatingMode.ON_REQUEST));
+            mode("measuring on request", LmsCommand.MODE.request().add(OperatingMode.ON_REQUEST));
         });
     }
 
-    private Payload withUnit(boolean millimetres) {
+    private LmsPayload withUnit(boolean millimetres) {
         if (configuration == null) {
             throw new IllegalStateException("the LIDAR did not tell its configuration");
         }
-        return Command.SET_CONFIGURATION.request().bytes(configuration.withMillimetres(millimetres).toBytes());
+        return LmsCommand.SET_CONFIGURATION.request().bytes(configuration.withMillimetres(millimetres).toBytes());
     }
 
     @Override
     public void singleScan() {
         if (!streaming) {
-            ask("a single scan", Command.SCAN, Command.SCAN.request().add(ALL_VALUES), LONGEST_SCAN, SHORT_PATIENCE, this::scanned);
+            ask("a single scan", LmsCommand.SCAN, LmsCommand.SCAN.request().add(ALL_VALUES), LONGEST_SCAN, SHORT_PATIENCE, this::scanned);
         }
     }
 
@@ -179,8 +179,8 @@ public final class LmsDevice implements LidarDevice {
     @Override
     public void setStreaming(boolean on) {
         String name = on ? "streaming" : "the end of streaming";
-        Payload request = Command.MODE.request().add(on ? OperatingMode.STREAM_ALL : OperatingMode.ON_REQUEST);
-        ask(name, Command.MODE, request, LONGEST_SCAN, MODE_PATIENCE, reply -> {
+        LmsPayload request = LmsCommand.MODE.request().add(on ? OperatingMode.STREAM_ALL : OperatingMode.ON_REQUEST);
+        ask(name, LmsCommand.MODE, request, LONGEST_SCAN, MODE_PATIENCE, reply -> {
             if (succeeded(reply, name)) {
                 streaming = on;
                 listener.streaming(on);
@@ -199,11 +199,11 @@ public final class LmsDevice implements LidarDevice {
         }
     }
 
-    private void mode(String name, Payload request) {
-        ask(name, Command.MODE, request, OVERHEAD, MODE_PATIENCE, reply -> succeeded(reply, name));
+    private void mode(String name, LmsPayload request) {
+        ask(name, LmsCommand.MODE, request, OVERHEAD, MODE_PATIENCE, reply -> succeeded(reply, name));
     }
 
-    private void ask(String name, Command command, Payload request, int replyLength, double patience, Consumer<Telegram> then) {
+    private void ask(String name, LmsCommand command, LmsPayload request, int replyLength, double patience, Consumer<Telegram> then) {
         driver.ask(new LmsRequest(name, command, () -> request, replyLength, patience, then));
     }
 

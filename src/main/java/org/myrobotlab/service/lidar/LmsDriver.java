@@ -3,7 +3,7 @@ package org.myrobotlab.service.lidar;
 import java.util.Arrays;
 import java.util.function.Consumer;
 import org.SEAR.protocol.lms.Baud;
-import org.SEAR.protocol.lms.Command;
+import org.SEAR.protocol.lms.LmsCommand;
 import org.SEAR.protocol.lms.Telegram;
 import org.SEAR.protocol.lms.TelegramReader;
 import org.myrobotlab.service.lidar.requests.DeviceLine;
@@ -87,13 +87,13 @@ final class LmsDriver implements TelegramReader.Listener {
         if (current != null && command == current.command.getReply()) {
             accept(requests.answered().then, telegram);
             requests.next();
-        } else if (current != null && command == Command.NOT_PERMITTED) {
+        } else if (current != null && command == LmsCommand.NOT_PERMITTED) {
             requests.answered();
             events.error("the LIDAR does not permit " + current.name + " in its present operating mode");
             requests.next();
-        } else if (command == Command.SCAN.getReply()) {
+        } else if (command == LmsCommand.SCAN.getReply()) {
             accept(scans, telegram);
-        } else if (command == Command.POWER_ON) {
+        } else if (command == LmsCommand.POWER_ON) {
             events.info("the LIDAR has started: " + LmsReplies.text(telegram));
         }
     }

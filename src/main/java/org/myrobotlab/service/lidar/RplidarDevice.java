@@ -3,9 +3,9 @@ package org.myrobotlab.service.lidar;
 import java.util.List;
 import java.util.function.Consumer;
 import org.SEAR.protocol.lidar.LidarModel;
-import org.SEAR.protocol.rplidar.Command;
 import org.SEAR.protocol.rplidar.Health;
 import org.SEAR.protocol.rplidar.Info;
+import org.SEAR.protocol.rplidar.RplidarCommand;
 import org.myrobotlab.service.lidar.requests.DeviceLine;
 import org.myrobotlab.service.link.SerialLink;
 
@@ -76,8 +76,8 @@ final class RplidarDevice implements LidarDevice {
     public void learn() {
         link.setDtr(false);
         stop();
-        ask("the request for its type", Command.GET_INFO, bytes -> listener.info("the LIDAR is an RPLIDAR of " + new Info(bytes)));
-        ask("the request for its health", Command.GET_HEALTH, bytes -> onHealth(new Health(bytes)));
+        ask("the request for its type", RplidarCommand.GET_INFO, bytes -> listener.info("the LIDAR is an RPLIDAR of " + new Info(bytes)));
+        ask("the request for its health", RplidarCommand.GET_HEALTH, bytes -> onHealth(new Health(bytes)));
         listener.unit(true);
         listener.scanMode(spread, resolution);
     }
@@ -130,7 +130,7 @@ final class RplidarDevice implements LidarDevice {
             driver.ask(new RplidarRequest("streaming", scanCommand(), false, PATIENCE, bytes -> streams(true)));
         } else {
             stop();
-            ask("the end of streaming", Command.GET_HEALTH, bytes -> streams(false));
+            ask("the end of streaming", RplidarCommand.GET_HEALTH, bytes -> streams(false));
         }
     }
 
@@ -139,15 +139,15 @@ final class RplidarDevice implements LidarDevice {
         listener.streaming(on);
     }
 
-    private Command scanCommand() {
-        return resolution < FINEST_STANDARD ? Command.EXPRESS_SCAN : Command.SCAN;
+    private RplidarCommand scanCommand() {
+        return resolution < FINEST_STANDARD ? RplidarCommand.EXPRESS_SCAN : RplidarCommand.SCAN;
     }
 
     private void stop() {
-        driver.ask(new RplidarRequest("the end of a scan", Command.STOP, false, AFTER_STOP, bytes -> { }));
+        driver.ask(new RplidarRequest("the end of a scan", RplidarCommand.STOP, false, AFTER_STOP, bytes -> { }));
     }
 
-    private void ask(String name, Command command, Consumer<byte[]> then) {
+    private void ask(String name, RplidarCommand command, Consumer<byte[]> then) {
         driver.ask(new RplidarRequest(name, command, false, PATIENCE, then));
     }
 

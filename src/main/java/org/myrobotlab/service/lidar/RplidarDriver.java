@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.SEAR.protocol.rplidar.AnswerReader;
 import org.SEAR.protocol.rplidar.Capsule;
-import org.SEAR.protocol.rplidar.Command;
 import org.SEAR.protocol.rplidar.Node;
+import org.SEAR.protocol.rplidar.RplidarCommand;
 import org.myrobotlab.service.lidar.requests.DeviceLine;
 import org.myrobotlab.service.lidar.requests.DriverEvents;
 import org.myrobotlab.service.lidar.requests.Requests;
@@ -53,7 +53,7 @@ final class RplidarDriver implements AnswerReader.Listener {
     /** Forgets all requests: the port was closed. */
     synchronized void clear() {
         requests.clear();
-        reader.expect(Command.STOP);
+        reader.expect(RplidarCommand.STOP);
     }
 
     /** Whether nothing is asked or waits. */
@@ -62,7 +62,7 @@ final class RplidarDriver implements AnswerReader.Listener {
     }
 
     @Override
-    public void onDescriptor(Command command) {
+    public void onDescriptor(RplidarCommand command) {
         requests.hear();
         RplidarRequest current = requests.current();
         if (current != null && command.getDescriptor().isMultiple() && !current.wholeTurn) {
@@ -71,7 +71,7 @@ final class RplidarDriver implements AnswerReader.Listener {
     }
 
     @Override
-    public void onPacket(Command command, byte[] bytes) {
+    public void onPacket(RplidarCommand command, byte[] bytes) {
         switch (command) {
             case SCAN:
             case FORCE_SCAN:

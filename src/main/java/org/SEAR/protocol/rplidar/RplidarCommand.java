@@ -1,7 +1,7 @@
 package org.SEAR.protocol.rplidar;
 
 /** Requests that an A1 knows; those from 80h on have a payload. Source: Slamtec's interface protocol, and {@code rplidar_cmd.h} of its kit. */
-public enum Command {
+public enum RplidarCommand {
     /** Ends scanning; no answer. */
     STOP(0x25, null),
     /** Restarts the device; no answer but its banner. */
@@ -22,14 +22,14 @@ public enum Command {
     private final int code;
     private final Descriptor descriptor;
 
-    Command(int code, Descriptor descriptor) {
+    RplidarCommand(int code, Descriptor descriptor) {
         this.code = code;
         this.descriptor = descriptor;
     }
 
     /** The command of a code; null if an A1 doesn't know it. */
-    public static Command of(int code) {
-        for (Command command : values()) {
+    public static RplidarCommand of(int code) {
+        for (RplidarCommand command : values()) {
             if (command.code == code) {
                 return command;
             }
@@ -49,6 +49,6 @@ public enum Command {
 
     /** Whether a payload belongs to it. */
     public boolean hasPayload() {
-        return Request.hasPayload(code);
+        return RplidarRequestPacket.hasPayload(code);
     }
 }

@@ -3,7 +3,7 @@ package org.myrobotlab.service.lidar.requests;
 import java.util.function.Supplier;
 
 /** One thing asked of a device: what is sent, and how long the answer may take. */
-public class Request {
+public class DeviceRequest {
     /** In words, for messages. */
     public final String name;
     /** What is sent, made when it is sent: later requests of a series depend on earlier answers. */
@@ -17,7 +17,7 @@ public class Request {
      * @param replyLength bytes; 0 if there is no answer
      * @param patience seconds
      */
-    protected Request(String name, Supplier<byte[]> bytes, int replyLength, double patience) {
+    protected DeviceRequest(String name, Supplier<byte[]> bytes, int replyLength, double patience) {
         this.name = name;
         this.bytes = bytes;
         this.replyLength = replyLength;

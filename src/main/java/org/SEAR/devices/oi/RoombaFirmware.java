@@ -12,7 +12,7 @@ import org.SEAR.protocol.Uart;
  * The firmware of a Roomba 400, Create or Create 2: commands in, sensor packets out, a beat of 15 ms for streams, scripts, safety and battery. A
  * command that its mode does not permit is swallowed with its arguments. Sources: see {@link OiModel}.
  */
-public final class Roomba implements SerialDevice, CommandReader.Listener {
+public final class RoombaFirmware implements SerialDevice, CommandReader.Listener {
     /** Time between two readings of the sensors, seconds. */
     public static final double BEAT = 0.015;
     /** Speeds of command 129, by its argument. */
@@ -31,7 +31,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
     private final ProximitySensors proximity;
     private final CommandReader reader;
     private SensorPackets packets;
-    private Script script;
+    private CreateScript script;
     private Drive drive;
     private Battery battery;
     private Songs songs;
@@ -50,7 +50,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
      * @param baud at power-on, bits a second
      * @param headerSummed whether the checksum of a stream covers its header byte
      */
-    public Roomba(OiModel model, int baud, boolean headerSummed, DeviceContext context) {
+    public RoombaFirmware(OiModel model, int baud, boolean headerSummed, DeviceContext context) {
         this.model = model;
         this.powerOnBaud = baud;
         this.headerSummed = headerSummed;
@@ -93,7 +93,7 @@ public final class Roomba implements SerialDevice, CommandReader.Listener {
         proximity.reset();
         packets = new SensorPackets(this, model, hardware, proximity);
         packets.clearCounters();
-        script = new Script(this);
+        script = new CreateScript(this);
         drive = new Drive(hardware);
         songs = new Songs(model.getSongs());
         stream = new Stream(headerSummed);

@@ -1,7 +1,7 @@
 package org.SEAR.protocol.scip;
 
 /** The two characters that a sensor answers a command with. Source: SCIP 2.0 specification, chapters 8 to 12. */
-public final class Status {
+public final class ScipStatus {
     /** Done. */
     public static final String OK = "00";
     /** A scan of MD or MS. */
@@ -43,6 +43,6 @@ public final class Status {
     /** The string after the parameters has a character that is not printable. */
     public static final String BAD_STRING = "0H";
 
-    private Status() {
+    private ScipStatus() {
     }
 }

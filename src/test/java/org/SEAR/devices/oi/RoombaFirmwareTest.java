@@ -10,13 +10,13 @@ import org.SEAR.devices.FakeContext;
 import org.junit.Test;
 
 /** The Open Interface against the documents' vectors and mode rules. */
-public class RoombaTest {
+public class RoombaFirmwareTest {
     private FakeContext line = new FakeContext();
-    private Roomba roomba;
+    private RoombaFirmware roomba;
 
     private void power(OiModel model) {
         line = new FakeContext();
-        roomba = line.attach(new Roomba(model, 57600, true, line));
+        roomba = line.attach(new RoombaFirmware(model, 57600, true, line));
     }
 
     private String ask(String hex) {

@@ -4,10 +4,10 @@ import java.util.Locale;
 import org.SEAR.protocol.scip.HokuyoModel;
 import org.SEAR.protocol.scip.ReplyWriter;
 import org.SEAR.protocol.scip.ScanCommand;
-import org.SEAR.protocol.scip.Status;
+import org.SEAR.protocol.scip.ScipStatus;
 
 /** What each command does, and its reply. A command that is unknown, or not permitted now, is answered by 0E. Source: SCIP 2.0, chapters 8 to 12. */
-final class Commands {
+final class ScipCommands {
     private static final int MAX_STRING = 16;
     private static final int LETTERS = 2;
     private static final int DEFAULT_SPEED = 99;
@@ -21,7 +21,7 @@ final class Commands {
     private boolean sensitive;
     private boolean adjusting;
 
-    Commands(Hokuyo device, HokuyoModel model, Scanner scanner) {
+    ScipCommands(Hokuyo device, HokuyoModel model, Scanner scanner) {
         this.device = device;
         this.model = model;
         this.scanner = scanner;
@@ -47,7 +47,7 @@ final class Commands {
     /** Carries out a line. */
     void execute(String line, double time) {
         int parameters = line.length() < LETTERS ? -1 : parameters(line.substring(0, LETTERS));
-        String fault = parameters < 0 || adjusting && !isForAdjusting(line) ? Status.UNKNOWN : fault(line, LETTERS + parameters);
+        String fault = parameters < 0 || adjusting && !isForAdjusting(line) ? ScipStatus.UNKNOWN : fault(line, LETTERS + parameters);
         if (parameters >= 0) {
             device.understood();
         }
@@ -60,7 +60,7 @@ final class Commands {
                 device.reply(version(line), time);
                 break;
             case "PP":
-                device.reply(parameters(line, new ReplyWriter(line, Status.OK)), time);
+                device.reply(parameters(line, new ReplyWriter(line, ScipStatus.OK)), time);
                 break;
             case "II":
                 device.reply(state(line, time), time);
@@ -68,11 +68,11 @@ final class Commands {
             case "BM":
                 boolean already = laser;
                 laser = true;
-                answer(line, already ? Status.ALREADY : Status.OK, time);
+                answer(line, already ? ScipStatus.ALREADY : ScipStatus.OK, time);
                 break;
             case "QT":
                 stop();
-                answer(line, Status.OK, time);
+                answer(line, ScipStatus.OK, time);
                 break;
             case "RS":
             case "RT":
@@ -135,13 +135,13 @@ final class Commands {
 
     private static String fault(String line, int length) {
         if (line.length() < length) {
-            return Status.TOO_SHORT;
+            return ScipStatus.TOO_SHORT;
         }
         String string = line.substring(length);
         if (string.length() > MAX_STRING + (string.startsWith(";") ? 1 : 0)) {
-            return Status.LONG_STRING;
+            return ScipStatus.LONG_STRING;
         }
-        return string.chars().allMatch(each -> each >= ' ' && each <= '~') ? null : Status.BAD_STRING;
+        return string.chars().allMatch(each -> each >= ' ' && each <= '~') ? null : ScipStatus.BAD_STRING;
     }
 
     private void answer(String line, String status, double time) {
@@ -149,7 +149,7 @@ final class Commands {
     }
 
     private ReplyWriter version(String line) {
-        return new ReplyWriter(line, Status.OK).property("VEND", "Hokuyo Automatic Co.,Ltd.").property("PROD", model.getProduct())
+        return new ReplyWriter(line, ScipStatus.OK).property("VEND", "Hokuyo Automatic Co.,Ltd.").property("PROD", model.getProduct())
             .property("FIRM", model.getFirmware()).property("PROT", "SCIP 2.0").property("SERI", "H0000001");
     }
 
@@ -160,7 +160,7 @@ final class Commands {
     }
 
     private ReplyWriter state(String line, double time) {
-        ReplyWriter reply = new ReplyWriter(line, Status.OK).property("MODL", model.getModelText()).property("LASR", laser ? "ON" : "OFF");
+        ReplyWriter reply = new ReplyWriter(line, ScipStatus.OK).property("MODL", model.getModelText()).property("LASR", laser ? "ON" : "OFF");
         setting(reply, String.format(Locale.ROOT, "SCSP:Initial(%d[rpm])", scanner.getTurns()));
         reply.property("MESM", device.isStreaming() ? "Measuring by " + (sensitive ? "Sensitive" : "Normal") + " Mode" : "IDLE");
         if (device.isUsb()) {
@@ -189,29 +189,30 @@ final class Commands {
         if (line.startsWith("RS")) {
             scanner.setSlower(0);
             sensitive = false;
-            device.replyAndSwitch(new ReplyWriter(line, Status.OK), device.powerOnBaud(), time);
+            device.replyAndSwitch(new ReplyWriter(line, ScipStatus.OK), device.powerOnBaud(), time);
         } else {
-            answer(line, Status.OK, time);
+            answer(line, ScipStatus.OK, time);
         }
     }
 
     private void adjustTime(String line, double time) {
         switch (line.charAt(LETTERS)) {
             case '0':
-                answer(line, adjusting ? Status.ALREADY : Status.OK, time);
+                answer(line, adjusting ? ScipStatus.ALREADY : ScipStatus.OK, time);
                 stop();
                 adjusting = true;
                 break;
             case '1':
-                device.reply(adjusting ? new ReplyWriter(line, Status.OK).time(scanner.clock(time)) : new ReplyWriter(line, Status.NOT_HERE), time);
+                device.reply(adjusting
+                    ? new ReplyWriter(line, ScipStatus.OK).time(scanner.clock(time)) : new ReplyWriter(line, ScipStatus.NOT_HERE), time);
                 break;
             case '2':
                 boolean on = adjusting;
                 adjusting = false;
-                answer(line, on ? Status.OK : Status.UNCHANGED, time);
+                answer(line, on ? ScipStatus.OK : ScipStatus.UNCHANGED, time);
                 break;
             default:
-                answer(line, Status.BAD_PARAMETER, time);
+                answer(line, ScipStatus.BAD_PARAMETER, time);
                 break;
         }
     }
@@ -220,41 +221,41 @@ final class Commands {
         String digits = line.substring(LETTERS, LETTERS + BAUD_DIGITS);
         int wanted = digits.chars().allMatch(each -> each >= '0' && each <= '9') ? Integer.parseInt(digits) : -1;
         if (wanted < 0) {
-            answer(line, Status.BAD_PARAMETER, time);
+            answer(line, ScipStatus.BAD_PARAMETER, time);
         } else if (device.isUsb()) {
-            answer(line, Status.NOT_HERE, time);
+            answer(line, ScipStatus.NOT_HERE, time);
         } else if (!model.getLidar().hasBaud(wanted)) {
-            answer(line, Status.BAD_RATE, time);
+            answer(line, ScipStatus.BAD_RATE, time);
         } else if (wanted == device.getBaud()) {
-            answer(line, Status.UNCHANGED, time);
+            answer(line, ScipStatus.UNCHANGED, time);
         } else {
-            device.replyAndSwitch(new ReplyWriter(line, Status.OK), wanted, time);
+            device.replyAndSwitch(new ReplyWriter(line, ScipStatus.OK), wanted, time);
         }
     }
 
     private String changeSpeed(String digits) {
         if (model == HokuyoModel.UTM_30LX) {
-            return Status.NOT_HERE;
+            return ScipStatus.NOT_HERE;
         }
         int wanted = digits.matches("[0-9]{2}") ? Integer.parseInt(digits) : -1;
         if (wanted < 0 || wanted > MOST_SLOWER && wanted != DEFAULT_SPEED) {
-            return Status.BAD_PARAMETER;
+            return ScipStatus.BAD_PARAMETER;
         }
         int slower = wanted == DEFAULT_SPEED ? 0 : wanted;
         if (slower == scanner.getSlower()) {
-            return Status.UNCHANGED;
+            return ScipStatus.UNCHANGED;
         }
         scanner.setSlower(slower);
-        return Status.OK;
+        return ScipStatus.OK;
     }
 
     private String changeSensitivity(char wanted) {
         if (wanted != '0' && wanted != '1') {
-            return Status.BAD_PARAMETER;
+            return ScipStatus.BAD_PARAMETER;
         }
         boolean already = sensitive == (wanted == '1');
         sensitive = wanted == '1';
-        return already ? Status.ALREADY : Status.OK;
+        return already ? ScipStatus.ALREADY : ScipStatus.OK;
     }
 
     private void scan(String line, double time) {
@@ -264,10 +265,10 @@ final class Commands {
             answer(line, fault, time);
         } else if (stream) {
             laser = true;
-            answer(line, Status.OK, time);
+            answer(line, ScipStatus.OK, time);
             device.startStream(ScanCommand.of(line), time);
         } else if (!laser) {
-            answer(line, Status.LASER_OFF, time);
+            answer(line, ScipStatus.LASER_OFF, time);
         } else {
             device.answerScan(line, ScanCommand.of(line), time);
         }

@@ -2,11 +2,11 @@ package org.SEAR.devices.lms;
 
 import java.nio.charset.StandardCharsets;
 import org.SEAR.protocol.lms.Baud;
-import org.SEAR.protocol.lms.Command;
 import org.SEAR.protocol.lms.Configuration;
+import org.SEAR.protocol.lms.LmsCommand;
+import org.SEAR.protocol.lms.LmsPayload;
+import org.SEAR.protocol.lms.LmsStatus;
 import org.SEAR.protocol.lms.OperatingMode;
-import org.SEAR.protocol.lms.Payload;
-import org.SEAR.protocol.lms.Status;
 import org.SEAR.protocol.lms.StatusByte;
 import org.SEAR.protocol.lms.Telegram;
 import org.SEAR.protocol.lms.Variant;
@@ -15,7 +15,7 @@ import org.SEAR.protocol.lms.Variant;
  * What each request does, and its reply. A request that the present mode does not permit, or that is unknown, is answered by 92h. Source: SICK
  * telegram listing, chapter 7.
  */
-final class Commands {
+final class LmsCommands {
     private static final byte[] PASSWORD = OperatingMode.PASSWORD.getBytes(StandardCharsets.US_ASCII);
     private static final int MODE_DONE = 0;
     private static final int MODE_REFUSED = 1;
@@ -30,7 +30,7 @@ final class Commands {
     private boolean permanent;
     private int mode;
 
-    Commands(Lms200 device, PowerOnSettings powerOn) {
+    LmsCommands(Lms200 device, PowerOnSettings powerOn) {
         this.device = device;
         this.powerOn = powerOn;
     }
@@ -56,7 +56,7 @@ final class Commands {
 
     /** The telegram that it sends when it has started. */
     byte[] greeting() {
-        return new Payload(Command.POWER_ON).text(powerOn.identity.getType()).add(StatusByte.OK).toBytes();
+        return new LmsPayload(LmsCommand.POWER_ON).text(powerOn.identity.getType()).add(StatusByte.OK).toBytes();
     }
 
     Variant variant() {
@@ -74,7 +74,7 @@ final class Commands {
 
     /** Carries out a request whose ACK has just been sent. */
     void execute(Telegram request, double time) {
-        Command command = Command.of(request.getCommand());
+        LmsCommand command = LmsCommand.of(request.getCommand());
         if (command == null) {
             device.replyAfter(Timing.ANSWER, notPermitted(), time);
             return;
@@ -111,11 +111,11 @@ final class Commands {
     }
 
     /** Replies that only tell something. */
-    private byte[] answer(Command command) {
-        Payload reply = command.reply();
+    private byte[] answer(LmsCommand command) {
+        LmsPayload reply = command.reply();
         switch (command) {
             case STATUS:
-                return Status.encode(powerOn.identity, mode, variant, configuration, device.baud(), permanent, StatusByte.OK);
+                return LmsStatus.encode(powerOn.identity, mode, variant, configuration, device.baud(), permanent, StatusByte.OK);
             case TYPE:
                 reply.text(powerOn.identity.getType());
                 break;
@@ -130,11 +130,11 @@ final class Commands {
 
     private byte[] setPixels(Telegram request) {
         boolean legal = request.size() > 1 && mode == OperatingMode.INSTALLATION;
-        return legal ? Command.PIXELS.reply().add(1).add(StatusByte.OK).toBytes() : notPermitted();
+        return legal ? LmsCommand.PIXELS.reply().add(1).add(StatusByte.OK).toBytes() : notPermitted();
     }
 
     private static byte[] notPermitted() {
-        return new Payload(Command.NOT_PERMITTED).add(StatusByte.OK).toBytes();
+        return new LmsPayload(LmsCommand.NOT_PERMITTED).add(StatusByte.OK).toBytes();
     }
 
     private byte[] keepBaud(Telegram request) {
@@ -143,7 +143,7 @@ final class Commands {
         }
         permanent = request.at(1) == 1;
         restartBaud = permanent ? device.baud() : Baud.ofRate(powerOn.baud);
-        return Command.PERMANENT_BAUD.reply().add(request.at(1)).add(0).add(StatusByte.OK).toBytes();
+        return LmsCommand.PERMANENT_BAUD.reply().add(request.at(1)).add(0).add(StatusByte.OK).toBytes();
     }
 
     private void reset(Telegram request, double time) {
@@ -151,7 +151,7 @@ final class Commands {
             device.replyAfter(Timing.ANSWER, notPermitted(), time);
             return;
         }
-        device.later(time + Timing.RESET, t -> device.restart(Command.RESET.reply().add(StatusByte.OK).toBytes(), t));
+        device.later(time + Timing.RESET, t -> device.restart(LmsCommand.RESET.reply().add(StatusByte.OK).toBytes(), t));
     }
 
     private void changeMode(Telegram request, double time) {
@@ -178,7 +178,7 @@ final class Commands {
     }
 
     private static byte[] modeReply(int result) {
-        return Command.MODE.reply().add(result).add(StatusByte.OK).toBytes();
+        return LmsCommand.MODE.reply().add(result).add(StatusByte.OK).toBytes();
     }
 
     private static boolean isPassword(Telegram request) {
@@ -214,7 +214,7 @@ final class Commands {
         }
     }
 
-    private void scan(Command command, Telegram request, double time) {
+    private void scan(LmsCommand command, Telegram request, double time) {
         ScanFormat format = mode == OperatingMode.ON_REQUEST ? scanFormat(command, request) : null;
         if (format == null) {
             device.replyAfter(Timing.ANSWER, notPermitted(), time);
@@ -223,7 +223,7 @@ final class Commands {
         }
     }
 
-    private ScanFormat scanFormat(Command command, Telegram request) {
+    private ScanFormat scanFormat(LmsCommand command, Telegram request) {
         switch (command) {
             case MEAN:
                 return mean(request, 1);
@@ -281,7 +281,7 @@ final class Commands {
             if (wanted != null) {
                 variant = wanted;
             }
-            device.reply(Command.VARIANT.reply().add(wanted == null ? 0 : 1).word(variant.getSpread()).word(variant.getResolution())
+            device.reply(LmsCommand.VARIANT.reply().add(wanted == null ? 0 : 1).word(variant.getSpread()).word(variant.getResolution())
                 .add(StatusByte.OK).toBytes(), t);
         });
     }
@@ -295,7 +295,7 @@ final class Commands {
         boolean taken = wanted != null && wanted.isLegal();
         device.later(time + Timing.WRITE, t -> {
             configuration = taken ? wanted : configuration;
-            device.reply(Command.SET_CONFIGURATION.reply().add(taken ? 1 : 0).bytes(configuration.toBytes()).add(StatusByte.OK).toBytes(), t);
+            device.reply(LmsCommand.SET_CONFIGURATION.reply().add(taken ? 1 : 0).bytes(configuration.toBytes()).add(StatusByte.OK).toBytes(), t);
         });
     }
 }

@@ -4,21 +4,21 @@ import java.util.Arrays;
 
 /**
  * A Create's script: up to 100 bytes of commands that it carries out by itself, and the waiting of commands 155 to 158, in a script or outside. While
- * it waits the robot reacts to no input; so a script without end is ended by power off only ({@link Roomba#reset}).
+ * it waits the robot reacts to no input; so a script without end is ended by power off only ({@link RoombaFirmware#reset}).
  */
-final class Script {
+final class CreateScript {
     private static final int MAX_BYTES = 100;
     private static final double WAIT_UNIT = 0.1;
     private static final int EVENT_PASSIVE = 22;
 
-    private final Roomba roomba;
+    private final RoombaFirmware roomba;
     private int[] bytes = new int[0];
     private int next = -1;
     private Opcode waiting;
     private int target;
     private double until;
 
-    Script(Roomba roomba) {
+    CreateScript(RoombaFirmware roomba) {
         this.roomba = roomba;
     }
 

@@ -4,28 +4,28 @@ import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 
 /** Builds what a telegram carries: command, data and, in replies, the status byte. Words have their low byte first. */
-public final class Payload {
+public final class LmsPayload {
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
 
-    public Payload(int command) {
+    public LmsPayload(int command) {
         bytes.write(command);
     }
 
     /** A byte. */
-    public Payload add(int value) {
+    public LmsPayload add(int value) {
         bytes.write(value);
         return this;
     }
 
     /** A word, low byte first. */
-    public Payload word(int value) {
+    public LmsPayload word(int value) {
         bytes.write(value);
         bytes.write(value >> 8);
         return this;
     }
 
     /** Words, one after the other. */
-    public Payload words(int... values) {
+    public LmsPayload words(int... values) {
         for (int value : values) {
             word(value);
         }
@@ -33,17 +33,17 @@ public final class Payload {
     }
 
     /** Four bytes, the lowest first. */
-    public Payload doubleWord(int value) {
+    public LmsPayload doubleWord(int value) {
         return word(value).word(value >>> 16);
     }
 
     /** ASCII text. */
-    public Payload text(String text) {
+    public LmsPayload text(String text) {
         return bytes(text.getBytes(StandardCharsets.US_ASCII));
     }
 
     /** Bytes as they are. */
-    public Payload bytes(byte[] values) {
+    public LmsPayload bytes(byte[] values) {
         bytes.write(values, 0, values.length);
         return this;
     }

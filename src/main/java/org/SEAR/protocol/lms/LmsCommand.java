@@ -1,7 +1,7 @@
 package org.SEAR.protocol.lms;
 
 /** What an LMS2xx can be asked: the first byte of a telegram's payload. Source: SICK telegram listing, chapter 7. */
-public enum Command {
+public enum LmsCommand {
     RESET(0x10, 0x91),
     MODE(0x20),
     SCAN(0x30),
@@ -26,18 +26,18 @@ public enum Command {
     private final int code;
     private final int reply;
 
-    Command(int code) {
+    LmsCommand(int code) {
         this(code, code + REPLY);
     }
 
-    Command(int code, int reply) {
+    LmsCommand(int code, int reply) {
         this.code = code;
         this.reply = reply;
     }
 
     /** The command of that byte; null if there is none such. */
-    public static Command of(int code) {
-        for (Command command : values()) {
+    public static LmsCommand of(int code) {
+        for (LmsCommand command : values()) {
             if (command.code == code) {
                 return command;
             }
@@ -56,12 +56,12 @@ public enum Command {
     }
 
     /** A request's payload, to be continued with its data. */
-    public Payload request() {
-        return new Payload(code);
+    public LmsPayload request() {
+        return new LmsPayload(code);
     }
 
     /** An answer's payload, to be continued with its data and the status byte. */
-    public Payload reply() {
-        return new Payload(reply);
+    public LmsPayload reply() {
+        return new LmsPayload(reply);
     }
 }

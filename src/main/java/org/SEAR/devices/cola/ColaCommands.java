@@ -14,7 +14,7 @@ import org.SEAR.protocol.cola.ColaTelegram;
  * What each request does, and its answer: a row for each. Requests that change something need a login. Simulation thread. Source: SICK's telegram
  * listing, {@code sick_scan_xd}, recorded telegrams.
  */
-final class Commands {
+final class ColaCommands {
     private static final int NOBODY = 0;
     private static final int CLIENT = 3;
     /** Passwords by level. */
@@ -53,7 +53,7 @@ final class Commands {
     private int level;
     private double now;
 
-    Commands(ColaScanner device, ColaModel model) {
+    ColaCommands(ColaScanner device, ColaModel model) {
         this.device = device;
         this.model = model;
         login();

@@ -3,7 +3,7 @@ package org.SEAR.protocol.rplidar;
 /**
  * A request: {@code A5 20}, or with payload its length, its bytes and the exclusive or of all before: {@code A5 82 05 00 00 00 00 00 22}. Immutable.
  */
-public final class Request {
+public final class RplidarRequestPacket {
     /** Begins each request. */
     public static final int START = 0xA5;
     private static final int WITH_PAYLOAD = 0x80;
@@ -13,7 +13,7 @@ public final class Request {
     private final byte[] payload;
 
     /** @param payload bytes; empty for requests without */
-    public Request(int code, byte... payload) {
+    public RplidarRequestPacket(int code, byte... payload) {
         this.code = code;
         this.payload = payload.clone();
     }
@@ -23,7 +23,7 @@ public final class Request {
         return (code & WITH_PAYLOAD) != 0;
     }
 
-    /** Which one, see {@link Command}. */
+    /** Which one, see {@link RplidarCommand}. */
     public int getCode() {
         return code;
     }

@@ -4,7 +4,7 @@ package org.SEAR.protocol.lms;
  * The status telegram B1h, 154 bytes of payload (SICK telegram listing, table 7-33). What a simulation has no own value for (pollution, calibration,
  * motor and peak voltages, counters) is that of a clean real device, from a recorded telegram. Immutable.
  */
-public final class Status {
+public final class LmsStatus {
     /** Bytes of command, data and status byte. */
     public static final int SIZE = 154;
     private static final int MODE_AT = 8;
@@ -30,7 +30,7 @@ public final class Status {
 
     private final Telegram telegram;
 
-    private Status(Telegram telegram) {
+    private LmsStatus(Telegram telegram) {
         this.telegram = telegram;
     }
 
@@ -39,11 +39,11 @@ public final class Status {
      *
      * @throws IllegalArgumentException if it is too short
      */
-    public static Status of(Telegram telegram) {
+    public static LmsStatus of(Telegram telegram) {
         if (telegram.size() < SIZE) {
             throw new IllegalArgumentException("status of " + telegram.size() + " bytes");
         }
-        return new Status(telegram);
+        return new LmsStatus(telegram);
     }
 
     /**
@@ -54,7 +54,7 @@ public final class Status {
      * @param status last byte, see {@link StatusByte}
      */
     public static byte[] encode(Identity identity, int mode, Variant variant, Configuration configuration, Baud baud, boolean permanent, int status) {
-        Payload p = Command.STATUS.reply().text(identity.getVersion()).add(mode).add(0).text(identity.getSerial()).add(0);
+        LmsPayload p = LmsCommand.STATUS.reply().text(identity.getVersion()).add(mode).add(0).text(identity.getSerial()).add(0);
         p.words(POLLUTION).words(REFERENCE_POLLUTION).words(POLLUTION_CALIBRATION).words(REFERENCE_CALIBRATION);
         p.word(MOTOR).words(SIGNALS).add(SIGNAL_END).add(configuration.getMode().getCode()).words(REFERENCE_TARGETS);
         p.word(variant.getSpread()).word(variant.getResolution()).add(RESTART_MODE).word(0).add(0).add(1);

@@ -1,7 +1,7 @@
 package org.SEAR.record;
 
 /** The events of a record, each one byte with this number and what belongs to it; docs/records.md is the table. */
-final class Kind {
+final class EventKind {
     static final int STEP = 1;
     static final int FRAME = 2;
     static final int HEARD = 3;
@@ -21,6 +21,6 @@ final class Kind {
     /** The last one. */
     static final int MOST = BODY_ORDER;
 
-    private Kind() {
+    private EventKind() {
     }
 }

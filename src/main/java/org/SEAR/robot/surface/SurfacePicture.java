@@ -3,14 +3,14 @@ package org.SEAR.robot.surface;
 import java.awt.image.BufferedImage;
 
 /** A picture to be looked up in without allocation. Immutable, any thread. */
-final class Picture {
+final class SurfacePicture {
     private static final int RGB = 0xFFFFFF;
 
     private final int width;
     private final int height;
     private final int[] pixels;
 
-    Picture(BufferedImage image) {
+    SurfacePicture(BufferedImage image) {
         width = image.getWidth();
         height = image.getHeight();
         pixels = image.getRGB(0, 0, width, height, null, 0, width);

@@ -13,12 +13,12 @@ import org.SEAR.project.problems.ProblemList;
  * Values of parameters as pages and scripts have them: a text (or number, or True and False) for a value, a map for a group, a list for a list, null
  * or an empty text for the default. Goes on after a problem, so that all are reported at once. One use.
  */
-final class Values {
+final class EditValues {
     private final String file;
     private final ProblemList problems;
 
     /** @param file as problems name it */
-    Values(String file, ProblemList problems) {
+    EditValues(String file, ProblemList problems) {
         this.file = file;
         this.problems = problems;
     }

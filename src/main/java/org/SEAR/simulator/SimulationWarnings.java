@@ -6,7 +6,7 @@ import java.util.Map;
 import org.SEAR.devices.RepeatedWarnings;
 
 /** What the user should know, each cause once, in the order in which it came up. Simulation thread. */
-final class Warnings {
+final class SimulationWarnings {
     /** Ends the key of how many of a cause there were. */
     private static final String COUNTED = " counted";
 

@@ -12,7 +12,7 @@ import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.Truth;
 
 /** What one device's firmware can reach. Simulation thread. */
-final class Port implements DeviceContext {
+final class DevicePort implements DeviceContext {
     private final Cable cable;
     private final RobotModel robot;
     private final Sensor<?> sensor;
@@ -20,7 +20,7 @@ final class Port implements DeviceContext {
     private final BiConsumer<String, String> warnings;
 
     /** @param sensor null for a robot's drive */
-    Port(SearObject object, RobotModel robot, Sensor<?> sensor, long seed, BiConsumer<String, String> warnings) {
+    DevicePort(SearObject object, RobotModel robot, Sensor<?> sensor, long seed, BiConsumer<String, String> warnings) {
         SerialObject serial = (SerialObject) object;
         this.cable = new Cable(object.getFullName(), object.getClass().getSimpleName(), serial.getUartPort(), serial.getUserPort());
         this.robot = robot;

@@ -20,7 +20,7 @@ import org.SEAR.project.FileStore;
  * Before files change it is written down which step is on its way, so that a crash in the middle loses that step and nothing else. Whoever holds the
  * project's lock.
  */
-final class Journal {
+final class EditJournal {
     /** Most steps; older ones can't be undone any more. */
     static final int MOST_STEPS = 500;
     /** Most bytes of all steps together. */
@@ -37,7 +37,7 @@ final class Journal {
     /** Number of the last step that is done. */
     private int done;
 
-    private Journal(ObjectFiles files) {
+    private EditJournal(ObjectFiles files) {
         this.files = files;
         this.folder = files.file(FOLDER);
     }
@@ -47,8 +47,8 @@ final class Journal {
      *
      * @throws IOException if it can't be read
      */
-    static Journal open(ObjectFiles files) throws IOException {
-        Journal journal = new Journal(files);
+    static EditJournal open(ObjectFiles files) throws IOException {
+        EditJournal journal = new EditJournal(files);
         if (Files.isDirectory(journal.folder)) {
             journal.read();
         }

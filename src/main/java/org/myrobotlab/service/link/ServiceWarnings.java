@@ -8,10 +8,10 @@ import org.slf4j.LoggerFactory;
 /**
  * Publishes and logs warnings. MyRobotLab's own {@code Service.warn} makes errors of them: its {@code Status.warn(String)} does. Any thread.
  */
-public final class Warnings {
-    private static final Logger log = LoggerFactory.getLogger(Warnings.class);
+public final class ServiceWarnings {
+    private static final Logger log = LoggerFactory.getLogger(ServiceWarnings.class);
 
-    private Warnings() {
+    private ServiceWarnings() {
     }
 
     /**

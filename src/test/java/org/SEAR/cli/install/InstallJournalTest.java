@@ -13,7 +13,7 @@ import java.util.TreeMap;
 import org.junit.Test;
 
 /** A call that is killed before any one of its changes of the disk is undone or finished by the next. */
-public class JournalTest extends LaidOutMrl {
+public class InstallJournalTest extends LaidOutMrl {
     private static final String UNDONE = "An earlier call was interrupted. What it had begun was undone.";
     private static final String FINISHED = "An earlier call was interrupted. What it had begun was finished.";
 
@@ -24,7 +24,7 @@ public class JournalTest extends LaidOutMrl {
 
     /** What is planned anew for each attempt. */
     private interface Planning {
-        Plan plan() throws Exception;
+        InstallPlan plan() throws Exception;
     }
 
     /**
@@ -37,7 +37,7 @@ public class JournalTest extends LaidOutMrl {
         Map<Integer, Map<String, String>> states = new TreeMap<>();
         Set<String> said = new HashSet<>();
         for (int step = 0;; step++) {
-            Plan plan = planning.plan();
+            InstallPlan plan = planning.plan();
             int[] left = {step};
             plan.setBeforeStep(() -> {
                 if (left[0]-- == 0) {

@@ -7,8 +7,8 @@ import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 
 /** Java's file errors in words: the message of many of them is the file's path and nothing else. Any thread. */
-public final class Reasons {
-    private Reasons() {
+public final class FileReasons {
+    private FileReasons() {
     }
 
     /** What went wrong, with the file where it is known: {@code /x/robot.sear: permission denied}. */

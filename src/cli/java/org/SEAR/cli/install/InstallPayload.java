@@ -13,12 +13,12 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 
 /** What there is to install: the distribution's {@code plugin/} folder with {@code sear.jar} and the plug-in's libraries. Any one thread. */
-final class Payload {
+final class InstallPayload {
     static final String PLUGIN = "sear.jar";
     private final Path folder;
 
     /** @param folder holds sear.jar and the libraries under their original names */
-    Payload(Path folder) throws InstallException {
+    InstallPayload(Path folder) throws InstallException {
         this.folder = folder;
         if (!Files.isRegularFile(folder.resolve(PLUGIN))) {
             throw new InstallException("The distribution is incomplete: " + folder.resolve(PLUGIN)

@@ -15,7 +15,7 @@ import org.myrobotlab.service.Heard;
 import org.myrobotlab.service.Runtime;
 
 /** What a service warns of is a status for panels and scripts and a line in the log. */
-public class WarningsTest {
+public class ServiceWarningsTest {
     private final PrintStream console = System.err;
 
     @After
@@ -30,7 +30,7 @@ public class WarningsTest {
         service.addListener("publishStatus", "warned", "onStatus");
         ByteArrayOutputStream log = new ByteArrayOutputStream();
         System.setErr(new PrintStream(log, true, "UTF-8"));
-        Warnings.publish((Service<?>) service, "%d crates lie in the way", 3);
+        ServiceWarnings.publish((Service<?>) service, "%d crates lie in the way", 3);
         System.setErr(console);
         assertTrue(service.awaitStatus("warn: 3 crates lie in the way"));
         List<String> lines = log.toString(StandardCharsets.UTF_8).lines().filter(line -> line.contains("3 crates lie")).collect(Collectors.toList());

@@ -8,10 +8,10 @@ import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 
 /** What an edit asks for, as it came from a page or a script. Immutable as long as nobody changes the map, any thread. */
-final class Request {
+final class EditRequest {
     private final Map<?, ?> map;
 
-    Request(Map<?, ?> map) {
+    EditRequest(Map<?, ?> map) {
         this.map = map;
     }
 

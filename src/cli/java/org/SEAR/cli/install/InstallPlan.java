@@ -15,9 +15,9 @@ import java.util.TreeSet;
 
 /**
  * Files to write and to delete below one folder, done as a whole or not at all: new bytes are first written beside their place, then moved in; when
- * anything fails, what was done is undone, and when the program is killed, a {@link Journal} tells the next call. Any one thread.
+ * anything fails, what was done is undone, and when the program is killed, a {@link InstallJournal} tells the next call. Any one thread.
  */
-final class Plan {
+final class InstallPlan {
     private static final String ROOT = "root";
     private final Path root;
     private final Map<String, byte[]> writes = new TreeMap<>();
@@ -28,7 +28,7 @@ final class Plan {
     private final List<Path> leftovers = new ArrayList<>();
     private Runnable beforeStep = () -> { };
 
-    Plan(Path root) {
+    InstallPlan(Path root) {
         this.root = root;
     }
 
@@ -116,9 +116,9 @@ final class Plan {
      * @throws IOException after everything was put back as it was; what could not be put back is among its suppressed exceptions
      */
     void apply() throws IOException {
-        Journal journal = journal();
+        InstallJournal journal = journal();
         for (String path : journal.changed) {
-            Files.deleteIfExists(sibling(path, Journal.KEPT)); // left by an update while another program had it open
+            Files.deleteIfExists(sibling(path, InstallJournal.KEPT)); // left by an update while another program had it open
         }
         journal.write(root, beforeStep);
         try {
@@ -126,7 +126,7 @@ final class Plan {
         } catch (IOException e) {
             try {
                 journal.undo(root);
-                Journal.delete(root);
+                InstallJournal.delete(root);
             } catch (IOException more) {
                 e.addSuppressed(more);
             }
@@ -137,11 +137,11 @@ final class Plan {
         beforeStep.run();
         leftovers.addAll(journal.finish(root));
         beforeStep.run();
-        Journal.delete(root);
+        InstallJournal.delete(root);
     }
 
-    private Journal journal() {
-        Journal journal = new Journal();
+    private InstallJournal journal() {
+        InstallJournal journal = new InstallJournal();
         for (String path : writes.keySet()) {
             (Files.exists(root.resolve(path)) ? journal.changed : journal.fresh).add(path);
         }
@@ -151,22 +151,22 @@ final class Plan {
         return journal;
     }
 
-    private void carryOut(Journal journal) throws IOException {
+    private void carryOut(InstallJournal journal) throws IOException {
         for (String folder : journal.folders) {
             beforeStep.run();
             giveToOwner(Files.createDirectory(root.resolve(folder)));
         }
         for (Map.Entry<String, byte[]> write : writes.entrySet()) {
             beforeStep.run();
-            giveToOwner(Files.write(sibling(write.getKey(), Journal.STAGED), write.getValue()));
+            giveToOwner(Files.write(sibling(write.getKey(), InstallJournal.STAGED), write.getValue()));
         }
         for (String path : journal.changed) {
             beforeStep.run();
-            Files.move(root.resolve(path), sibling(path, Journal.KEPT), StandardCopyOption.ATOMIC_MOVE);
+            Files.move(root.resolve(path), sibling(path, InstallJournal.KEPT), StandardCopyOption.ATOMIC_MOVE);
         }
         for (String path : writes.keySet()) {
             beforeStep.run();
-            Files.move(sibling(path, Journal.STAGED), root.resolve(path), StandardCopyOption.ATOMIC_MOVE);
+            Files.move(sibling(path, InstallJournal.STAGED), root.resolve(path), StandardCopyOption.ATOMIC_MOVE);
         }
     }
 

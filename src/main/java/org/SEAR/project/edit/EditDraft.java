@@ -22,12 +22,12 @@ import org.SEAR.project.xml.ParsedObject;
 import org.SEAR.project.xml.Xml;
 
 /** A project as it would be after an edit: its files, and what the edit puts into their place. One use, whoever holds the project's lock. */
-final class Draft {
+final class EditDraft {
     private final ObjectFiles files;
     private final Map<String, byte[]> changes = new LinkedHashMap<>();
     private final Map<String, Class<? extends SearObject>> classes = new TreeMap<>();
 
-    Draft(ObjectFiles files) {
+    EditDraft(ObjectFiles files) {
         this.files = files;
         ObjectClasses.find().all().forEach(type -> classes.put(type.getSimpleName(), type));
     }

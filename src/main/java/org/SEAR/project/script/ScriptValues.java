@@ -10,8 +10,8 @@ import org.SEAR.grammar.ParameterTable;
 import org.SEAR.grammar.TextRule;
 
 /** The values of an object's parameters, but for what it is made of: a robot's components and wheels. Any thread. */
-final class Values {
-    private Values() {
+final class ScriptValues {
+    private ScriptValues() {
     }
 
     private static boolean isStructure(Parameter parameter) {

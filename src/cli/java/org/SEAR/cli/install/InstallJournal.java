@@ -16,7 +16,7 @@ import java.util.TreeSet;
  * What a call is about to do to MyRobotLab's folder, on the disk until the call has ended: when it was killed, the next one undoes what was begun, or
  * finishes it when all new files were in their places. Undoing and finishing may be killed, too, and are then done again. Any one thread.
  */
-final class Journal {
+final class InstallJournal {
     /** Where new bytes wait beside their place. */
     static final String STAGED = ".sear-new";
     /** Where old bytes wait until all is done. */
@@ -45,9 +45,9 @@ final class Journal {
         if (!isPending(root)) {
             return null;
         }
-        Journal journal;
+        InstallJournal journal;
         try {
-            journal = MAPPER.readValue(Files.readAllBytes(root.resolve(FILE)), Journal.class);
+            journal = MAPPER.readValue(Files.readAllBytes(root.resolve(FILE)), InstallJournal.class);
         } catch (JsonProcessingException e) {
             throw new InstallException(root.resolve(FILE) + " can't be read (" + e.getOriginalMessage() + "): it should say what a call that was "
                 + "killed had begun. Delete it, and look for files that end in " + STAGED + " or " + KEPT + ".", e);

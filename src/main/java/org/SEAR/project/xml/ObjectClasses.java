@@ -65,18 +65,8 @@ public final class ObjectClasses {
         }
     }
 
-    /** The class of a root element, null if there is none. */
-    public Class<? extends SearObject> of(String element) {
-        return byElement.get(element);
-    }
-
     /** All classes: shapes, then the grammar's other ones, then those of other jars. */
     public List<Class<? extends SearObject>> all() {
         return Collections.unmodifiableList(inOrder);
-    }
-
-    /** The root elements, ordered by name. */
-    public List<String> elements() {
-        return List.copyOf(byElement.keySet());
     }
 }

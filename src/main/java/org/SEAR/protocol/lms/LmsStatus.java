@@ -8,7 +8,6 @@ public final class LmsStatus {
     /** Bytes of command, data and status byte. */
     public static final int SIZE = 154;
     private static final int MODE_AT = 8;
-    private static final int MEASURING_MODE_AT = 102;
     private static final int SPREAD_AT = 107;
     private static final int RESOLUTION_AT = 109;
     private static final int BAUD_AT = 116;
@@ -69,11 +68,6 @@ public final class LmsStatus {
     /** The operating mode, see {@link OperatingMode}. */
     public int getMode() {
         return telegram.at(MODE_AT);
-    }
-
-    /** Block D of the configuration, see {@link MeasuringMode}. */
-    public int getMeasuringMode() {
-        return telegram.at(MEASURING_MODE_AT);
     }
 
     /** Degrees from the first to the last value. */

@@ -34,11 +34,6 @@ public final class Reply {
         return ScipStatus.SCAN.equals(status) && ScanCommand.isStream(echo);
     }
 
-    /** Number of lines after the status. */
-    public int size() {
-        return lines.size();
-    }
-
     /** The value of a line such as {@code DMIN:20}; null if there is none of that name. */
     public String property(String name) {
         String start = name + ":";

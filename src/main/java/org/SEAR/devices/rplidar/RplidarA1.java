@@ -1,9 +1,8 @@
 package org.SEAR.devices.rplidar;
 
-import java.util.ArrayDeque;
-import java.util.Deque;
 import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.EventQueue;
+import org.SEAR.devices.RequestQueue;
 import org.SEAR.devices.SerialDevice;
 import org.SEAR.protocol.rplidar.Health;
 import org.SEAR.protocol.rplidar.Info;
@@ -19,8 +18,6 @@ import org.SEAR.protocol.rplidar.RplidarRequestPacket;
 public final class RplidarA1 implements SerialDevice {
     /** The only speed of its line, bits a second. */
     public static final int BAUD = 115200;
-    /** Requests that wait while another is being answered; more are dropped. */
-    private static final int MAX_WAITING = 16;
     /** From a request to its answer; undocumented. Seconds. */
     private static final double ANSWER = 0.001;
     /** RESET to the next request that is heard. Seconds. */
@@ -37,11 +34,10 @@ public final class RplidarA1 implements SerialDevice {
     private final DeviceContext context;
     private final Head head;
     private final EventQueue events = new EventQueue();
-    private final Deque<RplidarRequestPacket> waiting = new ArrayDeque<>();
+    private final RequestQueue<RplidarRequestPacket> requests = new RequestQueue<>(events, this::answerAt, this::serve);
     private final RequestReader reader = new RequestReader(this::onRequest);
     private RplidarCommand scan;
     private int session;
-    private boolean busy;
     private double heardAt;
     private double deafUntil;
 
@@ -99,9 +95,8 @@ public final class RplidarA1 implements SerialDevice {
 
     private void idle() {
         events.clear();
-        waiting.clear();
+        requests.clear();
         reader.clear();
-        busy = false;
         stop();
     }
 
@@ -122,23 +117,16 @@ public final class RplidarA1 implements SerialDevice {
     }
 
     private void onRequest(RplidarRequestPacket request) {
-        if (waiting.size() < MAX_WAITING) {
-            waiting.add(request);
-            serve(heardAt);
-        }
+        requests.add(request, heardAt);
     }
 
-    private void serve(double time) {
-        if (busy || waiting.isEmpty()) {
-            return;
-        }
-        busy = true;
-        RplidarRequestPacket request = waiting.remove();
-        events.at(Math.max(time + ANSWER, context.lineFreeAt()), t -> {
-            execute(request, t);
-            busy = false;
-            serve(t);
-        });
+    private double answerAt(double time) {
+        return Math.max(time + ANSWER, context.lineFreeAt());
+    }
+
+    private void serve(RplidarRequestPacket request, double time) {
+        execute(request, time);
+        requests.done(time);
     }
 
     private void execute(RplidarRequestPacket request, double time) {
@@ -154,7 +142,7 @@ public final class RplidarA1 implements SerialDevice {
         switch (command) {
             case RESET:
                 reader.clear();
-                waiting.clear();
+                requests.dropWaiting();
                 deafUntil = time + RESTART;
                 break;
             case GET_INFO:

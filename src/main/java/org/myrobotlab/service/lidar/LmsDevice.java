@@ -11,10 +11,9 @@ import org.SEAR.protocol.lms.OperatingMode;
 import org.SEAR.protocol.lms.Telegram;
 import org.SEAR.protocol.lms.Variant;
 import org.myrobotlab.service.lidar.requests.DeviceLine;
-import org.myrobotlab.service.link.SerialLink;
 
 /** An LMS2xx as its user sees it: scan modes, units, scans. Any thread; never blocks. */
-public final class LmsDevice implements LidarDevice {
+public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
     private static final double HUNDREDTHS = 100;
     private static final int OVERHEAD = 10;
     private static final int LONGEST_SCAN = 813;
@@ -28,46 +27,24 @@ public final class LmsDevice implements LidarDevice {
     private static final double WRITE_PATIENCE = 15;
     private static final double SHORT_PATIENCE = 1;
 
-    private final LidarListener listener;
-    private SerialLink link;
-    private LmsDriver driver;
     private volatile MeasuringMode measuringMode = MeasuringMode.FIELDS_A_B_DAZZLE;
     private volatile double resolution = 1;
-    private volatile boolean streaming;
     private volatile Configuration configuration;
-    private volatile RangeScan lastScan;
     private String lastComplaint = "";
 
     public LmsDevice(LidarListener listener) {
-        this.listener = listener;
+        super(listener);
     }
 
     @Override
-    public void attach(SerialLink newLink) {
-        link = newLink;
-        driver = new LmsDriver(DeviceLine.of(newLink), listener, this::scanned);
-    }
-
-    @Override
-    public void receive(byte[] bytes) {
-        driver.receive(bytes);
-    }
-
-    @Override
-    public void tick() {
-        driver.tick();
+    LmsDriver driverAt(DeviceLine line) {
+        return new LmsDriver(line, listener, this::scanned);
     }
 
     @Override
     public void clear() {
-        driver.clear();
-        streaming = false;
+        super.clear();
         configuration = null;
-    }
-
-    @Override
-    public RangeScan getLastScan() {
-        return lastScan;
     }
 
     @Override
@@ -80,9 +57,8 @@ public final class LmsDevice implements LidarDevice {
     private void onStatus(LmsStatus status) {
         fan(status.getSpread(), status.getResolution());
         boolean streams = OperatingMode.isStream(status.getMode());
-        if (streams != streaming) {
-            streaming = streams;
-            listener.streaming(streams);
+        if (streams != isStreaming()) {
+            streams(streams);
         }
     }
 
@@ -107,7 +83,7 @@ public final class LmsDevice implements LidarDevice {
         LmsPayload request = LmsCommand.MODE.request().add(Baud.ofRate(baud).getMode());
         ask("the change to " + baud + " baud", LmsCommand.MODE, request, OVERHEAD, MODE_PATIENCE, reply -> {
             if (succeeded(reply, "the change to " + baud + " baud")) {
-                driver.changeBaud(baud);
+                driver().changeBaud(baud);
                 listener.baud(baud);
             }
         });
@@ -139,8 +115,8 @@ public final class LmsDevice implements LidarDevice {
         pauseStreaming(() -> {
             mode("installation mode", LmsCommand.MODE.request().add(OperatingMode.INSTALLATION).text(OperatingMode.PASSWORD));
             learnConfiguration();
-            driver.ask(new LmsRequest("the change of unit", LmsCommand.SET_CONFIGURATION, () -> withUnit(millimetres), Configuration.SIZE + OVERHEAD,
-                WRITE_PATIENCE, reply -> {
+            driver().ask(new LmsRequest("the change of unit", LmsCommand.SET_CONFIGURATION, () -> withUnit(millimetres),
+                Configuration.SIZE + OVERHEAD, WRITE_PATIENCE, reply -> {
                     if (reply.at(1) == 1) {
                         configured(Configuration.of(reply, SET_CONFIGURATION_AT));
                     } else {
@@ -160,14 +136,14 @@ public final class LmsDevice implements LidarDevice {
 
     @Override
     public void singleScan() {
-        if (!streaming) {
+        if (!isStreaming()) {
             ask("a single scan", LmsCommand.SCAN, LmsCommand.SCAN.request().add(ALL_VALUES), LONGEST_SCAN, SHORT_PATIENCE, this::scanned);
         }
     }
 
     private void scanned(Telegram telegram) {
-        RangeScan scan = LmsReplies.scan(telegram, measuringMode, resolution, link.now());
-        lastScan = scan;
+        RangeScan scan = LmsReplies.scan(telegram, measuringMode, resolution, link().now());
+        keep(scan);
         listener.scan(scan);
         String complaint = LmsReplies.complaint(telegram);
         if (!complaint.equals(lastComplaint)) {
@@ -182,14 +158,13 @@ public final class LmsDevice implements LidarDevice {
         LmsPayload request = LmsCommand.MODE.request().add(on ? OperatingMode.STREAM_ALL : OperatingMode.ON_REQUEST);
         ask(name, LmsCommand.MODE, request, LONGEST_SCAN, MODE_PATIENCE, reply -> {
             if (succeeded(reply, name)) {
-                streaming = on;
-                listener.streaming(on);
+                streams(on);
             }
         });
     }
 
     private void pauseStreaming(Runnable change) {
-        boolean wasStreaming = streaming;
+        boolean wasStreaming = isStreaming();
         if (wasStreaming) {
             setStreaming(false);
         }
@@ -204,7 +179,7 @@ public final class LmsDevice implements LidarDevice {
     }
 
     private void ask(String name, LmsCommand command, LmsPayload request, int replyLength, double patience, Consumer<Telegram> then) {
-        driver.ask(new LmsRequest(name, command, () -> request, replyLength, patience, then));
+        driver().ask(new LmsRequest(name, command, () -> request, replyLength, patience, then));
     }
 
     private boolean succeeded(Telegram reply, String what) {

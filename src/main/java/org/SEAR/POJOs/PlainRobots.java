@@ -48,9 +48,9 @@ final class PlainRobots {
         body(robot, 0.14, 0.22, 0.05, 2, 0.02, -0.05);
         Wheel left = wheel(robot, "left", Wheel.DRIVEN, 0.05, 0.025, 0.1, 0);
         Wheel right = wheel(robot, "right", Wheel.DRIVEN, 0.05, 0.025, -0.1, 0);
-        Wheel castor = new Wheel(Stores.partName(robot, "castor"), 0.02, 0.015, Wheel.IDLER, 0, -0.03, -0.13);
-        robot.addWheel(castor);
-        castor.setTrail(0.02);
+        Wheel caster = new Wheel(Stores.partName(robot, "caster"), 0.02, 0.015, Wheel.IDLER, 0, -0.03, -0.13);
+        robot.addWheel(caster);
+        caster.setTrail(0.02);
         motor(robot, "leftMotor", 0.5, 20, left);
         motor(robot, "rightMotor", 0.5, 20, right);
         return robot;

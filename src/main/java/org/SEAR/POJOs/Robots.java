@@ -4,7 +4,7 @@ package org.SEAR.POJOs;
  * Ready robots: iRobot's with the dimensions of the real ones, so that drivers made for those judge distances and turns rightly, and three vehicles
  * with motors to build one's own from. Each is an ordinary robot: it can be moved, and gets sensors by {@link SEARrobot#addComponent}. The parts of
  * iRobot's are {@code drive} (a {@link Dynamics}), {@code body}, the driven wheels
- * {@code left} and {@code right}, and the castors {@code front} and {@code back} (the real ones have a castor in front only). Their origin is
+ * {@code left} and {@code right}, and the casters {@code front} and {@code back} (the real ones have a caster in front only). Their origin is
  * the middle of the body, which starts 54 mm above the world's origin; forward is z. Where an object of the environment or a robot is called like a
  * part, {@code body}, the part of {@code rover} is {@code rover body}. What can't be made whole leaves the project as it was.
  */
@@ -21,8 +21,8 @@ public final class Robots {
     private static final double REST_LENGTH = 0.02;
     private static final double START = 0.054;
     private static final double TREAD = 0.02;
-    private static final double CASTOR_RADIUS = 0.02;
-    private static final double CASTOR_Z = 0.13;
+    private static final double CASTER_RADIUS = 0.02;
+    private static final double CASTER_Z = 0.13;
 
     private Robots() {
     }
@@ -58,7 +58,7 @@ public final class Robots {
     }
 
     /**
-     * A rover of 2 kg with two driven wheels and a castor behind: {@code left}, {@code right}, {@code castor}, a motor for each driven wheel ({@code
+     * A rover of 2 kg with two driven wheels and a caster behind: {@code left}, {@code right}, {@code caster}, a motor for each driven wheel ({@code
      * leftMotor}, {@code rightMotor}), {@code body} and {@code drive}.
      */
     public static SEARrobot rover(String name) {
@@ -101,9 +101,9 @@ public final class Robots {
         OpenInterfaceBody size = OpenInterfaceBody.of(model);
         robot.addWheel(new Wheel(Stores.partName(robot, "left"), size.wheelRadius, TREAD, 1, size.wheelBase / 2, 0, 0));
         robot.addWheel(new Wheel(Stores.partName(robot, "right"), size.wheelRadius, TREAD, 1, -size.wheelBase / 2, 0, 0));
-        double castorY = CASTOR_RADIUS - size.wheelRadius;
-        robot.addWheel(new Wheel(Stores.partName(robot, "front"), CASTOR_RADIUS, TREAD, 0, 0, castorY, CASTOR_Z));
-        robot.addWheel(new Wheel(Stores.partName(robot, "back"), CASTOR_RADIUS, TREAD, 0, 0, castorY, -CASTOR_Z));
+        double casterY = CASTER_RADIUS - size.wheelRadius;
+        robot.addWheel(new Wheel(Stores.partName(robot, "front"), CASTER_RADIUS, TREAD, 0, 0, casterY, CASTER_Z));
+        robot.addWheel(new Wheel(Stores.partName(robot, "back"), CASTER_RADIUS, TREAD, 0, 0, casterY, -CASTER_Z));
         return robot;
     }
 }

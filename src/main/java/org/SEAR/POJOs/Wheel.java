@@ -37,7 +37,7 @@ public class Wheel extends Shape {
     private Double steering;
     @Param(doc = "name of the servo that steers it, instead of a greatest angle", text = TextRule.NAME, names = SearObject.class)
     private String steeringServo;
-    @Param(doc = "distance of a castor behind the upright axis about which it turns freely, which stands at its x and z; 0 for no castor", unit = "m",
+    @Param(doc = "distance of a caster behind the upright axis about which it turns freely, which stands at its x and z; 0 for no caster", unit = "m",
         max = 10)
     private double trail;
     @Param(doc = "angle of its rollers' axes where it touches the ground, seen from above, to the way in which it rolls, + to the left: 0 for an omni"
@@ -103,7 +103,7 @@ public class Wheel extends Shape {
     }
 
     private String whatTrails() {
-        return "0 for a wheel of type " + type + "; an idler (type 0) can be a castor";
+        return "0 for a wheel of type " + type + "; an idler (type 0) can be a caster";
     }
 
     @Override
@@ -168,7 +168,7 @@ public class Wheel extends Shape {
         return steeringServo;
     }
 
-    /** Metres; 0 for no castor. */
+    /** Metres; 0 for no caster. */
     public double getTrail() {
         return trail;
     }
@@ -217,7 +217,7 @@ public class Wheel extends Shape {
     }
 
     /**
-     * Makes an idler a castor, which turns freely about an upright axis.
+     * Makes an idler a caster, which turns freely about an upright axis.
      *
      * @param metres that it is behind the axis when the robot drives forward
      * @throws IllegalArgumentException if it is no idler

@@ -2,7 +2,11 @@ package org.SEAR.collision;
 
 import javax.vecmath.Vector3f;
 
-/** Where a line first goes through a triangle of a mesh (Moeller and Trumbore 1997). Simulation thread. */
+/**
+ * Continuous collision with a mesh: where the line that a body's centre goes in a substep first passes through a triangle, so that it can be stopped
+ * before it. A line meets a triangle where its barycentric coordinates there are none of them negative (Moeller and Trumbore, "Fast, minimum storage
+ * ray/triangle intersection", 1997). Simulation thread.
+ */
 public final class Crossing {
     private static final double PARALLEL = 1e-15;
     /** What goes through the edge between two triangles goes through both, as a share of their sides. */

@@ -4,9 +4,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How deep two convex sets are in each other: the nearest face of their difference (expanding polytope, van den Bergen 2001). Good to 2e-6 m between
- * flat faces, and to about 2 mm between curved surfaces of a metre, where {@link #ITERATIONS} end the search; the deeper the overlap, the more. Sets
- * that overlap do so for a step or two, so this need not be fast.
+ * How deep two convex sets are in each other: the expanding polytope algorithm (van den Bergen, "Proximity queries and penetration depth computation
+ * on 3D game objects", 2001).
+ *
+ * <p>How it works: where the sets overlap, their Minkowski difference holds the origin, and the way out is to its nearest face. A polytope of
+ * support points inside it grows: its face nearest to the origin is pushed out to the support point in its direction, and the faces that this point
+ * sees give way to new ones, until a face does not move any more.
+ *
+ * <p>Good to 2e-6 m between flat faces, and to about 2 mm between curved surfaces of a metre, where {@link #ITERATIONS} end the search; the deeper
+ * the overlap, the more. Sets that overlap do so for a step or two, so this need not be fast.
  */
 final class Epa {
     /** Good enough for a depth, metres. */
@@ -93,7 +99,7 @@ final class Epa {
 
     private static Corner corner(Convex first, Convex second, double[] direction) {
         Corner corner = new Corner();
-        GjkDistance.difference(first, second, direction[0], direction[1], direction[2], corner.at, corner.onB);
+        GjkDistance.minkowskiDifference(first, second, direction[0], direction[1], direction[2], corner.at, corner.onB);
         return corner;
     }
 

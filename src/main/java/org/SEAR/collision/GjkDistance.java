@@ -1,10 +1,18 @@
 package org.SEAR.collision;
 
 /**
- * Where two convex sets are nearest to each other, or how deep they are in each other, computed in double precision and without margins:
- * the distance by Gilbert, Johnson and Keerthi (1988), the depth by {@link Epa}. A distance is good to 2e-7 m for shapes of a metre; where the poses
- * come from single precision, as jbullet's do, they limit it to some 1e-7 of the distance from the origin. One pair at a time; not for several
- * threads.
+ * Where two convex sets are nearest to each other, or how deep they are in each other, in double precision and without margins. The distance is by
+ * Gilbert, Johnson and Keerthi, "A fast procedure for computing the distance between complex objects in three-dimensional space" (1988), the depth
+ * by {@link Epa}.
+ *
+ * <p>How it works: the distance of two sets is that of their Minkowski difference, all points a - b, from the origin. Of that set only support
+ * points are needed, each the difference of one support point of either set. A simplex of at most four of them is moved towards the origin: its
+ * point nearest to the origin, by barycentric coordinates, gives the next direction to look in, and what no longer helps leaves it. The plane
+ * through each new support point at right angles to the direction proves a distance from below, so the search ends as soon as that and what was
+ * found agree, or the sets are proved to be farther apart than anybody asked for.
+ *
+ * <p>A distance is good to 2e-7 m for shapes of a metre; where the poses come from single precision, as jbullet's do, they limit it to some 1e-7 of
+ * the distance from the origin. One pair at a time; not for several threads.
  */
 public final class GjkDistance {
     /** Distances are this good, metres. */
@@ -51,14 +59,14 @@ public final class GjkDistance {
      * @param gx direction from the second to the first that is probably the answer, likewise gy and gz
      */
     public boolean measure(Convex first, Convex second, double reach, double gx, double gy, double gz) {
-        difference(first, second, -gx, -gy, -gz, p[0], q[0]);
+        minkowskiDifference(first, second, -gx, -gy, -gz, p[0], q[0]);
         size = 1;
         share[0] = 1;
         double length = approach();
         double proved = Double.NEGATIVE_INFINITY;
         double exact = Math.max(EXACT, EXACT_SHARE * length);
         for (int iteration = 0; iteration < ITERATIONS && length > PRECISION; iteration++) {
-            difference(first, second, -v[0], -v[1], -v[2], p[size], q[size]);
+            minkowskiDifference(first, second, -v[0], -v[1], -v[2], p[size], q[size]);
             double lower = dot(v, p[size]) / length;
             if (lower > reach) {
                 nx = v[0] / length;
@@ -155,8 +163,8 @@ public final class GjkDistance {
         }
     }
 
-    /** The corner of the difference of both sets in a direction, and the point of the second set there. */
-    static void difference(Convex first, Convex second, double dx, double dy, double dz, double[] point, double[] ofSecond) {
+    /** The support point of the Minkowski difference of both sets in a direction, and the point of the second set there. */
+    static void minkowskiDifference(Convex first, Convex second, double dx, double dy, double dz, double[] point, double[] ofSecond) {
         first.support(dx, dy, dz, point);
         second.support(-dx, -dy, -dz, ofSecond);
         for (int axis = 0; axis < 3; axis++) {

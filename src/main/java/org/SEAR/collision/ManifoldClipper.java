@@ -1,9 +1,11 @@
 package org.SEAR.collision;
 
 /**
- * Where two sets touch. {@link GjkDistance} gives one point and a direction; here the incident face is clipped to the part that lies above or below
- * the reference face, and its outermost corners are the contact, all in the same step. So things stand still. Where no face is part of it (edge on
- * edge), the one point stands.
+ * The contact manifold of two sets: where they touch, as up to four points. {@link GjkDistance} gives one point and a direction; of the faces that
+ * look along that, the one that is more at right angles to it is the reference face. The other, the incident face, is clipped by the planes through
+ * the reference face's sides (Sutherland and Hodgman, "Reentrant polygon clipping", 1974), and the corners of what is left that lie below or little
+ * above the reference face are the contact, all in the same step: so things stand still. Of more than four the lowest stays, the one farthest from
+ * it, and those farthest to either side of their line. Where no face is part of it (edge on edge), the one point stands.
  */
 public final class ManifoldClipper {
     /** Surfaces this close already carry each other, metres: a face that rests has all its corners in touch. */

@@ -1,8 +1,10 @@
 package org.SEAR.physics;
 
 /**
- * What bounces: a substep ends at the moment at which two bodies with a restitution meet, and there they are thrown apart, manifold after manifold,
- * each with the speed at which its points come together then, until none comes any more: so a blow goes through a row of balls. Simulation thread.
+ * What bounces, at the time of impact: a substep ends at the moment at which two bodies with a restitution meet, found by the parabola on which they
+ * fall, and there they are thrown apart, manifold after manifold, the fastest first, each with the speed at which its points come together then
+ * (Newton's law of restitution), until none comes any more: so a blow goes through a row of balls, as sequential impacts do (Mirtich, "Impulse-based
+ * dynamic simulation of rigid body systems", 1996). Simulation thread.
  */
 final class Impacts {
     /** What comes slower than this does not bounce, m/s: else what rests would tremble. */

@@ -3,7 +3,10 @@ package org.SEAR.physics;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Parts the bodies that move into those that touch each other, directly or by others. Simulation thread. */
+/**
+ * Parts the bodies that move into islands: those that touch each other, directly or by others, are solved together and sleep together. What is fixed
+ * joins nothing. A union-find structure (Tarjan 1975) over the pairs gives the islands, in the order of their first bodies. Simulation thread.
+ */
 final class Islands {
     private int[] parent = {};
     private final List<Island> all = new ArrayList<>();

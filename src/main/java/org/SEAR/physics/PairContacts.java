@@ -31,7 +31,7 @@ final class PairContacts extends CollisionAlgorithm {
     /** No step has fewer substeps. */
     private static final int LEAST_SUBSTEPS = 4;
 
-    private final ContactFinder finder;
+    private final NarrowPhase finder;
     private Body a;
     private Body b;
     private Manifold[] now = new Manifold[1];
@@ -62,7 +62,7 @@ final class PairContacts extends CollisionAlgorithm {
     private int[] slots = new int[1];
     private int slotCount;
 
-    PairContacts(CollisionAlgorithmConstructionInfo info, ContactFinder finder) {
+    PairContacts(CollisionAlgorithmConstructionInfo info, NarrowPhase finder) {
         this.finder = finder;
         init(info);
     }

@@ -54,7 +54,7 @@ public final class PhysicsWorld {
     private final List<Body> movable = new ArrayList<>();
     private final List<IslandSolver.WheelDrive> drives = new ArrayList<>();
     private final Islands islands = new Islands();
-    private ContactFinder finder;
+    private NarrowPhase finder;
     private SteppedWorld world;
     private IslandSolver solver;
     private int sleepers;
@@ -85,7 +85,7 @@ public final class PhysicsWorld {
 
     /** Everything back to its start, in a new world. */
     public void restart() {
-        finder = new ContactFinder(TimeStep.SECONDS, GRAVITY);
+        finder = new NarrowPhase(TimeStep.SECONDS, GRAVITY);
         world = new SteppedWorld(finder);
         solver = new IslandSolver(GRAVITY);
         drives.clear();

@@ -24,8 +24,8 @@ final class SteppedWorld extends CollisionWorld {
     private final Vector3f high = new Vector3f();
     private final Aabb box = new Aabb();
 
-    SteppedWorld(ContactFinder finder) {
-        super(new CollisionDispatcher(finder), new PairSearch(), finder);
+    SteppedWorld(NarrowPhase finder) {
+        super(new CollisionDispatcher(finder), new BroadPhase(), finder);
     }
 
     void add(Body body) {

@@ -1,8 +1,9 @@
 package org.SEAR.raycast;
 
 /**
- * Casts beams that leave one point in a narrow bundle and asks only which of them is the shortest. The hierarchy is walked once for all, nearest
- * boxes first, and a box that is farther than the shortest beam so far, or beside the bundle, is left out. One thread.
+ * Casts beams that leave one point in a narrow bundle, as of a sonar, and asks only which of them is the shortest. The hierarchy of bounding volumes
+ * is walked once for all, nearest boxes first (branch and bound): a box that is farther than the shortest beam so far, or beside the bundle's cone,
+ * is left out. One thread.
  */
 final class BundleCaster {
     /** More than the rounding of the bounds of nodes and of the tests with them, relative. */

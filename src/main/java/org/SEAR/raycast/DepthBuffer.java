@@ -3,8 +3,9 @@ package org.SEAR.raycast;
 import java.util.Arrays;
 
 /**
- * What each beam of a fan has met so far. Kept as inverse distances, because along a straight line in the fan's plane the inverse distance is linear
- * in the beam's direction: 1 / t = a * x + b * z. The lower shape number wins a tie, so the order in which shapes come does not matter.
+ * What each beam of a fan has met so far: a depth buffer (Catmull 1974) with one place a beam. Kept as inverse distances, because along a straight
+ * line in the fan's plane the inverse distance is linear in the beam's direction: 1 / t = a * x + b * z. The lower shape number wins a tie, so the
+ * order in which shapes come does not matter.
  */
 final class DepthBuffer {
     private static final int TABLES = 4;

@@ -6,8 +6,13 @@ import org.SEAR.raycast.solid.RayBox;
 import org.SEAR.raycast.solid.RaySolid;
 
 /**
- * Casts plane fans: cuts the scene with the fan's plane and lets each beam look only at the lines that lie in its direction. Holds what one thread
- * needs for it; allocates only when a fan of another pattern comes.
+ * Casts plane fans, as of a LIDAR. How it works: all beams of a fan lie in one plane, so three dimensions become two. The hierarchy of bounding
+ * volumes is walked once for the whole fan; each shape whose box the plane cuts gives the lines or curve in which the plane cuts its surface ({@link
+ * BoxCut}, {@link TriangleCut}, {@link FanHeights}), and each line goes into a {@link DepthBuffer} that has one place for each beam, by only those
+ * beams that lie between its ends. What lies behind what all of its beams have met is left out. This is the scan conversion of computer graphics in
+ * one dimension less; exact, because each beam meets the line itself and not a pixel.
+ *
+ * <p>Holds what one thread needs for it; allocates only when a fan of another pattern comes.
  */
 final class FanCaster {
     private final RayCaster rays;

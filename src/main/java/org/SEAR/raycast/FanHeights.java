@@ -4,8 +4,10 @@ import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.HeightPyramid;
 
 /**
- * Cuts a {@link HeightField} with a fan's plane: walks the blocks of its pyramid that the plane meets, nearer ones first. The part of the plane
- * within a block lies in a circle; each block knows the first and the last of the beams that can still see into it. One thread.
+ * Cuts a {@link HeightField} with a fan's plane: walks down the pyramid of least and greatest heights (maximum mipmaps: Tevs, Ihrke and Seidel,
+ * "Maximum mipmaps for fast, accurate, and scalable dynamic height field rendering", 2008) through the blocks that the plane meets, nearer ones
+ * first. The part of the plane within a block lies in a circle; each block knows the first and the last of the beams that can still see into it. One
+ * thread.
  */
 final class FanHeights {
     /** Relative error of the plane's functions, many times over. */

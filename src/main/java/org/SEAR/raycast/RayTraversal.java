@@ -1,9 +1,11 @@
 package org.SEAR.raycast;
 
 /**
- * Leads one ray through a {@link Bvh}, leaf by leaf, nearer ones first. It computes in single precision, rounded so that no node is left out that
- * the ray touches; that some are visited in vain costs time, not correctness. The bits of floats are compared as integers: that is right as long as
- * negative numbers need no order among themselves, and spares the branches that {@code Math.max} takes because of NaN and -0. One thread.
+ * Leads one ray through a {@link Bvh}, leaf by leaf, nearer ones first: a ray meets a box where its stretches between the three pairs of parallel
+ * planes overlap (the slab test of Kay and Kajiya, "Ray tracing complex scenes", 1986). It computes in single precision, rounded so that no node is
+ * left out that the ray touches (Ize, "Robust BVH ray traversal", 2013); that some are visited in vain costs time, not correctness. The bits of
+ * floats are compared as integers: that is right as long as negative numbers need no order among themselves, and spares the branches that {@code
+ * Math.max} takes because of NaN and -0. One thread.
  */
 final class RayTraversal {
     /** Stands for 1 / 0, so that 0 * LARGEST is 0. */

@@ -133,7 +133,7 @@ public final class RobotBuilder {
         weights.add(weight);
     }
 
-    /** Where its wheels touch when it stands level, castors as when it drives forward: {x, y, z} in the body frame. */
+    /** Where its wheels touch when it stands level, casters as when it drives forward: {x, y, z} in the body frame. */
     public double[][] feet() {
         double[][] feet = new double[springs.length][];
         for (int i = 0; i < feet.length; i++) {

@@ -122,14 +122,14 @@ public class ReadyRobotsInProjectsTest {
     public void aPartMakesWayForThingsOfTheEnvironmentAndForRobots() throws Exception {
         new Box("Body", 1, 1, 1, 0).move(5, 0.5, 5);
         new Box("left", 1, 1, 1, 0).move(5, 0.5, 8);
-        new Floor("castor", 40, 40);
+        new Floor("caster", 40, 40);
         Robots.rover("drive");
         SEARrobot rover = Robots.rover("rover");
         rover.placeAt(3, 0, 0);
-        assertEquals("rover drive rover body leftMotor rightMotor rover left right rover castor", parts(rover));
-        assertEquals("drive drive drive body leftMotor rightMotor drive left right drive castor", parts(start().getRobots().get(0)));
+        assertEquals("rover drive rover body leftMotor rightMotor rover left right rover caster", parts(rover));
+        assertEquals("drive drive drive body leftMotor rightMotor drive left right drive caster", parts(start().getRobots().get(0)));
         new ProjectEditor(project.folder()).apply(Map.of("do", "robot", "template", "rover", "name", "tug"));
-        assertEquals("from the palette, too", "tug drive tug body leftMotor rightMotor tug left right tug castor",
+        assertEquals("from the palette, too", "tug drive tug body leftMotor rightMotor tug left right tug caster",
             parts(start().getRobots().get(2)));
     }
 

@@ -31,7 +31,7 @@ public class StabilityTest {
         assertArrayEquals(new double[] {0.1, 0.3, 0}, at(0.1, 0.3, 0, FEET).getCentre(), 0);
     }
 
-    /** Two wheels before, a castor behind: the sides run together there. */
+    /** Two wheels before, a caster behind: the sides run together there. */
     @Test
     public void aTriangleTipsOverASlantedSide() {
         double[][] feet = {{0.1, 0, 0}, {-0.1, 0, 0}, {0, 0, -0.15}};

@@ -22,15 +22,15 @@ import org.SEAR.robot.surface.SurfaceColors;
 import org.SEAR.sensors.Earth;
 
 /** A world on a ground that no object of the grammar describes. */
-final class GroundWorld {
-    final PhysicsWorld physics = new PhysicsWorld();
+public final class GroundWorld {
+    public final PhysicsWorld physics = new PhysicsWorld();
     final Scenes scenes = new Scenes(false);
-    final List<String> warnings = new ArrayList<>();
-    final List<Body> bodies = new ArrayList<>();
-    RobotModel robot;
+    public final List<String> warnings = new ArrayList<>();
+    public final List<Body> bodies = new ArrayList<>();
+    public RobotModel robot;
     private long steps;
 
-    GroundWorld(Solid ground, Project project, Shape... things) throws Exception {
+    public GroundWorld(Solid ground, Project project, Shape... things) throws Exception {
         Body body = new Body("ground", 0, Collections.singletonList(ground), new Pose[] {Pose.IDENTITY}, new double[3], Pose.IDENTITY);
         physics.add(body);
         body.addTo(scenes, Collections.singletonList(true), -1, 1);
@@ -62,7 +62,7 @@ final class GroundWorld {
         scenes.commit();
     }
 
-    void run(double seconds) {
+    public void run(double seconds) {
         for (long end = steps + Math.round(seconds / Simulation.STEP); steps < end; steps++) {
             if (robot != null) {
                 robot.prepare();

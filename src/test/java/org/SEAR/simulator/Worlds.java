@@ -6,16 +6,28 @@ import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.Project;
+import org.SEAR.physics.Body;
+import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.project.problems.ProjectException;
 
 /** Robots and worlds that tests share. */
-final class Worlds {
+public final class Worlds {
     private Worlds() {
     }
 
+    /** The bodies of a simulation, which only it may move. */
+    public static PhysicsWorld physics(Simulation of) {
+        return of.getWorld().getPhysics();
+    }
+
+    /** A body by the name of its object or robot. */
+    public static Body body(Simulation of, String name) {
+        return physics(of).getBodies().stream().filter(body -> body.name.equals(name)).findFirst().orElseThrow();
+    }
+
     /** The robot of the dissertation's Listing 2, the right way up. */
-    static SEARrobot roomba(String name, double x, double z, double heading) {
+    public static SEARrobot roomba(String name, double x, double z, double heading) {
         SEARrobot robot = new SEARrobot(name);
         robot.addComponent(new Dynamics(name + "Dynamics", 400, 60, 0.3, 0.4, 10000, 0.1, x, 0.1, z, 0, heading, 0));
         robot.addComponent(new Cylinder(name + "Body", 0.1666875, 0.0762, 400));
@@ -27,7 +39,7 @@ final class Worlds {
     }
 
     /** A box-shaped robot of any size with wheels at (+-halfTrack, 0, z) and one idler at (0, 0, idlerZ) unless that is 0. */
-    static SEARrobot cart(String name, double mass, double radius, double halfTrack, double[] axles, double idlerZ,
+    public static SEARrobot cart(String name, double mass, double radius, double halfTrack, double[] axles, double idlerZ,
             double x, double z, double heading) {
         SEARrobot robot = new SEARrobot(name);
         robot.addComponent(new Dynamics(name + "Dynamics", mass, 60, 0.3, 0.4, 10000, radius, x, 2 * radius, z, 0, heading, 0));
@@ -44,11 +56,11 @@ final class Worlds {
         return robot;
     }
 
-    static Simulation start(ProjectRule project) throws ProjectException {
+    public static Simulation start(ProjectRule project) throws ProjectException {
         return Simulation.of(Project.read(project.folder()), 1);
     }
 
-    static void run(Simulation simulation, double seconds) {
+    public static void run(Simulation simulation, double seconds) {
         long steps = Math.round(seconds / Simulation.STEP);
         for (long i = 0; i < steps; i++) {
             simulation.step();

@@ -3,7 +3,7 @@ package org.SEAR.web;
 import java.util.List;
 
 /** What keeps people from using a panel: controls without name, names used twice, text that stands out too little from its background. */
-final class Accessibility {
+public final class Accessibility {
     /** Least contrast of text, by the Web Content Accessibility Guidelines, level AA. */
     private static final double CONTRAST = 4.5;
 
@@ -58,7 +58,7 @@ final class Accessibility {
      *
      * @throws AssertionError that lists what is wrong
      */
-    static void check(Browser browser, String panel) {
+    public static void check(Browser browser, String panel) {
         for (String theme : new String[] {"dark", "light"}) {
             browser.setTheme(theme);
             try {

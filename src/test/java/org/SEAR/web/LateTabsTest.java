@@ -3,6 +3,7 @@ package org.SEAR.web;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
+import org.SEAR.web.devices.DeviceWorld;
 import org.junit.Before;
 import org.junit.ClassRule;
 import org.junit.Rule;

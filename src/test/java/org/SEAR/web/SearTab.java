@@ -5,25 +5,25 @@ import java.util.Map;
 import org.openqa.selenium.WebElement;
 
 /** The SEAR tab as a user handles it. */
-final class SearTab {
-    static final String ROOT = ".sear-main";
+public final class SearTab {
+    public static final String ROOT = ".sear-main";
     /** Pixels. */
-    static final double NEAR = 2;
+    public static final double NEAR = 2;
 
     private final Browser browser;
     private final MyRobotLab robotLab;
 
-    SearTab(Tabs tabs) {
+    public SearTab(Tabs tabs) {
         this(tabs.browser(), tabs.robotLab());
     }
 
-    SearTab(Browser browser, MyRobotLab robotLab) {
+    public SearTab(Browser browser, MyRobotLab robotLab) {
         this.browser = browser;
         this.robotLab = robotLab;
     }
 
     /** Ends what a test before has left running. */
-    void stopAll() {
+    public void stopAll() {
         if (robotLab.call("sear", "isSimulating").asBoolean()) {
             robotLab.call("sear", "stopSimulation");
         }
@@ -32,47 +32,47 @@ final class SearTab {
     }
 
     /** Chooses an example in the list, which opens it. */
-    void openExample(String name) {
+    public void openExample(String name) {
         String path = "examples/" + name + ".sear";
         browser.choose(".sear-example", path);
         browser.seeText(".sear-main .alert-info", "opened " + path);
     }
 
     /** Waits until the project has a robot. */
-    void waitForRobot(String name) {
+    public void waitForRobot(String name) {
         browser.until("the robot " + name, () -> Files.exists(robotLab.file("SEARproject/robot/" + name + ".xml")));
     }
 
     /** Starts the simulation; returns when its first picture is there. */
-    void start() {
+    public void start() {
         browser.click(".sear-start");
         browser.until("a running simulation", () -> isTrue("world.running !== null && view.fitted"));
     }
 
-    void waitForStatus(String part) {
+    public void waitForStatus(String part) {
         browser.seeText(".sear-status", part);
     }
 
-    boolean isTrue(String expression) {
+    public boolean isTrue(String expression) {
         return Boolean.TRUE.equals(browser.scope(ROOT, expression));
     }
 
-    double number(String expression) {
+    public double number(String expression) {
         return browser.number(ROOT, expression);
     }
 
     /** Simulated seconds that the panel shows; -1 if none. */
-    double time() {
+    public double time() {
         return number("world.running ? world.running.time : -1");
     }
 
     /** Waits until the panel shows a later time. */
-    void waitForTime(double seconds) {
+    public void waitForTime(double seconds) {
         browser.until("simulated second " + seconds, () -> time() >= seconds);
     }
 
     /** The colour of a point of the ground in the view: red, green, blue, alpha as 0xRRGGBBAA. */
-    long colour(double x, double z) {
+    public long colour(double x, double z) {
         WebElement view = browser.see(".sear-view");
         Object value = browser.script("var at = angular.element(arguments[0]).scope().view.toScreen(arguments[1], arguments[2]);"
             + "var ratio = window.devicePixelRatio || 1;"
@@ -83,7 +83,7 @@ final class SearTab {
 
     /** Where a point of the ground is on the canvas, pixels. */
     @SuppressWarnings("unchecked")
-    double[] toScreen(double x, double z) {
+    public double[] toScreen(double x, double z) {
         Map<String, Number> at = (Map<String, Number>) browser.scope(ROOT, "view.toScreen(" + x + ", " + z + ")");
         return new double[] {at.get("x").doubleValue(), at.get("y").doubleValue()};
     }

@@ -4,8 +4,9 @@ import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.HeightPyramid;
 
 /**
- * Leads one beam over a {@link HeightField}, through the blocks of its pyramid, nearer ones first, to the cells whose triangles it may meet. Blocks
- * are taken a little larger than they are, by more than the rounding of the tests, so that no cell is left out that the beam touches. One thread.
+ * The intersection of a ray with a {@link HeightField}: leads the beam through the blocks of its pyramid of least and greatest heights, nearer ones
+ * first (maximum mipmaps: Tevs, Ihrke and Seidel 2008), to the cells whose triangles it may meet. Blocks are taken a little larger than they are, by
+ * more than the rounding of the tests, so that no cell is left out that the beam touches. One thread.
  */
 public final class RayHeights {
     /** Stands for 1 / 0. */

@@ -69,7 +69,7 @@ public final class CentreOfMass {
         return any;
     }
 
-    /** Where a wheel touches when the robot drives forward, in the body frame: x, metres. A castor runs behind its axis. */
+    /** Where a wheel touches when the robot drives forward, in the body frame: x, metres. A caster runs behind its axis. */
     public static double footX(Wheel wheel) {
         return wheel.getX() - wheel.getTrail() * Math.sin(Math.toRadians(wheel.getRy()));
     }

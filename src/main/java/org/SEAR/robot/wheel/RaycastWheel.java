@@ -196,7 +196,7 @@ public final class RaycastWheel {
     }
 
     /**
-     * A castor follows the way of its axis.
+     * A caster follows the way of its axis.
      *
      * @param body the robot's, after a step
      * @param speed room for three numbers

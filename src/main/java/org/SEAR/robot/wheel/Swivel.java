@@ -5,11 +5,11 @@ import org.SEAR.geometry.TimeStep;
 import org.SEAR.geometry.Vec3;
 
 /**
- * Where a wheel points that does not just point ahead: one that is steered, turns freely as a castor, has rollers, or whose axle is turned. Angles
+ * Where a wheel points that does not just point ahead: one that is steered, turns freely as a caster, has rollers, or whose axle is turned. Angles
  * are radians about the body's up axis, + to the left. Simulation thread.
  */
 final class Swivel {
-    /** Slower than this the way of a castor has no direction, m/s. */
+    /** Slower than this the way of a caster has no direction, m/s. */
     private static final double LEAST_SPEED = 1e-6;
 
     private final double mountX;
@@ -54,7 +54,7 @@ final class Swivel {
     }
 
     /**
-     * A castor has no moment of its own, so it turns as if on rails: what its axis moves across it turns the wheel, and the wheel rolls without
+     * A caster has no moment of its own, so it turns as if on rails: what its axis moves across it turns the wheel, and the wheel rolls without
      * slipping. Within a step, while the axis keeps its speed, that is a tractrix.
      *
      * @param left speed of the axis in the body frame, m/s

@@ -6,8 +6,8 @@ import com.jme3.scene.Node;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import org.SEAR.scene.SceneState;
 import org.SEAR.view.input.Key;
-import org.SEAR.view.link.SceneState;
 import org.SEAR.view.scene.Materials;
 
 /** The words on the window: numbers of the simulation, warnings, messages, help. Window thread only. */

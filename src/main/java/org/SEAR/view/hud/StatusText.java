@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.SEAR.geometry.Pose;
-import org.SEAR.view.link.SceneState;
+import org.SEAR.scene.SceneState;
 
 /** What the window's panels say about the world. */
 public final class StatusText {

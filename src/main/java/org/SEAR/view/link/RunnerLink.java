@@ -1,18 +1,14 @@
 package org.SEAR.view.link;
 
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.BooleanSupplier;
-import java.util.stream.Collectors;
-import org.SEAR.POJOs.SEARrobot;
-import org.SEAR.POJOs.SearObject;
 import org.SEAR.project.Project;
-import org.SEAR.sensors.Reading;
-import org.SEAR.sensors.SensorTypes;
+import org.SEAR.scene.BeamFan;
+import org.SEAR.scene.BeamFans;
+import org.SEAR.scene.SceneState;
+import org.SEAR.scene.SceneStates;
 import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
@@ -24,8 +20,7 @@ public final class RunnerLink implements WorldLink {
     private final Simulation simulation;
     private final BooleanSupplier scriptDrives;
     private final ExecutorService steps;
-    /** The unit of each sensor's reading. */
-    private final Map<String, String> sensors = new LinkedHashMap<>();
+    private final SceneStates states;
     private Snapshot last;
     private SceneState sceneState;
 
@@ -38,12 +33,7 @@ public final class RunnerLink implements WorldLink {
             stepper.setDaemon(true);
             return stepper;
         });
-        SensorTypes types = SensorTypes.load();
-        for (SEARrobot robot : project().getRobots()) {
-            for (SearObject part : robot.getComponents()) {
-                sensors.put(part.getFullName(), types.unit(part));
-            }
-        }
+        states = new SceneStates(project());
         simulation.post(world -> watch(world, true));
     }
 
@@ -68,30 +58,9 @@ public final class RunnerLink implements WorldLink {
         Snapshot snapshot = simulation.snapshot();
         if (snapshot != last) {
             last = snapshot;
-            sceneState = sceneState(snapshot);
+            sceneState = states.of(snapshot, snapshot.readings::get);
         }
         return sceneState;
-    }
-
-    private SceneState sceneState(Snapshot snapshot) {
-        List<SceneState.RobotState> robots = new ArrayList<>();
-        for (Snapshot.RobotState state : snapshot.robots) {
-            robots.add(new SceneState.RobotState(state.name, state.pose, state.speed, state.turnRate, state.wheels, state.parts,
-                state.lights, state.devices.stream().map(Snapshot.DeviceState::toString).collect(Collectors.toList())));
-        }
-        Map<String, double[]> beams = new LinkedHashMap<>();
-        Map<String, String> values = new LinkedHashMap<>();
-        for (Map.Entry<String, String> sensor : sensors.entrySet()) {
-            Reading reading = snapshot.readings.get(sensor.getKey());
-            if (reading != null) {
-                values.put(sensor.getKey(), reading.words(sensor.getValue()));
-                double[] lengths = reading.beams();
-                if (lengths != null) {
-                    beams.put(sensor.getKey(), lengths);
-                }
-            }
-        }
-        return new SceneState(snapshot.step, snapshot.time, snapshot.environment, robots, beams, values, snapshot.contacts, snapshot.warnings);
     }
 
     @Override

@@ -2,6 +2,8 @@ package org.SEAR.view.link;
 
 import java.util.List;
 import org.SEAR.project.Project;
+import org.SEAR.scene.BeamFan;
+import org.SEAR.scene.SceneState;
 
 /** What a window sees of a world and may ask of it. Every method answers at once; none waits for the simulation. Any thread. */
 public interface WorldLink {

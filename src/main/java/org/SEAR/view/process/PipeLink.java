@@ -5,9 +5,9 @@ import java.io.DataOutputStream;
 import java.io.IOException;
 import java.util.List;
 import org.SEAR.project.Project;
-import org.SEAR.view.link.BeamFan;
-import org.SEAR.view.link.BeamFans;
-import org.SEAR.view.link.SceneState;
+import org.SEAR.scene.BeamFan;
+import org.SEAR.scene.BeamFans;
+import org.SEAR.scene.SceneState;
 import org.SEAR.view.link.WorldLink;
 
 /** The world of another process: its states come in, commands go out. In the window's process. */

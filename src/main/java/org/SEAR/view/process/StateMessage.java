@@ -8,7 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.SEAR.geometry.Pose;
-import org.SEAR.view.link.SceneState;
+import org.SEAR.scene.SceneState;
 import org.SEAR.view.link.WorldLink;
 
 /** Everything that a {@link WorldLink} answers at one time, as it travels to a window in a process of its own. Immutable, any thread. */

@@ -13,7 +13,7 @@ import com.jme3.scene.VertexBuffer.Usage;
 import com.jme3.scene.VertexBuffer;
 import com.jme3.util.BufferUtils;
 import java.nio.FloatBuffer;
-import org.SEAR.view.link.BeamFan;
+import org.SEAR.scene.BeamFan;
 
 /** One sensor's beams as lines, and a sphere where a beam has hit. Window thread only. */
 public final class BeamView {
@@ -54,7 +54,7 @@ public final class BeamView {
         Geometry rays = new Geometry("lines", lines);
         rays.setMaterial(materials.lines());
         hitGeometry = new Geometry("hits", hits);
-        hitGeometry.setMaterial(materials.flat(fan.hitColor));
+        hitGeometry.setMaterial(materials.flat(Materials.color(fan.hitColor)));
         rays.setQueueBucket(Bucket.Transparent);
         node.setShadowMode(ShadowMode.Off);
         node.attachChild(rays);

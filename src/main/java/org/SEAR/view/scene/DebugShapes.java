@@ -23,7 +23,7 @@ import org.SEAR.POJOs.SensorObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.Project;
-import org.SEAR.view.link.SceneState;
+import org.SEAR.scene.SceneState;
 
 /** What the physics sees: outlines of the collision shapes, crosses at contact points, the rays on which wheels stand. Window thread only. */
 public final class DebugShapes {

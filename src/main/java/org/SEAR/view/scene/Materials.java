@@ -15,14 +15,13 @@ import com.jme3.texture.Texture;
 import java.util.function.Consumer;
 import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.Shape;
+import org.SEAR.scene.Glow;
 
 /** What surfaces look like. Window thread only. */
 public final class Materials {
     /** Samples that a pixel at a flat angle may take. */
     private static final int ANISOTROPY = 8;
     private static final int OPAQUE = 0xff000000;
-    /** What is seen of the colour of a light that is dark. */
-    private static final float DARK = 0.2f;
     private final AssetManager assets;
     private final boolean fine;
     private final Consumer<String> warnings;
@@ -58,14 +57,17 @@ public final class Materials {
     }
 
     private static ColorRGBA color(String hex) {
-        return new ColorRGBA().fromIntARGB(OPAQUE | Integer.parseInt(hex.substring(1), 16));
+        return color(Integer.parseInt(hex.substring(1), 16));
     }
 
     /** What is seen of a light that shines so brightly, 0 to 1. */
     static ColorRGBA glow(Led led, double brightness) {
-        ColorRGBA seen = color(led.getColor()).multLocal(DARK + (1 - DARK) * (float) brightness);
-        seen.a = 1;
-        return seen;
+        return color(Glow.of(led.getColor(), brightness));
+    }
+
+    /** An opaque colour. */
+    static ColorRGBA color(int rgb) {
+        return new ColorRGBA().fromIntARGB(OPAQUE | rgb);
     }
 
     /**

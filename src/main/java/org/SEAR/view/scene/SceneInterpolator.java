@@ -7,7 +7,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Iterator;
 import org.SEAR.geometry.Pose;
-import org.SEAR.view.link.SceneState;
+import org.SEAR.scene.SceneState;
 
 /**
  * Turns states that arrive at uneven times into smooth motion: keeps the last few, and shows the world a little late, between the two states that

@@ -14,8 +14,8 @@ import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.project.Project;
-import org.SEAR.view.link.BeamFan;
-import org.SEAR.view.link.SceneState;
+import org.SEAR.scene.BeamFan;
+import org.SEAR.scene.SceneState;
 
 /** The scene of a project: its objects, robots and beams, put where the interpolation says. Window thread only. */
 public final class WorldView {

@@ -7,8 +7,10 @@ import com.jme3.renderer.Camera;
 import java.util.Arrays;
 
 /**
- * Which tiles show the ground from a place: together they cover the field once, each as coarse as the eye does not notice. Where more would be seen
- * than a picture may have, all get coarser. Makes no objects from picture to picture.
+ * Which tiles show the ground from a place: together they cover the field once, each as coarse as the eye does not notice (chunked level of detail:
+ * Ulrich, "Rendering massive terrains using chunked level of detail control", 2002). A tile is taken if its error in metres, seen from where the eye
+ * is, is less than a few pixels; else its four children are looked at. Where more would be seen than a picture may have, all get coarser. Makes no
+ * objects from picture to picture.
  */
 final class TileChoice {
     /** Halvings between neighbours at most: a tile's edge has no more to leave out. */

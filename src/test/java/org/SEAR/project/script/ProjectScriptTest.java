@@ -231,15 +231,15 @@ public class ProjectScriptTest {
 
     /** What is legal only together with other objects. */
     @Test
-    public void wiresMotorsServosAndCastors() throws Exception {
+    public void wiresMotorsServosAndCasters() throws Exception {
         SEARrobot robot = new SEARrobot("rover");
         robot.addComponent(new Dynamics("drive", 4));
         robot.addComponent(new Box("box", 1, 1, 1, 1));
         Wheel left = new Wheel("left", 0.1, 0.05, 1);
         Wheel right = new Wheel("right", 0.1, 0.05, 1);
-        Wheel castor = new Wheel("castor", 0.1, 0.05, 0);
-        castor.setTrail(0.04);
-        for (Wheel wheel : List.of(left, right, castor)) {
+        Wheel caster = new Wheel("caster", 0.1, 0.05, 0);
+        caster.setTrail(0.04);
+        for (Wheel wheel : List.of(left, right, caster)) {
             robot.addWheel(wheel);
         }
         Motor motor = new Motor("motor", left);

@@ -75,7 +75,7 @@ function spreadFan(fan, sensor) {
     }
 }
 function corner(points, at, sensor, beam, metres) {
-    var angle = (beam * sensor.resolution - sensor.spread / 2) * Math.PI / 180
-    points[at] = Math.sin(angle) * metres
-    points[at + 2] = Math.cos(angle) * metres
+    for (var i = 0; i < 3; i++) {
+        points[at + i] = sensor.fan[beam][i] * metres
+    }
 }

@@ -111,17 +111,16 @@ function drawBeams(pen, at, sensor) {
     }
 }
 
-/** Where a beam ends, in pixels. @param degrees to the left of the sensor's forward axis */
-function beamEnd(at, pose, degrees, metres) {
-    var angle = degrees * Math.PI / 180
-    var end = geometry.onGround(pose, [Math.sin(angle) * metres, 0, Math.cos(angle) * metres])
+/** Where a beam ends, in pixels. @param direction unit vector in the sensor's frame */
+function beamEnd(at, pose, direction, metres) {
+    var end = geometry.onGround(pose, direction.map(part => part * metres))
     return at(end[0], end[1])
 }
 
 /** The beams that met something; where nothing was met there is a gap. */
 function drawScan(pen, at, pose, sensor) {
     var from = at(pose[0], pose[2])
-    var ends = sensor.ranges.map((metres, i) => metres === null ? null : beamEnd(at, pose, i * sensor.resolution - sensor.spread / 2, metres))
+    var ends = sensor.ranges.map((metres, i) => metres === null ? null : beamEnd(at, pose, sensor.fan[i], metres))
     trace(pen, [from].concat(ends.map(end => end || from)))
     pen.closePath()
     pen.fillStyle = 'rgba(240, 173, 78, 0.18)'
@@ -138,7 +137,8 @@ function drawScan(pen, at, pose, sensor) {
 function drawCone(pen, at, pose, cone) {
     var points = [at(pose[0], pose[2])]
     for (var i = -6; i <= 6; i++) {
-        points.push(beamEnd(at, pose, (cone.yaw || 0) + cone.halfAngle * i / 6, cone.range))
+        var angle = ((cone.yaw || 0) + cone.halfAngle * i / 6) * Math.PI / 180
+        points.push(beamEnd(at, pose, [Math.sin(angle), 0, Math.cos(angle)], cone.range))
     }
     trace(pen, points)
     pen.closePath()

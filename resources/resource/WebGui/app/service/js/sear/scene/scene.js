@@ -16,7 +16,6 @@ var SHADOW_PIXELS = 2048
 var SKY = {light: ['#7fb2e5', '#e8f1fa', '#cfd3c8', '#b9bdb0'], dark: ['#0d1b2f', '#33475f', '#2c2f2b', '#20231f']}
 var BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i
 var PATH = '#337ab7'
-var DARK = 0.2              // what is seen of the colour of a light that is dark
 
 /** Whether the browser draws in space; with a graphics card and not by the processor, if that is asked for. */
 export function isPossible(fast) {
@@ -176,7 +175,7 @@ Scene.prototype.showLights = function(item, robot, now) {
     })
     item.lights.forEach(function(light, i) {
         light.goTo(robot.turnedLeds ? robot.turnedLeds[i] : light.source.pose, now)
-        light.bulb.material.color.set(light.source.color).multiplyScalar(DARK + (1 - DARK) * (robot.lights[i] || 0))
+        light.bulb.material.color.set(light.source.dark).lerp(new THREE.Color(light.source.color), robot.lights[i] || 0)
     })
 }
 

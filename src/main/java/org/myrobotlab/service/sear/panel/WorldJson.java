@@ -1,6 +1,7 @@
 package org.myrobotlab.service.sear.panel;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,6 +21,11 @@ import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.Robot;
 import org.SEAR.robot.Stability;
+import org.SEAR.scene.BeamFan;
+import org.SEAR.scene.BeamFans;
+import org.SEAR.scene.Glow;
+import org.SEAR.scene.SceneState;
+import org.SEAR.scene.SceneStates;
 import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
@@ -42,6 +48,8 @@ final class WorldJson {
 
     private final Map<String, List<double[]>> paths = new LinkedHashMap<>();
     private final Looks looks;
+    private Project project;
+    private SceneStates states;
     private double lastTime;
 
     WorldJson(Looks looks) {
@@ -63,28 +71,43 @@ final class WorldJson {
                 addFixed(state.sensors.get(sensor++), robot, one, world);
             }
         }
+        for (BeamFan fan : BeamFans.of(world.getProject())) {
+            state.sensors.stream().filter(probe -> probe.ranges != null && probe.name.equals(fan.sensor)).forEach(probe -> probe.fan = fan(fan));
+        }
         return state;
     }
 
     /** What can change from step to step, in the same places as in the whole. */
     synchronized <T extends WorldState> T moving(Simulation world, T state) {
         Snapshot snapshot = world.snapshot();
-        if (snapshot.time < lastTime) {
+        Map<String, Reading> readings = new LinkedHashMap<>();
+        world.getSensorNames().forEach(name -> readings.put(name, world.read(name)));
+        SceneState scene = states(world.getProject()).of(snapshot, readings::get);
+        if (scene.time < lastTime) {
             paths.clear();
         }
-        lastTime = snapshot.time;
-        state.time = snapshot.time;
-        state.step = snapshot.step;
-        for (Pose pose : snapshot.environment) {
+        lastTime = scene.time;
+        state.time = scene.time;
+        state.step = scene.step;
+        for (Pose pose : scene.environment) {
             WorldState.Thing thing = new WorldState.Thing();
             thing.pose = numbers(pose);
             state.objects.add(thing);
         }
-        for (Robot robot : world.getRobots()) {
-            state.robots.add(mover(robot, snapshot.robots.get(state.robots.size())));
-            robot.getSensors().forEach(sensor -> state.sensors.add(probe(robot, sensor, world)));
+        for (int i = 0; i < world.getRobots().size(); i++) {
+            Robot robot = world.getRobots().get(i);
+            state.robots.add(mover(robot, scene.robots.get(i), snapshot.robots.get(i).devices));
+            robot.getSensors().forEach(sensor -> state.sensors.add(probe(robot, sensor, readings.get(sensor.getName()), scene)));
         }
         return state;
+    }
+
+    private SceneStates states(Project of) {
+        if (of != project) {
+            project = of;
+            states = new SceneStates(of);
+        }
+        return states;
     }
 
     private void addFixed(WorldState.Thing thing, SearObject object, Simulation world) {
@@ -133,7 +156,7 @@ final class WorldJson {
         return new double[] {rounded(exact[0], per), rounded(exact[1], per), rounded(exact[2], per)};
     }
 
-    private WorldState.Mover mover(Robot robot, Snapshot.RobotState now) {
+    private WorldState.Mover mover(Robot robot, SceneState.RobotState now, List<Snapshot.DeviceState> devices) {
         WorldState.Mover mover = new WorldState.Mover();
         SEARrobot written = robot.getWritten();
         mover.pose = numbers(now.pose);
@@ -141,7 +164,7 @@ final class WorldJson {
         mover.written = new double[] {written.getX(), written.getY(), written.getZ(), written.getRx(), written.getRy(), written.getRz()};
         mover.speed = rounded(now.speed, FINE);
         mover.turnRate = rounded(now.turnRate, FINE);
-        mover.devices = devices(now);
+        mover.devices = devices(devices);
         mover.wheels = wheels(now.wheels);
         mover.turned = now.parts.isEmpty() ? null : turned(robot.getObject(), now.parts, Shape.class);
         mover.lights = now.lights.isEmpty() ? null : now.lights;
@@ -183,9 +206,9 @@ final class WorldJson {
         return list;
     }
 
-    private static List<WorldState.Device> devices(Snapshot.RobotState robot) {
+    private static List<WorldState.Device> devices(List<Snapshot.DeviceState> states) {
         List<WorldState.Device> list = new ArrayList<>();
-        for (Snapshot.DeviceState state : robot.devices) {
+        for (Snapshot.DeviceState state : states) {
             WorldState.Device device = new WorldState.Device();
             device.name = state.name;
             device.on = state.powered;
@@ -218,6 +241,7 @@ final class WorldJson {
                 lamp.pose = numbers(ObjectPose.of(part));
                 lamp.name = part.getName();
                 lamp.color = ((Led) part).getColor();
+                lamp.dark = Glow.of(lamp.color, 0);
                 lamp.size = ((Led) part).getSize();
                 list.add(lamp);
             }
@@ -235,7 +259,7 @@ final class WorldJson {
     }
 
     /** Panels do the same with the poses that they get. */
-    private void extendPath(Snapshot.RobotState robot) {
+    private void extendPath(SceneState.RobotState robot) {
         List<double[]> path = paths.computeIfAbsent(robot.name, name -> new ArrayList<>());
         double[] last = path.isEmpty() ? null : path.get(path.size() - 1);
         if (last == null || Math.hypot(last[0] - robot.pose.x, last[1] - robot.pose.z) > PATH_STEP) {
@@ -258,6 +282,14 @@ final class WorldJson {
         probe.cones = sensor instanceof Distance ? cones((Distance) sensor) : null;
     }
 
+    private static List<float[]> fan(BeamFan of) {
+        List<float[]> directions = new ArrayList<>(of.size());
+        for (int i = 0; i < of.size(); i++) {
+            directions.add(Arrays.copyOfRange(of.directions, 3 * i, 3 * i + 3));
+        }
+        return directions;
+    }
+
     private static List<WorldState.BeamForm> cones(Distance sensor) {
         List<WorldState.BeamForm> list = new ArrayList<>();
         for (BeamCone cone : sensor.getCones()) {
@@ -270,22 +302,19 @@ final class WorldJson {
         return list;
     }
 
-    private static WorldState.Probe probe(Robot robot, Sensor<?> sensor, Simulation world) {
+    private static WorldState.Probe probe(Robot robot, Sensor<?> sensor, Reading reading, SceneState scene) {
         WorldState.Probe probe = new WorldState.Probe();
-        Reading reading = world.read(sensor.getName());
         LidarScan scan = reading.scan();
         probe.pose = numbers(robot.getPose().times(sensor.getMount()));
         if (scan == null) {
             probe.value = Optional.ofNullable(reading.value());
         } else {
-            probe.spread = scan.getSpread();
-            probe.resolution = scan.getResolution();
             probe.ranges = numbers(scan.ranges(), FINE);
         }
         if (reading.hits() != null) {
             probe.hit = reading.hits().stream().findFirst().map(hit -> point(hit, MILLIMETRES));
         }
-        probe.words = reading.words(world.getUnit(sensor.getName()));
+        probe.words = scene.values.get(sensor.getName());
         probe.numbers = numbers(reading.numbers(), FINEST);
         probe.picture = reading.picture() == null ? null : SmallPicture.of(reading.picture());
         return probe;

@@ -95,6 +95,8 @@ class WorldState extends JsonForm {
         String name;
         /** {@code #00ff00}. */
         String color;
+        /** What is seen of it when it is dark. */
+        String dark;
         double size;
     }
 
@@ -114,9 +116,7 @@ class WorldState extends JsonForm {
         double[] pose;
         /** What scripts get; of a scanner the ranges stand in its place. */
         Optional<Object> value;
-        Double spread;
-        Double resolution;
-        /** Null where nothing was hit. */
+        /** Of a scanner, null where nothing was hit. */
         List<Double> ranges;
         /** Where the nearest beam met something; only if beams meet something at a place. */
         Optional<double[]> hit;
@@ -136,6 +136,8 @@ class WorldState extends JsonForm {
         List<String> names;
         /** Of a distance sensor. */
         List<BeamForm> cones;
+        /** Of a scanner: unit vectors of its beams in its own frame. */
+        List<float[]> fan;
     }
 
     /** A cone of beams. */

@@ -165,6 +165,7 @@ public class WorldFeedTest {
             Map<?, ?> lamp = (Map<?, ?>) ((List<?>) first.get("leds")).get(0);
             assertEquals("lamp", lamp.get("name"));
             assertEquals("#00ff00", lamp.get("color"));
+            assertEquals("#003300", lamp.get("dark"));
             assertEquals(0.01, lamp.get("size"));
             assertArrayEquals(new double[] {0.1, 0, 0, 0, 0, 0}, (double[]) lamp.get("pose"), 0);
             assertEquals(List.of(0.0), first.get("lights"));
@@ -176,6 +177,28 @@ public class WorldFeedTest {
             step(world, STEPS_BETWEEN);
             Map<?, ?> still = (Map<?, ?>) ((Map<?, ?>) ((Map<?, ?>) next(world).get("changes")).get("robots")).get(0);
             assertFalse(still.containsKey("lights"));
+        }
+    }
+
+    /** Once; then the ranges, one for each beam. */
+    @Test
+    public void panelsAreToldWhichWaysAScannersBeamsGo() throws Exception {
+        Path folder = temporary.newFolder().toPath();
+        Path robot = Files.createDirectories(folder.resolve("robot"));
+        Files.writeString(robot.resolve("r.xml"), "<SEARrobot><name>r</name><component>d</component><component>eye</component></SEARrobot>");
+        Files.writeString(robot.resolve("d.xml"), "<Dynamics><name>d</name><mass>1</mass></Dynamics>");
+        Files.writeString(robot.resolve("eye.xml"), "<LIDAR><name>eye</name><range>8</range><spread>180</spread><resolution>45</resolution></LIDAR>");
+        try (Simulation world = Simulation.load(folder, 1)) {
+            Map<?, ?> eye = (Map<?, ?>) ((List<?>) next(world).get("sensors")).get(0);
+            List<?> fan = (List<?>) eye.get("fan");
+            assertEquals(((List<?>) eye.get("ranges")).size(), fan.size());
+            float half = (float) Math.sqrt(0.5);
+            float[][] wanted = {{-1, 0, 0}, {-half, 0, half}, {0, 0, 1}, {half, 0, half}, {1, 0, 0}};
+            for (int i = 0; i < wanted.length; i++) {
+                assertArrayEquals(wanted[i], (float[]) fan.get(i), 1e-6f);
+            }
+            step(world, STEPS_BETWEEN);
+            assertFalse(((Map<?, ?>) next(world).get("changes")).toString().contains("fan"));
         }
     }
 }

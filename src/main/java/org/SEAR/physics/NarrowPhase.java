@@ -1,0 +1,258 @@
+package org.SEAR.physics;
+
+import com.bulletphysics.collision.broadphase.BroadphaseNativeType;
+import com.bulletphysics.collision.broadphase.CollisionAlgorithm;
+import com.bulletphysics.collision.broadphase.CollisionAlgorithmConstructionInfo;
+import com.bulletphysics.collision.dispatch.CollisionAlgorithmCreateFunc;
+import com.bulletphysics.collision.dispatch.CollisionObject;
+import com.bulletphysics.collision.dispatch.DefaultCollisionConfiguration;
+import com.bulletphysics.collision.shapes.ConcaveShape;
+import com.bulletphysics.collision.shapes.TriangleCallback;
+import java.util.ArrayList;
+import java.util.List;
+import javax.vecmath.Vector3f;
+import org.SEAR.collision.ContactPoints;
+import org.SEAR.collision.ContactTriangle;
+import org.SEAR.collision.Convex;
+import org.SEAR.collision.Crossing;
+import org.SEAR.collision.GjkDistance;
+import org.SEAR.collision.ManifoldClipper;
+import org.SEAR.geometry.Aabb;
+import org.SEAR.geometry.Placement;
+import org.SEAR.physics.solid.Solid;
+
+/**
+ * Finds where bodies touch or come near, from the shapes themselves in double precision; jbullet is told to use it for every pair, and finds only
+ * the pairs. Simulation thread.
+ */
+final class NarrowPhase extends DefaultCollisionConfiguration {
+    /** Normals whose cosine is greater belong to one manifold. */
+    private static final double SAME = 0.9998;
+    /** A direction that parts two flat things nearly as far as the best one stays, metres: else their contact would change to and fro. */
+    private static final double CHANGE = 1e-4;
+    /** Points of contact with a mesh that are kept. */
+    private static final int MESH_POINTS = 12;
+    /** So much before a triangle, as a share of the way of a substep, what would go through it stops. */
+    private static final double BEFORE = 0.01;
+    /** Things that a thing can touch or nearly touch at once before it counts as crowded. */
+    private static final int MOST_CONTACTS = 48;
+
+    private final GjkDistance gjk = new GjkDistance();
+    private final ManifoldClipper clipper = new ManifoldClipper();
+    private final ContactPoints contacts = new ContactPoints();
+    private final ContactTriangle triangle = new ContactTriangle();
+    private final Crossing crossing = new Crossing();
+    private final TriangleCallback crossed = new TriangleCallback() {
+        @Override
+        public void processTriangle(Vector3f[] corners, int part, int index) {
+            crossing.look(corners);
+        }
+    };
+    private final double[] start = new double[3];
+    private final double[] end = new double[3];
+    private final Vector3f low = new Vector3f();
+    private final Vector3f high = new Vector3f();
+    private final Aabb box = new Aabb();
+    private final List<PairContacts> pairs = new ArrayList<>();
+    private final double seconds;
+    private final double gain;
+    private PlacedSolid solid;
+    private PlacedSolid mesh;
+    private double reach;
+    private double margin;
+    private boolean near;
+    private PairContacts current;
+    private final double[] guess = {1, 0, 0};
+    private final CollisionAlgorithmCreateFunc maker = new CollisionAlgorithmCreateFunc() {
+        @Override
+        public CollisionAlgorithm createCollisionAlgorithm(CollisionAlgorithmConstructionInfo info, CollisionObject first, CollisionObject second) {
+            return new PairContacts(info, NarrowPhase.this);
+        }
+
+        @Override
+        public void releaseCollisionAlgorithm(CollisionAlgorithm algorithm) {
+            // garbage collection does
+        }
+    };
+    private final TriangleCallback triangles = new TriangleCallback() {
+        @Override
+        public void processTriangle(Vector3f[] corners, int part, int index) {
+            meetTriangle(corners);
+        }
+    };
+
+    /**
+     * @param seconds length of a step
+     * @param gravity m/s^2
+     */
+    NarrowPhase(double seconds, double gravity) {
+        this.seconds = seconds;
+        gain = gravity * seconds;
+    }
+
+    @Override
+    public CollisionAlgorithmCreateFunc getCollisionAlgorithmCreateFunc(BroadphaseNativeType a, BroadphaseNativeType b) {
+        return maker == null ? super.getCollisionAlgorithmCreateFunc(a, b) : maker;
+    }
+
+    /** Length of a step, seconds. */
+    double stepSeconds() {
+        return seconds;
+    }
+
+    /** What gravity adds to a speed in a step, m/s. */
+    double stepGain() {
+        return gain;
+    }
+
+    /** Forgets the pairs of the last step. */
+    void clear() {
+        pairs.clear();
+    }
+
+    /**
+     * Whether so many things lie in one another that two of them need not be looked at in this step: both touch enough others, from which they are
+     * moved away first. So a step costs no more than many contacts a thing.
+     */
+    boolean isCrowded(Body a, Body b) {
+        return a.countContact() > MOST_CONTACTS && b.countContact() > MOST_CONTACTS;
+    }
+
+    /** Takes a pair that has contacts in this step. */
+    void list(PairContacts pair) {
+        pairs.add(pair);
+    }
+
+    /** The pairs that have contacts in this step, in an order that the run decides. */
+    List<PairContacts> getPairs() {
+        return pairs;
+    }
+
+    /**
+     * Finds the contacts of two bodies.
+     *
+     * @param a no mesh
+     * @param newMargin how far apart two points of a contact may be, metres
+     * @param newReach how near they may come to be of interest, metres, no less than that
+     * @return whether they come as near as that
+     */
+    boolean find(PairContacts pair, Body a, Body b, double newMargin, double newReach) {
+        margin = newMargin;
+        reach = Math.max(newMargin, newReach);
+        near = false;
+        current = pair;
+        PlacedSolid[] ofA = a.place();
+        PlacedSolid[] ofB = b.place();
+        for (int i = 0; i < ofA.length; i++) {
+            for (int k = 0; k < ofB.length; k++) {
+                if (ofA[i].isNear(ofB[k], reach)) {
+                    find(pair, ofA[i], i, ofB[k], k);
+                }
+            }
+        }
+        return near;
+    }
+
+    private void find(PairContacts pair, PlacedSolid a, int solidA, PlacedSolid b, int solidB) {
+        contacts.clear();
+        clipper.setReach(margin);
+        boolean touched = pair.guess(guess);
+        if (b.isMesh()) {
+            solid = a;
+            mesh = b;
+            b.inFrame(a, reach, box);
+            low.set((float) box.minX, (float) box.minY, (float) box.minZ);
+            high.set((float) box.maxX, (float) box.maxY, (float) box.maxZ);
+            ((ConcaveShape) b.getShape()).processAllTriangles(triangles, low, high);
+        } else if (!(pair.isSingle() && gjk.gap(a, b, guess) > reach) && measure(a, b.core(), b, b.solid.convex().skin())) {
+            if (touched && pair.isFlat()) {
+                gjk.keep(a, b, guess, CHANGE);
+            }
+            a.feature(-gjk.nx, -gjk.ny, -gjk.nz, clipper.ofA);
+            b.feature(gjk.nx, gjk.ny, gjk.nz, clipper.ofB);
+            clipper.find(gjk, contacts);
+        }
+        write(pair, a.solid, solidA, b.solid, solidB);
+    }
+
+    /** Measures by the cores, which are apart where things touch; only what is deeper than both skins costs more. */
+    private boolean measure(PlacedSolid a, Convex coreOfB, Convex b, double skinOfB) {
+        double skins = a.solid.convex().skin() + skinOfB;
+        if (!gjk.measure(a.core(), coreOfB, reach + 2 * skins, guess[0], guess[1], guess[2])) {
+            current.parted(gjk.nx, gjk.ny, gjk.nz);
+            return false;
+        }
+        gjk.addSkins(a, b, skinOfB);
+        if (gjk.distance <= reach) {
+            near = true;
+            current.approached(gjk.distance, gjk.nx, gjk.ny, gjk.nz);
+        }
+        return gjk.distance <= margin;
+    }
+
+    private void meetTriangle(Vector3f[] corners) {
+        if (!triangle.set(corners, mesh.place) || !triangle.isNear(solid, reach) || !measure(solid, triangle, triangle, 0)) {
+            return;
+        }
+        boolean through = gjk.distance < 0 && triangle.depth() <= ManifoldClipper.BREAKING;
+        if (through) {
+            // what has come a little way through a triangle goes back through it, not sideways over its edges to the next triangle
+            triangle.front(clipper.ofB);
+            solid.feature(-clipper.ofB.nx, -clipper.ofB.ny, -clipper.ofB.nz, clipper.ofA);
+            if (clipper.faces(clipper.ofB.nx, clipper.ofB.ny, clipper.ofB.nz, contacts)) {
+                return;
+            }
+        }
+        triangle.feature(gjk.nx, gjk.ny, gjk.nz, clipper.ofB);
+        solid.feature(-gjk.nx, -gjk.ny, -gjk.nz, clipper.ofA);
+        clipper.find(gjk, contacts);
+    }
+
+    /**
+     * Stops a body whose centre of mass has gone through a triangle of a mesh in a substep: contacts push what is not through to where it came from.
+     *
+     * @param b the mesh
+     */
+    void stopBefore(Body a, Body b) {
+        SolverBody solver = a.getSolver();
+        mesh = b.place()[0];
+        mesh.place.toFrame(solver.getFrom()[0], solver.getFrom()[1], solver.getFrom()[2], start);
+        mesh.place.toFrame(solver.place.x, solver.place.y, solver.place.z, end);
+        low.set((float) Math.min(start[0], end[0]), (float) Math.min(start[1], end[1]), (float) Math.min(start[2], end[2]));
+        high.set((float) Math.max(start[0], end[0]), (float) Math.max(start[1], end[1]), (float) Math.max(start[2], end[2]));
+        crossing.begin(start, end);
+        ((ConcaveShape) mesh.getShape()).processAllTriangles(crossed, low, high);
+        if (crossing.getShare() < 1) {
+            double[] n = crossing.getNormal();
+            Placement at = mesh.place;
+            solver.stopAt(Math.max(0, crossing.getShare() - BEFORE), at.m00 * n[0] + at.m01 * n[1] + at.m02 * n[2],
+                at.m10 * n[0] + at.m11 * n[1] + at.m12 * n[2], at.m20 * n[0] + at.m21 * n[1] + at.m22 * n[2]);
+        }
+    }
+
+    /** Puts the points into manifolds of one normal each. */
+    private void write(PairContacts pair, Solid a, int solidA, Solid b, int solidB) {
+        int chosen = contacts.choose(b.isMesh() ? MESH_POINTS : Manifold.MOST_POINTS);
+        int first = pair.size();
+        for (int i = 0; i < chosen; i++) {
+            int from = contacts.chosen(i);
+            Manifold into = null;
+            for (int k = first; k < pair.size() && into == null; k++) {
+                Manifold manifold = pair.get(k);
+                double cosine = manifold.nx * contacts.nx(from) + manifold.ny * contacts.ny(from) + manifold.nz * contacts.nz(from);
+                into = cosine > SAME && manifold.count < Manifold.MOST_POINTS ? manifold : null;
+            }
+            if (into == null) {
+                into = pair.add(solidA, solidB);
+                into.nx = contacts.nx(from);
+                into.ny = contacts.ny(from);
+                into.nz = contacts.nz(from);
+                into.setSurfaces(a.getSurface(), b.getSurface());
+            }
+            into.add(contacts.x(from), contacts.y(from), contacts.z(from), contacts.height(from));
+        }
+        for (int k = first; k < pair.size(); k++) {
+            pair.inherit(pair.get(k));
+        }
+    }
+}

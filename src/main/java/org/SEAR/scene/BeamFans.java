@@ -1,0 +1,109 @@
+package org.SEAR.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.SEAR.POJOs.BeamCone;
+import org.SEAR.POJOs.Distance;
+import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.project.ObjectPose;
+import org.SEAR.project.Project;
+import org.SEAR.sensors.BeamPattern;
+
+/** The beams of a project's sensors, as window and tab draw them. Any thread. */
+public final class BeamFans {
+    private static final int DISTANCE_HIT = 0xff140d;
+    private static final int LIDAR_HIT = 0xfff21a;
+    private static final int LIDAR_BEAM = 0xff1f14;
+    private static final float DISTANCE_RADIUS = 0.03f;
+    private static final float LIDAR_RADIUS = 0.018f;
+    /** Share of a step that a spread may fall short of a whole number of steps. */
+    private static final double ROUNDING = 1e-9;
+    private static final float BYTE = 255f;
+    /** More lines than this for a sensor are a blot, and a machine without graphics card spends most of a picture's time on them. */
+    private static final int MOST_LINES = 240;
+
+    private BeamFans() {
+    }
+
+    /** In the order of the robots and their components. */
+    public static List<BeamFan> of(Project project) {
+        List<BeamFan> fans = new ArrayList<>();
+        List<SEARrobot> robots = project.getRobots();
+        for (int robot = 0; robot < robots.size(); robot++) {
+            List<SearObject> parts = robots.get(robot).getComponents();
+            for (int i = 0; i < parts.size(); i++) {
+                if (parts.get(i) instanceof Distance) {
+                    fans.add(cones((Distance) parts.get(i), robot, i));
+                } else if (parts.get(i) instanceof LIDAR) {
+                    fans.add(plane((LIDAR) parts.get(i), robot, i));
+                }
+            }
+        }
+        return fans;
+    }
+
+    private static BeamFan cones(Distance sensor, int robot, int part) {
+        BeamPattern pattern = BeamPattern.of(sensor.getCones());
+        int count = pattern.size();
+        float[] directions = new float[3 * count];
+        float[] ranges = new float[count];
+        float[] colors = new float[3 * count];
+        for (int i = 0; i < count; i++) {
+            directions[3 * i] = (float) pattern.getX(i);
+            directions[3 * i + 1] = (float) pattern.getY(i);
+            directions[3 * i + 2] = (float) pattern.getZ(i);
+            ranges[i] = (float) pattern.getRange(i);
+            paint(colors, i, pattern.getColor(i));
+        }
+        return new BeamFan(sensor.getFullName(), robot, part, ObjectPose.of(sensor), directions, ranges, colors,
+            lines(sensor.getCones(), count), DISTANCE_HIT, DISTANCE_RADIUS, false);
+    }
+
+    private static BeamFan plane(LIDAR lidar, int robot, int part) {
+        int count = (int) Math.floor(lidar.getSpread() / lidar.getResolution() + ROUNDING) + 1;
+        float[] directions = new float[3 * count];
+        float[] ranges = new float[count];
+        float[] colors = new float[3 * count];
+        for (int i = 0; i < count; i++) {
+            double angle = Math.toRadians(i * lidar.getResolution() - lidar.getSpread() / 2);
+            directions[3 * i] = (float) Math.sin(angle);
+            directions[3 * i + 2] = (float) Math.cos(angle);
+            ranges[i] = (float) lidar.getRange();
+            paint(colors, i, LIDAR_BEAM);
+        }
+        return new BeamFan(lidar.getFullName(), robot, part, ObjectPose.of(lidar), directions, ranges, colors,
+            everyNth(count, stride(count)), LIDAR_HIT, LIDAR_RADIUS, true);
+    }
+
+    private static void paint(float[] colors, int beam, int color) {
+        colors[3 * beam] = (color >> 16 & 0xff) / BYTE;
+        colors[3 * beam + 1] = (color >> 8 & 0xff) / BYTE;
+        colors[3 * beam + 2] = (color & 0xff) / BYTE;
+    }
+
+    private static int stride(int count) {
+        return (count + MOST_LINES - 1) / MOST_LINES;
+    }
+
+    private static int[] everyNth(int count, int stride) {
+        return IntStream.range(0, count).filter(beam -> beam % stride == 0).toArray();
+    }
+
+    /** Of each cone the first line and every nth after it; cone by cone turned by one line, so that they fill each other's gaps. */
+    private static int[] lines(List<BeamCone> cones, int count) {
+        int stride = stride(count);
+        IntStream.Builder chosen = IntStream.builder();
+        int first = 0;
+        for (int cone = 0; cone < cones.size(); cone++) {
+            int size = cones.get(cone).getLines();
+            for (int i = 0; i < size; i += stride) {
+                chosen.add(first + (i + cone) % size);
+            }
+            first += size;
+        }
+        return chosen.build().toArray();
+    }
+}

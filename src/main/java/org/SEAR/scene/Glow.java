@@ -1,0 +1,28 @@
+package org.SEAR.scene;
+
+/** What is seen of a light: a dark one has a little of its colour, too. Any thread. */
+public final class Glow {
+    /** What is seen of the colour of a light that is dark. */
+    private static final double DARK = 0.2;
+    private static final int BYTE = 0xff;
+
+    private Glow() {
+    }
+
+    /**
+     * The colour that is seen.
+     *
+     * @param color of the light, {@code #rrggbb}
+     * @param brightness 0 to 1
+     * @return {@code #rrggbb}
+     */
+    public static String of(String color, double brightness) {
+        double share = DARK + (1 - DARK) * brightness;
+        int full = Integer.parseInt(color.substring(1), 16);
+        return String.format("#%02x%02x%02x", channel(full >> 16, share), channel(full >> 8, share), channel(full, share));
+    }
+
+    private static int channel(int color, double share) {
+        return (int) Math.round((color & BYTE) * share);
+    }
+}

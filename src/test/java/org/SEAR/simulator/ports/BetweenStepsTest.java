@@ -1,0 +1,208 @@
+package org.SEAR.simulator.ports;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.TimeUnit;
+import org.SEAR.Bytes;
+import org.SEAR.POJOs.Arduino;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Robots;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.devices.SerialLine;
+import org.SEAR.project.ProjectRule;
+import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.Worlds;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** What lines and devices do between two steps: by the clock, and while time stands still. */
+public class BetweenStepsTest {
+    /** Start; the mode that it is in then. */
+    private static final String QUERY = "80 8E 23";
+    /** Of three bytes there and one back at 115200 baud, of 1/256 of a step. */
+    private static final int PARTS_TO_DEVICE = 4;
+    private static final int PARTS_TO_AND_FRO = 6;
+    private static final String DIGITAL_WRITE = "AA 03 1B 0D 01";
+    /** Characters of the line of text that a board says first. */
+    private static final int HELLO = 63;
+    private static final String ACK = "AA 02 09 1B";
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+    private final ByteArrayOutputStream heard = new ByteArrayOutputStream();
+    private Simulation world;
+    private SerialLine create;
+    private SerialLine uno;
+
+    @Before
+    public void start() throws Exception {
+        new Floor("floor", 10, 10);
+        SEARrobot robot = Robots.create2("rover", "createUart", "createUser");
+        Arduino board = new Arduino("uno");
+        board.setPorts("unoUart", "unoUser");
+        board.setFirmware("MrlComm");
+        robot.addComponent(board);
+        world = Worlds.start(project);
+        uno = line("Arduino");
+        create = line("Dynamics");
+        world.getLines().forEach(each -> each.setSink(bytes -> heard.write(bytes, 0, bytes.length)));
+        Worlds.run(world, 0.5);
+    }
+
+    private SerialLine line(String type) {
+        return world.getLines().stream().filter(each -> each.getObjectType().equals(type)).findFirst().orElseThrow(AssertionError::new);
+    }
+
+    private String heard() {
+        String hex = Bytes.hex(heard.toByteArray());
+        heard.reset();
+        return hex;
+    }
+
+    private String heardIn(double seconds) {
+        Worlds.run(world, seconds);
+        return heard();
+    }
+
+    @Test
+    public void byTheClockAnAnswerComesBeforeTheNextStepAndTakesTheTimeOfItsBytes() {
+        long step = world.getStep();
+        create.write(Bytes.bytes(QUERY));
+        int next = world.attend(100);
+        assertEquals("the question is on the line", 100 + PARTS_TO_DEVICE + 1, next, 1);
+        assertEquals("", heard());
+        world.attend(100 + PARTS_TO_DEVICE - 1);
+        assertEquals("", heard());
+        next = world.attend(next);
+        assertEquals("the answer is on the line", 100 + PARTS_TO_AND_FRO, next, 1);
+        assertEquals("", heard());
+        world.attend(next);
+        assertEquals("01", heard());
+        assertEquals(step, world.getStep());
+        world.step();
+        assertEquals("", heard());
+    }
+
+    /** A program that is told a part of an answer, and the rest when a busy processor comes back to it, falls out of step. */
+    @Test
+    public void byTheClockAnAnswerComesInOnePiece() {
+        List<Integer> pieces = new ArrayList<>();
+        create.setSink(bytes -> pieces.add(bytes.length));
+        create.write(Bytes.bytes("80 8E 00"));
+        int looks = 0;
+        for (int next = world.attend(100); pieces.isEmpty() && next < Simulation.PARTS; looks++) {
+            next = world.attend(next);
+        }
+        assertEquals(List.of(26), pieces);
+        assertEquals("when the question has arrived, and when the answer has left", 2, looks);
+    }
+
+    @Test
+    public void longAfterTheLastByteNothingIsToBeDone() {
+        assertEquals(Simulation.PARTS, world.attend(10));
+        create.write(Bytes.bytes(QUERY));
+        assertTrue(world.attend(20) < Simulation.PARTS);
+        Worlds.run(world, 0.2);
+        assertEquals(Simulation.PARTS, world.attend(10));
+    }
+
+    @Test
+    public void timeOfDevicesNeverRunsBackwards() {
+        create.write(Bytes.bytes(QUERY));
+        world.attend(200);
+        create.write(Bytes.bytes("8E 23"));
+        int next = world.attend(50);
+        assertTrue("from part 200 on: " + next, next > 200);
+        world.step();
+        assertEquals("01 01", heard());
+        create.write(Bytes.bytes(QUERY));
+        world.attend(200);
+        world.reset();
+        create.write(Bytes.bytes("80 8E 07"));
+        world.step();
+        assertEquals("00", heard());
+    }
+
+    @Test
+    public void whileTimeStandsStillMrlCommAnswersAtOnceAndOthersWait() {
+        long step = world.getStep();
+        create.write(Bytes.bytes(QUERY));
+        assertFalse(world.isAsked());
+        for (int i = 0; i < 2000; i++) {
+            uno.write(Bytes.bytes(DIGITAL_WRITE));
+            assertTrue(world.isAsked());
+            world.answer();
+            assertFalse(world.isAsked());
+            assertEquals("command " + i, ACK, heard());
+        }
+        assertEquals(step, world.getStep());
+        world.step();
+        assertEquals("01", heard());
+    }
+
+    @Test(timeout = 60_000)
+    public void whileTimeStandsStillTheBoardBootsInNoTimeAsSoonAsWhoHasOpenedItsPortWaits() throws Exception {
+        uno.write(Bytes.bytes("AA 05 04 0E 01 00 00"));
+        world.answer();
+        heard();
+        CountDownLatch goOn = new CountDownLatch(1);
+        SynchronousQueue<String> answers = new SynchronousQueue<>();
+        Thread user = new Thread(() -> {
+            uno.pickUp();
+            try {
+                goOn.await();
+                answers.poll(1, TimeUnit.DAYS);
+            } catch (InterruptedException e) {
+                throw new IllegalStateException(e);
+            }
+        });
+        user.start();
+        while (user.getState() != Thread.State.WAITING) {
+            Thread.onSpinWait();
+        }
+        assertFalse("it goes on and doesn't wait for the board yet", world.isAsked());
+        world.answer();
+        assertEquals("", heard());
+        goOn.countDown();
+        while (!world.isAsked()) {
+            Thread.onSpinWait();
+        }
+        world.answer();
+        String told = heard();
+        assertEquals("AA 02 3A 44 AA 09 03 44 02 03 E8 04 00 00 00", told.substring(3 * HELLO));
+        assertEquals("it has forgotten the pins", "", heardIn(0.9));
+        answers.put("");
+        user.join();
+    }
+
+    @Test
+    public void inPiecesACommandHasTheSameAnswer() {
+        uno.write(Bytes.bytes("AA 03"));
+        world.answer();
+        assertEquals("", heard());
+        uno.write(Bytes.bytes("1B 0D 01 " + DIGITAL_WRITE));
+        world.answer();
+        assertEquals(ACK + " " + ACK, heard());
+    }
+
+    @Test
+    public void whatTheBoardHasSaidBeforeLeavesTheLineFirst() {
+        uno.write(Bytes.bytes("AA 05 04 0E 01 00 00"));
+        Worlds.run(world, 0.1);
+        heard();
+        uno.write(Bytes.bytes(DIGITAL_WRITE));
+        world.answer();
+        String told = heard();
+        assertTrue(told, told.matches("(([0-9A-F]{2} )+)?" + ACK));
+        Worlds.run(world, 0.1);
+        assertTrue("whole messages", (told + " " + heard()).contains(ACK + " AA 05 20 03 0E"));
+    }
+}

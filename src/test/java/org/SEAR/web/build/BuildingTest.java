@@ -1,0 +1,396 @@
+package org.SEAR.web.build;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Paths;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.SEAR.project.ProjectRule;
+import org.SEAR.web.Browser;
+import org.SEAR.web.SearTab;
+import org.SEAR.web.Tabs;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.ClassRule;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TestRule;
+import org.openqa.selenium.Dimension;
+import org.openqa.selenium.Keys;
+import org.openqa.selenium.WebElement;
+import org.openqa.selenium.interactions.Actions;
+
+/** Worlds and robots are built in the SEAR tab by mouse and keys, and are what a script would have made. */
+public class BuildingTest {
+    @ClassRule
+    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
+    /** What the first test builds. */
+    private static final String SCRIPT = String.join("\n",
+        "from org.SEAR.POJOs import Box, Compass, Cone, Cylinder, Distance, Floor, LIDAR, Robots, Sphere",
+        "sear.newProject()",
+        "Floor('floor1', 10, 10)",
+        "for name, x, z in ((1, 2, 2), (2, 2, -2), (3, -2, 2), (4, -2, -2)): Box('box%d' % name, 0.5, 0.5, 0.5).move(x, 0.25, z)",
+        "Cylinder('cylinder1', 0.2, 0.5).move(3, 0.25, 0)",
+        "Cone('cone1', 0.2, 0.5).move(3, 0.25, 1)",
+        "Sphere('sphere1', 0.2).move(3, 0.2, -1)",
+        "tower = Box('box5', 0.5, 0.5, 0.5)",
+        "tower.move(2, 0.75, 2)",
+        "copy = Box('box6', 0.5, 0.5, 0.5, 4)",
+        "copy.move(2.05, 0.75, 2.5)",
+        "copy.rotate(0, 15, 0)",
+        "robot = Robots.create2('create2')",
+        "robot.move(0, 0, 1)",
+        "robot.addComponent(Compass('compass1'))",
+        "lidar = LIDAR('lidar1')",
+        "lidar.move(0, 0.1, 0.1)",
+        "robot.addComponent(lidar)",
+        "eye = Distance('eye', 'PING)))')",
+        "eye.move(0.1, 0.0365, 0)",
+        "robot.addComponent(eye)");
+
+    @Rule
+    public final TestRule page = TABS.page("sear");
+    private final Browser browser = TABS.browser();
+    private final SearTab tab = new SearTab(TABS);
+
+    @Before
+    public void beginWithAnEmptyProject() {
+        browser.until("no simulation", () -> tab.isTrue("service && !service.simulating && world.preview !== null && edits.grammar !== null"));
+        TABS.robotLab().run("sear.newProject()");
+        browser.until("an empty project", () -> tab.isTrue("world.shown() && !world.shown().objects.length && !world.shown().robots.length"));
+    }
+
+    @After
+    public void stop() {
+        if (TABS.robotLab().call("sear", "isSimulating").asBoolean()) {
+            TABS.robotLab().call("sear", "stopSimulation");
+        }
+    }
+
+    /** While nothing is just written. */
+    private Map<String, String> files() throws IOException {
+        Map<String, String> files = ProjectRule.files(TABS.robotLab().file("SEARproject"));
+        files.keySet().removeIf(file -> file.startsWith(".edits/"));
+        return files;
+    }
+
+    private void build(String mode) {
+        browser.click(mode);
+        if (!tab.isTrue("view.building")) {
+            browser.click(".sear-build");
+        }
+        browser.see(".sear-palette");
+    }
+
+    /** A point of the ground on the map that is shown, as the middle of the canvas sees it. */
+    private Actions onMap(double x, double z) {
+        double[] at = tab.toScreen(x, z);
+        return moveTo(browser.see(".sear-view"), at);
+    }
+
+    private Actions moveTo(WebElement view, double[] at) {
+        Dimension size = view.getSize();
+        return new Actions(browser.driver()).moveToElement(view, (int) Math.round(at[0]) - size.getWidth() / 2,
+            (int) Math.round(at[1]) - size.getHeight() / 2);
+    }
+
+    @SuppressWarnings("unchecked")
+    private double[] inSpace(double x, double y, double z) {
+        Map<String, Object> at = (Map<String, Object>) browser.scope(SearTab.ROOT, "view.scene().toScreen(" + x + ", " + y + ", " + z + ")");
+        return new double[] {((Number) at.get("x")).doubleValue(), ((Number) at.get("y")).doubleValue()};
+    }
+
+    private void arm(String type) {
+        browser.click(".sear-palette [data-make='" + type + "']");
+        browser.until(type + " to place", () -> tab.isTrue("palette.armed && palette.armed.name == '" + type + "'"));
+    }
+
+    private void waitForSelected(String object) {
+        browser.until(object + " selected", () -> tab.isTrue("edits.object && edits.object.object == '" + object + "'"));
+        browser.until(object + " in the view", () -> tab.isTrue("edits.selected == '" + object + "' && building.found() !== null"));
+    }
+
+    private void placeOnMap(String type, double x, double z, String name) {
+        arm(type);
+        onMap(x, z).click().perform();
+        waitForSelected(name);
+    }
+
+    private void set(String field, String value) {
+        String css = "[data-field='" + field + "'] .form-control";
+        WebElement input = browser.see(css);
+        input.sendKeys(Keys.chord(Keys.CONTROL, "a"));
+        input.sendKeys(value, Keys.ENTER);
+        browser.until(field + " to be " + value, () -> tab.isTrue("edits.object && edits.object.values." + field + " == '" + value + "'"));
+    }
+
+    @Test
+    public void aWorldAndARobotAreBuiltAndEqualWhatAScriptMakes() throws Exception {
+        TABS.robotLab().run(SCRIPT);
+        Map<String, String> wanted = files();
+        beginWithAnEmptyProject();
+        build(".sear-map");
+        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope();"
+            + "angular.extend(scope.view, {x: 0, z: 0, scale: 50, chosen: true}); scope.view.redraw()");
+        browser.until("all places in the view", () -> Math.abs(tab.toScreen(1, 0)[1] - tab.toScreen(0, 0)[1] + 50) < 0.1);
+        placeOnMap("Floor", 0, 0, "floor1");
+        int box = 1;
+        for (double[] at : new double[][] {{2, 2}, {2, -2}, {-2, 2}, {-2, -2}}) {
+            placeOnMap("Box", at[0], at[1], "box" + box++);
+        }
+        placeOnMap("Cylinder", 3, 0, "cylinder1");
+        placeOnMap("Cone", 3, 1, "cone1");
+        placeOnMap("Sphere", 3, -1, "sphere1");
+        placeOnMap("Box", 2, 2, "box5");
+        browser.click(".sear-duplicate");
+        waitForSelected("box6");
+        browser.see(".sear-view").sendKeys(Keys.ARROW_UP);
+        browser.until("5 cm to the north", () -> tab.isTrue("edits.object.values.x == '2.05'"));
+        browser.see(".sear-view").sendKeys("[");
+        browser.until("a turn", () -> tab.isTrue("edits.object.values.ry == '15'"));
+        set("mass", "4");
+        placeOnMap("create2", 0, 1, "create2");
+        for (String type : List.of("Compass", "LIDAR", "Distance")) {
+            arm(type);
+            if (type.equals("Distance")) {
+                onMap(0.1, 1).click().perform();
+            } else {
+                browser.click(".sear-middle");
+            }
+            waitForSelected("create2/" + type.toLowerCase(Locale.ROOT) + "1");
+            if (type.equals("Compass")) {
+                set("y", "0");
+            }
+        }
+        WebElement name = browser.see("#sear-p-name");
+        name.sendKeys(Keys.chord(Keys.CONTROL, "a"));
+        name.sendKeys("eye", Keys.ENTER);
+        waitForSelected("create2/eye");
+        set("beam", "PING)))");
+        browser.click(".sear-tree button[ng-click*='sensor']");
+        browser.until("a sensor of the list", () -> tab.isTrue("edits.object && edits.object.robot == 'create2'"));
+        TABS.robotLab().run("sear.edit({'do': 'set', 'object': 'lidar1', 'set': {'z': 0.1}})");
+        assertEquals(wanted, files());
+        handlesOfTheMapSizeAndTurn();
+        tab.start();
+        browser.until("readings of all three sensors", () -> tab.number("world.shown().sensors.length") == 3);
+        aRobotIsDraggedWhileItRuns();
+        TABS.robotLab().call("sear", "stopSimulation");
+        browser.until("no simulation", () -> tab.isTrue("service && !service.simulating"));
+        while (tab.isTrue("edits.undoable !== null")) {
+            Object last = browser.scope(SearTab.ROOT, "messages.list[0].id + ' ' + messages.list[0].times");
+            browser.click(".sear-undo");
+            browser.until("an edit undone", () -> !last.equals(browser.scope(SearTab.ROOT, "messages.list[0].id + ' ' + messages.list[0].times")));
+        }
+        assertEquals(Map.of(), files());
+        browser.until("an empty view", () -> tab.isTrue("!world.shown().objects.length && !world.shown().robots.length && edits.selected === null"));
+    }
+
+    /** Handles of 0.5 m of box4 in the south-west. */
+    private void handlesOfTheMapSizeAndTurn() throws IOException {
+        onMap(-2, -2).click().perform();
+        waitForSelected("box4");
+        WebElement view = browser.see(".sear-view");
+        picture("map");
+        drag(view, onMapOf("x"), tab.toScreen(-1.25, -2));
+        browser.until("it is longer", () -> tab.isTrue("edits.object.values.length == '1' && edits.object.values.x == '-1.75'"));
+        browser.until("in the view, too", () -> Math.abs(place("x").get(0).doubleValue() + 1.25) < 1e-3);
+        drag(view, onMapOf("turn"), tab.toScreen(-1, -2.02));
+        browser.until("it looks north", () -> tab.isTrue("edits.object.values.ry == '90'"));
+        assertTrue("what one looks along has no handle", tab.isTrue("building.handle('y') === null"));
+        String onEarth = "{x: '0', y: '0', z: '0', ry: '0', placeLatitude: '5', placeLongitude: '6', placeHeading: '30'}";
+        String thing = "{robot: null, object: {pose: [1, 2, 3, 0, 60, 0]}}";
+        assertEquals("{\"placeHeading\":\"0\"}", written(thing, onEarth, false, "{ry: '90'}"));
+        assertEquals("{\"x\":\"4\",\"z\":\"3\",\"onGround\":\"true\"}", written(thing, onEarth, false, "{x: '4'}"));
+        assertEquals("a crate that was tipped over and pushed", "{\"rx\":\"0\",\"ry\":\"0\",\"rz\":\"90\",\"z\":\"3\",\"x\":\"4\"}",
+            written("{robot: null, object: {pose: [1, 2, 3, 0, 0, 90]}}", "{x: '1', y: '2', z: '0', ry: '0'}", true, "{x: '4'}"));
+        assertEquals("a robot whose Dynamics is 2 m ahead of it", "{\"x\":\"3\",\"z\":\"6\",\"ry\":\"90\"}",
+            written("{robot: null, object: {parts: [], pose: [5, 0, 5, 0, 90, 0], start: [1, 0, 2, 0, 0, 0], written: [1, 0, 0, 0, 0, 0]}}",
+                "{x: '1', y: '0', z: '0', ry: '0'}", true, "{z: '6'}"));
+        onMap(0, 1).click().perform();
+        waitForSelected("create2");
+        assertTrue("a robot can be turned, its parts have sizes", tab.isTrue("building.handle('x') === null && building.handle('turn') !== null"));
+    }
+
+    /** What an edit sets in a file with such values. */
+    private Object written(String selected, String values, boolean live, String set) {
+        return browser.module("build/places.js", "return JSON.stringify(module.edit(module.of(" + selected + ", " + values + ", "
+            + live + "), " + set + "))");
+    }
+
+    /** By mouse and by a key, back by undo; its sensors go with it. */
+    private void aRobotIsDraggedWhileItRuns() {
+        waitForSelected("create2");
+        double x = tab.number("world.running.robots[0].pose[0]");
+        drag(browser.see(".sear-view"), tab.toScreen(x, 1), tab.toScreen(x - 1, -1));
+        browser.until("its new place in its file",
+            () -> tab.isTrue("edits.object.object == 'create2' && edits.object.values.z == '-1' && edits.object.values.x != '0'"));
+        double put = tab.number("1 * edits.object.values.x");
+        assertEquals(x - 1, put, 0.03);
+        browser.until("it stands there", () -> Math.abs(tab.number("world.running.robots[0].pose[2]") + 1) < 0.01
+            && Math.abs(tab.number("world.running.robots[0].pose[0]") - put) < 0.01);
+        browser.until("its sensors with it", () -> tab.number("world.running.sensors[0].pose[2]") < -0.5);
+        browser.see(".sear-view").sendKeys(Keys.ARROW_RIGHT);
+        browser.until("5 cm to the east", () -> tab.isTrue("edits.object.values.z == '-0.95'")
+            && Math.abs(tab.number("world.running.robots[0].pose[2]") + 0.95) < 0.01);
+        browser.see(".sear-view").sendKeys("[");
+        browser.until("turned",
+            () -> tab.isTrue("edits.object.values.ry == '15'") && Math.abs(tab.number("world.running.robots[0].pose[4]") - 15) < 1);
+        String said = String.valueOf(browser.scope(SearTab.ROOT, "messages.list"));
+        assertFalse("nothing waits: " + said, said.contains("next start"));
+        browser.see(".sear-view").sendKeys(Keys.chord(Keys.CONTROL, "z"), Keys.chord(Keys.CONTROL, "z"), Keys.chord(Keys.CONTROL, "z"));
+        browser.until("back where it was", () -> tab.isTrue("edits.object.values.z == '1' && edits.object.values.x == '0'")
+            && Math.abs(tab.number("world.running.robots[0].pose[2]") - 1) < 0.01);
+    }
+
+    @Test
+    public void inSpaceTheMouseSelectsMovesSizesAndTurns() throws IOException {
+        TABS.robotLab().run("from org.SEAR.POJOs import Box, Floor, Robots\nFloor('floor', 10, 10)\nBox('crate', 1, 1, 1).move(0, 0.5, 0)\n"
+            + "Robots.create2('rosie').move(0, 0, 2)");
+        browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
+        build(".sear-space");
+        browser.until("all of it", () -> tab.isTrue("view.fitted && view.scene().objects[0].dressed && view.scene().objects[1].dressed"));
+        WebElement view = browser.see(".sear-scene");
+        moveTo(view, inSpace(0, 0.1, 2)).click().perform();
+        waitForSelected("rosie");
+        moveTo(view, inSpace(0, 0.1, 2)).click().perform();
+        waitForSelected("rosie/body");
+        moveTo(view, inSpace(0, 0.9, 0)).click().perform();
+        waitForSelected("crate");
+        drag(inSpace(-0.3, 1, 0.3), inSpace(0.72, 1, -0.71));
+        browser.until("it moved", () -> tab.isTrue("edits.object.values.x != '0' && edits.object.values.z != '0'"));
+        double x = tab.number("1 * edits.object.values.x");
+        double z = tab.number("1 * edits.object.values.z");
+        assertEquals("as far as the mouse", 1, x, 0.11);
+        assertEquals(-1, z, 0.11);
+        assertEquals("to the grid", Math.rint(x / 0.05), x / 0.05, 1e-6);
+        waitForSelected("crate");
+        browser.until("its new place in the view", () -> Math.abs(place("x").get(0).doubleValue() - x - 0.5) < 1e-3);
+        drag(handle("x"), inSpace(x + 1, 0.5, z));
+        browser.until("it grew", () -> tab.isTrue("edits.object.values.length != '1'"));
+        double length = tab.number("1 * edits.object.values.length");
+        assertEquals(1.5, length, 0.11);
+        assertEquals("to the grid", Math.rint(length / 0.05), length / 0.05, 1e-6);
+        assertEquals("the other side stays", x - 0.5, tab.number("1 * edits.object.values.x") - length / 2, 1e-4);
+        browser.until("the new size in the view", () ->
+            Math.abs(place("x").get(0).doubleValue() - tab.number("1 * edits.object.values.x") - length / 2) < 1e-3);
+        double[] handle = handle("turn");
+        drag(handle, new double[] {handle[0] - 20, handle[1] - 60});
+        browser.until("it turned by 15 degrees or more", () -> tab.isTrue("edits.object.values.ry != '0' && edits.object.values.ry % 15 == 0"));
+        browser.see(".sear-scene").sendKeys(Keys.chord(Keys.CONTROL, "z"));
+        browser.until("undone", () -> tab.isTrue("edits.object.values.ry == '0'"));
+        picture("light");
+        set("mass", "7");
+        WebElement mass = browser.see("[data-field='mass'] .form-control");
+        mass.sendKeys(Keys.chord(Keys.CONTROL, "a"), "-7", Keys.ENTER);
+        browser.seeText("[data-field='mass'] .sear-wrong", "legal: 0, or a number from 0.000001 to 1000000 kg");
+        assertTrue(files().get("environment/crate.xml").contains("<mass>7</mass>"));
+        TABS.robotLab().run("sear.edit({'do': 'set', 'object': 'crate', 'set': {'color': 'red'}})");
+        browser.until("what another one has changed", () -> tab.isTrue("edits.object.values.color == 'red'"));
+        view.sendKeys(Keys.DELETE);
+        browser.until("it is gone", () -> tab.isTrue("edits.selected === null && edits.undoable == 'delete crate'"));
+        assertFalse(files().containsKey("environment/crate.xml"));
+        view.sendKeys(Keys.chord(Keys.CONTROL, "z"));
+        browser.until("it is back", () -> tab.isTrue("edits.redoable == 'delete crate'"));
+        assertTrue(files().containsKey("environment/crate.xml"));
+    }
+
+    /** In an empty project: a robot, the ground that it needs, a sensor dragged onto its side, and a drive; what makes it top-heavy is said. */
+    @Test
+    public void aRobotIsMadeFromATemplateAndDriven() throws IOException {
+        build(".sear-space");
+        WebElement view = browser.see(".sear-scene");
+        lookAt(view, 0);
+        arm("rover");
+        moveTo(view, inSpace(0, 0, 0)).click().perform();
+        waitForSelected("rover1");
+        assertTrue(tab.isTrue("world.shown().objects.length == 1 && world.shown().objects[0].type == 'Floor'"));
+        browser.seeText(".sear-balance", "tips over");
+        browser.until("its parts", () -> tab.isTrue("view.scene().robots[0].parts[0].dressed"));
+        Dimension size = view.getSize();
+        double[] side = inSpace(-0.07, 0.09, -0.1);
+        new Actions(browser.driver()).moveToElement(browser.see(".sear-palette [data-make='Distance']")).clickAndHold().moveToElement(view,
+            (int) Math.round(side[0]) - size.getWidth() / 2, (int) Math.round(side[1]) - size.getHeight() / 2).release().perform();
+        waitForSelected("rover1/distance1");
+        assertTrue("it looks to the right, from the side", tab.isTrue("edits.object.values.ry == '-90' && edits.object.values.z == '-0.1'"));
+        assertEquals(-0.07, tab.number("1 * edits.object.values.x"), 1e-3);
+        browser.until("the sensor in the view", () -> tab.isTrue("view.scene().sensors.length == 1 && !!view.scene().sensors[0].marker"));
+        drag(inSpace(-0.07, 0.068 + tab.number("1 * edits.object.values.y"), -0.1), inSpace(0, 0.113, -0.1));
+        browser.until("on top", () -> tab.isTrue("edits.object.values.x == '0' && edits.object.values.z == '-0.1'"));
+        assertEquals("on the surface", 0.045, tab.number("1 * edits.object.values.y"), 1e-3);
+        browser.click(".sear-test-drive");
+        browser.until("the drive", () -> tab.isTrue("service.simulating && world.running !== null"));
+        browser.until("keys for the view", () -> view.equals(browser.driver().switchTo().activeElement()));
+        view.sendKeys("u");
+        browser.until("it drives", () -> tab.number("world.shown().robots[0].pose[2]") > 0.2);
+        view.sendKeys(";", Keys.ESCAPE);
+        browser.until("it stands", () -> tab.isTrue("edits.selected === null && world.running.robots[0].speed == 0"));
+        double there = tab.number("world.running.robots[0].pose[2]");
+        lookAt(view, there);
+        moveTo(view, inSpace(0, 0.05, there)).click().perform();
+        waitForSelected("rover1");
+        drag(inSpace(0, 0.05, there), inSpace(0.2, 0.05, there - 0.3));
+        browser.until("it was put elsewhere", () -> tab.isTrue("edits.object.object == 'rover1' && edits.object.values.z != '0'"));
+        double put = tab.number("1 * edits.object.values.z");
+        assertEquals(there - 0.3, put, 0.06);
+        assertEquals("it stands on the ground", 0, tab.number("1 * edits.object.values.y"), 0.001);
+        browser.until("in the running world", () -> Math.abs(tab.number("world.running.robots[0].pose[2]") - put) < 0.01);
+        browser.click(".sear-test-drive");
+        browser.until("no simulation", () -> tab.isTrue("service && !service.simulating"));
+        TABS.robotLab().run("sear.edit({'do': 'add', 'type': 'Box', 'name': 'mast', 'to': 'rover1', 'set': {'length': 0.04, 'width': 0.04,"
+            + " 'height': 0.3, 'y': 0.2, 'z': -0.05, 'mass': 3}})");
+        browser.seeText(".sear-balance .sear-wrong", "Warning: centre of mass at");
+        picture("robot");
+        browser.scope(SearTab.ROOT, "$apply(\"edits.select('rover1/left')\")");
+        browser.until("the wheel", () -> tab.isTrue("edits.object && edits.object.object == 'rover1/left'"));
+        view.sendKeys(Keys.DELETE);
+        browser.seeText(".sear-last", "motor leftMotor was deleted with wheel left; Undo brings back both");
+        assertFalse(files().containsKey("robot/leftMotor.xml"));
+        view.sendKeys(Keys.chord(Keys.CONTROL, "z"));
+        browser.until("both are back", () -> tab.isTrue("edits.redoable == 'delete left with motor leftMotor'"));
+        assertTrue(files().containsKey("robot/leftMotor.xml"));
+    }
+
+    /** From near, at a point so far to the east. */
+    private void lookAt(WebElement view, double z) {
+        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); var orbit = scope.view.scene().orbit;"
+            + "orbit.target.set(0, 0, arguments[0]); orbit.distance = 0.9; orbit.azimuth = Math.PI; orbit.elevation = 0.6; scope.view.redraw()", z);
+        browser.until("a near view", () -> inSpace(0, 0, z + 0.1)[0] - inSpace(0, 0, z)[0] > 25
+            && Math.abs(inSpace(0, 0, z)[0] - view.getSize().getWidth() / 2.0) < 2);
+    }
+
+    /** For whoever looks at it. */
+    private void picture(String theme) throws IOException {
+        browser.picture(Paths.get(System.getProperty("sear.root", "."), "build/reports/web/building-" + theme + ".png"));
+    }
+
+    @SuppressWarnings("unchecked")
+    private List<Number> place(String handle) {
+        return (List<Number>) browser.scope(SearTab.ROOT, "building.handle('" + handle + "')");
+    }
+
+    private double[] onMapOf(String handle) {
+        List<Number> at = place(handle);
+        return tab.toScreen(at.get(0).doubleValue(), at.get(2).doubleValue());
+    }
+
+    private double[] handle(String name) {
+        List<Number> at = place(name);
+        return inSpace(at.get(0).doubleValue(), at.get(1).doubleValue(), at.get(2).doubleValue());
+    }
+
+    private void drag(double[] from, double[] to) {
+        drag(browser.see(".sear-scene"), from, to);
+    }
+
+    private void drag(WebElement view, double[] from, double[] to) {
+        Dimension size = view.getSize();
+        moveTo(view, from).clickAndHold().moveToElement(view, (int) Math.round((from[0] + to[0]) / 2) - size.getWidth() / 2,
+            (int) Math.round((from[1] + to[1]) / 2) - size.getHeight() / 2).moveToElement(view, (int) Math.round(to[0]) - size.getWidth() / 2,
+            (int) Math.round(to[1]) - size.getHeight() / 2).release().perform();
+    }
+}

@@ -1,0 +1,150 @@
+package org.SEAR.web.pictures;
+
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import java.awt.image.IndexColorModel;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.ImageWriter;
+import javax.imageio.metadata.IIOMetadata;
+import javax.imageio.metadata.IIOMetadataNode;
+import javax.imageio.stream.ImageOutputStream;
+
+/** A moving picture that is shown again and again, in 255 colours; of each picture only what has changed is in the file. One thread. */
+final class AnimatedGif {
+    private static final String SCREEN = "javax_imageio_gif_stream_1.0";
+    private static final String FORMAT = "javax_imageio_gif_image_1.0";
+    /** Says "show it for ever" to browsers. */
+    private static final byte[] FOR_EVER = {1, 0, 0};
+    private static final int STAYS = 255;
+
+    private final List<int[]> pictures = new ArrayList<>();
+    private final List<Integer> hundredths = new ArrayList<>();
+    private int width;
+    private int height;
+
+    /**
+     * Adds a picture, of the same size as those before.
+     *
+     * @param time for which it is shown, hundredths of a second
+     */
+    void add(BufferedImage picture, int time) {
+        width = picture.getWidth();
+        height = picture.getHeight();
+        int[] pixels = picture.getRGB(0, 0, width, height, null, 0, width);
+        int last = pictures.size() - 1;
+        if (last >= 0 && Arrays.equals(pictures.get(last), pixels)) {
+            hundredths.set(last, hundredths.get(last) + time);
+        } else {
+            pictures.add(pixels);
+            hundredths.add(time);
+        }
+    }
+
+    void write(Path file) throws IOException {
+        GifColors colors = new GifColors(pictures, STAYS);
+        ImageWriter writer = ImageIO.getImageWritersByFormatName("gif").next();
+        Files.deleteIfExists(file);
+        try (ImageOutputStream out = ImageIO.createImageOutputStream(file.toFile())) {
+            writer.setOutput(out);
+            writer.prepareWriteSequence(screen(writer, colors.model()));
+            byte[] before = null;
+            for (int i = 0; i < pictures.size(); i++) {
+                byte[] now = colors.of(pictures.get(i));
+                writeChange(writer, colors.model(), before, now, hundredths.get(i));
+                before = now;
+            }
+            writer.endWriteSequence();
+        } finally {
+            writer.dispose();
+        }
+    }
+
+    /** Size and colours of all pictures. */
+    private IIOMetadata screen(ImageWriter writer, IndexColorModel model) throws IOException {
+        IIOMetadataNode root = new IIOMetadataNode(SCREEN);
+        child(root, "Version").setAttribute("value", "89a");
+        IIOMetadataNode size = child(root, "LogicalScreenDescriptor");
+        size.setAttribute("logicalScreenWidth", Integer.toString(width));
+        size.setAttribute("logicalScreenHeight", Integer.toString(height));
+        size.setAttribute("colorResolution", "8");
+        size.setAttribute("pixelAspectRatio", "0");
+        IIOMetadataNode colors = child(root, "GlobalColorTable");
+        colors.setAttribute("sizeOfGlobalColorTable", Integer.toString(model.getMapSize()));
+        colors.setAttribute("backgroundColorIndex", "0");
+        colors.setAttribute("sortFlag", "FALSE");
+        for (int i = 0; i < model.getMapSize(); i++) {
+            IIOMetadataNode color = new IIOMetadataNode("ColorTableEntry");
+            color.setAttribute("index", Integer.toString(i));
+            color.setAttribute("red", Integer.toString(model.getRed(i)));
+            color.setAttribute("green", Integer.toString(model.getGreen(i)));
+            color.setAttribute("blue", Integer.toString(model.getBlue(i)));
+            colors.appendChild(color);
+        }
+        IIOMetadata metadata = writer.getDefaultStreamMetadata(null);
+        metadata.setFromTree(SCREEN, root);
+        return metadata;
+    }
+
+    private void writeChange(ImageWriter writer, IndexColorModel model, byte[] before, byte[] now, int time) throws IOException {
+        Rectangle part = changed(before, now);
+        BufferedImage image = new BufferedImage(part.width, part.height, BufferedImage.TYPE_BYTE_INDEXED, model);
+        for (int y = 0; y < part.height; y++) {
+            for (int x = 0; x < part.width; x++) {
+                int at = (part.y + y) * width + part.x + x;
+                image.getRaster().setSample(x, y, 0, before != null && before[at] == now[at] ? STAYS : now[at] & 0xff);
+            }
+        }
+        IIOMetadata metadata = writer.getDefaultImageMetadata(ImageTypeSpecifier.createFromRenderedImage(image), null);
+        IIOMetadataNode root = (IIOMetadataNode) metadata.getAsTree(FORMAT);
+        root.removeChild(child(root, "LocalColorTable"));
+        IIOMetadataNode descriptor = child(root, "ImageDescriptor");
+        descriptor.setAttribute("imageLeftPosition", Integer.toString(part.x));
+        descriptor.setAttribute("imageTopPosition", Integer.toString(part.y));
+        IIOMetadataNode control = child(root, "GraphicControlExtension");
+        control.setAttribute("disposalMethod", "doNotDispose");
+        control.setAttribute("delayTime", Integer.toString(time));
+        control.setAttribute("transparentColorFlag", "TRUE");
+        control.setAttribute("transparentColorIndex", Integer.toString(STAYS));
+        IIOMetadataNode loop = new IIOMetadataNode("ApplicationExtension");
+        loop.setAttribute("applicationID", "NETSCAPE");
+        loop.setAttribute("authenticationCode", "2.0");
+        loop.setUserObject(FOR_EVER);
+        child(root, "ApplicationExtensions").appendChild(loop);
+        metadata.setFromTree(FORMAT, root);
+        writer.writeToSequence(new IIOImage(image, null, metadata), null);
+    }
+
+    private static IIOMetadataNode child(IIOMetadataNode root, String name) {
+        for (int i = 0; i < root.getLength(); i++) {
+            if (root.item(i).getNodeName().equals(name)) {
+                return (IIOMetadataNode) root.item(i);
+            }
+        }
+        IIOMetadataNode child = new IIOMetadataNode(name);
+        root.appendChild(child);
+        return child;
+    }
+
+    /** Around all pixels that differ; a single one if none does. */
+    private Rectangle changed(byte[] before, byte[] now) {
+        if (before == null) {
+            return new Rectangle(width, height);
+        }
+        Rectangle all = null;
+        for (int i = 0; i < now.length; i++) {
+            if (before[i] != now[i]) {
+                Rectangle one = new Rectangle(i % width, i / width, 1, 1);
+                all = all == null ? one : all.union(one);
+            }
+        }
+        return all == null ? new Rectangle(1, 1) : all;
+    }
+}

@@ -1,0 +1,78 @@
+package org.SEAR.web.sear;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.SEAR.web.Browser;
+import org.SEAR.web.MyRobotLab;
+import org.SEAR.web.SearTab;
+import org.SEAR.web.Tabs;
+import org.junit.BeforeClass;
+import org.junit.ClassRule;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TestRule;
+import org.openqa.selenium.Keys;
+import org.openqa.selenium.WebElement;
+
+/** The examples that drive are offered in both tabs, by a click. */
+public class DrivingExamplesInTheTabsTest {
+    @ClassRule
+    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
+    @Rule
+    public final TestRule page = TABS.page("sear");
+    private final Browser browser = TABS.browser();
+    private final MyRobotLab robotLab = TABS.robotLab();
+    private final SearTab tab = new SearTab(TABS);
+
+    /** Beside those in the jar there may be others in the working folder. */
+    @BeforeClass
+    public static void bringExamples() throws IOException {
+        Path examples = Path.of(System.getProperty("sear.root", ".")).resolve("examples");
+        Path target = Files.createDirectories(TABS.robotLab().file("examples/drive"));
+        try (Stream<Path> scripts = Files.list(examples.resolve("drive"))) {
+            for (Path script : (Iterable<Path>) scripts::iterator) {
+                Files.copy(script, target.resolve(script.getFileName()));
+            }
+        }
+    }
+
+    /** In lock-step, so that the robot's program is as quick as its robot on a busy machine, too. */
+    @Test
+    public void theSearTabRunsOneAndShowsTheRobotDrive() {
+        tab.stopAll();
+        robotLab.call("sear", "setLockStep", true);
+        browser.until("the list of examples", () -> browser.texts(".sear-script option").contains("obstacle avoidance"));
+        browser.choose(".sear-script", "obstacle avoidance");
+        browser.click(".sear-run-script");
+        tab.waitForRobot("office Roomba");
+        browser.until("a running simulation", () -> tab.isTrue("world.running !== null"));
+        browser.until("the robot at the goal", () -> Math.hypot(tab.number("world.running.robots[0].pose[0]") - 1.9,
+            tab.number("world.running.robots[0].pose[2]") - 1.8) < 0.2);
+        assertTrue("no other is begun while one drives", !browser.see(".sear-run-script").isEnabled());
+        tab.stopAll();
+    }
+
+    @Test
+    public void thePythonTabShowsOneAndAsksBeforeItReplacesText() {
+        TABS.open("python");
+        browser.until("the list of examples", () -> browser.texts(".python-example option").contains("maze_solver.py"));
+        browser.choose(".python-example", "maze_solver.py");
+        WebElement editor = browser.see(".python-code");
+        browser.until("the script", () -> editor.getAttribute("value").startsWith("# Finds the way through the maze"));
+        assertEquals("maze_solver.py", browser.see(".python-file").getAttribute("value"));
+        editor.sendKeys(Keys.chord(Keys.CONTROL, Keys.END), "# mine");
+        browser.choose(".python-example", "wall_follower.py");
+        browser.seeText(".python-question", "The text below is not saved.");
+        browser.click(".python-cancel");
+        assertTrue(editor.getAttribute("value").endsWith("# mine"));
+        browser.choose(".python-example", "wall_follower.py");
+        browser.click(".python-go");
+        browser.until("the other script", () -> editor.getAttribute("value").startsWith("# Follows the wall"));
+        assertTrue("nothing is written to the disk", Files.notExists(robotLab.file("wall_follower.py")));
+    }
+}

@@ -1,0 +1,101 @@
+package org.SEAR.web.sear;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNotEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.SEAR.web.Browser;
+import org.SEAR.web.MyRobotLab;
+import org.SEAR.web.SearTab;
+import org.SEAR.web.Tabs;
+import org.junit.Before;
+import org.junit.ClassRule;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TestRule;
+import org.openqa.selenium.WebElement;
+import org.openqa.selenium.interactions.Actions;
+
+/** A terrain in the SEAR tab: map, contour lines, height and place under the pointer, with and without a simulation. */
+public class TerrainTabTest {
+    private static final String WORLD = "from org.SEAR.POJOs import Box, Terrain\nsear.newProject()\n"
+        + "Terrain('land', 'terrain/jacksboro.tif').setArea(36.485, -84.2308, 2000, 2000)\nBox('box', 40, 40, 20, 0).placeAt(-500, 500)\n";
+    private static final Pattern POINTED = Pattern.compile("here (-?[\\d.]+) m, (-?[\\d.]+) m above the geoid at (-?[\\d.]+)°, (-?[\\d.]+)°");
+    @ClassRule
+    public static final Tabs TABS = new Tabs("Runtime.start('sear', 'SEAR')");
+    @Rule
+    public final TestRule page = TABS.page("sear");
+    private final Browser browser = TABS.browser();
+    private final MyRobotLab robotLab = TABS.robotLab();
+    private final SearTab tab = new SearTab(TABS);
+
+    @Before
+    public void world() {
+        tab.stopAll();
+        robotLab.run(WORLD);
+        browser.until("the ground",
+            () -> tab.isTrue("ground.terrain() !== null && ground.terrain().picture.complete && ground.terrain().words(0, 0) !== ''"));
+        whole();
+    }
+
+    /** Has the view show two kilometres. */
+    private void whole() {
+        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope(); scope.view.x = scope.view.z = 0; "
+            + "scope.view.scale = 0.2; scope.view.chosen = scope.view.fitted = true; scope.view.redraw()");
+    }
+
+    /** Puts the pointer on a point of the ground and reads what the tab says of it: height, metres above the geoid, latitude, longitude. */
+    private double[] point(double x, double z) {
+        WebElement view = browser.see(".sear-view");
+        double[] at = tab.toScreen(x, z);
+        new Actions(browser.driver()).moveToElement(view, (int) Math.round(at[0] - view.getSize().width / 2.0),
+            (int) Math.round(at[1] - view.getSize().height / 2.0)).perform();
+        browser.until("words under the pointer", () -> POINTED.matcher(browser.see(".sear-pointed").getText()).matches());
+        Matcher words = POINTED.matcher(browser.see(".sear-pointed").getText());
+        assertTrue(words.matches());
+        return new double[] {Double.parseDouble(words.group(1)), Double.parseDouble(words.group(2)), Double.parseDouble(words.group(3)),
+            Double.parseDouble(words.group(4))};
+    }
+
+    @Test
+    public void thePreviewShowsTheGroundAndWhatIsUnderThePointer() {
+        double[] middle = point(0, 0);
+        double pixel = 1 / tab.number("view.scale");
+        assertEquals(36.485, middle[2], 2 * pixel / 111_000);
+        assertEquals(-84.2308, middle[3], 2 * pixel / 89_000);
+        assertEquals("the middle is the world's height 0", 0, middle[0], 1 + pixel);
+        assertEquals(middle[1] - middle[0], point(150, -180)[1] - point(150, -180)[0], 0.11);
+        assertNotEquals("colours differ", tab.colour(180, 180), tab.colour(-180, -180));
+    }
+
+    @Test
+    public void contourLinesHaveRoundHeightsAtEveryZoom() {
+        for (String zoom : new String[] {"1", "0.3", "3", "3", "20", "4"}) {
+            browser.script("angular.element(document.querySelector('.sear-main')).scope().view.zoom(" + zoom + ")");
+            browser.until("contour lines", () -> tab.isTrue("ground.terrain().lines && ground.terrain().lines.lines.length > 10"));
+            double interval = tab.number("ground.terrain().lines.interval");
+            double one = interval / Math.pow(10, Math.floor(Math.log10(interval) + 1e-9));
+            assertTrue("interval " + interval, Math.abs(one - 1) < 1e-6 || Math.abs(one - 2) < 1e-6 || Math.abs(one - 5) < 1e-6);
+            assertTrue("not too many", tab.number("ground.terrain().lines.lines.length") < 60_000);
+        }
+        String line = "ground.terrain().lines.lines[7]";
+        double wanted = tab.number(line + "[0]") * tab.number("ground.terrain().lines.interval");
+        double middle = tab.number("ground.terrain().height(" + line + "[1], " + line + "[2]) + ground.terrain().sent.altitude");
+        assertEquals("a line has the height that it says", wanted, middle, tab.number("ground.terrain().lines.interval"));
+    }
+
+    @Test
+    public void theGroundIsSentOnceAndStaysWhileTheSimulationRuns() {
+        browser.script("angular.element(document.querySelector('.sear-main')).scope().ground.terrain().mark = 1");
+        tab.start();
+        tab.waitForTime(1);
+        assertTrue("the same ground", tab.isTrue("ground.terrain().mark === 1"));
+        double height = robotLab.call("sear", "getGroundHeight", 120, -75).asDouble();
+        assertEquals(height, tab.number("ground.terrain().height(120, -75)"), 0.5);
+        assertEquals(height, point(120, -75)[0], 3);
+        browser.click(".sear-stop");
+        tab.waitForStatus("no simulation runs");
+    }
+}

@@ -9,9 +9,9 @@ import java.util.concurrent.Callable;
 import org.SEAR.project.Project;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
+import org.SEAR.project.problems.FileReasons;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
-import org.SEAR.project.problems.Reasons;
 import org.SEAR.simulator.ProjectCheck;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -53,7 +53,7 @@ final class CheckCommand implements Callable<Integer> {
             }
             err.println(path + ": problems: " + e.getProblems().size());
         } catch (IOException e) {
-            err.println("sear check: " + path + " can't be read: " + Reasons.of(e));
+            err.println("sear check: " + path + " can't be read: " + FileReasons.of(e));
         }
         return PROBLEMS;
     }

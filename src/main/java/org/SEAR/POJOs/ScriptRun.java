@@ -13,33 +13,30 @@ import java.util.stream.Collectors;
  */
 final class ScriptRun {
     private static final String SCRIPT = "org.python.pycode.";
-    private static final Set<String> NAMES = new HashSet<>();
-    private static String run = "";
-    private static boolean taken;
-
-    private ScriptRun() {
-    }
+    private final Set<String> names = new HashSet<>();
+    private String run = "";
+    private boolean taken;
 
     /** Whether this run of a script has given the name before; never outside of scripts. */
-    static synchronized boolean isAgain(String name) {
-        return follow() && !NAMES.add(name);
+    synchronized boolean isAgain(String name) {
+        return follow() && !names.add(name);
     }
 
     /** Another project: nothing in it has been given a name yet. */
-    static synchronized void forget() {
-        NAMES.clear();
+    synchronized void forget() {
+        names.clear();
         taken = false;
     }
 
     /** This run of a script has taken a project, whose objects it means to have. */
-    static synchronized void hasTaken() {
+    synchronized void hasTaken() {
         taken = follow();
     }
 
     /** Which of these names this run of a script did not give; none if it gave no name at all, or has taken a project. */
-    static synchronized List<String> others(Collection<String> names) {
-        boolean builds = follow() && !NAMES.isEmpty() && !taken;
-        return builds ? names.stream().filter(name -> !NAMES.contains(name)).collect(Collectors.toList()) : List.of();
+    synchronized List<String> others(Collection<String> all) {
+        boolean builds = follow() && !names.isEmpty() && !taken;
+        return builds ? all.stream().filter(name -> !names.contains(name)).collect(Collectors.toList()) : List.of();
     }
 
     /**
@@ -47,12 +44,12 @@ final class ScriptRun {
      *
      * @return whether one is
      */
-    private static boolean follow() {
+    private boolean follow() {
         Optional<String> present = StackWalker.getInstance().walk(frames -> frames.map(StackWalker.StackFrame::getClassName)
             .filter(type -> type.startsWith(SCRIPT)).reduce((inner, outer) -> outer));
         if (present.isPresent() && !present.get().equals(run)) {
             run = present.get();
-            NAMES.clear();
+            names.clear();
             taken = false;
         }
         return present.isPresent();

@@ -63,7 +63,7 @@ public abstract class Shape extends PlacedObject {
     private Double spinY;
     @Param(doc = "speed of its turning at the start about the world's z; without it 0", unit = "deg/s", min = -TURNING, max = TURNING)
     private Double spinZ;
-    private final int madeAfter = RunningWorld.starts();
+    private final int madeAfter = Workbenches.ALL.starts();
 
     /** For reading from a file. */
     protected Shape() {
@@ -272,7 +272,7 @@ public abstract class Shape extends PlacedObject {
         double checkedY = checked("velocityY", newY);
         double checkedZ = checked("velocityZ", newZ);
         checkLaunch("velocity");
-        RunningWorld.Acts running = RunningWorld.reading(madeAfter);
+        Workbench.Acts running = Workbenches.ALL.actsFor(madeAfter);
         if (running != null) {
             running.setVelocity(getName(), checkedX, checkedY, checkedZ);
             return;
@@ -296,7 +296,7 @@ public abstract class Shape extends PlacedObject {
         double checkedY = checked("spinY", newY);
         double checkedZ = checked("spinZ", newZ);
         checkLaunch("spin");
-        RunningWorld.Acts running = RunningWorld.reading(madeAfter);
+        Workbench.Acts running = Workbenches.ALL.actsFor(madeAfter);
         if (running != null) {
             running.setSpin(getName(), checkedX, checkedY, checkedZ);
             return;

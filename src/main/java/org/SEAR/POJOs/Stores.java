@@ -5,7 +5,7 @@ import java.io.UncheckedIOException;
 import java.util.ServiceLoader;
 import java.util.function.Supplier;
 
-/** The one store of this program. */
+/** The one store of this program, as the project folder is one; where a thread makes drafts, theirs. */
 final class Stores {
     private static final ObjectStore STORE = ServiceLoader.load(ObjectStore.class, ObjectStore.class.getClassLoader()).findFirst()
         .orElseThrow(() -> new IllegalStateException("no org.SEAR.POJOs.ObjectStore on the class path: sear.jar is incomplete"));

@@ -49,16 +49,6 @@ public final class ContactTriangle implements Convex {
         return lowest <= reach && highest >= -reach;
     }
 
-    /** How far the nearest point of the set that {@link #isNear} looked at is above the triangle's plane, metres; the other side counts negative. */
-    public double getLowest() {
-        return lowest;
-    }
-
-    /** The same of its farthest point. */
-    public double getHighest() {
-        return highest;
-    }
-
     /** How far the set reaches through the plane, from the side on which most of it is. */
     public double depth() {
         return Math.min(-lowest, highest);

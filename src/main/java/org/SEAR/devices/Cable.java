@@ -74,10 +74,6 @@ public final class Cable implements SerialLine {
         deviceBaud = newDevice.getBaud();
     }
 
-    public SerialDevice getDevice() {
-        return device;
-    }
-
     /** Fresh cable, fresh device with its power on. What was written and not yet carried is gone; the user's speed stays. */
     public void restart() {
         clear();

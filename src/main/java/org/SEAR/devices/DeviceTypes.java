@@ -1,8 +1,11 @@
 package org.SEAR.devices;
 
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.ServiceLoader;
+import java.util.stream.Collectors;
 import org.SEAR.POJOs.SearObject;
 
 /**
@@ -27,6 +30,11 @@ public final class DeviceTypes {
             ServiceLoader.load(DeviceType.class, context).forEach(found::add);
         }
         return new DeviceTypes(found);
+    }
+
+    /** The classes of the object grammar that have devices, in the order in which their kinds are registered, each once. */
+    Collection<Class<? extends SearObject>> parameterTypes() {
+        return types.stream().map(DeviceType::parameterType).collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
     /** Whether there is a kind that may sit behind an object's ports. */

@@ -14,7 +14,7 @@ import java.util.function.Supplier;
 import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.ObjectStore;
 import org.SEAR.POJOs.SearObject;
-import org.SEAR.project.problems.Reasons;
+import org.SEAR.project.problems.FileReasons;
 import org.SEAR.project.xml.Xml;
 
 /**
@@ -116,7 +116,7 @@ public final class FileStore implements ObjectStore {
         try {
             ProjectSwap.change(ProjectFolder.present(), change);
         } catch (FileSystemException e) {
-            throw new IOException(Reasons.of(e), e);
+            throw new IOException(FileReasons.of(e), e);
         }
     }
 

@@ -31,8 +31,4 @@ public final class ProjectFolder {
                 + System.getProperty("sun.jnu.encoding") + "); with LC_ALL=C.UTF-8 in its environment it can write all", e);
         }
     }
-
-    static boolean isTemporary(String fileName) {
-        return fileName.startsWith(".") && fileName.endsWith(TEMPORARY);
-    }
 }

@@ -142,7 +142,7 @@ public final class Recorder implements RunTap {
             List<Double> before = lit.get(i);
             for (int k = 0; k < now.size(); k++) {
                 if (k >= before.size() || !now.get(k).equals(before.get(k))) {
-                    out.put(Kind.LIGHT).putShort(i).putShort(k).putDouble(now.get(k));
+                    out.put(EventKind.LIGHT).putShort(i).putShort(k).putDouble(now.get(k));
                 }
             }
             lit.set(i, now);
@@ -151,7 +151,7 @@ public final class Recorder implements RunTap {
 
     private void frame(Snapshot snapshot) {
         lights(snapshot);
-        out.put(Kind.FRAME);
+        out.put(EventKind.FRAME);
         for (Snapshot.RobotState robot : snapshot.robots) {
             put(robot.pose);
             out.putDouble(robot.speed).putDouble(robot.turnRate);
@@ -184,7 +184,7 @@ public final class Recorder implements RunTap {
 
     @Override
     public void attended(int part) {
-        out.put(Kind.ATTENDED).put(part);
+        out.put(EventKind.ATTENDED).put(part);
     }
 
     @Override
@@ -193,7 +193,7 @@ public final class Recorder implements RunTap {
         if (steps % INTERVAL == 0) {
             frame(stepping.snapshot());
         } else {
-            out.put(Kind.STEP);
+            out.put(EventKind.STEP);
         }
         standing();
         if (out.size() >= limit || out.failure() != null) {
@@ -230,48 +230,48 @@ public final class Recorder implements RunTap {
 
     @Override
     public void heard(SerialLine line, byte[] bytes, int count) {
-        bytes(Kind.HEARD, line, bytes, count);
+        bytes(EventKind.HEARD, line, bytes, count);
     }
 
     @Override
     public void said(SerialLine line, byte[] bytes) {
-        bytes(Kind.SAID, line, bytes, bytes.length);
+        bytes(EventKind.SAID, line, bytes, bytes.length);
     }
 
     @Override
     public void baud(SerialLine line, int baud) {
-        out.put(Kind.BAUD).putShort(simulation.getLines().indexOf(line)).putInt(baud);
+        out.put(EventKind.BAUD).putShort(simulation.getLines().indexOf(line)).putInt(baud);
     }
 
     @Override
     public void hungUp(SerialLine line) {
-        out.put(Kind.HUNG_UP).putShort(simulation.getLines().indexOf(line));
+        out.put(EventKind.HUNG_UP).putShort(simulation.getLines().indexOf(line));
     }
 
     @Override
     public void opened(SerialLine line) {
-        out.put(Kind.OPENED).putShort(simulation.getLines().indexOf(line));
+        out.put(EventKind.OPENED).putShort(simulation.getLines().indexOf(line));
     }
 
     @Override
     public void drive(DriveCommand command) {
-        out.put(Kind.DRIVE).putShort(command.robot).put(command.wheels ? 1 : 0).putDouble(command.first).putDouble(command.second);
+        out.put(EventKind.DRIVE).putShort(command.robot).put(command.wheels ? 1 : 0).putDouble(command.first).putDouble(command.second);
     }
 
     @Override
     public void order(ActuatorOrder order) {
-        text(out.put(Kind.ORDER).put(order.kind.ordinal()).putDouble(order.value), order.name);
+        text(out.put(EventKind.ORDER).put(order.kind.ordinal()).putDouble(order.value), order.name);
     }
 
     @Override
     public void order(BodyOrder order) {
-        out.put(Kind.BODY_ORDER).put(order.kind.ordinal()).putDouble(order.x).putDouble(order.y).putDouble(order.z).putDouble(order.seconds);
+        out.put(EventKind.BODY_ORDER).put(order.kind.ordinal()).putDouble(order.x).putDouble(order.y).putDouble(order.z).putDouble(order.seconds);
         text(out, order.name);
     }
 
     @Override
     public void power(String device, boolean on) {
-        text(out.put(Kind.POWER).put(on ? 1 : 0), device);
+        text(out.put(EventKind.POWER).put(on ? 1 : 0), device);
     }
 
     private static void text(LogBuffer out, String text) {
@@ -281,14 +281,14 @@ public final class Recorder implements RunTap {
 
     @Override
     public void moved(String name, Pose start, Pose to) {
-        text(out.put(Kind.MOVED), name);
+        text(out.put(EventKind.MOVED), name);
         put(start);
         put(to);
     }
 
     @Override
     public void reset() {
-        out.put(Kind.RESET);
+        out.put(EventKind.RESET);
     }
 
     /** Looks at no more of the run. Simulation thread. */
@@ -296,7 +296,7 @@ public final class Recorder implements RunTap {
         if (!ended) {
             ended = true;
             simulation.setTap(null);
-            out.put(Kind.END).putLong(steps);
+            out.put(EventKind.END).putLong(steps);
         }
     }
 

@@ -198,45 +198,45 @@ public final class RunRecord {
 
         private boolean event(int kind) throws IOException {
             switch (kind) {
-                case Kind.STEP:
+                case EventKind.STEP:
                     steps++;
                     visitor.step();
                     return true;
-                case Kind.FRAME:
+                case EventKind.FRAME:
                     frame();
                     return true;
-                case Kind.HEARD:
+                case EventKind.HEARD:
                     visitor.heard(line(), bytes());
                     return true;
-                case Kind.SAID:
+                case EventKind.SAID:
                     visitor.said(line(), bytes());
                     return true;
-                case Kind.BAUD:
+                case EventKind.BAUD:
                     visitor.baud(line(), baud());
                     return true;
-                case Kind.HUNG_UP:
+                case EventKind.HUNG_UP:
                     visitor.hungUp(line());
                     return true;
-                case Kind.OPENED:
+                case EventKind.OPENED:
                     visitor.opened(line());
                     return true;
-                case Kind.ATTENDED:
+                case EventKind.ATTENDED:
                     visitor.attended(in.readUnsignedByte());
                     return true;
-                case Kind.DRIVE:
+                case EventKind.DRIVE:
                     visitor.drive(command());
                     return true;
-                case Kind.ORDER:
+                case EventKind.ORDER:
                     visitor.order(order());
                     return true;
-                case Kind.BODY_ORDER:
+                case EventKind.BODY_ORDER:
                     visitor.order(bodyOrder());
                     return true;
-                case Kind.POWER:
+                case EventKind.POWER:
                     boolean on = in.readBoolean();
                     visitor.power(RecordHeader.readText(in), on);
                     return true;
-                case Kind.MOVED:
+                case EventKind.MOVED:
                     String name = RecordHeader.readText(in);
                     if (!header.robots.contains(name) && !header.objects.contains(name)) {
                         throw new RecordException("after " + steps + " steps \"" + name
@@ -244,17 +244,17 @@ public final class RunRecord {
                     }
                     visitor.moved(name, pose(), pose());
                     return true;
-                case Kind.RESET:
+                case EventKind.RESET:
                     visitor.reset();
                     return true;
-                case Kind.LIGHT:
+                case EventKind.LIGHT:
                     light();
                     return true;
-                case Kind.END:
+                case EventKind.END:
                     whole = in.readLong() == steps;
                     return false;
                 default:
-                    throw new RecordException("after " + steps + " steps comes an event " + kind + ", legal: 1 to " + Kind.MOST);
+                    throw new RecordException("after " + steps + " steps comes an event " + kind + ", legal: 1 to " + EventKind.MOST);
             }
         }
 

@@ -40,10 +40,6 @@ final class Thinned<T> {
         seen++;
     }
 
-    int size() {
-        return kept.size();
-    }
-
     T get(int index) {
         return kept.get(index);
     }

@@ -1,8 +1,6 @@
 package org.SEAR.sensors;
 
-import java.util.ArrayList;
 import java.util.Collection;
-import java.util.List;
 import org.SEAR.POJOs.ObjectTypes;
 import org.SEAR.POJOs.SearObject;
 
@@ -10,10 +8,6 @@ import org.SEAR.POJOs.SearObject;
 public final class SensorObjectTypes implements ObjectTypes {
     @Override
     public Collection<Class<? extends SearObject>> types() {
-        List<Class<? extends SearObject>> types = new ArrayList<>();
-        for (SensorType type : SensorTypes.load().all()) {
-            types.add(type.parameterType());
-        }
-        return types;
+        return SensorTypes.load().parameterTypes();
     }
 }

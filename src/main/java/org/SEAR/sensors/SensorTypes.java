@@ -1,10 +1,13 @@
 package org.SEAR.sensors;
 
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.ServiceLoader;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.SEAR.POJOs.SearObject;
 
 /**
@@ -12,7 +15,7 @@ import org.SEAR.POJOs.SearObject;
  * found by SEAR's own class loader and by the thread's context class loader. Immutable, any thread.
  */
 public final class SensorTypes {
-    private final TreeMap<String, SensorType> types = new TreeMap<>();
+    private final Map<String, SensorType> types = new LinkedHashMap<>();
 
     private SensorTypes() {
     }
@@ -36,7 +39,12 @@ public final class SensorTypes {
 
     /** All kinds, ordered by the simple name of their parameter class. */
     public Collection<SensorType> all() {
-        return Collections.unmodifiableCollection(new ArrayList<>(types.values()));
+        return Collections.unmodifiableCollection(new TreeMap<>(types).values());
+    }
+
+    /** The parameter classes of all kinds, in the order in which they are registered. */
+    List<Class<? extends SearObject>> parameterTypes() {
+        return types.values().stream().map(SensorType::parameterType).collect(Collectors.toList());
     }
 
     /** The unit of the reading of an object's sensor; empty if it is no sensor or its reading has none. */
@@ -60,7 +68,7 @@ public final class SensorTypes {
         SensorType type = find(object);
         if (type == null) {
             throw new IllegalArgumentException(object.getClass().getSimpleName() + " " + object.getName() + " is no sensor; sensors are "
-                + String.join(", ", types.keySet()));
+                + String.join(", ", new TreeMap<>(types).keySet()));
         }
         return type.create(object, seed);
     }

@@ -27,7 +27,7 @@ final class Instruments {
     private final List<RobotModel> robots;
     private final PartNames<Sensor<?>> sensors = new PartNames<>();
     private final Map<Sensor<?>, RobotModel> carriers = new IdentityHashMap<>();
-    private final List<Port> ports = new ArrayList<>();
+    private final List<DevicePort> ports = new ArrayList<>();
     private final List<SerialLine> lines = new ArrayList<>();
     private final PartNames<Cable> devices = new PartNames<>();
     private final List<String> names;
@@ -63,7 +63,7 @@ final class Instruments {
             return;
         }
         Sensor<?> sensor = robot.getSensors().stream().filter(each -> each.getParameters() == part).findFirst().orElse(null);
-        Port port = new Port(part, robot, sensor, seed, warnings);
+        DevicePort port = new DevicePort(part, robot, sensor, seed, warnings);
         SerialDevice device = types.create(part, port);
         if (device != null) {
             port.getCable().attach(device);
@@ -80,7 +80,7 @@ final class Instruments {
                 sensor.reset();
             }
         }
-        for (Port port : ports) {
+        for (DevicePort port : ports) {
             port.getCable().restart();
         }
     }
@@ -141,7 +141,7 @@ final class Instruments {
      */
     void deliver(double end) {
         for (int i = 0; i < ports.size(); i++) {
-            Port port = ports.get(i);
+            DevicePort port = ports.get(i);
             port.getCable().deliver(end);
             port.warnOfLosses();
         }
@@ -225,7 +225,7 @@ final class Instruments {
         return Collections.unmodifiableList(lines);
     }
 
-    List<Port> getPorts() {
+    List<DevicePort> getPorts() {
         return ports;
     }
 }

@@ -47,7 +47,7 @@ public final class Simulation implements AutoCloseable {
     private final Places places;
     private final Actuators actuators;
     private final SnapshotRecorder observer;
-    private final Warnings warnings = new Warnings();
+    private final SimulationWarnings warnings = new SimulationWarnings();
     private final List<String> deviceWarnings;
     private final List<Robot> robots;
     private final ConcurrentLinkedQueue<Consumer<Simulation>> commands = new ConcurrentLinkedQueue<>();

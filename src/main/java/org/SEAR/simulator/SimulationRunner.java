@@ -4,7 +4,6 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
-import java.util.function.BooleanSupplier;
 
 /**
  * The body of the simulation thread: paces steps to real time, a factor of it, or as fast as possible; pauses; serves questions and
@@ -173,11 +172,6 @@ public final class SimulationRunner implements Runnable {
         listeners.add(listener);
     }
 
-    /** Takes a listener away. */
-    public void removeStepListener(Runnable listener) {
-        listeners.remove(listener);
-    }
-
     /** @param factor simulated seconds per real second, > 0; infinity = as fast as possible */
     public void setSpeed(double factor) {
         if (!(factor > 0)) {
@@ -216,11 +210,6 @@ public final class SimulationRunner implements Runnable {
     /** Whether {@link #run} has ended. */
     public boolean isEnded() {
         return ended;
-    }
-
-    /** Why {@link #run} ended by itself; null if it did not. */
-    public Throwable getFailure() {
-        return failure;
     }
 
     /**
@@ -263,27 +252,6 @@ public final class SimulationRunner implements Runnable {
             while (getAdvancedTime() < end && !ended) {
                 progress.await();
             }
-        } finally {
-            waiting--;
-            lock.unlock();
-        }
-    }
-
-    /**
-     * Waits until a condition holds that changes only with simulated time, or the real time is up, or the run has ended.
-     *
-     * @return whether the condition holds
-     */
-    public boolean await(BooleanSupplier condition, double realSeconds) throws InterruptedException {
-        notOnSimulationThread("await");
-        long left = (long) (realSeconds * NANOS);
-        lock.lock();
-        waiting++;
-        try {
-            while (!condition.getAsBoolean() && !ended && left > 0) {
-                left = progress.awaitNanos(left);
-            }
-            return condition.getAsBoolean();
         } finally {
             waiting--;
             lock.unlock();

@@ -20,7 +20,7 @@ final class SnapshotRecorder {
 
     private final World world;
     private final Instruments instruments;
-    private final Warnings warnings;
+    private final SimulationWarnings warnings;
     private final TreeSet<String> watched = new TreeSet<>();
     private int interval = DEFAULT_INTERVAL;
     private Map<String, Reading> readings = Collections.emptyMap();
@@ -28,7 +28,7 @@ final class SnapshotRecorder {
     private final List<List<Snapshot.DeviceState>> devices = new ArrayList<>();
     private final boolean[] commanded;
 
-    SnapshotRecorder(World world, Instruments instruments, Warnings warnings) {
+    SnapshotRecorder(World world, Instruments instruments, SimulationWarnings warnings) {
         this.world = world;
         this.instruments = instruments;
         this.warnings = warnings;
@@ -93,7 +93,7 @@ final class SnapshotRecorder {
         boolean wasCommanded = commanded[number];
         commanded[number] = false;
         for (int i = 0; i < instruments.getPorts().size(); i++) {
-            Port port = instruments.getPorts().get(i);
+            DevicePort port = instruments.getPorts().get(i);
             if (port.getRobot() == robot) {
                 commanded[number] |= port.getCable().takesDriveCommands();
                 Snapshot.DeviceState before = count < old.size() ? old.get(count) : null;

@@ -32,9 +32,4 @@ final class FrameRateMonitor {
         frames = 0;
         return rate < ENOUGH;
     }
-
-    /** Pictures a second in the last trial; NaN before the first. */
-    float rate() {
-        return rate;
-    }
 }

@@ -255,10 +255,6 @@ final class WindowScene {
         return shapes;
     }
 
-    FrameRateMonitor frameRate() {
-        return frameRate;
-    }
-
     /** Null where there is none. */
     TerrainView terrain() {
         return terrain;

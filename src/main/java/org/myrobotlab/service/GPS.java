@@ -22,7 +22,7 @@ import org.myrobotlab.service.link.OwnConfigService;
 import org.myrobotlab.service.link.PanelFiles;
 import org.myrobotlab.service.link.Reconnects;
 import org.myrobotlab.service.link.SerialLink;
-import org.myrobotlab.service.link.Warnings;
+import org.myrobotlab.service.link.ServiceWarnings;
 
 /**
  * Reads a GPS receiver that sends NMEA sentences or u-blox' UBX, real or simulated, on any port of MyRobotLab's Serial service.
@@ -375,12 +375,12 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
             firmware = UbxText.version(frame);
             broadcastState();
         } else if (frame.getMessage() == UbxMessage.ACK_NAK) {
-            Warnings.publish(this, "%s refuses what it was told: %s", getName(), UbxText.refused(frame));
+            ServiceWarnings.publish(this, "%s refuses what it was told: %s", getName(), UbxText.refused(frame));
         } else if (frame.getMessage() == UbxMessage.NAV_PVT) {
             try {
                 onGga(PvtFix.of(frame.getPayload()), true);
             } catch (IllegalArgumentException e) {
-                Warnings.publish(this, "%s sent a NAV-PVT that makes no sense: %s", getName(), e.getMessage());
+                ServiceWarnings.publish(this, "%s sent a NAV-PVT that makes no sense: %s", getName(), e.getMessage());
             }
         }
         if (!asked && connected) {
@@ -401,7 +401,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
             try {
                 onGga(new GgaFix(sentence), false);
             } catch (IllegalArgumentException e) {
-                Warnings.publish(this, "%s sent a GGA sentence that makes no sense: %s", getName(), sentence);
+                ServiceWarnings.publish(this, "%s sent a GGA sentence that makes no sense: %s", getName(), sentence);
             }
         }
     }
@@ -446,7 +446,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
             if (fix) {
                 info("%s has a fix", getName());
             } else {
-                Warnings.publish(this, "%s has lost its fix", getName());
+                ServiceWarnings.publish(this, "%s has lost its fix", getName());
             }
         }
         invoke("publishGGAData", (Object) received.tokens);
@@ -463,7 +463,7 @@ public class GPS extends OwnConfigService<GPSConfig> implements Reconnects {
         }
         if (connected && !silent && link.timeOutNow() - lastHeard > SILENCE) {
             silent = true;
-            Warnings.publish(this, "no data from %s on port %s at %d baud for %s s: is it switched on, and is this its baud rate?", getName(),
+            ServiceWarnings.publish(this, "no data from %s on port %s at %d baud for %s s: is it switched on, and is this its baud rate?", getName(),
                 link.getPortName(), link.getBaud(), SILENCE);
             broadcastState();
         }

@@ -1,8 +1,8 @@
 package org.myrobotlab.service;
 
 import java.util.concurrent.Callable;
+import org.SEAR.project.problems.FileReasons;
 import org.SEAR.project.problems.ProjectException;
-import org.SEAR.project.problems.Reasons;
 
 /**
  * How a SEAR service answers calls: what goes wrong is published as an error status and thrown, as IllegalArgumentException for values and
@@ -34,7 +34,7 @@ final class SearCalls {
             }
             return work.call();
         } catch (IllegalArgumentException e) {
-            service.error("%s", Reasons.of(e));
+            service.error("%s", FileReasons.of(e));
             throw e;
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -46,8 +46,8 @@ final class SearCalls {
             if (e instanceof ProjectException) {
                 service.invoke("publishProblems", ((ProjectException) e).getProblems());
             }
-            service.error("%s", Reasons.of(e));
-            throw e instanceof IllegalStateException ? (IllegalStateException) e : new IllegalStateException(Reasons.of(e), e);
+            service.error("%s", FileReasons.of(e));
+            throw e instanceof IllegalStateException ? (IllegalStateException) e : new IllegalStateException(FileReasons.of(e), e);
         }
     }
 

@@ -4,7 +4,7 @@ import java.util.List;
 import org.myrobotlab.framework.MRLListener;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Service;
-import org.myrobotlab.service.link.Warnings;
+import org.myrobotlab.service.link.ServiceWarnings;
 import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.SensorReading;
 import org.slf4j.Logger;
@@ -40,7 +40,7 @@ final class SearHost implements Host {
 
     @Override
     public void warn(String message) {
-        Warnings.publish(service, "%s", message);
+        ServiceWarnings.publish(service, "%s", message);
     }
 
     @Override

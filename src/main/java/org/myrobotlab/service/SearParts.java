@@ -4,9 +4,7 @@ import java.io.IOException;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Consumer;
 import java.util.function.Function;
-import org.SEAR.POJOs.Notices;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.Problem;
@@ -57,7 +55,6 @@ final class SearParts {
     private final WorldFeed feed = new WorldFeed();
     private final Preview preview = new Preview();
     private final TerrainMap terrain = new TerrainMap();
-    private final Consumer<String> notices;
 
     SearParts(Host host) {
         control = new SimulationControl(host, Projects::folder);
@@ -74,9 +71,8 @@ final class SearParts {
         recording = new Recording(control, host);
         records = new Records(host);
         control.setStepListener(publisher::publishDue);
-        notices = host::warn;
-        Notices.listen(notices);
-        Edits.mend(notices);
+        control.bench().open();
+        Edits.mend(host::warn);
     }
 
     /**
@@ -264,7 +260,7 @@ final class SearParts {
 
     /** Ends everything, for good. */
     public void close() {
-        Notices.leave(notices);
+        control.bench().close();
         publisher.close();
         stop();
         exports.close();

@@ -9,15 +9,18 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.ServiceLoader;
+import org.SEAR.POJOs.Arduino;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.ObjectTypes;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.devices.gps.GpsModel;
 import org.SEAR.devices.gps.GpsType;
 import org.SEAR.devices.oi.OiModel;
 import org.SEAR.grammar.TextRule;
 import org.SEAR.project.ProjectRule;
+import org.SEAR.project.xml.ObjectClasses;
 import org.SEAR.protocol.lidar.LidarModel;
 import org.SEAR.protocol.lidar.LidarProtocol;
 import org.SEAR.protocol.lms.Variant;
@@ -36,6 +39,18 @@ public class DeviceTypesTest {
             found.add(type.parameterType().getSimpleName());
         }
         assertTrue(found.toString(), found.containsAll(Arrays.asList("LIDAR", "Dynamics", "GPS")));
+    }
+
+    /** As a sensor's: who adds a device names its class nowhere else. */
+    @Test
+    public void theClassOfARegisteredDeviceIsReadFromFiles() {
+        List<Class<? extends SearObject>> registered = new ArrayList<>();
+        ServiceLoader.load(ObjectTypes.class).forEach(more -> registered.addAll(more.types()));
+        List<Class<? extends SearObject>> readable = ObjectClasses.find().all();
+        for (DeviceType type : ServiceLoader.load(DeviceType.class)) {
+            assertTrue(type.toString(), registered.contains(type.parameterType()) && readable.contains(type.parameterType()));
+        }
+        assertEquals("no sensor, and registered by its device alone", Arduino.class, readable.get(readable.size() - 1));
     }
 
     /** A LIDAR that is no LMS200 may be what another jar simulates. */

@@ -15,7 +15,7 @@ import org.SEAR.devices.imu.Hmc6352;
 import org.SEAR.devices.imu.Razor;
 import org.SEAR.devices.lms.Devices;
 import org.SEAR.devices.oi.OiModel;
-import org.SEAR.devices.oi.Roomba;
+import org.SEAR.devices.oi.RoombaFirmware;
 import org.SEAR.devices.rplidar.RplidarA1;
 import org.SEAR.devices.scip.Hokuyo;
 import org.SEAR.protocol.lidar.LidarModel;
@@ -153,8 +153,8 @@ public class FuzzTest {
     public void roombas() {
         for (OiModel model : OiModel.values()) {
             String flush = model == OiModel.CREATE ? null : new String(new char[600]).replace("\0", "80");
-            fuzz(line -> new Roomba(model, 57600, true, line), Bytes.ints("80 82 83 84 89 8E 94 95 98 99 9B 9C 9E 8C 8D 01 00 07"), flush, "80 8E 03",
-                " 0A 8E");
+            fuzz(line -> new RoombaFirmware(model, 57600, true, line), Bytes.ints("80 82 83 84 89 8E 94 95 98 99 9B 9C 9E 8C 8D 01 00 07"), flush,
+                "80 8E 03", " 0A 8E");
         }
     }
 

@@ -7,7 +7,6 @@ import java.util.Arrays;
 import java.util.List;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.LIDAR;
-import org.SEAR.POJOs.Notices;
 import org.junit.Rule;
 import org.junit.Test;
 import org.python.util.PythonInterpreter;
@@ -47,7 +46,7 @@ public class NoticesTest {
 
     @Test
     public void anObjectMadeWhileASimulationRuns() {
-        Notices.setSimulating(() -> true);
+        grammar.bench.begin(null, () -> true);
         new Box("late", 1, 1, 1, 0);
         assertEquals("[Box \"late\" was made while a simulation runs: it will be there after the next startSimulation()]", said.toString());
     }
@@ -112,7 +111,8 @@ public class NoticesTest {
     private String ofOthers(String script, String... names) {
         try (PythonInterpreter python = new PythonInterpreter()) {
             python.set("names", Arrays.asList(names));
-            python.exec("from org.SEAR.POJOs import Box, Notices\n" + script + "\nanswer = Notices.ofOthers(names)\n");
+            python.set("bench", grammar.bench);
+            python.exec("from org.SEAR.POJOs import Box\n" + script + "\nanswer = bench.ofOthers(names)\n");
             return python.get("answer").toString();
         }
     }
@@ -129,8 +129,8 @@ public class NoticesTest {
     @Test
     public void whoOnlyStartsOrHasLoadedAProjectMeansItsObjects() {
         assertEquals("", ofOthers("", "old name"));
-        assertEquals("", ofOthers("Notices.projectTaken()\nBox('new name', 1, 1, 1, 0)", "old name"));
+        assertEquals("", ofOthers("bench.projectTaken()\nBox('new name', 1, 1, 1, 0)", "old name"));
         assertEquals("", ofOthers("Box('new name', 1, 1, 1, 0)", "new name"));
-        assertEquals("not called by a script", "", Notices.ofOthers(List.of("old name")));
+        assertEquals("not called by a script", "", grammar.bench.ofOthers(List.of("old name")));
     }
 }

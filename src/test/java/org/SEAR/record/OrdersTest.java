@@ -132,7 +132,7 @@ public class OrdersTest {
     private static int place(byte[] bytes) {
         byte[] order = ByteBuffer.allocate(10).put((byte) Kind.ANGLE.ordinal()).putDouble(TURNED).put((byte) 0).array();
         for (int at = 0; at < bytes.length; at++) {
-            if (bytes[at] == org.SEAR.record.Kind.ORDER && Arrays.equals(order, Arrays.copyOfRange(bytes, at + 1, at + 1 + order.length))) {
+            if (bytes[at] == org.SEAR.record.EventKind.ORDER && Arrays.equals(order, Arrays.copyOfRange(bytes, at + 1, at + 1 + order.length))) {
                 return at;
             }
         }
@@ -216,7 +216,7 @@ public class OrdersTest {
     /** What comes of a move that somebody else wrote into the file: its first letter or one of the numbers of where it goes is another. */
     private String saidOfMove(int letter, int number, double value) throws Exception {
         byte[] bytes = Files.readAllBytes(file());
-        byte[] event = ByteBuffer.allocate(6).put((byte) org.SEAR.record.Kind.MOVED).putShort((short) 3).put("car".getBytes()).array();
+        byte[] event = ByteBuffer.allocate(6).put((byte) org.SEAR.record.EventKind.MOVED).putShort((short) 3).put("car".getBytes()).array();
         int at = new String(bytes, StandardCharsets.ISO_8859_1).indexOf(new String(event, StandardCharsets.ISO_8859_1));
         assertTrue("the move", at > 0);
         bytes[at + 3] = (byte) letter;

@@ -72,7 +72,7 @@ public class PushesInRecordsTest {
         byte[] bytes = Files.readAllBytes(file());
         byte[] wanted = ByteBuffer.allocate(8).putDouble(FORCE).array();
         for (int at = 0; at + 8 <= bytes.length; at++) {
-            if (ByteBuffer.wrap(bytes, at, 8).equals(ByteBuffer.wrap(wanted)) && bytes[at - 2] == org.SEAR.record.Kind.BODY_ORDER) {
+            if (ByteBuffer.wrap(bytes, at, 8).equals(ByteBuffer.wrap(wanted)) && bytes[at - 2] == org.SEAR.record.EventKind.BODY_ORDER) {
                 ByteBuffer.wrap(bytes).putDouble(at, force);
                 Files.write(file(), bytes);
                 return;

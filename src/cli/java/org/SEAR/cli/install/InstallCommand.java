@@ -33,7 +33,7 @@ public final class InstallCommand implements Callable<Integer> {
         try {
             Installer installer = new Installer(folder);
             Path plugin = pluginFolder();
-            Plan plan = remove ? installer.remove(plugin) : installer.install(plugin, replaceEngine);
+            InstallPlan plan = remove ? installer.remove(plugin) : installer.install(plugin, replaceEngine);
             out.println("MyRobotLab: " + installer.root()
                 + (installer.installedVersion() == null ? "" : ", with SEAR " + installer.installedVersion()));
             if (installer.recovered() != null) {

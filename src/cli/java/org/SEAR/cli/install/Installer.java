@@ -19,7 +19,7 @@ import java.util.zip.ZipException;
 import java.util.zip.ZipFile;
 
 /**
- * Puts the plug-in into a MyRobotLab and takes it out again. Everything is decided first, as a {@link Plan}; nothing is written before that.
+ * Puts the plug-in into a MyRobotLab and takes it out again. Everything is decided first, as a {@link InstallPlan}; nothing is written before that.
  * Any one thread.
  */
 public final class Installer {
@@ -47,10 +47,10 @@ public final class Installer {
      */
     public Installer(Path folder) throws InstallException, IOException {
         mrl = MrlFolder.find(folder);
-        if (Journal.isPending(mrl.root())) {
+        if (InstallJournal.isPending(mrl.root())) {
             mrl.refuseIfRunning();
         }
-        recovered = Journal.recover(mrl.root());
+        recovered = InstallJournal.recover(mrl.root());
         old = Receipt.read(mrl.receipt());
     }
 
@@ -83,8 +83,8 @@ public final class Installer {
      * @param plugin the distribution's folder with sear.jar and its libraries
      * @param replaceEngine whether a jMonkeyEngine that is too old for the window makes room for the distribution's
      */
-    public Plan install(Path plugin, boolean replaceEngine) throws InstallException, IOException {
-        Payload payload = new Payload(plugin);
+    public InstallPlan install(Path plugin, boolean replaceEngine) throws InstallException, IOException {
+        InstallPayload payload = new InstallPayload(plugin);
         mrl.refuseIfRunning();
         if (old != null && Versions.compare(old.version, payload.version()) > 0) {
             throw new InstallException("SEAR " + old.version + " is installed in " + mrl.root() + ", which is newer than this " + payload.version()
@@ -92,7 +92,7 @@ public final class Installer {
         }
         Receipt receipt = new Receipt();
         receipt.version = payload.version();
-        Plan plan = new Plan(mrl.root());
+        InstallPlan plan = new InstallPlan(mrl.root());
         for (Map.Entry<String, byte[]> file : filesToAdd(payload, new LibraryChoice(mrl, old, replaceEngine), plan, receipt).entrySet()) {
             plan.write(file.getKey(), file.getValue());
             receipt.added.put(file.getKey(), Receipt.hash(file.getValue()));
@@ -115,10 +115,10 @@ public final class Installer {
         return plan;
     }
 
-    private Map<String, byte[]> filesToAdd(Payload payload, LibraryChoice libraries, Plan plan, Receipt receipt)
+    private Map<String, byte[]> filesToAdd(InstallPayload payload, LibraryChoice libraries, InstallPlan plan, Receipt receipt)
             throws IOException, InstallException {
         Map<String, byte[]> files = new TreeMap<>();
-        files.put(JARS + Payload.PLUGIN, Files.readAllBytes(payload.plugin()));
+        files.put(JARS + InstallPayload.PLUGIN, Files.readAllBytes(payload.plugin()));
         libraries.choose(payload, plan, files, receipt);
         if (libraries.olderEngine() != null) {
             plan.remark("The window needs jMonkeyEngine 3.6; " + libraries.olderEngine() + " is there, so SEAR runs without a window. To have one, "
@@ -170,7 +170,7 @@ public final class Installer {
         return files;
     }
 
-    private void addPickerEntries(Plan plan, Receipt receipt) throws IOException, InstallException {
+    private void addPickerEntries(InstallPlan plan, Receipt receipt) throws IOException, InstallException {
         if (!Files.exists(mrl.serviceData())) {
             plan.note("later   service picker: libraries/serviceData.json is not there yet; start MyRobotLab once, then install again");
             plan.remark("Until MyRobotLab has been started once and this was called again, its service picker does not offer SEAR, LIDAR and GPS: "
@@ -202,7 +202,7 @@ public final class Installer {
     }
 
     /** A yml that MRL wrote while the plug-in was missing has lost its type; MRL then answers null for the service until it is mended. */
-    private void repairConfigs(Plan plan, Receipt receipt) throws IOException {
+    private void repairConfigs(InstallPlan plan, Receipt receipt) throws IOException {
         for (Path yml : mrl.serviceConfigs()) {
             byte[] now = Files.readAllBytes(yml);
             String text = new String(now, StandardCharsets.UTF_8);
@@ -222,7 +222,7 @@ public final class Installer {
      *
      * @param untouched how it is without us
      */
-    private void change(Plan plan, Receipt receipt, String path, byte[] now, byte[] untouched, byte[] then) throws IOException {
+    private void change(InstallPlan plan, Receipt receipt, String path, byte[] now, byte[] untouched, byte[] then) throws IOException {
         boolean oursSoFar = old != null && Receipt.hash(now).equals(old.changed.get(path));
         byte[] original = oursSoFar ? old.original(path) : untouched;
         if (java.util.Arrays.equals(original, then)) {
@@ -238,20 +238,20 @@ public final class Installer {
      *
      * @param plugin this distribution's plug-in folder, whose panels the services may have copied
      */
-    public Plan remove(Path plugin) throws InstallException, IOException {
+    public InstallPlan remove(Path plugin) throws InstallException, IOException {
         if (old == null) {
             throw new InstallException("SEAR is not installed in " + mrl.root() + ": there is no " + RECEIPT + ".");
         }
         mrl.refuseIfRunning();
-        Plan plan = new Plan(mrl.root());
+        InstallPlan plan = new InstallPlan(mrl.root());
         Map<String, String> ours = new TreeMap<>();
         for (Map.Entry<String, byte[]> panel : panelsToRemove(plugin).entrySet()) {
             ours.put(panel.getKey(), Receipt.hash(panel.getValue()));
         }
         ours.putAll(copiedByServices());
         ours.putAll(old.added);
-        ours.remove(JARS + Payload.PLUGIN);
-        plan.delete(JARS + Payload.PLUGIN); // nobody else's, even if it is damaged
+        ours.remove(JARS + InstallPayload.PLUGIN);
+        plan.delete(JARS + InstallPayload.PLUGIN); // nobody else's, even if it is damaged
         plan.delete(COPIED);
         for (Map.Entry<String, String> file : ours.entrySet()) {
             deleteIfOurs(plan, file.getKey(), file.getValue());
@@ -273,18 +273,18 @@ public final class Installer {
 
     /** The installed jar's; of this distribution where that jar is gone or damaged. */
     private Map<String, byte[]> panelsToRemove(Path plugin) throws InstallException, IOException {
-        Path installed = mrl.jars().resolve(Payload.PLUGIN);
+        Path installed = mrl.jars().resolve(InstallPayload.PLUGIN);
         if (Files.exists(installed)) {
             try {
                 return panels(installed);
             } catch (ZipException e) {
-                return panels(new Payload(plugin).plugin());
+                return panels(new InstallPayload(plugin).plugin());
             }
         }
-        return panels(new Payload(plugin).plugin());
+        return panels(new InstallPayload(plugin).plugin());
     }
 
-    private void restore(Plan plan, String path, String written) throws IOException, InstallException {
+    private void restore(InstallPlan plan, String path, String written) throws IOException, InstallException {
         Path file = mrl.root().resolve(path);
         if (!Files.exists(file)) {
             return;
@@ -299,7 +299,7 @@ public final class Installer {
         }
     }
 
-    private void deleteIfOurs(Plan plan, String path, String hash) throws IOException {
+    private void deleteIfOurs(InstallPlan plan, String path, String hash) throws IOException {
         Path file = mrl.root().resolve(path);
         if (Files.exists(file)) {
             if (Receipt.hash(Files.readAllBytes(file)).equals(hash)) {

@@ -30,7 +30,7 @@ final class LibraryChoice {
     /** Older than ours, and known to do: MyRobotLab's develop of 2024 has it. */
     private static final Map<String, String> WORKS_FROM = Map.of("xstream", "1.4.19");
 
-    private static final Comparator<String> NEWEST_FIRST = (a, b) -> Versions.compare(Payload.version(b), Payload.version(a));
+    private static final Comparator<String> NEWEST_FIRST = (a, b) -> Versions.compare(InstallPayload.version(b), InstallPayload.version(a));
 
     private final MrlFolder mrl;
     private final Receipt old;
@@ -53,7 +53,7 @@ final class LibraryChoice {
      * @param files takes the bytes to write, by path
      * @param receipt takes what is replaced
      */
-    void choose(Payload payload, Plan plan, Map<String, byte[]> files, Receipt receipt) throws IOException, InstallException {
+    void choose(InstallPayload payload, InstallPlan plan, Map<String, byte[]> files, Receipt receipt) throws IOException, InstallException {
         Set<String> there = jarsOfMrl();
         Set<String> own = mrl.ownEntries();
         if (old != null) {
@@ -61,7 +61,7 @@ final class LibraryChoice {
         }
         for (Path library : payload.libraries()) {
             String name = library.getFileName().toString();
-            List<String> same = there.stream().filter(jar -> Payload.artifact(jar).equals(Payload.artifact(name))).sorted(NEWEST_FIRST)
+            List<String> same = there.stream().filter(jar -> InstallPayload.artifact(jar).equals(InstallPayload.artifact(name))).sorted(NEWEST_FIRST)
                 .collect(Collectors.toList());
             if (replaceEngine) {
                 for (String jar : same.stream().filter(LibraryChoice::isTooOld).collect(Collectors.toList())) {
@@ -71,7 +71,7 @@ final class LibraryChoice {
             }
             if (!same.isEmpty()) {
                 keep(same.get(0), name, plan);
-            } else if (Payload.isInside(library, own)) {
+            } else if (InstallPayload.isInside(library, own)) {
                 plan.note("keep    " + name + ": myrobotlab.jar holds this library");
             } else {
                 files.put(JARS + name, Files.readAllBytes(library));
@@ -96,29 +96,29 @@ final class LibraryChoice {
     }
 
     private static boolean isTooOld(String jar) {
-        String artifact = Payload.artifact(jar);
+        String artifact = InstallPayload.artifact(jar);
         String needed = WINDOW_NEEDS.get(artifact.replaceAll("-.*", ""));
-        return ENGINE.matcher(artifact).matches() && !artifact.equals(BLENDER) && Versions.compare(Payload.version(jar), needed) < 0;
+        return ENGINE.matcher(artifact).matches() && !artifact.equals(BLENDER) && Versions.compare(InstallPayload.version(jar), needed) < 0;
     }
 
-    private void setAside(String jar, Plan plan, Receipt receipt) throws IOException {
+    private void setAside(String jar, InstallPlan plan, Receipt receipt) throws IOException {
         byte[] bytes = Files.readAllBytes(mrl.jars().resolve(jar));
         plan.write(REPLACED + jar, bytes);
         plan.delete(JARS + jar);
         receipt.replaced.put(jar, Receipt.hash(bytes));
     }
 
-    private void keep(String found, String ours, Plan plan) {
-        String theirs = Payload.version(found);
-        String version = Payload.version(ours);
+    private void keep(String found, String ours, InstallPlan plan) {
+        String theirs = InstallPayload.version(found);
+        String version = InstallPayload.version(ours);
         if (isTooOld(found)) {
             olderEngine = olderEngine == null || found.startsWith("jme3-core") ? found : olderEngine;
             plan.note("keep    " + found + ", " + version + " would be ours: the window needs "
-                + WINDOW_NEEDS.get(Payload.artifact(found).replaceAll("-.*", "")) + "; --replace-jme puts ours into its place");
+                + WINDOW_NEEDS.get(InstallPayload.artifact(found).replaceAll("-.*", "")) + "; --replace-jme puts ours into its place");
         } else if (theirs.equals(version)) {
             plan.note("keep    " + found + ": MyRobotLab has this library");
         } else {
-            plan.note("keep    " + found + ", " + version + " would be ours: " + verdict(Payload.artifact(found), theirs, version));
+            plan.note("keep    " + found + ", " + version + " would be ours: " + verdict(InstallPayload.artifact(found), theirs, version));
         }
     }
 
@@ -140,7 +140,7 @@ final class LibraryChoice {
      *
      * @param receipt of the installation that is taken out
      */
-    static void putBack(MrlFolder mrl, Receipt receipt, Plan plan) throws IOException {
+    static void putBack(MrlFolder mrl, Receipt receipt, InstallPlan plan) throws IOException {
         for (Map.Entry<String, String> jar : receipt.replaced.entrySet()) {
             Path kept = mrl.root().resolve(REPLACED + jar.getKey());
             if (!Files.exists(kept)) {

@@ -137,7 +137,7 @@ final class MrlFolder {
     }
 
     /** Refuses when something that has to be written can't be: a file, or a folder that gets or loses files. */
-    void refuseIfNotWritable(Plan plan) throws InstallException {
+    void refuseIfNotWritable(InstallPlan plan) throws InstallException {
         for (Path path : plan.touched()) {
             if (!Files.isWritable(path)) {
                 throw new InstallException("No permission to write into " + path + ". Run the command as the user who owns it.");

@@ -1,10 +1,9 @@
 package org.SEAR.devices.cola;
 
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.Locale;
 import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.EventQueue;
+import org.SEAR.devices.RequestQueue;
 import org.SEAR.devices.SerialDevice;
 import org.SEAR.protocol.cola.ColaDialect;
 import org.SEAR.protocol.cola.ColaReader;
@@ -14,7 +13,7 @@ import org.SEAR.sensors.LidarSource;
 
 /**
  * The firmware of SICK's LMS1xx and TiM: requests of CoLa A and B, each answered in its own dialect, and a stream of scans. It measures scan
- * after scan at its own rate; a request for a scan gets the newest one. What the requests do stands in {@link Commands}. One client at a time.
+ * after scan at its own rate; a request for a scan gets the newest one. What the requests do stands in {@link ColaCommands}. One client at a time.
  */
 public final class ColaScanner implements SerialDevice {
     /** End of a request to its answer, seconds; real ones take a few milliseconds. */
@@ -23,8 +22,6 @@ public final class ColaScanner implements SerialDevice {
     private static final double PATIENCE = 1;
     /** Of a request, bytes; the longest are below 100. */
     private static final int LONGEST = 1024;
-    /** Requests that wait while another is being answered; more are dropped. */
-    private static final int MAX_WAITING = 16;
     /** Seconds from the start of measuring to the first scan: with the motor running, and from standby. */
     private static final double LASER_ON = 1;
     private static final double SPIN_UP = 8;
@@ -48,13 +45,12 @@ public final class ColaScanner implements SerialDevice {
     private final LidarSource source;
     private final Settings delivered;
     private final EventQueue events = new EventQueue();
-    private final Deque<ColaTelegram> waiting = new ArrayDeque<>();
+    private final RequestQueue<ColaTelegram> requests = new RequestQueue<>(events, time -> time + ANSWER, this::serve);
     private final ColaReader reader = new ColaReader(LONGEST, this::onTelegram);
-    private final Commands commands;
+    private final ColaCommands commands;
     private Settings saved;
     private Settings settings;
     private State state;
-    private boolean busy;
     private double poweredAt;
     private double lastByte;
     private ScanTelegram newest;
@@ -79,7 +75,7 @@ public final class ColaScanner implements SerialDevice {
         this.context = context;
         this.source = (LidarSource) context.sensor();
         this.delivered = Settings.of(model.rateWith(resolution), spread);
-        this.commands = new Commands(this, model);
+        this.commands = new ColaCommands(this, model);
         reset();
     }
 
@@ -107,7 +103,7 @@ public final class ColaScanner implements SerialDevice {
     public void hungUp(double time) {
         advance(time);
         reader.clear();
-        waiting.clear();
+        requests.dropWaiting();
         context.clearOutput();
         commands.logOut();
         session++;
@@ -148,11 +144,10 @@ public final class ColaScanner implements SerialDevice {
 
     private void start(double time) {
         events.clear();
-        waiting.clear();
+        requests.clear();
         reader.clear();
         commands.logOut();
         settings = saved;
-        busy = false;
         poweredAt = time;
         lastByte = time;
         newest = null;
@@ -177,23 +172,12 @@ public final class ColaScanner implements SerialDevice {
     }
 
     private void onTelegram(ColaTelegram telegram) {
-        if (waiting.size() < MAX_WAITING) {
-            waiting.add(telegram);
-            serve(lastByte);
-        }
+        requests.add(telegram, lastByte);
     }
 
-    private void serve(double time) {
-        if (busy || waiting.isEmpty()) {
-            return;
-        }
-        busy = true;
-        ColaTelegram request = waiting.remove();
-        events.at(time + ANSWER, t -> {
-            busy = false;
-            context.send(commands.answer(request, t), t);
-            serve(t);
-        });
+    private void serve(ColaTelegram request, double time) {
+        context.send(commands.answer(request, time), time);
+        requests.done(time);
     }
 
     void understood() {

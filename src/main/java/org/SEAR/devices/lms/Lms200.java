@@ -1,11 +1,10 @@
 package org.SEAR.devices.lms;
 
-import java.util.ArrayDeque;
 import java.util.Arrays;
-import java.util.Deque;
 import java.util.function.DoubleConsumer;
 import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.EventQueue;
+import org.SEAR.devices.RequestQueue;
 import org.SEAR.devices.SerialDevice;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.protocol.Uart;
@@ -20,11 +19,9 @@ import org.SEAR.sensors.LidarSource;
 /**
  * The firmware of a SICK LMS200 and of its sisters for outdoors, LMS221 and LMS291: telegrams in ({@link TelegramReader}), an ACK and a reply out,
  * one request after the other, and streams of scans.
- * What the commands do stands in {@link Commands}. Source: SICK telegram listing 8007954/Q501/2006-08-01.
+ * What the commands do stands in {@link LmsCommands}. Source: SICK telegram listing 8007954/Q501/2006-08-01.
  */
 public final class Lms200 implements SerialDevice, TelegramReader.Listener {
-    /** Requests that wait while another is being answered; more are dropped. */
-    private static final int MAX_WAITING = 16;
     /** A byte may look late by the step of the simulation in which the host wrote it. */
     private static final double GAP = Timing.HOST_GAP + TimeStep.SECONDS;
     /** MyRobotLab's old driver sends each baud telegram with the checksum of 9600 baud. */
@@ -35,11 +32,10 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     private final DeviceContext context;
     private final LidarSource source;
     private final EventQueue events = new EventQueue();
-    private final Deque<Telegram> waiting = new ArrayDeque<>();
+    private final RequestQueue<Telegram> requests = new RequestQueue<>(events, time -> time + Timing.ACKNOWLEDGE, this::serve);
     private final TelegramReader reader;
-    private final Commands commands;
+    private final LmsCommands commands;
     private Baud baud;
-    private boolean busy;
     private boolean booting;
     private double lastByte;
     private double readUntil;
@@ -61,7 +57,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
         this.context = context;
         this.source = (LidarSource) context.sensor();
         this.reader = new TelegramReader(address -> true, this);
-        this.commands = new Commands(this, powerOn);
+        this.commands = new LmsCommands(this, powerOn);
         reset();
     }
 
@@ -134,10 +130,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
             return;
         }
         context.understood();
-        if (waiting.size() < MAX_WAITING) {
-            waiting.add(telegram);
-            serve(readUntil);
-        }
+        requests.add(telegram, readUntil);
     }
 
     @Override
@@ -156,16 +149,9 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
         return address == 0 || address == powerOn.identity.getAddress();
     }
 
-    private void serve(double time) {
-        if (busy || waiting.isEmpty()) {
-            return;
-        }
-        busy = true;
-        Telegram request = waiting.remove();
-        events.at(time + Timing.ACKNOWLEDGE, t -> {
-            acknowledge(Telegram.ACK, t);
-            commands.execute(request, t);
-        });
+    private void serve(Telegram request, double time) {
+        acknowledge(Telegram.ACK, time);
+        commands.execute(request, time);
     }
 
     /** The answer has to come within 60 ms: for it, a scan of the stream that is on the line is broken off. */
@@ -179,7 +165,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     /** Sends the reply to the present request and goes on to the next. */
     void reply(byte[] payload, double time) {
         send(payload, time);
-        done(time);
+        requests.done(time);
     }
 
     /** Sends the reply to the present request after a delay. */
@@ -202,7 +188,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
         events.at(Math.max(time, context.lineFreeAt()), t -> {
             baud = next;
             reader.clear();
-            done(t);
+            requests.done(t);
         });
     }
 
@@ -211,7 +197,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
         send(last, time);
         double down = Math.max(time, context.lineFreeAt());
         stopStream();
-        waiting.clear();
+        requests.dropWaiting();
         events.clear();
         booting = true;
         events.at(down, t -> boot(commands.powerOn(), t));
@@ -226,17 +212,11 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
         });
     }
 
-    private void done(double time) {
-        busy = false;
-        serve(time);
-    }
-
     private void start(Baud speed) {
         baud = speed;
         events.clear();
-        waiting.clear();
+        requests.clear();
         reader.clear();
-        busy = false;
         booting = false;
         lastByte = 0;
         stream++;

@@ -1,9 +1,9 @@
 package org.SEAR.devices.lms;
 
-import org.SEAR.protocol.lms.Command;
 import org.SEAR.protocol.lms.Configuration;
 import org.SEAR.protocol.lms.CountWord;
-import org.SEAR.protocol.lms.Payload;
+import org.SEAR.protocol.lms.LmsCommand;
+import org.SEAR.protocol.lms.LmsPayload;
 import org.SEAR.protocol.lms.Variant;
 import org.SEAR.sensors.LidarScan;
 
@@ -58,19 +58,19 @@ final class ScanReply {
      * @param telegramIndex appended if the configuration asks for them
      */
     byte[] toBytes(int partial, int scanIndex, int telegramIndex, int status) {
-        Payload payload;
+        LmsPayload payload;
         switch (format.form) {
             case MEAN:
-                payload = Command.MEAN.reply().add(format.scans);
+                payload = LmsCommand.MEAN.reply().add(format.scans);
                 break;
             case RANGE:
-                payload = Command.RANGE.reply().word(format.first).word(last());
+                payload = LmsCommand.RANGE.reply().word(format.first).word(last());
                 break;
             case MEAN_RANGE:
-                payload = Command.MEAN_RANGE.reply().add(format.scans).word(format.first).word(last());
+                payload = LmsCommand.MEAN_RANGE.reply().add(format.scans).word(format.first).word(last());
                 break;
             default:
-                payload = Command.SCAN.reply();
+                payload = LmsCommand.SCAN.reply();
                 break;
         }
         writeValues(payload, partial);
@@ -80,7 +80,7 @@ final class ScanReply {
         return payload.add(status).toBytes();
     }
 
-    private void writeValues(Payload payload, int partial) {
+    private void writeValues(LmsPayload payload, int partial) {
         int unit = configuration.getUnit();
         switch (format.form) {
             case MINIMUM:
@@ -106,7 +106,7 @@ final class ScanReply {
         return from > to ? 0 : (to - from) / stride + 1;
     }
 
-    private void write(Payload payload, CountWord count, int from, int stride) {
+    private void write(LmsPayload payload, CountWord count, int from, int stride) {
         payload.word(count.toWord());
         for (int i = 0; i < count.getCount(); i++) {
             payload.word(format.form == ScanFormat.Form.CONTOUR ? configuration.getMode().getNothingHit() : value(from + i * stride));

@@ -1,13 +1,11 @@
 package org.SEAR.devices.oi;
 
-/** Lights, brush and vacuum motors, outputs and digits as they were last set: state for those who look; the simulated robot has none of them. */
+/** Lights, brush and vacuum motors as they were last set, for those who look. The simulated robot has none of them, and no outputs or digits. */
 public final class Lights {
     private int bits;
     private int colour;
     private int intensity;
     private int motors;
-    private int outputs;
-    private final char[] digits = {' ', ' ', ' ', ' '};
 
     /**
      * Commands 138, 139, 144, 147, 162 to 164.
@@ -28,13 +26,7 @@ public final class Lights {
                 motors = (a[0] != 0 ? 4 : 0) | (a[1] != 0 ? 1 : 0) | (a[2] != 0 ? 2 : 0);
                 return true;
             case OUTPUTS:
-                outputs = a[0];
-                return true;
             case DIGIT_TEXT:
-                for (int i = 0; i < digits.length; i++) {
-                    digits[i] = a[i] >= ' ' && a[i] <= '~' ? (char) a[i] : ' ';
-                }
-                return true;
             case SCHEDULING_LEDS:
             case DIGIT_LEDS:
                 return true;
@@ -50,31 +42,6 @@ public final class Lights {
     /** First byte of command 139. */
     public int getBits() {
         return bits;
-    }
-
-    /** Colour of the power light, 0 green to 255 red. */
-    public int getColour() {
-        return colour;
-    }
-
-    /** Brightness of the power light, 0 to 255. */
-    public int getIntensity() {
-        return intensity;
-    }
-
-    /** Bits of command 138: what of brushes and vacuum runs. */
-    public int getMotors() {
-        return motors;
-    }
-
-    /** Bits of command 147. */
-    public int getOutputs() {
-        return outputs;
-    }
-
-    /** Text of command 164. */
-    public String getDigits() {
-        return new String(digits);
     }
 
     String describe() {

@@ -16,6 +16,6 @@ public final class RoombaType implements DeviceType {
     @Override
     public SerialDevice create(SearObject parameters, DeviceContext context) {
         Dynamics dynamics = (Dynamics) parameters;
-        return new Roomba(OiModel.of(dynamics.getModel()), dynamics.getBaud(), dynamics.isStreamHeaderSummed(), context);
+        return new RoombaFirmware(OiModel.of(dynamics.getModel()), dynamics.getBaud(), dynamics.isStreamHeaderSummed(), context);
     }
 }

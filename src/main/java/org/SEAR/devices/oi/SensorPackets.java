@@ -11,14 +11,14 @@ final class SensorPackets {
     private static final double ROOMBA400_HALF_BASE = 129;
     private static final double MILLIMETRES = 1000;
 
-    private final Roomba roomba;
+    private final RoombaFirmware roomba;
     private final OiModel model;
     private final RobotHardware hardware;
     private final ProximitySensors proximity;
     private final SaturatingCounter distance = new SaturatingCounter();
     private final SaturatingCounter angle = new SaturatingCounter();
 
-    SensorPackets(Roomba roomba, OiModel model, RobotHardware hardware, ProximitySensors proximity) {
+    SensorPackets(RoombaFirmware roomba, OiModel model, RobotHardware hardware, ProximitySensors proximity) {
         this.roomba = roomba;
         this.model = model;
         this.hardware = hardware;

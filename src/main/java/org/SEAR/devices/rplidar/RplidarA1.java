@@ -1,15 +1,14 @@
 package org.SEAR.devices.rplidar;
 
-import java.util.ArrayDeque;
-import java.util.Deque;
 import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.EventQueue;
+import org.SEAR.devices.RequestQueue;
 import org.SEAR.devices.SerialDevice;
-import org.SEAR.protocol.rplidar.Command;
 import org.SEAR.protocol.rplidar.Health;
 import org.SEAR.protocol.rplidar.Info;
-import org.SEAR.protocol.rplidar.Request;
 import org.SEAR.protocol.rplidar.RequestReader;
+import org.SEAR.protocol.rplidar.RplidarCommand;
+import org.SEAR.protocol.rplidar.RplidarRequestPacket;
 
 /**
  * The firmware 1.20 of an RPLIDAR A1M8. Its motor turns as long as there is power: on the real one the line DTR of the USB adapter switches it,
@@ -19,8 +18,6 @@ import org.SEAR.protocol.rplidar.RequestReader;
 public final class RplidarA1 implements SerialDevice {
     /** The only speed of its line, bits a second. */
     public static final int BAUD = 115200;
-    /** Requests that wait while another is being answered; more are dropped. */
-    private static final int MAX_WAITING = 16;
     /** From a request to its answer; undocumented. Seconds. */
     private static final double ANSWER = 0.001;
     /** RESET to the next request that is heard. Seconds. */
@@ -37,11 +34,10 @@ public final class RplidarA1 implements SerialDevice {
     private final DeviceContext context;
     private final Head head;
     private final EventQueue events = new EventQueue();
-    private final Deque<Request> waiting = new ArrayDeque<>();
+    private final RequestQueue<RplidarRequestPacket> requests = new RequestQueue<>(events, this::answerAt, this::serve);
     private final RequestReader reader = new RequestReader(this::onRequest);
-    private Command scan;
+    private RplidarCommand scan;
     private int session;
-    private boolean busy;
     private double heardAt;
     private double deafUntil;
 
@@ -99,9 +95,8 @@ public final class RplidarA1 implements SerialDevice {
 
     private void idle() {
         events.clear();
-        waiting.clear();
+        requests.clear();
         reader.clear();
-        busy = false;
         stop();
     }
 
@@ -117,33 +112,26 @@ public final class RplidarA1 implements SerialDevice {
 
     @Override
     public String status() {
-        String doing = scan == null ? "idle" : scan == Command.EXPRESS_SCAN ? "express scan" : "scan";
+        String doing = scan == null ? "idle" : scan == RplidarCommand.EXPRESS_SCAN ? "express scan" : "scan";
         return "RPLIDAR-A1: " + doing + ", " + Math.round(head.turnsPerSecond() * 10) / 10.0 + " turns/s, " + BAUD + " baud";
     }
 
-    private void onRequest(Request request) {
-        if (waiting.size() < MAX_WAITING) {
-            waiting.add(request);
-            serve(heardAt);
-        }
+    private void onRequest(RplidarRequestPacket request) {
+        requests.add(request, heardAt);
     }
 
-    private void serve(double time) {
-        if (busy || waiting.isEmpty()) {
-            return;
-        }
-        busy = true;
-        Request request = waiting.remove();
-        events.at(Math.max(time + ANSWER, context.lineFreeAt()), t -> {
-            execute(request, t);
-            busy = false;
-            serve(t);
-        });
+    private double answerAt(double time) {
+        return Math.max(time + ANSWER, context.lineFreeAt());
     }
 
-    private void execute(Request request, double time) {
-        Command command = Command.of(request.getCode());
-        if (command == null || command == Command.EXPRESS_SCAN && (request.size() != EXPRESS_PAYLOAD || request.at(0) != 0)) {
+    private void serve(RplidarRequestPacket request, double time) {
+        execute(request, time);
+        requests.done(time);
+    }
+
+    private void execute(RplidarRequestPacket request, double time) {
+        RplidarCommand command = RplidarCommand.of(request.getCode());
+        if (command == null || command == RplidarCommand.EXPRESS_SCAN && (request.size() != EXPRESS_PAYLOAD || request.at(0) != 0)) {
             return;
         }
         context.understood();
@@ -154,7 +142,7 @@ public final class RplidarA1 implements SerialDevice {
         switch (command) {
             case RESET:
                 reader.clear();
-                waiting.clear();
+                requests.dropWaiting();
                 deafUntil = time + RESTART;
                 break;
             case GET_INFO:
@@ -176,17 +164,17 @@ public final class RplidarA1 implements SerialDevice {
         }
     }
 
-    private void startScan(Command command, double time) {
+    private void startScan(RplidarCommand command, double time) {
         scan = command;
-        head.start(command == Command.EXPRESS_SCAN);
+        head.start(command == RplidarCommand.EXPRESS_SCAN);
         send(command, session, true, time + Head.BLOCK_SECONDS);
     }
 
     /** A block is measured by {@code time}. */
-    private void send(Command command, int wanted, boolean first, double time) {
+    private void send(RplidarCommand command, int wanted, boolean first, double time) {
         events.at(time, t -> {
             if (wanted == session) {
-                context.send(command == Command.EXPRESS_SCAN ? head.capsule(first) : head.nodes(), t);
+                context.send(command == RplidarCommand.EXPRESS_SCAN ? head.capsule(first) : head.nodes(), t);
                 send(command, wanted, false, time + Head.BLOCK_SECONDS);
             }
         });

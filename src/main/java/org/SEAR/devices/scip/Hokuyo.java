@@ -1,22 +1,19 @@
 package org.SEAR.devices.scip;
 
-import java.util.ArrayDeque;
-import java.util.Deque;
 import org.SEAR.devices.DeviceContext;
 import org.SEAR.devices.EventQueue;
+import org.SEAR.devices.RequestQueue;
 import org.SEAR.devices.SerialDevice;
 import org.SEAR.protocol.scip.HokuyoModel;
 import org.SEAR.protocol.scip.ReplyWriter;
 import org.SEAR.protocol.scip.ScanCommand;
-import org.SEAR.protocol.scip.Status;
+import org.SEAR.protocol.scip.ScipStatus;
 
 /**
  * The firmware of a Hokuyo scanner that speaks SCIP 2.0: a line in, its echo and a reply out, one command after the other, and streams of scans
- * meanwhile. What the commands do stands in {@link Commands}. Source: SCIP 2.0 specification C-42-03320B.
+ * meanwhile. What the commands do stands in {@link ScipCommands}. Source: SCIP 2.0 specification C-42-03320B.
  */
 public final class Hokuyo implements SerialDevice {
-    /** Commands that wait while another is being answered; more are dropped. */
-    private static final int MAX_WAITING = 16;
     /** A command has at most 15 characters and a string of 16 after a semicolon. */
     private static final int LONGEST_LINE = 64;
     /** From the end of a command to its reply; undocumented, drivers wait 100 ms and more. Seconds. */
@@ -28,12 +25,11 @@ public final class Hokuyo implements SerialDevice {
     private final int powerOnBaud;
     private final DeviceContext context;
     private final EventQueue events = new EventQueue();
-    private final Deque<String> waiting = new ArrayDeque<>();
+    private final RequestQueue<String> requests;
     private final StringBuilder line = new StringBuilder();
     private final Scanner scanner;
-    private final Commands commands;
+    private final ScipCommands commands;
     private int baud;
-    private boolean busy;
     private double bootedAt;
     private int stream;
     private boolean streaming;
@@ -50,7 +46,8 @@ public final class Hokuyo implements SerialDevice {
         this.powerOnBaud = baud;
         this.context = context;
         this.scanner = new Scanner(model, context);
-        this.commands = new Commands(this, model, scanner);
+        this.commands = new ScipCommands(this, model, scanner);
+        this.requests = new RequestQueue<>(events, time -> Math.max(time + ANSWER, context.lineFreeAt()), commands::execute);
         reset();
     }
 
@@ -75,10 +72,7 @@ public final class Hokuyo implements SerialDevice {
                 line.append((char) value);
             }
         } else if (line.length() > 0) {
-            if (waiting.size() < MAX_WAITING) {
-                waiting.add(line.toString());
-                serve(time);
-            }
+            requests.add(line.toString(), time);
             line.setLength(0);
         }
     }
@@ -114,9 +108,8 @@ public final class Hokuyo implements SerialDevice {
     private void start(double time) {
         baud = powerOnBaud;
         events.clear();
-        waiting.clear();
+        requests.clear();
         line.setLength(0);
-        busy = false;
         stopStream();
         commands.toStart(time);
     }
@@ -131,20 +124,10 @@ public final class Hokuyo implements SerialDevice {
         return model.getName() + ": " + commands.describe() + (isUsb() ? ", USB" : ", " + baud + " baud");
     }
 
-    private void serve(double time) {
-        if (busy || waiting.isEmpty()) {
-            return;
-        }
-        busy = true;
-        String command = waiting.remove();
-        events.at(Math.max(time + ANSWER, context.lineFreeAt()), t -> commands.execute(command, t));
-    }
-
     /** Sends the reply to the present command and goes on to the next. */
     void reply(ReplyWriter reply, double time) {
         context.send(reply.toBytes(), time);
-        busy = false;
-        serve(time);
+        requests.done(time);
     }
 
     /** Sends the reply at the present speed and goes on at another once it has left. */
@@ -153,8 +136,7 @@ public final class Hokuyo implements SerialDevice {
         events.at(Math.max(time, context.lineFreeAt()), t -> {
             baud = next;
             line.setLength(0);
-            busy = false;
-            serve(t);
+            requests.done(t);
         });
     }
 
@@ -181,7 +163,7 @@ public final class Hokuyo implements SerialDevice {
 
     /** Measures one scan and answers the present command with it. */
     void answerScan(String echo, ScanCommand command, double time) {
-        scanner.measure(command, time, events, (scan, end) -> reply(scan.write(new ReplyWriter(echo, Status.OK)), end));
+        scanner.measure(command, time, events, (scan, end) -> reply(scan.write(new ReplyWriter(echo, ScipStatus.OK)), end));
     }
 
     /** Sends scans until there were as many as wanted, or {@link #stopStream}. */
@@ -202,7 +184,7 @@ public final class Hokuyo implements SerialDevice {
                 return;
             }
             int remaining = Math.max(0, left - 1);
-            context.send(scan.write(new ReplyWriter(command.withCount(remaining).toString(), Status.SCAN)).toBytes(), end);
+            context.send(scan.write(new ReplyWriter(command.withCount(remaining).toString(), ScipStatus.SCAN)).toBytes(), end);
             if (command.getCount() > 0 && remaining == 0) {
                 stopStream();
                 commands.laserOff();

@@ -32,11 +32,6 @@ public final class TerrainSolid extends Solid {
         return Math.max(Math.abs(low), Math.abs(high));
     }
 
-    /** What the window and the tab draw it by. */
-    public HeightField getHeights() {
-        return heights;
-    }
-
     @Override
     public int addTo(BeamScene scene, int owner) {
         return scene.addHeights(heights, owner);

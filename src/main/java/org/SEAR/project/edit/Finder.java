@@ -16,9 +16,9 @@ import org.SEAR.project.problems.ProjectException;
 
 /** Finds the objects of a project by what edits call them: {@code crate}, {@code rover}, {@code rover/ping}. Whoever holds the project's lock. */
 final class Finder {
-    private final Draft draft;
+    private final EditDraft draft;
 
-    Finder(Draft draft) {
+    Finder(EditDraft draft) {
         this.draft = draft;
     }
 

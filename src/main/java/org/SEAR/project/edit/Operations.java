@@ -26,10 +26,10 @@ final class Operations {
 
     private static final String LEFT = " was deleted, since it can't be without ";
 
-    private final Draft draft;
+    private final EditDraft draft;
     private final Finder finder;
 
-    Operations(Draft draft) {
+    Operations(EditDraft draft) {
         this.draft = draft;
         this.finder = new Finder(draft);
     }
@@ -37,18 +37,18 @@ final class Operations {
     // ---- add, set ------------------------------------------------------------------------------------------------------
 
     /** {@code type}, {@code name} (or a free one), {@code to} a robot, {@code set} parameters. */
-    Done add(Request edit) throws IOException, ProjectException {
+    Done add(EditRequest edit) throws IOException, ProjectException {
         String type = edit.text("type");
         Class<? extends SearObject> found = draft.classes().get(type);
         if (found == null) {
-            throw Request.refused("type", type, String.join(", ", draft.classes().keySet()));
+            throw EditRequest.refused("type", type, String.join(", ", draft.classes().keySet()));
         }
         String to = edit.textOrNull("to");
         if (to == null && !Grammar.standsInEnvironment(found) && found != SEARrobot.class) {
-            throw Request.refused("to", "", "the name of a robot: a " + type + " is a part of one");
+            throw EditRequest.refused("to", "", "the name of a robot: a " + type + " is a part of one");
         }
         if (to != null && !Grammar.standsOnRobot(found)) {
-            throw Request.refused("to", to, "nothing: a " + type + " can't be a part of a robot");
+            throw EditRequest.refused("to", to, "nothing: a " + type + " can't be a part of a robot");
         }
         SEARrobot robot = to == null ? null : finder.robot(to);
         String name = newName(edit, defaultName(type), robot);
@@ -78,7 +78,7 @@ final class Operations {
     }
 
     /** @param robot whose part is to have the name; null for a thing of the environment and a robot */
-    private String newName(Request edit, String proposed, SEARrobot robot) throws IOException, ProjectException {
+    private String newName(EditRequest edit, String proposed, SEARrobot robot) throws IOException, ProjectException {
         String name = edit.textOrNull("name");
         if (name == null || name.isEmpty()) {
             return finder.free(proposed);
@@ -89,10 +89,10 @@ final class Operations {
 
     private void checkName(String name, SEARrobot robot) throws IOException, ProjectException {
         if (!TextRule.NAME.isLegal(name)) {
-            throw Request.refused("name", name, TextRule.NAME.legal());
+            throw EditRequest.refused("name", name, TextRule.NAME.legal());
         }
         if (finder.isTaken(name, robot)) {
-            throw Request.refused("name", name, "a name that no other object has, not even with other capitals, such as " + finder.free(name));
+            throw EditRequest.refused("name", name, "a name that no other object has, not even with other capitals, such as " + finder.free(name));
         }
     }
 
@@ -127,7 +127,7 @@ final class Operations {
     }
 
     /** {@code object}, {@code set} parameters, {@code was} what the asker has seen of them. */
-    Done set(Request edit) throws IOException, ProjectException {
+    Done set(EditRequest edit) throws IOException, ProjectException {
         Place place = finder.find(edit.text("object"));
         Map<?, ?> values = edit.values("set");
         set(place.path, place.object, values, edit.values("was"));
@@ -148,7 +148,7 @@ final class Operations {
                 problems.add(file, 0, link, String.valueOf(value.getValue()), "nothing here: rename, add, mount and unmount are edits of their own");
             }
         }
-        Values setting = new Values(file, problems);
+        EditValues setting = new EditValues(file, problems);
         setting.refuseStale(object, values, was);
         setting.set(object, values, "");
         problems.throwIfAny();
@@ -186,7 +186,7 @@ final class Operations {
     }
 
     /** {@code template}, {@code name} (or a free one), {@code set} parameters of the robot. */
-    Done robot(Request edit) throws IOException, ProjectException {
+    Done robot(EditRequest edit) throws IOException, ProjectException {
         String template = edit.text("template");
         String name = newName(edit, template, null);
         Integer order = order();
@@ -206,7 +206,7 @@ final class Operations {
     // ---- rename, delete, duplicate -----------------------------------------------------------------------------------------
 
     /** {@code object}, {@code name}. */
-    Done rename(Request edit) throws IOException, ProjectException {
+    Done rename(EditRequest edit) throws IOException, ProjectException {
         Place place = finder.find(edit.text("object"));
         String old = place.object.getName();
         String name = edit.text("name");
@@ -252,7 +252,7 @@ final class Operations {
     }
 
     /** {@code object}; a robot goes with all of its parts, a part with what can't be without it. */
-    Done delete(Request edit) throws IOException, ProjectException {
+    Done delete(EditRequest edit) throws IOException, ProjectException {
         Place place = finder.find(edit.text("object"));
         References others = leave(place);
         if (place.object instanceof SEARrobot) {
@@ -297,7 +297,7 @@ final class Operations {
     }
 
     /** {@code object}, {@code name} (or a free one), {@code set} parameters of the copy; without ports, which belong to one device only. */
-    Done duplicate(Request edit) throws IOException, ProjectException {
+    Done duplicate(EditRequest edit) throws IOException, ProjectException {
         Place place = finder.find(edit.text("object"));
         String old = place.object.getName();
         String name = newName(edit, old, place.robot);
@@ -346,11 +346,11 @@ final class Operations {
     // ---- mount, unmount ------------------------------------------------------------------------------------------------
 
     /** {@code object}, {@code to} a robot, {@code set} parameters, which count in the robot's frame then. */
-    Done mount(Request edit) throws IOException, ProjectException {
+    Done mount(EditRequest edit) throws IOException, ProjectException {
         Place place = finder.find(edit.text("object"));
         String to = edit.text("to");
         if (!Grammar.standsOnRobot(place.object.getClass())) {
-            throw Request.refused("to", to, "nothing: a " + place.object.getClass().getSimpleName() + " can't be a part of a robot");
+            throw EditRequest.refused("to", to, "nothing: a " + place.object.getClass().getSimpleName() + " can't be a part of a robot");
         }
         List<String> besides = List.of();
         if (place.robot != null && place.robot.getName().equals(to)) {
@@ -368,13 +368,13 @@ final class Operations {
     }
 
     /** {@code object}, {@code set} parameters, which count in the world then; only what may stand there by itself. */
-    Done unmount(Request edit) throws IOException, ProjectException {
+    Done unmount(EditRequest edit) throws IOException, ProjectException {
         Place place = finder.find(edit.text("object"));
         if (place.robot == null) {
-            throw Request.refused("object", place.address(), "a part of a robot");
+            throw EditRequest.refused("object", place.address(), "a part of a robot");
         }
         if (!Grammar.standsInEnvironment(place.object.getClass())) {
-            throw Request.refused("object", place.address(), "a shape: a " + place.object.getClass().getSimpleName()
+            throw EditRequest.refused("object", place.address(), "a shape: a " + place.object.getClass().getSimpleName()
                 + " can't stand in the world without a robot; mount it on another one, or delete it");
         }
         List<String> besides = besides(leave(place), place, LEFT);

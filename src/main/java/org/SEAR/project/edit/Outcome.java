@@ -24,7 +24,7 @@ public final class Outcome {
     /** What redo would do again; null for nothing. */
     public final String redo;
 
-    Outcome(String words, String object, String note, List<FileChange> changes, Journal journal) {
+    Outcome(String words, String object, String note, List<FileChange> changes, EditJournal journal) {
         this.words = words;
         this.object = object;
         this.note = note;

@@ -44,8 +44,8 @@ final class PoseChanges {
                 more = true;
                 continue;
             }
-            Map<String, Object> was = Values.of(before);
-            Map<String, Object> is = Values.of(after);
+            Map<String, Object> was = EditValues.of(before);
+            Map<String, Object> is = EditValues.of(after);
             boolean placed = false;
             for (String parameter : PLACING) {
                 Object present = is.remove(parameter);

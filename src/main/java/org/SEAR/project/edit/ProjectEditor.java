@@ -66,9 +66,9 @@ public final class ProjectEditor {
      */
     public Outcome apply(Map<?, ?> edit) throws IOException, ProjectException {
         return locked(files -> {
-            Journal journal = Journal.open(files);
-            Draft draft = new Draft(files);
-            Done done = perform(draft, new Request(edit), 0);
+            EditJournal journal = EditJournal.open(files);
+            EditDraft draft = new EditDraft(files);
+            Done done = perform(draft, new EditRequest(edit), 0);
             List<FileChange> changes = draft.changes();
             if (changes.isEmpty()) {
                 return new Outcome("", done.object, null, changes, journal);
@@ -80,7 +80,7 @@ public final class ProjectEditor {
         });
     }
 
-    private Done perform(Draft draft, Request edit, int depth) throws IOException, ProjectException {
+    private Done perform(EditDraft draft, EditRequest edit, int depth) throws IOException, ProjectException {
         String kind = edit.text("do");
         Operations operations = new Operations(draft);
         switch (kind) {
@@ -103,19 +103,19 @@ public final class ProjectEditor {
             case "all":
                 return performAll(draft, edit, depth);
             default:
-                throw Request.refused("do", kind, "add, robot, set, rename, delete, duplicate, mount, unmount, all");
+                throw EditRequest.refused("do", kind, "add, robot, set, rename, delete, duplicate, mount, unmount, all");
         }
     }
 
-    private Done performAll(Draft draft, Request edit, int depth) throws IOException, ProjectException {
+    private Done performAll(EditDraft draft, EditRequest edit, int depth) throws IOException, ProjectException {
         List<Map<?, ?>> edits = edit.list("edits");
         if (depth > 0 || edits.isEmpty() || edits.size() > MOST_EDITS) {
-            throw Request.refused("edits", edits.size() + " edits", "1 to " + MOST_EDITS + " edits, none of them of this kind");
+            throw EditRequest.refused("edits", edits.size() + " edits", "1 to " + MOST_EDITS + " edits, none of them of this kind");
         }
         Done last = null;
         List<String> besides = new ArrayList<>();
         for (Map<?, ?> one : edits) {
-            last = perform(draft, new Request(one), depth + 1);
+            last = perform(draft, new EditRequest(one), depth + 1);
             besides.addAll(last.besides);
         }
         String words = edit.textOrNull("words");
@@ -124,7 +124,7 @@ public final class ProjectEditor {
     }
 
     /** Refuses what makes problems that the project has not had before. */
-    private void check(Draft draft) throws ProjectException {
+    private void check(EditDraft draft) throws ProjectException {
         List<Problem> after = problems(draft.overlay());
         if (!after.isEmpty()) {
             List<String> known = problems(Map.of()).stream().map(ProjectEditor::withoutLine).collect(Collectors.toList());
@@ -149,7 +149,7 @@ public final class ProjectEditor {
     }
 
     /** What others have changed becomes a step; null if nothing. */
-    private static Step noteOutside(Journal journal) throws IOException {
+    private static Step noteOutside(EditJournal journal) throws IOException {
         List<FileChange> outside = journal.changedOutside();
         if (outside.isEmpty()) {
             return null;
@@ -167,11 +167,11 @@ public final class ProjectEditor {
      */
     public Outcome undo() throws IOException, ProjectException {
         return locked(files -> {
-            Journal journal = Journal.open(files);
+            EditJournal journal = EditJournal.open(files);
             Step outside = noteOutside(journal);
             Step step = journal.undoable();
             if (step == null) {
-                throw new IllegalStateException("there is nothing to undo: no edit of this project is known (the last " + Journal.MOST_STEPS
+                throw new IllegalStateException("there is nothing to undo: no edit of this project is known (the last " + EditJournal.MOST_STEPS
                     + " are kept; opening another project, or a new one, begins anew)");
             }
             journal.undo();
@@ -188,7 +188,7 @@ public final class ProjectEditor {
      */
     public Outcome redo() throws IOException, ProjectException {
         return locked(files -> {
-            Journal journal = Journal.open(files);
+            EditJournal journal = EditJournal.open(files);
             Step outside = noteOutside(journal);
             Step step = journal.redoable();
             if (step == null) {
@@ -202,7 +202,7 @@ public final class ProjectEditor {
 
     /** What undo and redo would do now; nothing changes. */
     public Outcome state() throws IOException, ProjectException {
-        return locked(files -> new Outcome("", null, null, List.of(), Journal.open(files)));
+        return locked(files -> new Outcome("", null, null, List.of(), EditJournal.open(files)));
     }
 
     /**
@@ -217,14 +217,14 @@ public final class ProjectEditor {
      */
     public Map<String, Object> object(String name) throws IOException, ProjectException {
         return locked(files -> {
-            Place place = new Finder(new Draft(files)).find(name);
+            Place place = new Finder(new EditDraft(files)).find(name);
             Map<String, Object> map = new LinkedHashMap<>();
             map.put("object", place.address());
             map.put("name", place.object.getName());
             map.put("type", place.object.getClass().getSimpleName());
             map.put("robot", place.robot == null ? null : place.robot.getName());
             map.put("file", place.path);
-            map.put("values", Values.of(place.object));
+            map.put("values", EditValues.of(place.object));
             return map;
         });
     }

@@ -25,7 +25,7 @@ final class References {
 
     private static final String LOST = " lost its ";
 
-    private final Draft draft;
+    private final EditDraft draft;
     private final SEARrobot robot;
     /** Parts that have left, whose names are still to be forgotten. */
     private final Deque<SearObject> left = new ArrayDeque<>();
@@ -37,7 +37,7 @@ final class References {
     private String now;
 
     /** @param robot as it is to be, with the part's new name or without it */
-    References(Draft draft, SEARrobot robot) {
+    References(EditDraft draft, SEARrobot robot) {
         this.draft = draft;
         this.robot = robot;
     }

@@ -40,7 +40,7 @@ public final class RobotTemplates {
     static SEARrobot make(String template, String name, Collection<String> taken) throws ProjectException {
         Function<String, SEARrobot> maker = ALL.get(template);
         if (maker == null) {
-            throw Request.refused("template", template, String.join(", ", ALL.keySet()));
+            throw EditRequest.refused("template", template, String.join(", ", ALL.keySet()));
         }
         return Draft.robot(taken, () -> maker.apply(name));
     }

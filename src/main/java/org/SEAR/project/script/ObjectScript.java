@@ -43,11 +43,11 @@ final class ObjectScript {
     /** For a class without a constructor that takes values alone. */
     private void makeByNames() {
         Map<String, Object> named = new LinkedHashMap<>();
-        Values.differences(wanted, ParameterTable.of(wanted.getClass()).newInstance())
-            .forEach(parameter -> named.put(parameter.getName(), Values.plain(parameter.get(wanted))));
+        ScriptValues.differences(wanted, ParameterTable.of(wanted.getClass()).newInstance())
+            .forEach(parameter -> named.put(parameter.getName(), ScriptValues.plain(parameter.get(wanted))));
         try {
             Object draft = SearObject.make(((SearObject) wanted).getClass(), named);
-            if (Values.differences(wanted, draft).isEmpty()) {
+            if (ScriptValues.differences(wanted, draft).isEmpty()) {
                 expression = "SearObject.make(" + wanted.getClass().getSimpleName() + ", " + PythonText.literal(named) + ")";
                 classes.add(SearObject.class);
             }
@@ -85,7 +85,7 @@ final class ObjectScript {
         }
         List<String> found = new ArrayList<>();
         int size = values.length + change(draft, found);
-        List<Parameter> rest = Values.differences(wanted, draft);
+        List<Parameter> rest = ScriptValues.differences(wanted, draft);
         if (!rest.isEmpty()) {
             if (!(draft instanceof SearObject) || !setByName((SearObject) draft, rest, found)) {
                 return;
@@ -102,22 +102,22 @@ final class ObjectScript {
     /** Calls methods as long as they help. */
     private int change(Object draft, List<String> found) {
         int size = 0;
-        List<Parameter> rest = Values.differences(wanted, draft);
+        List<Parameter> rest = ScriptValues.differences(wanted, draft);
         boolean helped = draft instanceof SearObject;
         while (helped && !rest.isEmpty()) {
             helped = false;
             Call best = null;
             List<Parameter> after = rest;
             for (Call call : Call.methods(wanted.getClass())) {
-                Map<Parameter, Object> before = Values.copy(draft);
+                Map<Parameter, Object> before = ScriptValues.copy(draft);
                 if (call.arguments.stream().anyMatch(rest::contains) && runAll(call, draft)) {
-                    List<Parameter> left = Values.differences(wanted, draft);
+                    List<Parameter> left = ScriptValues.differences(wanted, draft);
                     if (left.size() < after.size()) {
                         best = call;
                         after = left;
                     }
                 }
-                Values.restore(draft, before);
+                ScriptValues.restore(draft, before);
             }
             if (best != null && words(best, found)) {
                 runAll(best, draft);
@@ -149,14 +149,14 @@ final class ObjectScript {
 
     private static boolean setByName(SearObject draft, List<Parameter> rest, List<String> found, Object wanted) {
         Map<String, Object> named = new LinkedHashMap<>();
-        rest.forEach(parameter -> named.put(parameter.getName(), Values.plain(parameter.get(wanted))));
+        rest.forEach(parameter -> named.put(parameter.getName(), ScriptValues.plain(parameter.get(wanted))));
         try {
             draft.set(named);
         } catch (IllegalArgumentException e) {
             return false;
         }
         found.add("set(" + PythonText.literal(named) + ")");
-        return Values.differences(wanted, draft).isEmpty();
+        return ScriptValues.differences(wanted, draft).isEmpty();
     }
 
     private boolean setByName(SearObject draft, List<Parameter> rest, List<String> found) {

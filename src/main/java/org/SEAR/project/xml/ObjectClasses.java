@@ -6,33 +6,22 @@ import java.util.List;
 import java.util.Map;
 import java.util.ServiceLoader;
 import java.util.TreeMap;
-import org.SEAR.POJOs.Accelerometer;
-import org.SEAR.POJOs.Arduino;
-import org.SEAR.POJOs.Bumper;
-import org.SEAR.POJOs.ColorSensor;
-import org.SEAR.POJOs.Compass;
-import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Dynamics;
-import org.SEAR.POJOs.GPS;
-import org.SEAR.POJOs.Gyroscope;
-import org.SEAR.POJOs.IMU;
-import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Led;
-import org.SEAR.POJOs.LineSensor;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.ObjectTypes;
-import org.SEAR.POJOs.Odometer;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Shape;
 
-/** All classes that may stand as root element in an object's file: the grammar's own, shapes as {@code physics.solid.Solids}
- * lists them, and those that other jars register. Immutable, any thread. */
+/**
+ * All classes that may stand as root element in an object's file: a robot and its drive, and those that shapes ({@code physics.solid.Solids}), kinds
+ * of sensors and kinds of devices register, SEAR's own and those of other jars. Immutable, any thread.
+ */
 public final class ObjectClasses {
-    private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Motor.class, Servo.class, Led.class,
-        Distance.class, LIDAR.class, GPS.class, Compass.class, Accelerometer.class, Gyroscope.class, Odometer.class, IMU.class, LineSensor.class,
-        ColorSensor.class, Bumper.class, Arduino.class);
+    /** A robot and what moves it. All else is registered by what makes something of it: shapes, sensors, devices. */
+    private static final List<Class<? extends SearObject>> OWN = List.of(SEARrobot.class, Dynamics.class, Motor.class, Servo.class, Led.class);
 
     private final Map<String, Class<? extends SearObject>> byElement = new TreeMap<>();
     private final List<Class<? extends SearObject>> inOrder = new ArrayList<>();
@@ -65,18 +54,8 @@ public final class ObjectClasses {
         }
     }
 
-    /** The class of a root element, null if there is none. */
-    public Class<? extends SearObject> of(String element) {
-        return byElement.get(element);
-    }
-
-    /** All classes: shapes, then the grammar's other ones, then those of other jars. */
+    /** All classes: shapes, robots and what moves them, sensors, devices that are nothing else, each kind in the order in which it is registered. */
     public List<Class<? extends SearObject>> all() {
         return Collections.unmodifiableList(inOrder);
-    }
-
-    /** The root elements, ordered by name. */
-    public List<String> elements() {
-        return List.copyOf(byElement.keySet());
     }
 }

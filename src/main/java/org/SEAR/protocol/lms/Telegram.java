@@ -43,7 +43,7 @@ public final class Telegram {
     }
 
     /** A request to whatever device is on the line. */
-    public static Telegram request(Payload payload) {
+    public static Telegram request(LmsPayload payload) {
         return new Telegram(BROADCAST, payload.toBytes());
     }
 

@@ -35,11 +35,6 @@ public final class MrlMessage {
         return MrlFunction.of(function);
     }
 
-    /** Number of the function. */
-    public int getNumber() {
-        return function;
-    }
-
     /** Whether all arguments of its function are there. */
     public boolean isWhole() {
         MrlFunction known = getFunction();

@@ -62,11 +62,6 @@ public enum Pmtk {
         return known ? Integer.parseInt(field.substring(TALKER.length())) : -1;
     }
 
-    /** 0 to 999. */
-    public int getNumber() {
-        return number;
-    }
-
     /** The body of a sentence, to be framed by {@link Nmea#sentence}: {@code PMTK220,200}. */
     public String body(Object... fields) {
         StringBuilder body = new StringBuilder(String.format(Locale.ROOT, TALKER + "%0" + DIGITS + "d", number));

@@ -10,14 +10,14 @@ public final class AnswerReader {
     /** Takes what is found. */
     public interface Listener {
         /** The descriptor of an answer. */
-        void onDescriptor(Command command);
+        void onDescriptor(RplidarCommand command);
 
         /** @param bytes a whole packet */
-        void onPacket(Command command, byte[] bytes);
+        void onPacket(RplidarCommand command, byte[] bytes);
     }
 
     private final Listener listener;
-    private Command command;
+    private RplidarCommand command;
     private byte[] wanted = new byte[0];
     private byte[] window = new byte[0];
     private int filled;
@@ -28,7 +28,7 @@ public final class AnswerReader {
     }
 
     /** A request was sent: its answer is looked for, everything else is over. */
-    public void expect(Command request) {
+    public void expect(RplidarCommand request) {
         command = request.getDescriptor() == null ? null : request;
         described = false;
         filled = 0;
@@ -61,7 +61,7 @@ public final class AnswerReader {
         } else if (!makesSense()) {
             shift();
         } else {
-            Command answered = command;
+            RplidarCommand answered = command;
             filled = 0;
             if (!answered.getDescriptor().isMultiple()) {
                 command = null;

@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 
 /** Finds requests in what a computer sends. One with a wrong checksum is left out. One thread at a time. */
 public final class RequestReader {
-    private final Consumer<Request> requests;
+    private final Consumer<RplidarRequestPacket> requests;
     private final byte[] payload = new byte[256];
     private State state = State.IDLE;
     private int code;
@@ -15,7 +15,7 @@ public final class RequestReader {
 
     private enum State { IDLE, CODE, LENGTH, PAYLOAD, SUM }
 
-    public RequestReader(Consumer<Request> requests) {
+    public RequestReader(Consumer<RplidarRequestPacket> requests) {
         this.requests = requests;
     }
 
@@ -37,11 +37,11 @@ public final class RequestReader {
             case SUM:
                 state = State.IDLE;
                 if (value == sum) {
-                    requests.accept(new Request(code, Arrays.copyOf(payload, length)));
+                    requests.accept(new RplidarRequestPacket(code, Arrays.copyOf(payload, length)));
                 }
                 break;
             default:
-                state = value == Request.START ? State.CODE : State.IDLE;
+                state = value == RplidarRequestPacket.START ? State.CODE : State.IDLE;
                 sum = 0;
                 break;
         }
@@ -50,11 +50,11 @@ public final class RequestReader {
 
     private void readCode(int value) {
         code = value;
-        if (Request.hasPayload(value)) {
-            state = value == Request.START ? State.CODE : State.LENGTH;
+        if (RplidarRequestPacket.hasPayload(value)) {
+            state = value == RplidarRequestPacket.START ? State.CODE : State.LENGTH;
         } else {
             state = State.IDLE;
-            requests.accept(new Request(value));
+            requests.accept(new RplidarRequestPacket(value));
         }
     }
 

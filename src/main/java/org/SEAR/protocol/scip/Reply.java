@@ -24,19 +24,14 @@ public final class Reply {
         return echo;
     }
 
-    /** Two characters, see {@link Status}. */
+    /** Two characters, see {@link ScipStatus}. */
     public String getStatus() {
         return status;
     }
 
     /** Whether it brings distances that were asked for by MD or MS. */
     public boolean isScan() {
-        return Status.SCAN.equals(status) && ScanCommand.isStream(echo);
-    }
-
-    /** Number of lines after the status. */
-    public int size() {
-        return lines.size();
+        return ScipStatus.SCAN.equals(status) && ScanCommand.isStream(echo);
     }
 
     /** The value of a line such as {@code DMIN:20}; null if there is none of that name. */

@@ -8,7 +8,7 @@ public final class ReplyWriter {
 
     /**
      * @param echo the command as it came
-     * @param status two characters, see {@link Status}
+     * @param status two characters, see {@link ScipStatus}
      */
     public ReplyWriter(String echo, String status) {
         out.append(echo).append('\n');

@@ -62,24 +62,24 @@ public final class ScanCommand {
      */
     public static String fault(String line, int lastStep) {
         if (!isNumber(line, START_AT, END_AT)) {
-            return Status.BAD_START;
+            return ScipStatus.BAD_START;
         }
         if (!isNumber(line, END_AT, CLUSTER_AT)) {
-            return Status.BAD_END;
+            return ScipStatus.BAD_END;
         }
         if (!isNumber(line, CLUSTER_AT, INTERVAL_AT)) {
-            return Status.BAD_CLUSTER;
+            return ScipStatus.BAD_CLUSTER;
         }
         if (isStream(line) && !isNumber(line, INTERVAL_AT, COUNT_AT)) {
-            return Status.BAD_INTERVAL;
+            return ScipStatus.BAD_INTERVAL;
         }
         if (isStream(line) && !isNumber(line, COUNT_AT, STREAM_LENGTH)) {
-            return Status.BAD_COUNT;
+            return ScipStatus.BAD_COUNT;
         }
         if (number(line, END_AT, CLUSTER_AT) > lastStep) {
-            return Status.END_BEYOND;
+            return ScipStatus.END_BEYOND;
         }
-        return number(line, END_AT, CLUSTER_AT) < number(line, START_AT, END_AT) ? Status.END_BEFORE_START : null;
+        return number(line, END_AT, CLUSTER_AT) < number(line, START_AT, END_AT) ? ScipStatus.END_BEFORE_START : null;
     }
 
     /** Reads a line without a {@link #fault}. */

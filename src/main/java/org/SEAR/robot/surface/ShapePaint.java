@@ -12,17 +12,17 @@ final class ShapePaint implements Paint {
 
     private final Shape shape;
     private final Solid solid;
-    private final Function<String, Picture> pictures;
+    private final Function<String, SurfacePicture> pictures;
     private final int plain;
     private final double[] weights = new double[CORNERS];
     private boolean known;
-    private Picture picture;
+    private SurfacePicture picture;
     private float[] positions;
     private float[] places;
     private int[] indices;
 
     /** @param pictures reads one; null for one that can't be read */
-    ShapePaint(Shape shape, Solid solid, Function<String, Picture> pictures) {
+    ShapePaint(Shape shape, Solid solid, Function<String, SurfacePicture> pictures) {
         this.shape = shape;
         this.solid = solid;
         this.pictures = pictures;

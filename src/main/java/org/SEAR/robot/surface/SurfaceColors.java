@@ -26,7 +26,7 @@ public final class SurfaceColors {
     private final Assets assets;
     private final Consumer<String> told;
     private final Map<Solid, Paint> paints = new IdentityHashMap<>();
-    private final Map<String, Picture> pictures = new HashMap<>();
+    private final Map<String, SurfacePicture> pictures = new HashMap<>();
 
     /** @param told hears what the user should know of pictures that can't be read, when a sensor looks at them first */
     public SurfaceColors(Assets assets, Consumer<String> told) {
@@ -59,20 +59,20 @@ public final class SurfaceColors {
         return Integer.parseInt(shape.getColor().substring(1), HEX);
     }
 
-    private Picture picture(String path) {
+    private SurfacePicture picture(String path) {
         if (!pictures.containsKey(path)) {
             pictures.put(path, read(path));
         }
         return pictures.get(path);
     }
 
-    private Picture read(String path) {
+    private SurfacePicture read(String path) {
         try {
             BufferedImage image = ImageIO.read(new ByteArrayInputStream(assets.readPicture(path)));
             if (image == null) {
                 told.accept("colour and line sensors can't look at the picture " + path + ", legal: .png, .jpg, .gif or .bmp");
             }
-            return image == null ? null : new Picture(image);
+            return image == null ? null : new SurfacePicture(image);
         } catch (IOException e) {
             told.accept("colour and line sensors can't look at a picture: " + e.getMessage());
             return null;

@@ -27,11 +27,6 @@ public abstract class ElevationMap implements Closeable {
         this.white = white;
     }
 
-    /** Whether the file says where on Earth it lies. */
-    public final boolean isOnEarth() {
-        return place != null && place.system != null;
-    }
-
     /**
      * Reads heights in metres, row by row; NaN where the map has none.
      *

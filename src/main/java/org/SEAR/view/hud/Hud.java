@@ -153,10 +153,6 @@ public final class Hud {
         return statusWords + "\n" + sensorWords;
     }
 
-    String warningsText() {
-        return warningWords;
-    }
-
     public String messagesText() {
         return messages.text();
     }

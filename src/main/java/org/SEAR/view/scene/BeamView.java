@@ -33,7 +33,6 @@ public final class BeamView {
     private final Geometry hitGeometry;
     private double[] shown;
     private int hitCount;
-    private final Vector3f nearest = new Vector3f();
 
     BeamView(BeamFan fan, Materials materials) {
         this.fan = fan;
@@ -89,11 +88,6 @@ public final class BeamView {
         return hitCount;
     }
 
-    /** The nearest hit, or else a point a little in front of the sensor; world frame. */
-    Vector3f labelPlace() {
-        return node.localToWorld(nearest, null);
-    }
-
     /**
      * Draws a reading.
      *
@@ -108,16 +102,9 @@ public final class BeamView {
         colors.clear();
         spheres.clear();
         hitCount = 0;
-        float best = Float.POSITIVE_INFINITY;
-        nearest.set(0, 0, 0);
         for (int i = 0; i < fan.size(); i++) {
             if (isHit(i)) {
-                float length = (float) shown[i];
-                sphere(i, length);
-                if (length < best) {
-                    best = length;
-                    nearest.set(fan.directions[3 * i], fan.directions[3 * i + 1], fan.directions[3 * i + 2]).multLocal(length);
-                }
+                sphere(i, (float) shown[i]);
             }
         }
         for (int beam : fan.lines) {

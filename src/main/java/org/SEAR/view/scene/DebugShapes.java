@@ -117,10 +117,6 @@ public final class DebugShapes {
         return lineCount;
     }
 
-    int outlineCount() {
-        return outlines.size();
-    }
-
     public void update(SceneState sceneState) {
         if (!visible) {
             return;

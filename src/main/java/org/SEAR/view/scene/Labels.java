@@ -75,10 +75,6 @@ public final class Labels {
         node.setCullHint(shown && !covered ? CullHint.Never : CullHint.Always);
     }
 
-    boolean isShown() {
-        return shown;
-    }
-
     /** Words of a label; null when there is none or it is hidden. */
     public String text(String name) {
         Label label = labels.get(name);

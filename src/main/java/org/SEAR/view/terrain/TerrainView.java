@@ -113,15 +113,4 @@ public final class TerrainView {
     public long made() {
         return made;
     }
-
-    /** Those drawn last. */
-    List<Tile> drawn() {
-        List<Tile> drawn = new ArrayList<>();
-        for (Tile tile : kept) {
-            if (tile.used == picture) {
-                drawn.add(tile);
-            }
-        }
-        return drawn;
-    }
 }

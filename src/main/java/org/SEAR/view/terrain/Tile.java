@@ -63,10 +63,6 @@ final class Tile {
         }
     }
 
-    int kind() {
-        return kind;
-    }
-
     /** Corners in the world, {x, y, z} each. */
     FloatBuffer places() {
         return places;

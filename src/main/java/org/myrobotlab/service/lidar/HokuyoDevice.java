@@ -5,12 +5,11 @@ import org.SEAR.protocol.lidar.LidarModel;
 import org.SEAR.protocol.scip.HokuyoModel;
 import org.SEAR.protocol.scip.Reply;
 import org.SEAR.protocol.scip.ScanCommand;
-import org.SEAR.protocol.scip.Status;
+import org.SEAR.protocol.scip.ScipStatus;
 import org.myrobotlab.service.lidar.requests.DeviceLine;
-import org.myrobotlab.service.link.SerialLink;
 
 /** A Hokuyo scanner that speaks SCIP 2.0, as its user sees it. Its fan it tells itself. Any thread; never blocks. */
-final class HokuyoDevice implements LidarDevice {
+final class HokuyoDevice extends AbstractLidarDevice<ScipDriver> {
     /** Leaves SCIP 1.1, in which older scanners wake up, and the adjustment of the clock. */
     private static final String TO_NORMAL = "SCIP2.0\nTM2\n";
     private static final int SHORT_REPLY = 32;
@@ -20,9 +19,6 @@ final class HokuyoDevice implements LidarDevice {
     private static final double PATIENCE = 1;
 
     private final LidarModel model;
-    private final LidarListener listener;
-    private SerialLink link;
-    private ScipDriver driver;
     private volatile HokuyoFan fan;
     /** What is asked for. */
     private volatile ScanCommand wanted;
@@ -31,37 +27,23 @@ final class HokuyoDevice implements LidarDevice {
     private double resolution;
     private double toldSpread;
     private double toldResolution;
-    private volatile boolean streaming;
     /** What was asked for last, while the answer may not be there yet. */
     private volatile boolean toStream;
-    private volatile RangeScan lastScan;
 
     HokuyoDevice(LidarModel model, LidarListener listener) {
+        super(listener);
         this.model = model;
-        this.listener = listener;
         wholeFan();
     }
 
     @Override
-    public void attach(SerialLink newLink) {
-        link = newLink;
-        driver = new ScipDriver(DeviceLine.of(newLink), listener, LidarModels.bauds(model), this::scanned);
-    }
-
-    @Override
-    public void receive(byte[] bytes) {
-        driver.receive(bytes);
-    }
-
-    @Override
-    public void tick() {
-        driver.tick();
+    ScipDriver driverAt(DeviceLine line) {
+        return new ScipDriver(line, listener, LidarModels.bauds(model), this::scanned);
     }
 
     @Override
     public void clear() {
-        driver.clear();
-        streaming = false;
+        super.clear();
         toStream = false;
         wholeFan();
     }
@@ -74,13 +56,8 @@ final class HokuyoDevice implements LidarDevice {
     }
 
     @Override
-    public RangeScan getLastScan() {
-        return lastScan;
-    }
-
-    @Override
     public void learn() {
-        driver.ask(new ScipRequest("the request for the parameters", TO_NORMAL, "PP", LONG_REPLY, PATIENCE, reply -> {
+        driver().ask(new ScipRequest("the request for the parameters", TO_NORMAL, "PP", LONG_REPLY, PATIENCE, reply -> {
             if (succeeded(reply, "the request for the parameters")) {
                 listener.unit(true);
                 learnt(HokuyoFan.of(reply));
@@ -92,17 +69,16 @@ final class HokuyoDevice implements LidarDevice {
     private void onState(Reply reply) {
         String mode = reply.property("MESM");
         boolean streams = mode != null && mode.startsWith("Measuring");
-        if (streams != streaming) {
-            streaming = streams;
+        if (streams != isStreaming()) {
             toStream |= streams;
-            listener.streaming(streams);
+            streams(streams);
         }
     }
 
     private synchronized void learnt(HokuyoFan told) {
         fan = told;
         wanted = spread == 0 ? told.whole() : told.part(spread, resolution);
-        if (!streaming) {
+        if (!isStreaming()) {
             tell(told.spread(wanted), told.resolution(wanted));
         }
     }
@@ -122,8 +98,8 @@ final class HokuyoDevice implements LidarDevice {
         }
         String name = "the change to " + baud + " baud";
         ask(name, HokuyoModel.baudCommand(baud), SHORT_REPLY, reply -> {
-            if (Status.UNCHANGED.equals(reply.getStatus()) || succeeded(reply, name)) {
-                driver.changeBaud(baud);
+            if (ScipStatus.UNCHANGED.equals(reply.getStatus()) || succeeded(reply, name)) {
+                driver().changeBaud(baud);
                 listener.baud(baud);
             }
         });
@@ -148,10 +124,7 @@ final class HokuyoDevice implements LidarDevice {
 
     @Override
     public void setUnit(boolean millimetres) {
-        if (!millimetres) {
-            throw new IllegalArgumentException("a " + model.getName() + " measures in millimetres, legal: setToMM()");
-        }
-        listener.unit(true);
+        setOnlyUnit(millimetres, model);
     }
 
     @Override
@@ -173,8 +146,7 @@ final class HokuyoDevice implements LidarDevice {
 
     private void streams(Reply reply, boolean on, String name) {
         if (succeeded(reply, name)) {
-            streaming = on;
-            listener.streaming(on);
+            streams(on);
         }
     }
 
@@ -183,18 +155,18 @@ final class HokuyoDevice implements LidarDevice {
     }
 
     private void ask(String name, String command, int replyLength, Consumer<Reply> then) {
-        driver.ask(new ScipRequest(name, "", command, replyLength, PATIENCE, then));
+        driver().ask(new ScipRequest(name, "", command, replyLength, PATIENCE, then));
     }
 
     private void scanned(Reply reply) {
-        RangeScan scan = fan.scan(reply, link.now());
-        lastScan = scan;
+        RangeScan scan = fan.scan(reply, link().now());
+        keep(scan);
         tell(scan.spread, scan.resolution);
         listener.scan(scan);
     }
 
     private boolean succeeded(Reply reply, String what) {
-        boolean done = Status.OK.equals(reply.getStatus());
+        boolean done = ScipStatus.OK.equals(reply.getStatus());
         if (!done) {
             listener.error("the LIDAR did not take " + what + " (status " + reply.getStatus() + ")");
         }

@@ -2,19 +2,18 @@ package org.myrobotlab.service.lidar;
 
 import java.util.function.Consumer;
 import org.SEAR.protocol.lms.Baud;
-import org.SEAR.protocol.lms.Command;
 import org.SEAR.protocol.lms.Configuration;
+import org.SEAR.protocol.lms.LmsCommand;
+import org.SEAR.protocol.lms.LmsPayload;
+import org.SEAR.protocol.lms.LmsStatus;
 import org.SEAR.protocol.lms.MeasuringMode;
 import org.SEAR.protocol.lms.OperatingMode;
-import org.SEAR.protocol.lms.Payload;
-import org.SEAR.protocol.lms.Status;
 import org.SEAR.protocol.lms.Telegram;
 import org.SEAR.protocol.lms.Variant;
 import org.myrobotlab.service.lidar.requests.DeviceLine;
-import org.myrobotlab.service.link.SerialLink;
 
 /** An LMS2xx as its user sees it: scan modes, units, scans. Any thread; never blocks. */
-public final class LmsDevice implements LidarDevice {
+public final class LmsDevice extends AbstractLidarDevice<LmsDriver> {
     private static final double HUNDREDTHS = 100;
     private static final int OVERHEAD = 10;
     private static final int LONGEST_SCAN = 813;
@@ -28,61 +27,38 @@ public final class LmsDevice implements LidarDevice {
     private static final double WRITE_PATIENCE = 15;
     private static final double SHORT_PATIENCE = 1;
 
-    private final LidarListener listener;
-    private SerialLink link;
-    private LmsDriver driver;
     private volatile MeasuringMode measuringMode = MeasuringMode.FIELDS_A_B_DAZZLE;
     private volatile double resolution = 1;
-    private volatile boolean streaming;
     private volatile Configuration configuration;
-    private volatile RangeScan lastScan;
     private String lastComplaint = "";
 
     public LmsDevice(LidarListener listener) {
-        this.listener = listener;
+        super(listener);
     }
 
     @Override
-    public void attach(SerialLink newLink) {
-        link = newLink;
-        driver = new LmsDriver(DeviceLine.of(newLink), listener, this::scanned);
-    }
-
-    @Override
-    public void receive(byte[] bytes) {
-        driver.receive(bytes);
-    }
-
-    @Override
-    public void tick() {
-        driver.tick();
+    LmsDriver driverAt(DeviceLine line) {
+        return new LmsDriver(line, listener, this::scanned);
     }
 
     @Override
     public void clear() {
-        driver.clear();
-        streaming = false;
+        super.clear();
         configuration = null;
-    }
-
-    @Override
-    public RangeScan getLastScan() {
-        return lastScan;
     }
 
     @Override
     public void learn() {
         learnConfiguration();
-        ask("the request for the status", Command.STATUS, Command.STATUS.request(), Status.SIZE + OVERHEAD, SHORT_PATIENCE,
-            reply -> onStatus(Status.of(reply)));
+        ask("the request for the status", LmsCommand.STATUS, LmsCommand.STATUS.request(), LmsStatus.SIZE + OVERHEAD, SHORT_PATIENCE,
+            reply -> onStatus(LmsStatus.of(reply)));
     }
 
-    private void onStatus(Status status) {
+    private void onStatus(LmsStatus status) {
         fan(status.getSpread(), status.getResolution());
         boolean streams = OperatingMode.isStream(status.getMode());
-        if (streams != streaming) {
-            streaming = streams;
-            listener.streaming(streams);
+        if (streams != isStreaming()) {
+            streams(streams);
         }
     }
 
@@ -92,7 +68,7 @@ public final class LmsDevice implements LidarDevice {
     }
 
     private void learnConfiguration() {
-        ask("the request for the configuration", Command.GET_CONFIGURATION, Command.GET_CONFIGURATION.request(), Configuration.SIZE + OVERHEAD,
+        ask("the request for the configuration", LmsCommand.GET_CONFIGURATION, LmsCommand.GET_CONFIGURATION.request(), Configuration.SIZE + OVERHEAD,
             SHORT_PATIENCE, reply -> configured(Configuration.of(reply, CONFIGURATION_AT)));
     }
 
@@ -104,10 +80,10 @@ public final class LmsDevice implements LidarDevice {
 
     @Override
     public void setBaud(int baud) {
-        Payload request = Command.MODE.request().add(Baud.ofRate(baud).getMode());
-        ask("the change to " + baud + " baud", Command.MODE, request, OVERHEAD, MODE_PATIENCE, reply -> {
+        LmsPayload request = LmsCommand.MODE.request().add(Baud.ofRate(baud).getMode());
+        ask("the change to " + baud + " baud", LmsCommand.MODE, request, OVERHEAD, MODE_PATIENCE, reply -> {
             if (succeeded(reply, "the change to " + baud + " baud")) {
-                driver.changeBaud(baud);
+                driver().changeBaud(baud);
                 listener.baud(baud);
             }
         });
@@ -120,8 +96,8 @@ public final class LmsDevice implements LidarDevice {
             throw new IllegalArgumentException("scan mode is spread " + spread + ", resolution " + newResolution
                 + ", legal: 100 with 1, 0.5 or 0.25; 180 with 1 or 0.5");
         }
-        Payload request = Command.VARIANT.request().word(variant.getSpread()).word(variant.getResolution());
-        pauseStreaming(() -> ask("scan mode " + spread + " degrees by " + newResolution, Command.VARIANT, request, OVERHEAD + 3, MODE_PATIENCE,
+        LmsPayload request = LmsCommand.VARIANT.request().word(variant.getSpread()).word(variant.getResolution());
+        pauseStreaming(() -> ask("scan mode " + spread + " degrees by " + newResolution, LmsCommand.VARIANT, request, OVERHEAD + 3, MODE_PATIENCE,
             reply -> {
                 int nowSpread = reply.wordAt(2);
                 int nowResolution = reply.wordAt(4);
@@ -137,37 +113,37 @@ public final class LmsDevice implements LidarDevice {
     @Override
     public void setUnit(boolean millimetres) {
         pauseStreaming(() -> {
-            mode("installation mode", Command.MODE.request().add(OperatingMode.INSTALLATION).text(OperatingMode.PASSWORD));
+            mode("installation mode", LmsCommand.MODE.request().add(OperatingMode.INSTALLATION).text(OperatingMode.PASSWORD));
             learnConfiguration();
-            driver.ask(new LmsRequest("the change of unit", Command.SET_CONFIGURATION, () -> withUnit(millimetres), Configuration.SIZE + OVERHEAD,
-                WRITE_PATIENCE, reply -> {
+            driver().ask(new LmsRequest("the change of unit", LmsCommand.SET_CONFIGURATION, () -> withUnit(millimetres),
+                Configuration.SIZE + OVERHEAD, WRITE_PATIENCE, reply -> {
                     if (reply.at(1) == 1) {
                         configured(Configuration.of(reply, SET_CONFIGURATION_AT));
                     } else {
                         listener.error("the LIDAR refused the change of unit");
                     }
                 }));
-            mode("measuring on request", Command.MODE.request().add(OperatingMode.ON_REQUEST));
+            mode("measuring on request", LmsCommand.MODE.request().add(OperatingMode.ON_REQUEST));
         });
     }
 
-    private Payload withUnit(boolean millimetres) {
+    private LmsPayload withUnit(boolean millimetres) {
         if (configuration == null) {
             throw new IllegalStateException("the LIDAR did not tell its configuration");
         }
-        return Command.SET_CONFIGURATION.request().bytes(configuration.withMillimetres(millimetres).toBytes());
+        return LmsCommand.SET_CONFIGURATION.request().bytes(configuration.withMillimetres(millimetres).toBytes());
     }
 
     @Override
     public void singleScan() {
-        if (!streaming) {
-            ask("a single scan", Command.SCAN, Command.SCAN.request().add(ALL_VALUES), LONGEST_SCAN, SHORT_PATIENCE, this::scanned);
+        if (!isStreaming()) {
+            ask("a single scan", LmsCommand.SCAN, LmsCommand.SCAN.request().add(ALL_VALUES), LONGEST_SCAN, SHORT_PATIENCE, this::scanned);
         }
     }
 
     private void scanned(Telegram telegram) {
-        RangeScan scan = LmsReplies.scan(telegram, measuringMode, resolution, link.now());
-        lastScan = scan;
+        RangeScan scan = LmsReplies.scan(telegram, measuringMode, resolution, link().now());
+        keep(scan);
         listener.scan(scan);
         String complaint = LmsReplies.complaint(telegram);
         if (!complaint.equals(lastComplaint)) {
@@ -179,17 +155,16 @@ public final class LmsDevice implements LidarDevice {
     @Override
     public void setStreaming(boolean on) {
         String name = on ? "streaming" : "the end of streaming";
-        Payload request = Command.MODE.request().add(on ? OperatingMode.STREAM_ALL : OperatingMode.ON_REQUEST);
-        ask(name, Command.MODE, request, LONGEST_SCAN, MODE_PATIENCE, reply -> {
+        LmsPayload request = LmsCommand.MODE.request().add(on ? OperatingMode.STREAM_ALL : OperatingMode.ON_REQUEST);
+        ask(name, LmsCommand.MODE, request, LONGEST_SCAN, MODE_PATIENCE, reply -> {
             if (succeeded(reply, name)) {
-                streaming = on;
-                listener.streaming(on);
+                streams(on);
             }
         });
     }
 
     private void pauseStreaming(Runnable change) {
-        boolean wasStreaming = streaming;
+        boolean wasStreaming = isStreaming();
         if (wasStreaming) {
             setStreaming(false);
         }
@@ -199,12 +174,12 @@ public final class LmsDevice implements LidarDevice {
         }
     }
 
-    private void mode(String name, Payload request) {
-        ask(name, Command.MODE, request, OVERHEAD, MODE_PATIENCE, reply -> succeeded(reply, name));
+    private void mode(String name, LmsPayload request) {
+        ask(name, LmsCommand.MODE, request, OVERHEAD, MODE_PATIENCE, reply -> succeeded(reply, name));
     }
 
-    private void ask(String name, Command command, Payload request, int replyLength, double patience, Consumer<Telegram> then) {
-        driver.ask(new LmsRequest(name, command, () -> request, replyLength, patience, then));
+    private void ask(String name, LmsCommand command, LmsPayload request, int replyLength, double patience, Consumer<Telegram> then) {
+        driver().ask(new LmsRequest(name, command, () -> request, replyLength, patience, then));
     }
 
     private boolean succeeded(Telegram reply, String what) {

@@ -3,7 +3,7 @@ package org.myrobotlab.service.lidar;
 import java.util.Arrays;
 import java.util.function.Consumer;
 import org.SEAR.protocol.lms.Baud;
-import org.SEAR.protocol.lms.Command;
+import org.SEAR.protocol.lms.LmsCommand;
 import org.SEAR.protocol.lms.Telegram;
 import org.SEAR.protocol.lms.TelegramReader;
 import org.myrobotlab.service.lidar.requests.DeviceLine;
@@ -11,61 +11,39 @@ import org.myrobotlab.service.lidar.requests.DriverEvents;
 import org.myrobotlab.service.lidar.requests.Requests;
 
 /** Talks to a SICK LMS2xx: requests that are acknowledged and answered, see {@link Requests}, and scans that come by themselves. Any thread. */
-final class LmsDriver implements TelegramReader.Listener {
+final class LmsDriver extends LidarDriver<LmsRequest> implements TelegramReader.Listener {
     /** A pause within a telegram, seconds, after which its rest will not come: the device breaks a scan off to answer. */
     private static final double BROKEN_OFF = 0.3;
 
     private final DeviceLine line;
-    private final DriverEvents events;
     private final Consumer<Telegram> scans;
     private final TelegramReader reader = new TelegramReader(address -> (address & Telegram.FROM_DEVICE) != 0, this);
-    private final Requests<LmsRequest> requests;
     private double heardAt;
 
     /** @param scans takes the B0h telegrams that the device sends by itself */
     LmsDriver(DeviceLine line, DriverEvents events, Consumer<Telegram> scans) {
+        super(line, events, Arrays.stream(Baud.values()).mapToInt(Baud::getRate).toArray());
         this.line = line;
-        this.events = events;
         this.scans = scans;
-        this.requests = new Requests<>(line, events, Arrays.stream(Baud.values()).mapToInt(Baud::getRate).toArray(), reader::clear, request -> { });
     }
 
-    /**
-     * Queues a request.
-     *
-     * @throws IllegalStateException if the device is far behind
-     */
-    synchronized void ask(LmsRequest request) {
-        requests.add(request);
+    @Override
+    void forget() {
+        reader.clear();
     }
 
-    /** Bytes from the device. */
+    @Override
     synchronized void receive(byte[] bytes) {
         heardAt = line.now();
         reader.accept(bytes);
     }
 
-    /** Lets time-outs pass. */
+    @Override
     synchronized void tick() {
         if (reader.isPending() && line.now() > heardAt + BROKEN_OFF) {
             reader.interrupt();
         }
-        requests.tick();
-    }
-
-    /** Forgets all requests: the port was closed. */
-    synchronized void clear() {
-        requests.clear();
-    }
-
-    /** Whether nothing is asked or waits. */
-    synchronized boolean isIdle() {
-        return requests.isIdle();
-    }
-
-    /** Follows the device to another rate; it needs a moment before it listens there. */
-    synchronized void changeBaud(int baud) {
-        requests.changeBaud(baud);
+        super.tick();
     }
 
     @Override
@@ -87,13 +65,13 @@ final class LmsDriver implements TelegramReader.Listener {
         if (current != null && command == current.command.getReply()) {
             accept(requests.answered().then, telegram);
             requests.next();
-        } else if (current != null && command == Command.NOT_PERMITTED) {
+        } else if (current != null && command == LmsCommand.NOT_PERMITTED) {
             requests.answered();
             events.error("the LIDAR does not permit " + current.name + " in its present operating mode");
             requests.next();
-        } else if (command == Command.SCAN.getReply()) {
+        } else if (command == LmsCommand.SCAN.getReply()) {
             accept(scans, telegram);
-        } else if (command == Command.POWER_ON) {
+        } else if (command == LmsCommand.POWER_ON) {
             events.info("the LIDAR has started: " + LmsReplies.text(telegram));
         }
     }

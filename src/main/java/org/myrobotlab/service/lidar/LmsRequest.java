@@ -2,15 +2,15 @@ package org.myrobotlab.service.lidar;
 
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.SEAR.protocol.lms.Command;
-import org.SEAR.protocol.lms.Payload;
+import org.SEAR.protocol.lms.LmsCommand;
+import org.SEAR.protocol.lms.LmsPayload;
 import org.SEAR.protocol.lms.Telegram;
-import org.myrobotlab.service.lidar.requests.Request;
+import org.myrobotlab.service.lidar.requests.DeviceRequest;
 
 /** One thing asked of an LMS2xx: what is sent, what answers it, how long that may take, and what then happens. */
-final class LmsRequest extends Request {
+final class LmsRequest extends DeviceRequest {
     /** What is asked; its reply byte begins the answer. */
-    final Command command;
+    final LmsCommand command;
     /** Takes the answer. */
     final Consumer<Telegram> then;
 
@@ -19,7 +19,7 @@ final class LmsRequest extends Request {
      * @param replyLength bytes
      * @param patience seconds
      */
-    LmsRequest(String name, Command command, Supplier<Payload> payload, int replyLength, double patience, Consumer<Telegram> then) {
+    LmsRequest(String name, LmsCommand command, Supplier<LmsPayload> payload, int replyLength, double patience, Consumer<Telegram> then) {
         super(name, () -> Telegram.request(payload.get()).toBytes(), replyLength, patience);
         this.command = command;
         this.then = then;

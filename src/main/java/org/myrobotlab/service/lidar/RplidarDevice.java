@@ -3,17 +3,16 @@ package org.myrobotlab.service.lidar;
 import java.util.List;
 import java.util.function.Consumer;
 import org.SEAR.protocol.lidar.LidarModel;
-import org.SEAR.protocol.rplidar.Command;
 import org.SEAR.protocol.rplidar.Health;
 import org.SEAR.protocol.rplidar.Info;
+import org.SEAR.protocol.rplidar.RplidarCommand;
 import org.myrobotlab.service.lidar.requests.DeviceLine;
-import org.myrobotlab.service.link.SerialLink;
 
 /**
  * An RPLIDAR A1 as its user sees it: it turns all the time (its USB adapter does that while DTR is off) and sends whole turns, standard or express
  * ones; of them the wanted spread is told. Any thread; never blocks.
  */
-final class RplidarDevice implements LidarDevice {
+final class RplidarDevice extends AbstractLidarDevice<RplidarDriver> {
     private static final int CIRCLE = 360;
     private static final double STANDARD = 1;
     private static final double EXPRESS = 0.5;
@@ -27,57 +26,35 @@ final class RplidarDevice implements LidarDevice {
     private static final double AFTER_STOP = 0.02;
 
     private final LidarModel model;
-    private final LidarListener listener;
-    private SerialLink link;
-    private RplidarDriver driver;
     private volatile int spread = CIRCLE;
     private volatile double resolution = STANDARD;
-    private volatile boolean streaming;
     /** What was asked for last, while the answer may not be there yet. */
     private volatile boolean toStream;
-    private volatile RangeScan lastScan;
 
     RplidarDevice(LidarModel model, LidarListener listener) {
+        super(listener);
         this.model = model;
-        this.listener = listener;
     }
 
     @Override
-    public void attach(SerialLink newLink) {
-        link = newLink;
-        driver = new RplidarDriver(DeviceLine.of(newLink), listener, LidarModels.bauds(model), this::turned);
-    }
-
-    @Override
-    public void receive(byte[] bytes) {
-        driver.receive(bytes);
-    }
-
-    @Override
-    public void tick() {
-        driver.tick();
+    RplidarDriver driverAt(DeviceLine line) {
+        return new RplidarDriver(line, listener, LidarModels.bauds(model), this::turned);
     }
 
     @Override
     public void clear() {
-        driver.clear();
-        streaming = false;
+        super.clear();
         toStream = false;
         spread = CIRCLE;
         resolution = STANDARD;
     }
 
     @Override
-    public RangeScan getLastScan() {
-        return lastScan;
-    }
-
-    @Override
     public void learn() {
-        link.setDtr(false);
+        link().setDtr(false);
         stop();
-        ask("the request for its type", Command.GET_INFO, bytes -> listener.info("the LIDAR is an RPLIDAR of " + new Info(bytes)));
-        ask("the request for its health", Command.GET_HEALTH, bytes -> onHealth(new Health(bytes)));
+        ask("the request for its type", RplidarCommand.GET_INFO, bytes -> listener.info("the LIDAR is an RPLIDAR of " + new Info(bytes)));
+        ask("the request for its health", RplidarCommand.GET_HEALTH, bytes -> onHealth(new Health(bytes)));
         listener.unit(true);
         listener.scanMode(spread, resolution);
     }
@@ -109,16 +86,13 @@ final class RplidarDevice implements LidarDevice {
 
     @Override
     public void setUnit(boolean millimetres) {
-        if (!millimetres) {
-            throw new IllegalArgumentException("an " + model.getName() + " measures in millimetres, legal: setToMM()");
-        }
-        listener.unit(true);
+        setOnlyUnit(millimetres, model);
     }
 
     @Override
     public void singleScan() {
         if (!toStream) {
-            driver.ask(new RplidarRequest("a single scan", scanCommand(), true, TURN_PATIENCE, bytes -> { }));
+            driver().ask(new RplidarRequest("a single scan", scanCommand(), true, TURN_PATIENCE, bytes -> { }));
             stop();
         }
     }
@@ -127,33 +101,28 @@ final class RplidarDevice implements LidarDevice {
     public void setStreaming(boolean on) {
         toStream = on;
         if (on) {
-            driver.ask(new RplidarRequest("streaming", scanCommand(), false, PATIENCE, bytes -> streams(true)));
+            driver().ask(new RplidarRequest("streaming", scanCommand(), false, PATIENCE, bytes -> streams(true)));
         } else {
             stop();
-            ask("the end of streaming", Command.GET_HEALTH, bytes -> streams(false));
+            ask("the end of streaming", RplidarCommand.GET_HEALTH, bytes -> streams(false));
         }
     }
 
-    private void streams(boolean on) {
-        streaming = on;
-        listener.streaming(on);
-    }
-
-    private Command scanCommand() {
-        return resolution < FINEST_STANDARD ? Command.EXPRESS_SCAN : Command.SCAN;
+    private RplidarCommand scanCommand() {
+        return resolution < FINEST_STANDARD ? RplidarCommand.EXPRESS_SCAN : RplidarCommand.SCAN;
     }
 
     private void stop() {
-        driver.ask(new RplidarRequest("the end of a scan", Command.STOP, false, AFTER_STOP, bytes -> { }));
+        driver().ask(new RplidarRequest("the end of a scan", RplidarCommand.STOP, false, AFTER_STOP, bytes -> { }));
     }
 
-    private void ask(String name, Command command, Consumer<byte[]> then) {
-        driver.ask(new RplidarRequest(name, command, false, PATIENCE, then));
+    private void ask(String name, RplidarCommand command, Consumer<byte[]> then) {
+        driver().ask(new RplidarRequest(name, command, false, PATIENCE, then));
     }
 
     private void turned(List<RplidarTurn.Sample> turn) {
-        RangeScan scan = RplidarTurn.scan(turn, spread, link.now());
-        lastScan = scan;
+        RangeScan scan = RplidarTurn.scan(turn, spread, link().now());
+        keep(scan);
         listener.scan(scan);
     }
 }

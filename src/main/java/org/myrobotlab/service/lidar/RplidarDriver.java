@@ -4,65 +4,51 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.SEAR.protocol.rplidar.AnswerReader;
 import org.SEAR.protocol.rplidar.Capsule;
-import org.SEAR.protocol.rplidar.Command;
 import org.SEAR.protocol.rplidar.Node;
+import org.SEAR.protocol.rplidar.RplidarCommand;
 import org.myrobotlab.service.lidar.requests.DeviceLine;
 import org.myrobotlab.service.lidar.requests.DriverEvents;
 import org.myrobotlab.service.lidar.requests.Requests;
 
 /** Talks to an RPLIDAR: requests and their answers, see {@link Requests}, and scans, which come until the next request. Any thread. */
-final class RplidarDriver implements AnswerReader.Listener {
+final class RplidarDriver extends LidarDriver<RplidarRequest> implements AnswerReader.Listener {
     private final Consumer<List<RplidarTurn.Sample>> turns;
     private final AnswerReader reader = new AnswerReader(this);
     private final RplidarTurn turn = new RplidarTurn();
-    private final Requests<RplidarRequest> requests;
 
     /**
      * @param bauds that the device may have
      * @param turns takes whole turns
      */
     RplidarDriver(DeviceLine line, DriverEvents events, int[] bauds, Consumer<List<RplidarTurn.Sample>> turns) {
+        super(line, events, bauds);
         this.turns = turns;
-        this.requests = new Requests<>(line, events, bauds, turn::clear, this::sent);
     }
 
-    private void sent(RplidarRequest request) {
+    @Override
+    void forget() {
+        turn.clear();
+    }
+
+    @Override
+    void sending(RplidarRequest request) {
         turn.clear();
         reader.expect(request.command);
     }
 
-    /**
-     * Queues a request.
-     *
-     * @throws IllegalStateException if the device is far behind
-     */
-    synchronized void ask(RplidarRequest request) {
-        requests.add(request);
-    }
-
-    /** Bytes from the device. */
+    @Override
     synchronized void receive(byte[] bytes) {
         reader.accept(bytes);
     }
 
-    /** Lets time-outs pass. */
-    synchronized void tick() {
-        requests.tick();
-    }
-
-    /** Forgets all requests: the port was closed. */
+    @Override
     synchronized void clear() {
-        requests.clear();
-        reader.expect(Command.STOP);
-    }
-
-    /** Whether nothing is asked or waits. */
-    synchronized boolean isIdle() {
-        return requests.isIdle();
+        super.clear();
+        reader.expect(RplidarCommand.STOP);
     }
 
     @Override
-    public void onDescriptor(Command command) {
+    public void onDescriptor(RplidarCommand command) {
         requests.hear();
         RplidarRequest current = requests.current();
         if (current != null && command.getDescriptor().isMultiple() && !current.wholeTurn) {
@@ -71,7 +57,7 @@ final class RplidarDriver implements AnswerReader.Listener {
     }
 
     @Override
-    public void onPacket(Command command, byte[] bytes) {
+    public void onPacket(RplidarCommand command, byte[] bytes) {
         switch (command) {
             case SCAN:
             case FORCE_SCAN:

@@ -3,10 +3,10 @@ package org.myrobotlab.service.lidar;
 import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
 import org.SEAR.protocol.scip.Reply;
-import org.myrobotlab.service.lidar.requests.Request;
+import org.myrobotlab.service.lidar.requests.DeviceRequest;
 
 /** A command to a Hokuyo scanner, and what then happens. */
-final class ScipRequest extends Request {
+final class ScipRequest extends DeviceRequest {
     /** The echo of the answer. */
     final String command;
     /** Takes the answer. */

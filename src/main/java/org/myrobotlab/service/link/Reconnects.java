@@ -38,7 +38,7 @@ public interface Reconnects extends SerialDataListener {
             try {
                 reconnectSerial();
             } catch (IOException | RuntimeException e) {
-                Warnings.publish((Service<?>) this, "%s", e.getMessage());
+                ServiceWarnings.publish((Service<?>) this, "%s", e.getMessage());
             }
         }
     }

@@ -154,11 +154,6 @@ public final class SerialLink {
         }
     }
 
-    /** Whether a port is open. */
-    public boolean isConnected() {
-        return portName != null;
-    }
-
     /** Whether the port was closed by somebody else, at the Serial service or, if it is a virtual one, by itself. */
     public boolean isLost() {
         return portName != null && (!serial.isConnected() || opened instanceof VirtualSerialPort && !opened.isOpen());

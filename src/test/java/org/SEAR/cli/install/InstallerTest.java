@@ -92,7 +92,7 @@ public class InstallerTest extends LaidOutMrl {
         delete(mrl.resolve("resource"));
         Files.delete(mrl.resolve("libraries/serviceData.json"));
         Map<String, String> before = tree();
-        Plan plan = new Installer(mrl).install(plugin, false);
+        InstallPlan plan = new Installer(mrl).install(plugin, false);
         assertTrue(plan.describe().toString(), plan.describe().stream().anyMatch(line -> line.startsWith("later   panels")));
         assertTrue(plan.describe().toString(), plan.describe().stream().anyMatch(line -> line.startsWith("later   service picker")));
         plan.apply();
@@ -176,7 +176,7 @@ public class InstallerTest extends LaidOutMrl {
 
     @Test
     public void whenAWriteFailsEverythingIsAsItWas() throws Exception {
-        Plan plan = new Installer(mrl).install(plugin, false);
+        InstallPlan plan = new Installer(mrl).install(plugin, false);
         Files.createDirectories(mrl.resolve("resource/SEAR.png.sear-new/in the way"));
         Map<String, String> before = tree();
         try {

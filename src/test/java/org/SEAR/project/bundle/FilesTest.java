@@ -16,7 +16,7 @@ import java.util.List;
 import org.SEAR.POJOs.Box;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
-import org.SEAR.project.problems.Reasons;
+import org.SEAR.project.problems.FileReasons;
 import org.junit.Assume;
 import org.junit.Rule;
 import org.junit.Test;
@@ -96,9 +96,9 @@ public class FilesTest {
 
     @Test
     public void messagesSayWhy() {
-        assertTrue(Reasons.of(new AccessDeniedException("/x/a.sear")).startsWith("/x/a.sear: permission denied"));
-        assertTrue(Reasons.of(new IOException("No space left on device")).contains("the disk is full"));
-        assertEquals("a reason of its own", Reasons.of(new IOException("a reason of its own")));
+        assertTrue(FileReasons.of(new AccessDeniedException("/x/a.sear")).startsWith("/x/a.sear: permission denied"));
+        assertTrue(FileReasons.of(new IOException("No space left on device")).contains("the disk is full"));
+        assertEquals("a reason of its own", FileReasons.of(new IOException("a reason of its own")));
     }
 
     /** An example that is run again and again must not push the user's own projects out of the ten. */

@@ -277,13 +277,13 @@ public class ProjectEditorTest extends EditedProject {
     @Test
     public void theNumberOfStepsIsBounded() throws Exception {
         edit("do", "add", "type", "Sphere", "name", "ball");
-        for (int i = 1; i <= Journal.MOST_STEPS + 5; i++) {
+        for (int i = 1; i <= EditJournal.MOST_STEPS + 5; i++) {
             Files.write(project.folder().resolve(".edits/" + i + ".step"), new Step("step " + i, List.of()).toBytes());
         }
-        Files.write(project.folder().resolve(".edits/state"), ("done " + (Journal.MOST_STEPS + 5) + "\n").getBytes("UTF-8"));
+        Files.write(project.folder().resolve(".edits/state"), ("done " + (EditJournal.MOST_STEPS + 5) + "\n").getBytes("UTF-8"));
         edit("do", "set", "object", "ball", "set", map("x", 1));
         try (Stream<Path> files = Files.list(project.folder().resolve(".edits"))) {
-            assertEquals(Journal.MOST_STEPS + 1, files.count());
+            assertEquals(EditJournal.MOST_STEPS + 1, files.count());
         }
         assertEquals("move ball", editor.undo().words);
     }

@@ -14,59 +14,59 @@ import org.junit.Test;
 public class CodecTest {
     private static final String ZEROS = " 00".repeat(21);
 
-    private static void request(String frame, Payload payload) {
+    private static void request(String frame, LmsPayload payload) {
         assertEquals(frame, Bytes.hex(Telegram.request(payload).toBytes()));
     }
 
-    private static void reply(String frame, Payload payload) {
+    private static void reply(String frame, LmsPayload payload) {
         assertEquals(frame, Bytes.hex(new Telegram(Integer.parseInt(frame.substring(3, 5), 16), payload.toBytes()).toBytes()));
     }
 
     @Test
     public void requestsAreThoseOfTheListing() {
-        request("02 00 01 00 10 34 12", Command.RESET.request());
-        request("02 00 01 00 31 15 12", Command.STATUS.request());
-        request("02 00 01 00 32 16 12", Command.ERRORS.request());
-        request("02 00 01 00 3A 1E 12", Command.TYPE.request());
-        request("02 00 01 00 74 50 12", Command.GET_CONFIGURATION.request());
-        request("02 00 02 00 20 24 34 08", Command.MODE.request().add(OperatingMode.STREAM_ALL));
-        request("02 00 02 00 20 25 35 08", Command.MODE.request().add(OperatingMode.ON_REQUEST));
-        request("02 00 02 00 20 2A 3A 08", Command.MODE.request().add(OperatingMode.STREAM_PARTIAL));
-        request("02 00 02 00 20 10 00 08", Command.MODE.request().add(OperatingMode.DIAGNOSTIC));
-        request("02 00 03 00 20 26 05 79 3E", Command.MODE.request().add(OperatingMode.STREAM_MEAN).add(5));
-        request("02 00 06 00 20 27 1B 00 2B 01 FF FE", Command.MODE.request().add(OperatingMode.STREAM_RANGE).word(27).word(299));
+        request("02 00 01 00 10 34 12", LmsCommand.RESET.request());
+        request("02 00 01 00 31 15 12", LmsCommand.STATUS.request());
+        request("02 00 01 00 32 16 12", LmsCommand.ERRORS.request());
+        request("02 00 01 00 3A 1E 12", LmsCommand.TYPE.request());
+        request("02 00 01 00 74 50 12", LmsCommand.GET_CONFIGURATION.request());
+        request("02 00 02 00 20 24 34 08", LmsCommand.MODE.request().add(OperatingMode.STREAM_ALL));
+        request("02 00 02 00 20 25 35 08", LmsCommand.MODE.request().add(OperatingMode.ON_REQUEST));
+        request("02 00 02 00 20 2A 3A 08", LmsCommand.MODE.request().add(OperatingMode.STREAM_PARTIAL));
+        request("02 00 02 00 20 10 00 08", LmsCommand.MODE.request().add(OperatingMode.DIAGNOSTIC));
+        request("02 00 03 00 20 26 05 79 3E", LmsCommand.MODE.request().add(OperatingMode.STREAM_MEAN).add(5));
+        request("02 00 06 00 20 27 1B 00 2B 01 FF FE", LmsCommand.MODE.request().add(OperatingMode.STREAM_RANGE).word(27).word(299));
         request("02 00 0A 00 20 00 53 49 43 4B 5F 4C 4D 53 BE C5",
-            Command.MODE.request().add(OperatingMode.INSTALLATION).text(OperatingMode.PASSWORD));
-        request("02 00 02 00 30 01 31 18", Command.SCAN.request().add(1));
-        request("02 00 02 00 36 02 3E 1E", Command.MEAN.request().add(2));
-        request("02 00 05 00 37 01 00 69 01 EB 75", Command.RANGE.request().word(1).word(361));
-        request("02 00 02 00 66 01 9D 4E", Command.PERMANENT_BAUD.request().add(1));
-        request("02 00 05 00 7C 00 00 00 00 8F C4", Command.PIXELS.request().word(0).word(0));
+            LmsCommand.MODE.request().add(OperatingMode.INSTALLATION).text(OperatingMode.PASSWORD));
+        request("02 00 02 00 30 01 31 18", LmsCommand.SCAN.request().add(1));
+        request("02 00 02 00 36 02 3E 1E", LmsCommand.MEAN.request().add(2));
+        request("02 00 05 00 37 01 00 69 01 EB 75", LmsCommand.RANGE.request().word(1).word(361));
+        request("02 00 02 00 66 01 9D 4E", LmsCommand.PERMANENT_BAUD.request().add(1));
+        request("02 00 05 00 7C 00 00 00 00 8F C4", LmsCommand.PIXELS.request().word(0).word(0));
     }
 
     @Test
     public void repliesAreThoseOfTheListingAndOfARealDevice() {
-        reply("02 80 02 00 91 10 79 30", Command.RESET.reply().add(StatusByte.OK));
+        reply("02 80 02 00 91 10 79 30", LmsCommand.RESET.reply().add(StatusByte.OK));
         reply("02 80 17 00 90 4C 4D 53 32 30 30 3B 33 30 31 30 36 33 3B 56 30 32 2E 31 30 20 10 63 5E",
-            new Payload(Command.POWER_ON).text("LMS200;301063;V02.10 ").add(StatusByte.OK));
-        reply("02 80 03 00 A0 00 10 16 0A", Command.MODE.reply().add(0).add(StatusByte.OK));
-        reply("02 81 03 00 A0 00 10 36 1A", Command.MODE.reply().add(0).add(StatusByte.OK));
-        reply("02 80 03 00 A0 02 10 12 08", Command.MODE.reply().add(2).add(StatusByte.OK));
-        reply("02 80 02 00 92 10 7F 33", new Payload(Command.NOT_PERMITTED).add(StatusByte.OK));
-        reply("02 80 02 00 B2 10 3F 13", Command.ERRORS.reply().add(StatusByte.OK));
+            new LmsPayload(LmsCommand.POWER_ON).text("LMS200;301063;V02.10 ").add(StatusByte.OK));
+        reply("02 80 03 00 A0 00 10 16 0A", LmsCommand.MODE.reply().add(0).add(StatusByte.OK));
+        reply("02 81 03 00 A0 00 10 36 1A", LmsCommand.MODE.reply().add(0).add(StatusByte.OK));
+        reply("02 80 03 00 A0 02 10 12 08", LmsCommand.MODE.reply().add(2).add(StatusByte.OK));
+        reply("02 80 02 00 92 10 7F 33", new LmsPayload(LmsCommand.NOT_PERMITTED).add(StatusByte.OK));
+        reply("02 80 02 00 B2 10 3F 13", LmsCommand.ERRORS.reply().add(StatusByte.OK));
         reply("02 80 17 00 BA 4C 4D 53 32 30 30 3B 53 31 38 30 36 33 3B 56 30 32 2E 31 39 20 10 85 6A",
-            Command.TYPE.reply().text("LMS200;S18063;V02.19 ").add(StatusByte.OK));
-        reply("02 80 04 00 E6 01 00 10 CD FC", Command.PERMANENT_BAUD.reply().word(1).add(StatusByte.OK));
+            LmsCommand.TYPE.reply().text("LMS200;S18063;V02.19 ").add(StatusByte.OK));
+        reply("02 80 04 00 E6 01 00 10 CD FC", LmsCommand.PERMANENT_BAUD.reply().word(1).add(StatusByte.OK));
     }
 
     @Test
     public void eachCommandIsFoundByItsByte() {
-        for (Command command : Command.values()) {
-            assertEquals(command, Command.of(command.getCode()));
+        for (LmsCommand command : LmsCommand.values()) {
+            assertEquals(command, LmsCommand.of(command.getCode()));
         }
-        assertNull(Command.of(0x55));
-        assertEquals(0x91, Command.RESET.getReply());
-        assertEquals(0xF7, Command.SET_CONFIGURATION.getReply());
+        assertNull(LmsCommand.of(0x55));
+        assertEquals(0x91, LmsCommand.RESET.getReply());
+        assertEquals(0xF7, LmsCommand.SET_CONFIGURATION.getReply());
     }
 
     @Test
@@ -76,7 +76,7 @@ public class CodecTest {
         int[] words = {0x8067, 0x8033, 0x8019, 0x8001};
         for (int i = 0; i < rates.length; i++) {
             Baud baud = Baud.ofRate(rates[i]);
-            request(frames[i], Command.MODE.request().add(baud.getMode()));
+            request(frames[i], LmsCommand.MODE.request().add(baud.getMode()));
             assertEquals(baud, Baud.ofMode(baud.getMode()));
             assertEquals(words[i], baud.getStatusWord());
             assertEquals(rates[(i + 1) % rates.length], Baud.after(rates[i]).getRate());
@@ -93,8 +93,8 @@ public class CodecTest {
         String[] replies = {"02 80 07 00 BB 01 64 00 64 00 10 4F BD", "02 80 07 00 BB 01 64 00 32 00 10 17 10",
             "02 80 07 00 BB 01 64 00 19 00 10 BB 46", "02 80 07 00 BB 01 B4 00 64 00 10 5B 30", "02 80 07 00 BB 01 B4 00 32 00 10 03 9D"};
         for (Variant variant : Variant.values()) {
-            request(frames[variant.ordinal()], Command.VARIANT.request().word(variant.getSpread()).word(variant.getResolution()));
-            reply(replies[variant.ordinal()], Command.VARIANT.reply().add(1).word(variant.getSpread()).word(variant.getResolution())
+            request(frames[variant.ordinal()], LmsCommand.VARIANT.request().word(variant.getSpread()).word(variant.getResolution()));
+            reply(replies[variant.ordinal()], LmsCommand.VARIANT.reply().add(1).word(variant.getSpread()).word(variant.getResolution())
                 .add(StatusByte.OK));
             assertEquals(variant, Variant.of(variant.getSpread(), variant.getResolution()));
             assertEquals(variant, Variant.ofDegrees(variant.getSpread(), variant.getResolution() / 100.0));
@@ -106,13 +106,13 @@ public class CodecTest {
     @Test
     public void configurationsAreThoseOfTheListing() {
         Configuration millimetres = Configuration.ofFactory();
-        request("02 00 23 00 77 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 11 88", Command.SET_CONFIGURATION.request()
+        request("02 00 23 00 77 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 11 88", LmsCommand.SET_CONFIGURATION.request()
             .bytes(millimetres.toBytes()));
-        request("02 00 23 00 77 00 00 70 00 00 00 00 00 00 02 02" + ZEROS + " 02 00 41 B8", Command.SET_CONFIGURATION.request()
+        request("02 00 23 00 77 00 00 70 00 00 00 00 00 00 02 02" + ZEROS + " 02 00 41 B8", LmsCommand.SET_CONFIGURATION.request()
             .bytes(millimetres.withMillimetres(false).toBytes()));
-        reply("02 80 24 00 F4 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 10 3C FB", Command.GET_CONFIGURATION.reply()
+        reply("02 80 24 00 F4 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 10 3C FB", LmsCommand.GET_CONFIGURATION.reply()
             .bytes(millimetres.toBytes()).add(StatusByte.OK));
-        reply("02 80 25 00 F7 01 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 10 C5 7A", Command.SET_CONFIGURATION.reply().add(1)
+        reply("02 80 25 00 F7 01 00 00 70 00 00 00 01 00 00 02 02" + ZEROS + " 02 00 10 C5 7A", LmsCommand.SET_CONFIGURATION.reply().add(1)
             .bytes(millimetres.toBytes()).add(StatusByte.OK));
         assertEquals(1000, millimetres.getUnitsPerMetre());
         assertEquals(100, millimetres.withMillimetres(false).getUnitsPerMetre());

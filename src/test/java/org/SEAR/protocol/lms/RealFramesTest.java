@@ -30,7 +30,7 @@ public class RealFramesTest {
 
     @Test
     public void scansAre361ValuesInMillimetres() throws IOException {
-        for (Telegram scan : RealFrames.telegrams(Command.SCAN.getReply())) {
+        for (Telegram scan : RealFrames.telegrams(LmsCommand.SCAN.getReply())) {
             CountWord count = CountWord.of(scan.wordAt(1));
             assertEquals(361, count.getCount());
             assertEquals(1, count.getUnit());
@@ -42,32 +42,32 @@ public class RealFramesTest {
 
     @Test
     public void theStatusIsReadAtItsOffsets() throws IOException {
-        List<Telegram> found = RealFrames.telegrams(Command.STATUS.getReply());
+        List<Telegram> found = RealFrames.telegrams(LmsCommand.STATUS.getReply());
         assertEquals(4, found.size());
         for (Telegram telegram : found) {
-            Status status = Status.of(telegram);
-            assertEquals(Status.SIZE, telegram.size());
+            LmsStatus status = LmsStatus.of(telegram);
+            assertEquals(LmsStatus.SIZE, telegram.size());
             assertEquals(180, status.getSpread());
             assertEquals(50, status.getResolution());
             assertEquals(Baud.B38400.getStatusWord(), status.getBaudWord());
             assertEquals(1, status.getUnit());
         }
-        assertEquals(OperatingMode.ON_REQUEST, Status.of(found.get(0)).getMode());
-        assertEquals(OperatingMode.INSTALLATION, Status.of(found.get(1)).getMode());
+        assertEquals(OperatingMode.ON_REQUEST, LmsStatus.of(found.get(0)).getMode());
+        assertEquals(OperatingMode.INSTALLATION, LmsStatus.of(found.get(1)).getMode());
     }
 
     @Test
     public void aSimulatedStatusEqualsTheRealOne() throws IOException {
-        Telegram real = RealFrames.telegrams(Command.STATUS.getReply()).get(0);
-        Configuration configuration = Configuration.of(RealFrames.telegrams(Command.GET_CONFIGURATION.getReply()).get(0), 1);
-        byte[] made = Status.encode(new Identity("LMS200;S18063;V02.19 ", "05270497", 0), OperatingMode.ON_REQUEST, Variant.V180_HALF, configuration,
-            Baud.B38400, false, StatusByte.OK);
+        Telegram real = RealFrames.telegrams(LmsCommand.STATUS.getReply()).get(0);
+        Configuration configuration = Configuration.of(RealFrames.telegrams(LmsCommand.GET_CONFIGURATION.getReply()).get(0), 1);
+        byte[] made = LmsStatus.encode(new Identity("LMS200;S18063;V02.19 ", "05270497", 0), OperatingMode.ON_REQUEST, Variant.V180_HALF,
+            configuration, Baud.B38400, false, StatusByte.OK);
         assertEquals(Bytes.hex(real.toBytes()), Bytes.hex(new Telegram(Telegram.FROM_DEVICE, made).toBytes()));
     }
 
     @Test
     public void theConfigurationIsOfSixteenMetres() throws IOException {
-        for (Telegram telegram : RealFrames.telegrams(Command.SET_CONFIGURATION.getReply())) {
+        for (Telegram telegram : RealFrames.telegrams(LmsCommand.SET_CONFIGURATION.getReply())) {
             assertEquals(1, telegram.at(1));
             assertEquals(MeasuringMode.FIELDS_16_A_B, Configuration.of(telegram, 2).getMode());
         }

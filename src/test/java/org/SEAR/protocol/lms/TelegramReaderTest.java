@@ -150,7 +150,7 @@ public class TelegramReaderTest {
         assertEquals(0, telegrams.size());
         any.interrupt();
         assertFalse(any.isPending());
-        assertEquals(Command.ERRORS.getCode(), telegrams.get(0).getCommand());
+        assertEquals(LmsCommand.ERRORS.getCode(), telegrams.get(0).getCommand());
     }
 
     @Test

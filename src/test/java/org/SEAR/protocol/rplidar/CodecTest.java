@@ -17,10 +17,10 @@ public class CodecTest {
 
     @Test
     public void requestsWithAndWithoutPayload() {
-        assertEquals("A5 25", Bytes.hex(new Request(Command.STOP.getCode()).toBytes()));
-        assertEquals("A5 82 05 00 00 00 00 00 22", Bytes.hex(new Request(Command.EXPRESS_SCAN.getCode(), new byte[5]).toBytes()));
-        assertEquals("A5 F0 02 94 02 C1", Bytes.hex(new Request(0xF0, (byte) 0x94, (byte) 2).toBytes()));
-        assertEquals("A5 FF 04 00 00 00 00 5E", Bytes.hex(new Request(0xFF, new byte[4]).toBytes()));
+        assertEquals("A5 25", Bytes.hex(new RplidarRequestPacket(RplidarCommand.STOP.getCode()).toBytes()));
+        assertEquals("A5 82 05 00 00 00 00 00 22", Bytes.hex(new RplidarRequestPacket(RplidarCommand.EXPRESS_SCAN.getCode(), new byte[5]).toBytes()));
+        assertEquals("A5 F0 02 94 02 C1", Bytes.hex(new RplidarRequestPacket(0xF0, (byte) 0x94, (byte) 2).toBytes()));
+        assertEquals("A5 FF 04 00 00 00 00 5E", Bytes.hex(new RplidarRequestPacket(0xFF, new byte[4]).toBytes()));
     }
 
     @Test
@@ -38,12 +38,12 @@ public class CodecTest {
     public void descriptors() {
         String[] expected = {null, null, "A5 5A 05 00 00 40 81", "A5 5A 05 00 00 40 81", "A5 5A 54 00 00 40 82", "A5 5A 14 00 00 00 04",
             "A5 5A 03 00 00 00 06", "A5 5A 04 00 00 00 15"};
-        for (Command command : Command.values()) {
+        for (RplidarCommand command : RplidarCommand.values()) {
             Descriptor descriptor = command.getDescriptor();
             assertEquals(expected[command.ordinal()], descriptor == null ? null : Bytes.hex(descriptor.toBytes()));
-            assertEquals(command, Command.of(command.getCode()));
+            assertEquals(command, RplidarCommand.of(command.getCode()));
         }
-        assertNull(Command.of(0xF0));
+        assertNull(RplidarCommand.of(0xF0));
     }
 
     @Test

@@ -62,11 +62,11 @@ public class CodecTest {
     @Test
     public void wholeRepliesByteByByte() {
         assertEquals("GD0384038601|00P|00?Xg|0?X0?Y0?ZH||",
-            text(new ReplyWriter("GD0384038601", Status.OK).time(1000).values(new int[] {1000, 1001, 1002}, Encoding.LONG)));
+            text(new ReplyWriter("GD0384038601", ScipStatus.OK).time(1000).values(new int[] {1000, 1001, 1002}, Encoding.LONG)));
         assertEquals("MD0384038401000|99b|00?Xg|0?X7||",
-            text(new ReplyWriter("MD0384038401000", Status.SCAN).time(1000).values(new int[] {1000}, Encoding.LONG)));
+            text(new ReplyWriter("MD0384038401000", ScipStatus.SCAN).time(1000).values(new int[] {1000}, Encoding.LONG)));
         assertEquals("MS0384038501000|99b|00?Xg|?X0C:||",
-            text(new ReplyWriter("MS0384038501000", Status.SCAN).time(1000).values(new int[] {1000, 19}, Encoding.SHORT)));
+            text(new ReplyWriter("MS0384038501000", ScipStatus.SCAN).time(1000).values(new int[] {1000, 19}, Encoding.SHORT)));
     }
 
     @Test
@@ -80,7 +80,7 @@ public class CodecTest {
     private static byte[] scan(String echo, int values, int characters) {
         int[] all = new int[values];
         Arrays.fill(all, 1000);
-        return new ReplyWriter(echo, Status.SCAN).time(1000).values(all, characters).toBytes();
+        return new ReplyWriter(echo, ScipStatus.SCAN).time(1000).values(all, characters).toBytes();
     }
 
     private static void assertScan(String echo, int values, int characters, int length, long crc) {

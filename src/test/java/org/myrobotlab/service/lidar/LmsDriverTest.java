@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Random;
 import org.SEAR.Bytes;
 import org.SEAR.Fuzz;
-import org.SEAR.protocol.lms.Command;
+import org.SEAR.protocol.lms.LmsCommand;
 import org.SEAR.protocol.lms.OperatingMode;
 import org.junit.Before;
 import org.junit.Test;
@@ -70,11 +70,11 @@ public class LmsDriverTest {
     }
 
     private void askScan() {
-        driver.ask(new LmsRequest("a scan", Command.SCAN, () -> Command.SCAN.request().add(1), 813, 1, reply -> answers.add("scan")));
+        driver.ask(new LmsRequest("a scan", LmsCommand.SCAN, () -> LmsCommand.SCAN.request().add(1), 813, 1, reply -> answers.add("scan")));
     }
 
     private void askMode() {
-        driver.ask(new LmsRequest("streaming", Command.MODE, () -> Command.MODE.request().add(OperatingMode.STREAM_ALL), 9, 3,
+        driver.ask(new LmsRequest("streaming", LmsCommand.MODE, () -> LmsCommand.MODE.request().add(OperatingMode.STREAM_ALL), 9, 3,
             reply -> answers.add("mode")));
     }
 

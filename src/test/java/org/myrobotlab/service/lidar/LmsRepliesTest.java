@@ -9,8 +9,8 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import org.SEAR.Bytes;
-import org.SEAR.protocol.lms.Command;
 import org.SEAR.protocol.lms.CountWord;
+import org.SEAR.protocol.lms.LmsCommand;
 import org.SEAR.protocol.lms.MeasuringMode;
 import org.SEAR.protocol.lms.RealFrames;
 import org.SEAR.protocol.lms.StatusByte;
@@ -74,8 +74,8 @@ public class LmsRepliesTest {
     public void nothingHitIsNoReturnInEveryMode() {
         for (MeasuringMode mode : MeasuringMode.values()) {
             int nothing = mode.getNothingHit();
-            Telegram telegram = new Telegram(Telegram.FROM_DEVICE, Command.SCAN.reply().word(CountWord.whole(2, 1).toWord()).word(nothing).word(1234)
-                .add(StatusByte.OK).toBytes());
+            Telegram telegram = new Telegram(Telegram.FROM_DEVICE,
+                LmsCommand.SCAN.reply().word(CountWord.whole(2, 1).toWord()).word(nothing).word(1234).add(StatusByte.OK).toBytes());
             RangeScan scan = LmsReplies.scan(telegram, mode, 1, 0);
             assertNull(mode.name(), scan.metres[0]);
             assertEquals(1.234, scan.metres[1], 1e-12);
@@ -84,7 +84,7 @@ public class LmsRepliesTest {
 
     @Test
     public void aScanOfARealDeviceIsInMetres() throws IOException {
-        List<Telegram> scans = RealFrames.telegrams(Command.SCAN.getReply());
+        List<Telegram> scans = RealFrames.telegrams(LmsCommand.SCAN.getReply());
         assertTrue(scans.size() >= 2);
         RangeScan scan = LmsReplies.scan(scans.get(0), MeasuringMode.FIELDS_16_A_B, 0.5, 0);
         assertEquals(361, scan.raw.length);

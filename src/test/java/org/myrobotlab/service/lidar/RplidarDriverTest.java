@@ -12,8 +12,8 @@ import java.util.Random;
 import org.SEAR.Bytes;
 import org.SEAR.Fuzz;
 import org.SEAR.protocol.rplidar.Capsule;
-import org.SEAR.protocol.rplidar.Command;
 import org.SEAR.protocol.rplidar.Node;
+import org.SEAR.protocol.rplidar.RplidarCommand;
 import org.junit.Test;
 
 /** The driver of the RPLIDAR finds answers and whole turns in whatever comes. */
@@ -27,7 +27,7 @@ public class RplidarDriverTest {
     private final List<String> answers = new ArrayList<>();
     private final RplidarDriver driver = new RplidarDriver(line, line, new int[] {115200}, turn -> scans.add(RplidarTurn.scan(turn, 360, 0)));
 
-    private void ask(Command command, boolean wholeTurn) {
+    private void ask(RplidarCommand command, boolean wholeTurn) {
         driver.ask(new RplidarRequest(command.name(), command, wholeTurn, 1, bytes -> answers.add(command.name())));
     }
 
@@ -37,7 +37,7 @@ public class RplidarDriverTest {
 
     @Test
     public void turnsRunRightToLeftFromBehind() {
-        ask(Command.SCAN, true);
+        ask(RplidarCommand.SCAN, true);
         driver.receive(SCAN);
         node(false, 350, 1);
         for (double angle = 0; angle < 360; angle += 45) {
@@ -54,7 +54,7 @@ public class RplidarDriverTest {
 
     @Test
     public void whatIsNotMeasuredIsNoDistance() {
-        ask(Command.SCAN, false);
+        ask(RplidarCommand.SCAN, false);
         driver.receive(SCAN);
         assertEquals("[SCAN]", answers.toString());
         node(true, 0, 0);
@@ -68,7 +68,7 @@ public class RplidarDriverTest {
 
     @Test
     public void capsulesAreSpreadOverTheWayToTheNext() {
-        ask(Command.EXPRESS_SCAN, false);
+        ask(RplidarCommand.EXPRESS_SCAN, false);
         driver.receive(EXPRESS);
         int[] metre = new int[32];
         Arrays.fill(metre, 1000);
@@ -83,11 +83,11 @@ public class RplidarDriverTest {
 
     @Test
     public void theRestOfAScanBeforeAnAnswerIsLeftOut() {
-        ask(Command.SCAN, false);
+        ask(RplidarCommand.SCAN, false);
         driver.receive(SCAN);
-        ask(Command.STOP, false);
+        ask(RplidarCommand.STOP, false);
         assertFalse(line.sent.contains("A5 52"));
-        ask(Command.GET_HEALTH, false);
+        ask(RplidarCommand.GET_HEALTH, false);
         assertEquals("a pause after STOP", "[A5 20, A5 25]", line.sent.toString());
         line.pass(1.1, driver::tick);
         assertEquals("[A5 20, A5 25, A5 52]", line.sent.toString());
@@ -98,7 +98,7 @@ public class RplidarDriverTest {
 
     @Test
     public void aLostByteCostsAFewSamples() {
-        ask(Command.SCAN, false);
+        ask(RplidarCommand.SCAN, false);
         driver.receive(SCAN);
         node(true, 0, 1000);
         driver.receive(Bytes.bytes("81 00 A0 0F"));
@@ -111,7 +111,7 @@ public class RplidarDriverTest {
 
     @Test
     public void silenceIsAnError() {
-        ask(Command.GET_HEALTH, false);
+        ask(RplidarCommand.GET_HEALTH, false);
         line.pass(30, driver::tick);
         assertTrue(line.errors.toString(), line.errors.get(0).startsWith("no answer to GET_HEALTH after"));
         assertTrue(driver.isIdle());
@@ -122,7 +122,7 @@ public class RplidarDriverTest {
         Random random = new Random(Fuzz.SEED);
         byte[][] pieces = {SCAN, EXPRESS, HEALTH, Node.of(true, 1, 0, 1).toBytes(), Node.of(false, 1, 180, 1).toBytes(),
             Capsule.of(false, 90, new int[32]).toBytes(), Capsule.of(false, 300, new int[32]).toBytes()};
-        Command[] commands = {Command.SCAN, Command.EXPRESS_SCAN, Command.GET_INFO};
+        RplidarCommand[] commands = {RplidarCommand.SCAN, RplidarCommand.EXPRESS_SCAN, RplidarCommand.GET_INFO};
         byte[] block = new byte[1000];
         for (int done = 0; done < Fuzz.BYTES; done += block.length) {
             random.nextBytes(block);
@@ -136,7 +136,7 @@ public class RplidarDriverTest {
                 driver.clear();
                 answers.clear();
                 scans.clear();
-                ask(Command.GET_HEALTH, false);
+                ask(RplidarCommand.GET_HEALTH, false);
                 driver.receive(HEALTH);
                 assertTrue("seed " + Fuzz.SEED + " after " + done + " bytes", answers.contains("GET_HEALTH"));
                 line.clear();

@@ -10,7 +10,7 @@ import java.util.Random;
 import org.SEAR.Fuzz;
 import org.SEAR.protocol.scip.Encoding;
 import org.SEAR.protocol.scip.ReplyWriter;
-import org.SEAR.protocol.scip.Status;
+import org.SEAR.protocol.scip.ScipStatus;
 import org.junit.Test;
 
 /** The driver of Hokuyo's scanners finds answers and scans in whatever comes. */
@@ -32,7 +32,7 @@ public class ScipDriverTest {
         ask("BM");
         ask("QT");
         assertEquals(1, line.sent.size());
-        driver.receive(new ReplyWriter("MD0384038401000", Status.SCAN).time(5).values(new int[] {1000}, Encoding.LONG).toBytes());
+        driver.receive(new ReplyWriter("MD0384038401000", ScipStatus.SCAN).time(5).values(new int[] {1000}, Encoding.LONG).toBytes());
         driver.receive(bytes("BM|02R||"));
         driver.receive(bytes("QT|00P||"));
         assertEquals("[scan of 1, BM 02, QT 00]", answers.toString());
@@ -67,14 +67,14 @@ public class ScipDriverTest {
         driver.receive(bytes("MD0384038401000|99b||"));
         assertEquals("[scan of 0]", answers.toString());
         answers.clear();
-        driver.receive(new ReplyWriter("MD0384038401000", Status.SCAN).time(5).values(new int[] {1000}, Encoding.SHORT).toBytes());
+        driver.receive(new ReplyWriter("MD0384038401000", ScipStatus.SCAN).time(5).values(new int[] {1000}, Encoding.SHORT).toBytes());
         assertEquals("[the LIDAR sent an answer to MD0384038401000 that makes no sense: 2 characters of values of 3 each]", line.errors.toString());
     }
 
     @Test
     public void afterAnyBytesTheNextCommandIsAnswered() {
         Random random = new Random(Fuzz.SEED);
-        byte[] scan = new ReplyWriter("MD0384038401000", Status.SCAN).time(5).values(new int[] {1000}, Encoding.LONG).toBytes();
+        byte[] scan = new ReplyWriter("MD0384038401000", ScipStatus.SCAN).time(5).values(new int[] {1000}, Encoding.LONG).toBytes();
         byte[][] pieces = {scan, bytes("QT|00P||"), bytes("||"), bytes("MD|99b|"), bytes("|00P|")};
         byte[] block = new byte[1000];
         for (int done = 0; done < Fuzz.BYTES; done += block.length) {

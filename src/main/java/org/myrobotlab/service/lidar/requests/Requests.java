@@ -11,7 +11,7 @@ import org.SEAR.protocol.Uart;
  *
  * @param <R> what is asked
  */
-public final class Requests<R extends Request> {
+public final class Requests<R extends DeviceRequest> {
     private static final int TRIES = 3;
     private static final int MOST_WAITING = 100;
     /** Computers and converters take this long beside the device's own time. Seconds. */

@@ -12,8 +12,8 @@ import org.SEAR.project.edit.Grammar;
 import org.SEAR.project.edit.Outcome;
 import org.SEAR.project.edit.ProjectEditor;
 import org.SEAR.project.edit.RobotTemplates;
+import org.SEAR.project.problems.FileReasons;
 import org.SEAR.project.problems.ProjectException;
-import org.SEAR.project.problems.Reasons;
 import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
@@ -75,7 +75,7 @@ public final class Edits {
         try {
             editor().state();
         } catch (IOException | ProjectException e) {
-            notices.accept(Reasons.of(e));
+            notices.accept(FileReasons.of(e));
         }
     }
 
@@ -106,7 +106,7 @@ public final class Edits {
         } catch (ProjectException e) {
             return refusal(edit, e.getProblems(), null);
         } catch (IOException | IllegalStateException | IllegalArgumentException e) {
-            return refusal(edit, Collections.emptyList(), Reasons.of(e));
+            return refusal(edit, Collections.emptyList(), FileReasons.of(e));
         }
     }
 

@@ -14,7 +14,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
-import org.SEAR.POJOs.Notices;
 import org.SEAR.project.Project;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
@@ -70,7 +69,7 @@ public final class Projects {
     public synchronized Path startAnew() throws IOException {
         refuseWhileRunning("newProject");
         PortArrivals.anotherProject();
-        Notices.anotherProject();
+        control.bench().anotherProject();
         return Bundle.newProject(folder(), new PercentProgress("replacing", folder(), host::progress));
     }
 
@@ -162,8 +161,8 @@ public final class Projects {
             return Bundle.load(bundle, folder(), new PercentProgress("loading", meant, host::progress));
         });
         PortArrivals.anotherProject();
-        Notices.anotherProject();
-        Notices.projectTaken();
+        control.bench().anotherProject();
+        control.bench().projectTaken();
     }
 
     /**
@@ -196,7 +195,7 @@ public final class Projects {
     }
 
     private void tell(Map<String, String> renamed) {
-        Notices.projectTaken();
+        control.bench().projectTaken();
         renamed.forEach((old, now) -> {
             if (!old.equals(now)) {
                 host.progress("\"" + old + "\" is called \"" + now + "\" here, because that name was taken");

@@ -1,13 +1,13 @@
 package org.myrobotlab.service.sear.readings;
 
 import java.util.List;
-import org.SEAR.POJOs.RunningWorld;
+import org.SEAR.POJOs.Workbench;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.simulator.orders.BodyOrder;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
 /** Velocities and pushes of things and robots by call; each is obeyed between two steps, before the call returns. Any thread. */
-public final class ScriptBodies implements RunningWorld.Acts {
+public final class ScriptBodies implements Workbench.Acts {
     private final SimulationControl control;
 
     public ScriptBodies(SimulationControl control) {

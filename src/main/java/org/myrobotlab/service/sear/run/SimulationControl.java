@@ -8,8 +8,7 @@ import java.util.List;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.SEAR.POJOs.Notices;
-import org.SEAR.POJOs.RunningWorld;
+import org.SEAR.POJOs.Workbench;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
@@ -21,11 +20,12 @@ public final class SimulationControl {
 
     private final Host host;
     private final Supplier<Path> folder;
+    private final Workbench bench;
     private volatile SimulationSession session;
     private Double speed;
     private Boolean lockStep;
     private volatile boolean groundVisible = true;
-    private RunningWorld.Acts acts;
+    private Workbench.Acts acts;
     private SimulationSession.StepListener stepListener = published -> { };
     private Consumer<Simulation> startListener = world -> { };
 
@@ -33,6 +33,7 @@ public final class SimulationControl {
     public SimulationControl(Host host, Supplier<Path> folder) {
         this.host = host;
         this.folder = folder;
+        this.bench = new Workbench(text -> host.warn(text));
     }
 
     /**
@@ -57,8 +58,7 @@ public final class SimulationControl {
             session = SimulationSession.start(project, settings(), debugShapes, host, stepListener, startListener);
             running = this;
             session.known();
-            Notices.setSimulating(this::isRunning);
-            RunningWorld.begin(acts, this::isRunning);
+            bench.begin(acts, this::isRunning);
         }
         tellOthers(session().getSimulation().getProject());
     }
@@ -67,7 +67,7 @@ public final class SimulationControl {
         List<String> names = new ArrayList<>();
         project.getEnvironment().forEach(object -> names.add(object.getName()));
         project.getRobots().forEach(robot -> names.add(robot.getName()));
-        String others = Notices.ofOthers(names);
+        String others = bench.ofOthers(names);
         if (!others.isEmpty()) {
             host.progress(others);
         }
@@ -81,7 +81,7 @@ public final class SimulationControl {
     }
 
     /** What objects that were made before a start do in its world. Before the first start. */
-    public void setActs(RunningWorld.Acts forObjects) {
+    public void setActs(Workbench.Acts forObjects) {
         acts = forObjects;
     }
 
@@ -104,8 +104,7 @@ public final class SimulationControl {
             }
             if (running == this) {
                 running = null;
-                Notices.setSimulating(() -> false);
-                RunningWorld.end();
+                bench.end();
             }
         }
     }
@@ -187,6 +186,11 @@ public final class SimulationControl {
             throw new IllegalStateException("setGroundVisible needs the simulation to be stopped: call it before startSimulation()");
         }
         groundVisible = on;
+    }
+
+    /** Where the objects of the service are made; closed at first. */
+    public Workbench bench() {
+        return bench;
     }
 
     /** The project's folder. */

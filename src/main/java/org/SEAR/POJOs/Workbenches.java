@@ -1,0 +1,73 @@
+package org.SEAR.POJOs;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The workbenches of a program. A script's {@code Box("crate", ...)} names no service: here it finds whose it is. Beside the store of the project
+ * folder this is all that objects share. Any thread.
+ */
+final class Workbenches {
+    static final Workbenches ALL = new Workbenches();
+
+    private final ScriptRun script = new ScriptRun();
+    /** In the order in which they were used last. */
+    private volatile List<Workbench> open = List.of();
+    private volatile int starts;
+
+    private Workbenches() {
+    }
+
+    /** What the present run of a script has made: of the program's one project, whichever service it asks. */
+    ScriptRun script() {
+        return script;
+    }
+
+    synchronized void add(Workbench bench) {
+        List<Workbench> more = new ArrayList<>(open);
+        more.add(bench);
+        open = List.copyOf(more);
+    }
+
+    synchronized void remove(Workbench bench) {
+        List<Workbench> fewer = new ArrayList<>(open);
+        fewer.remove(bench);
+        open = List.copyOf(fewer);
+    }
+
+    /** From now on it is the one that was used last, unless it is closed. */
+    synchronized void use(Workbench bench) {
+        List<Workbench> others = new ArrayList<>(open);
+        if (others.remove(bench)) {
+            others.add(bench);
+            open = List.copyOf(others);
+        }
+    }
+
+    /** The one whose simulation runs, else the one that was used last; null if none is open. */
+    Workbench present() {
+        List<Workbench> now = open;
+        return now.stream().filter(Workbench::isSimulating).findFirst().orElse(now.isEmpty() ? null : now.get(now.size() - 1));
+    }
+
+    /** Number of a simulation that begins, from 1. */
+    synchronized int nextStart() {
+        return ++starts;
+    }
+
+    /** How many simulations have begun: an object remembers it when it is made. */
+    int starts() {
+        return starts;
+    }
+
+    /**
+     * What the simulation that runs does for an object.
+     *
+     * @param madeAfter so many starts
+     * @return null if no simulation runs that has read it
+     */
+    Workbench.Acts actsFor(int madeAfter) {
+        Workbench present = present();
+        return present == null ? null : present.actsFor(madeAfter);
+    }
+}

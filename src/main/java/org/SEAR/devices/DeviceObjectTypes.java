@@ -1,0 +1,13 @@
+package org.SEAR.devices;
+
+import java.util.Collection;
+import org.SEAR.POJOs.ObjectTypes;
+import org.SEAR.POJOs.SearObject;
+
+/** Makes the parameter class of every registered device a part of the object grammar, so that its XML files are read. */
+public final class DeviceObjectTypes implements ObjectTypes {
+    @Override
+    public Collection<Class<? extends SearObject>> types() {
+        return DeviceTypes.load().parameterTypes();
+    }
+}

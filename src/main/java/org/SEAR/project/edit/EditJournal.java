@@ -1,0 +1,203 @@
+package org.SEAR.project.edit;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.SEAR.project.FileStore;
+
+/**
+ * The steps of a project that can be undone and done again, each in a file of its own in the folder {@code .edits}, and how many of them are done.
+ * Before files change it is written down which step is on its way, so that a crash in the middle loses that step and nothing else. Whoever holds the
+ * project's lock.
+ */
+final class EditJournal {
+    /** Most steps; older ones can't be undone any more. */
+    static final int MOST_STEPS = 500;
+    /** Most bytes of all steps together. */
+    static final long MOST_BYTES = 16L << 20;
+    private static final String FOLDER = ".edits";
+    private static final String STATE = "state";
+    private static final Pattern STEP = Pattern.compile("([1-9][0-9]{0,8})\\.step");
+    private static final Pattern STATE_TEXT = Pattern.compile("done ([0-9]{1,9})(?: doing ([0-9]{1,9}))?\n");
+
+    private final ObjectFiles files;
+    private final Path folder;
+    /** By number. */
+    private final TreeMap<Integer, Step> steps = new TreeMap<>();
+    /** Number of the last step that is done. */
+    private int done;
+
+    private EditJournal(ObjectFiles files) {
+        this.files = files;
+        this.folder = files.file(FOLDER);
+    }
+
+    /**
+     * Reads the journal of a project and takes back what a crash left half done.
+     *
+     * @throws IOException if it can't be read
+     */
+    static EditJournal open(ObjectFiles files) throws IOException {
+        EditJournal journal = new EditJournal(files);
+        if (Files.isDirectory(journal.folder)) {
+            journal.read();
+        }
+        return journal;
+    }
+
+    private void read() throws IOException {
+        try (DirectoryStream<Path> all = Files.newDirectoryStream(folder)) {
+            for (Path file : all) {
+                Matcher name = STEP.matcher(file.getFileName().toString());
+                if (name.matches() && Files.size(file) <= MOST_BYTES) {
+                    steps.put(Integer.parseInt(name.group(1)), Step.of(Files.readAllBytes(file)));
+                }
+            }
+        } catch (IOException e) {
+            throw new IOException("the steps that could be undone, in " + folder + ", can't be read (" + e.getMessage() + "): delete that folder to"
+                + " go on without them", e);
+        }
+        Path state = folder.resolve(STATE);
+        Matcher text = STATE_TEXT.matcher(Files.exists(state) ? new String(Files.readAllBytes(state), StandardCharsets.UTF_8) : "");
+        if (text.matches()) {
+            done = Integer.parseInt(text.group(1));
+            if (text.group(2) != null) {
+                takeBack(Integer.parseInt(text.group(2)));
+            }
+        }
+    }
+
+    /** A step was on its way when the program ended: what it had changed is as before again. */
+    private void takeBack(int number) throws IOException {
+        Step step = steps.get(number);
+        boolean undoing = number == done;
+        for (FileChange change : step == null ? List.<FileChange>of() : step.changes) {
+            byte[] from = undoing ? change.before() : change.after();
+            if (Arrays.equals(files.read(change.path), from)) {
+                files.write(change.path, undoing ? change.after() : change.before());
+            }
+        }
+        writeState(0);
+    }
+
+    private void writeState(int doing) throws IOException {
+        String text = "done " + done + (doing > 0 ? " doing " + doing : "") + "\n";
+        FileStore.writeAtomically(folder.resolve(STATE), text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** What undo would take back; null for nothing. */
+    Step undoable() {
+        return steps.get(done);
+    }
+
+    /** What redo would do again; null for nothing. */
+    Step redoable() {
+        return steps.get(done + 1);
+    }
+
+    /**
+     * Does a step: its files are written, and those that could be done again are forgotten.
+     *
+     * @throws IOException if a file can't be written; all is as before then
+     */
+    void add(Step step) throws IOException {
+        write(step);
+        apply(step, done + 1, true);
+        forgetOldest();
+    }
+
+    /** Notes a step that somebody else has done already. */
+    void note(Step step) throws IOException {
+        write(step);
+        done++;
+        writeState(0);
+        forgetOldest();
+    }
+
+    private void write(Step step) throws IOException {
+        Files.createDirectories(folder);
+        while (!steps.isEmpty() && steps.lastKey() > done) {
+            Files.deleteIfExists(file(steps.lastKey()));
+            steps.pollLastEntry();
+        }
+        FileStore.writeAtomically(file(done + 1), step.toBytes());
+        steps.put(done + 1, step);
+    }
+
+    private Path file(int number) {
+        return folder.resolve(number + ".step");
+    }
+
+    /** Takes back the last step. */
+    void undo() throws IOException {
+        apply(steps.get(done), done, false);
+    }
+
+    /** Does the next step again. */
+    void redo() throws IOException {
+        apply(steps.get(done + 1), done + 1, true);
+    }
+
+    private void apply(Step step, int number, boolean forwards) throws IOException {
+        writeState(number);
+        List<FileChange> written = new ArrayList<>();
+        boolean whole = false;
+        try {
+            for (FileChange change : step.changes) {
+                written.add(change);
+                files.write(change.path, forwards ? change.after() : change.before());
+            }
+            done = forwards ? number : number - 1;
+            writeState(0);
+            whole = true;
+        } finally {
+            if (!whole) {
+                done = forwards ? number - 1 : number;
+                for (FileChange change : written) {
+                    files.write(change.path, forwards ? change.before() : change.after());
+                }
+                writeState(0);
+            }
+        }
+    }
+
+    private void forgetOldest() throws IOException {
+        long bytes = steps.values().stream().mapToLong(Step::size).sum();
+        while (steps.size() > 1 && (steps.size() > MOST_STEPS || bytes > MOST_BYTES)) {
+            bytes -= steps.firstEntry().getValue().size();
+            Files.deleteIfExists(file(steps.pollFirstEntry().getKey()));
+        }
+    }
+
+    /** What scripts, editors and hands have changed since in the files that the steps know; empty for nothing. */
+    List<FileChange> changedOutside() throws IOException {
+        Map<String, byte[]> expected = new LinkedHashMap<>();
+        for (Map.Entry<Integer, Step> step : steps.entrySet()) {
+            for (FileChange change : step.getValue().changes) {
+                if (step.getKey() <= done) {
+                    expected.put(change.path, change.after());
+                } else if (!expected.containsKey(change.path)) {
+                    expected.put(change.path, change.before());
+                }
+            }
+        }
+        List<FileChange> changes = new ArrayList<>();
+        for (Map.Entry<String, byte[]> one : expected.entrySet()) {
+            FileChange change = new FileChange(one.getKey(), one.getValue(), files.read(one.getKey()));
+            if (change.changesAnything()) {
+                changes.add(change);
+            }
+        }
+        return changes;
+    }
+}

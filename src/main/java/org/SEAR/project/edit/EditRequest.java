@@ -1,0 +1,74 @@
+package org.SEAR.project.edit;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import org.SEAR.project.problems.Problem;
+import org.SEAR.project.problems.ProjectException;
+
+/** What an edit asks for, as it came from a page or a script. Immutable as long as nobody changes the map, any thread. */
+final class EditRequest {
+    private final Map<?, ?> map;
+
+    EditRequest(Map<?, ?> map) {
+        this.map = map;
+    }
+
+    /**
+     * A text that has to be there.
+     *
+     * @throws ProjectException if it is not
+     */
+    String text(String key) throws ProjectException {
+        String text = textOrNull(key);
+        if (text == null || text.isEmpty()) {
+            throw refused(key, "", "a text; this edit needs it");
+        }
+        return text;
+    }
+
+    /** A text; null if it is not there. */
+    String textOrNull(String key) {
+        Object value = map.get(key);
+        return value == null ? null : value.toString();
+    }
+
+    /**
+     * Values by their names.
+     *
+     * @return empty if it is not there
+     * @throws ProjectException if it is something else
+     */
+    Map<?, ?> values(String key) throws ProjectException {
+        Object value = map.get(key);
+        if (value == null) {
+            return Collections.emptyMap();
+        }
+        if (!(value instanceof Map)) {
+            throw refused(key, value.toString(), "names of parameters with their values");
+        }
+        return (Map<?, ?>) value;
+    }
+
+    /**
+     * Several requests.
+     *
+     * @throws ProjectException if it is something else
+     */
+    List<Map<?, ?>> list(String key) throws ProjectException {
+        List<Map<?, ?>> all = new ArrayList<>();
+        Object value = map.get(key);
+        for (Object one : value instanceof List ? (List<?>) value : List.of()) {
+            if (!(one instanceof Map)) {
+                throw refused(key, String.valueOf(one), "a list of edits");
+            }
+            all.add((Map<?, ?>) one);
+        }
+        return all;
+    }
+
+    static ProjectException refused(String key, String value, String legal) {
+        return new ProjectException(List.of(new Problem("edit", 0, key, value, legal)));
+    }
+}

@@ -1,0 +1,125 @@
+package org.SEAR.simulator;
+
+import java.util.function.BiConsumer;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.SerialObject;
+import org.SEAR.devices.Cable;
+import org.SEAR.devices.DeviceContext;
+import org.SEAR.devices.RobotHardware;
+import org.SEAR.robot.RobotModel;
+import org.SEAR.sensors.Reading;
+import org.SEAR.sensors.Sensor;
+import org.SEAR.sensors.Truth;
+
+/** What one device's firmware can reach. Simulation thread. */
+final class DevicePort implements DeviceContext {
+    private final Cable cable;
+    private final RobotModel robot;
+    private final Sensor<?> sensor;
+    private final long seed;
+    private final BiConsumer<String, String> warnings;
+
+    /** @param sensor null for a robot's drive */
+    DevicePort(SearObject object, RobotModel robot, Sensor<?> sensor, long seed, BiConsumer<String, String> warnings) {
+        SerialObject serial = (SerialObject) object;
+        this.cable = new Cable(object.getFullName(), object.getClass().getSimpleName(), serial.getUartPort(), serial.getUserPort());
+        this.robot = robot;
+        this.sensor = sensor;
+        this.seed = seed;
+        this.warnings = warnings;
+    }
+
+    Cable getCable() {
+        return cable;
+    }
+
+    RobotModel getRobot() {
+        return robot;
+    }
+
+    @Override
+    public void send(byte[] bytes, double time) {
+        cable.send(bytes, time);
+    }
+
+    @Override
+    public double lineFreeAt() {
+        return cable.freeAt();
+    }
+
+    @Override
+    public void clearOutput() {
+        cable.clearOutput();
+    }
+
+    @Override
+    public void cutOutput(double time) {
+        cable.cutOutput(time);
+    }
+
+    @Override
+    public void understood() {
+        cable.understood();
+    }
+
+    @Override
+    public RobotHardware robot() {
+        return robot;
+    }
+
+    @Override
+    public <R extends Reading> R read(Sensor<R> other) {
+        return other.read(robot.truth());
+    }
+
+    @Override
+    public Sensor<?> sensor() {
+        return sensor;
+    }
+
+    @Override
+    public Sensor<?> sensor(String part) {
+        return robot.getSensors().stream().filter(each -> each.getParameters().getName().equals(part)).findFirst().orElse(null);
+    }
+
+    @Override
+    public Truth truth() {
+        return robot.truth();
+    }
+
+    @Override
+    public double time() {
+        return robot.truth().time();
+    }
+
+    @Override
+    public long epochMillis() {
+        return robot.truth().epochMillis();
+    }
+
+    @Override
+    public long seed() {
+        return seed;
+    }
+
+    @Override
+    public void warn(String cause, String message) {
+        warnings.accept(cable.getObjectName() + ": " + cause, cable.getObjectName() + ": " + message);
+    }
+
+    /** Tells of bytes that found no room or were not understood. */
+    void warnOfLosses() {
+        String complaint = cable.complaint(time());
+        if (complaint != null) {
+            warn(complaint.substring(complaint.indexOf(' ')), complaint);
+        }
+        if (cable.takeDropped() > 0) {
+            warn("input", "more was written to " + cable.getUserPort() + " than its line can carry at " + cable.getDeviceBaud()
+                + " baud; bytes beyond " + Cable.MAX_WAITING + " waiting ones are lost");
+        }
+        if (cable.takeLost() > 0) {
+            warn("output", "it was asked for more than its line can carry at " + cable.getDeviceBaud() + " baud; replies for which more than "
+                + Cable.MAX_OUTPUT + " bytes wait already are lost");
+        }
+    }
+}

@@ -1,0 +1,87 @@
+package org.myrobotlab.service;
+
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.util.Arrays;
+import java.util.List;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+
+/** Two SEAR services in one MyRobotLab: what the maker of an object should know is told by one, that whose simulation runs. */
+public class TwoSearServicesTest {
+    private static final List<String> SERVICES = Arrays.asList("firstSear", "secondSear");
+    private static final String LATE = "was made while a simulation runs";
+
+    @Rule
+    public final TemporaryFolder temporary = new TemporaryFolder();
+
+    private Python python;
+    private Heard first;
+    private Heard second;
+
+    @Before
+    public void start() {
+        System.setProperty("sear.headless", "true");
+        System.setProperty("sear.speed", "max");
+        TestWorld.build(temporary.getRoot().toPath());
+        python = (Python) Runtime.start("twoPython", "Python");
+        first = hearing("firstSear");
+        second = hearing("secondSear");
+    }
+
+    private static Heard hearing(String name) {
+        SEAR sear = (SEAR) Runtime.start(name, "SEAR");
+        Heard heard = (Heard) Runtime.start(name + "Heard", "Heard");
+        sear.addListener("publishStatus", heard.getName(), "onStatus");
+        return heard;
+    }
+
+    @After
+    public void release() {
+        for (String name : SERVICES) {
+            Runtime.releaseService(name);
+            Runtime.releaseService(name + "Heard");
+        }
+        Runtime.releaseService("twoPython");
+        System.clearProperty("sear.project");
+        System.clearProperty("sear.speed");
+    }
+
+    /** A script that starts one service's simulation and makes an object meanwhile; then each service says something, and that is the last. */
+    private void script(String running) throws Exception {
+        python.execAndWait("from org.SEAR.POJOs import Box\n"
+            + "first = Runtime.start('firstSear', 'SEAR')\nsecond = Runtime.start('secondSear', 'SEAR')\n"
+            + running + ".startSimulation()\n"
+            + "Box('late in " + running + "', 1, 1, 1, 0)\n"
+            + running + ".stopSimulation()\n"
+            + "first.info('end of " + running + "')\nsecond.info('end of " + running + "')\n");
+        for (Heard heard : Arrays.asList(first, second)) {
+            assertTrue(heard.getStatuses().toString(), heard.awaitStatus("end of " + running));
+        }
+    }
+
+    @Test
+    public void onlyTheOneWhoseSimulationRunsTellsOfALateObject() throws Exception {
+        script("first");
+        assertTrue(first.getStatuses().toString(), first.getStatuses().toString().contains("Box \"late in first\" " + LATE));
+        assertFalse(second.getStatuses().toString(), second.getStatuses().toString().contains(LATE));
+        script("second");
+        assertTrue(second.getStatuses().toString(), second.getStatuses().toString().contains("Box \"late in second\" " + LATE));
+        assertFalse(first.getStatuses().toString(), first.getStatuses().toString().contains("late in second\" " + LATE));
+    }
+
+    @Test
+    public void aReleasedServiceLeavesTheOther() throws Exception {
+        Runtime.releaseService("secondSear");
+        python.execAndWait("from org.SEAR.POJOs import Box\nfirst = Runtime.start('firstSear', 'SEAR')\n"
+            + "for i in range(2):\n    Box('post', 1, 1, 1, 0)\nfirst.info('that was all')\n");
+        assertTrue(first.getStatuses().toString(), first.awaitStatus("that was all"));
+        String again = "has the name of an object that this script has made already";
+        assertTrue(first.getStatuses().toString(), first.getStatuses().toString().contains(again));
+        assertFalse(second.getStatuses().toString(), second.getStatuses().toString().contains(again));
+    }
+}

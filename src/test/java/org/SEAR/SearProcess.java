@@ -25,9 +25,16 @@ public final class SearProcess {
     /**
      * The same with more than what comes with SEAR.
      *
-     * @param moreClasses a folder at the end of the class path; empty for none
+     * @param moreClasses what else is on the class path, at its end; empty for nothing
      */
     public static List<String> command(String moreClasses, String[] options) {
+        List<String> command = java(moreClasses, options);
+        command.add("org.SEAR.cli.SearCommand");
+        return command;
+    }
+
+    /** The same for another main class, whose name is the first to be added. */
+    public static List<String> java(String moreClasses, String[] options) {
         List<String> command = new ArrayList<>(List.of(Paths.get(System.getProperty("java.home"), "bin", "java").toString(), "-XX:+UseSerialGC",
             "-XX:TieredStopAtLevel=1"));
         String archive = System.getProperty("sear.classArchive");
@@ -36,7 +43,7 @@ public final class SearProcess {
         }
         command.addAll(Arrays.asList(options));
         String classPath = System.getProperty(archive != null ? "sear.cliJars" : "sear.cliClasspath");
-        command.addAll(List.of("-cp", moreClasses.isEmpty() ? classPath : classPath + File.pathSeparator + moreClasses, "org.SEAR.cli.SearCommand"));
+        command.addAll(List.of("-cp", moreClasses.isEmpty() ? classPath : classPath + File.pathSeparator + moreClasses));
         return command;
     }
 }

@@ -13,6 +13,8 @@ import java.util.concurrent.TimeUnit;
 /** An X server of its own, without a screen, and processes that show their windows there. */
 final class Xvfb implements AutoCloseable {
     private static final String SCREEN = "1280x800x24";
+    /** As the tests themselves: most such processes end before the optimizing compiler's work pays. */
+    private static final List<String> QUICK = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC");
     private final Process server;
     private final String display;
 
@@ -41,10 +43,12 @@ final class Xvfb implements AutoCloseable {
      * A Java process with this process's class path that shows its windows on a display.
      *
      * @param display null for none
+     * @param options of the JVM, which by itself has no optimizing compiler
      */
     static ProcessBuilder java(String display, List<String> options, String main, String... arguments) {
         List<String> command = new ArrayList<>();
         command.add(System.getProperty("java.home") + File.separator + "bin" + File.separator + "java");
+        command.addAll(QUICK);
         command.addAll(Arrays.asList("-cp", System.getProperty("java.class.path"),
             "-Dsear.root=" + System.getProperty("sear.root", "."), "-Dsear.cliClasspath=" + System.getProperty("sear.cliClasspath", "")));
         command.addAll(options);

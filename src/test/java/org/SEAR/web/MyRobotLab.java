@@ -2,7 +2,6 @@ package org.SEAR.web;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import java.io.File;
 import java.io.IOException;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
@@ -61,7 +60,7 @@ public final class MyRobotLab implements AutoCloseable {
      * @param options more options of {@code sear}; with {@code --token}, {@link #call} is refused
      */
     public MyRobotLab(String script, String moreClasses, String... options) throws IOException, InterruptedException {
-        this.moreClasses = moreClasses.isEmpty() ? "" : File.pathSeparator + moreClasses;
+        this.moreClasses = moreClasses;
         this.options = List.of(options);
         folder = Files.createTempDirectory("sear-web").toRealPath();
         Files.writeString(folder.resolve("start.py"), "# coding: utf-8\n" + script + "\nopen('" + STARTED + "', 'w').close()\n");
@@ -77,8 +76,7 @@ public final class MyRobotLab implements AutoCloseable {
     private void startProcess() throws IOException, InterruptedException {
         client = HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
         Files.deleteIfExists(folder.resolve(STARTED));
-        List<String> command = SearProcess.command(System.getProperty("sear.cliClasspath") + moreClasses,
-            new String[] {"-Xmx384m", "-Dfile.encoding=UTF-8"});
+        List<String> command = SearProcess.command(moreClasses, new String[] {"-Xmx384m", "-Dfile.encoding=UTF-8"});
         command.addAll(List.of("start.py", "--headless", "--keep", "--port", String.valueOf(port)));
         command.addAll(options);
         process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(logFile().toFile()).start();

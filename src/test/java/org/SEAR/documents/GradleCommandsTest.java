@@ -96,6 +96,7 @@ public class GradleCommandsTest {
         List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
             "org.openjdk.jmh.Main"));
         command.addAll(List.of(measurements.get(0).substring(JMH.length()).replace("\"", "").split(" ")));
+        command.add(1, "-Djava.io.tmpdir=" + folder.getRoot());
         command.addAll(List.of("-f", "0", "-wi", "0", "-i", "1", "-r", "100ms"));
         String output = run(command);
         assertTrue(output, Pattern.compile("^\\S*Beams\\.fan +room-20 ", Pattern.MULTILINE).matcher(output).find());

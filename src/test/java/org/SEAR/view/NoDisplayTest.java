@@ -56,6 +56,11 @@ public class NoDisplayTest {
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
 
+    /** Of the processes with a window: their projects and native libraries go with the test. */
+    private List<String> options() {
+        return List.of("-Djava.io.tmpdir=" + folder.getRoot());
+    }
+
     private static String run(Process process) throws Exception {
         process.getOutputStream().close();
         String output = new String(process.getInputStream().readAllBytes());
@@ -67,14 +72,14 @@ public class NoDisplayTest {
 
     @Test
     public void withoutDisplay() throws Exception {
-        String output = run(Xvfb.java(null, List.of(), Opener.class.getName()).start());
+        String output = run(Xvfb.java(null, options(), Opener.class.getName()).start());
         assertTrue(output, output.contains("warning: there is no display (DISPLAY is not set); the simulation runs without a window"));
         assertTrue(output, output.contains("opened: false, headless: true"));
     }
 
     @Test
     public void withADisplayThatDoesNotAnswer() throws Exception {
-        String output = run(Xvfb.java(":4242", List.of(), Opener.class.getName()).start());
+        String output = run(Xvfb.java(":4242", options(), Opener.class.getName()).start());
         assertTrue(output, output.contains("warning: no window could be opened (X11: Failed to open display :4242)"));
         assertTrue(output, output.contains("opened: false, headless: true"));
     }
@@ -82,7 +87,7 @@ public class NoDisplayTest {
     @Test
     public void withoutOpenGl() throws Exception {
         try (Xvfb server = new Xvfb("-extension", "GLX")) {
-            String output = run(Xvfb.java(server.display(), List.of(), Opener.class.getName()).start());
+            String output = run(Xvfb.java(server.display(), options(), Opener.class.getName()).start());
             assertTrue(output, output.contains("warning: no window could be opened"));
             assertTrue(output, output.contains("opened: false, headless: true"));
         }
@@ -91,7 +96,7 @@ public class NoDisplayTest {
     @Test
     public void withoutNativeLibraries() throws Exception {
         try (Xvfb server = new Xvfb()) {
-            ProcessBuilder builder = Xvfb.java(server.display(), List.of(), Opener.class.getName());
+            ProcessBuilder builder = Xvfb.java(server.display(), options(), Opener.class.getName());
             withoutJars(builder, "-natives-");
             String output = run(builder.start());
             assertTrue(output, output.contains("warning: jMonkeyEngine or its native libraries can't be loaded"));
@@ -102,7 +107,7 @@ public class NoDisplayTest {
     @Test
     public void withoutTheWindowLibrary() throws Exception {
         try (Xvfb server = new Xvfb()) {
-            ProcessBuilder builder = Xvfb.java(server.display(), List.of(), Opener.class.getName());
+            ProcessBuilder builder = Xvfb.java(server.display(), options(), Opener.class.getName());
             withoutJars(builder, "jme3-lwjgl3", "lwjgl");
             String output = run(builder.start());
             assertTrue(output, output.contains("warning: jMonkeyEngine or its native libraries can't be loaded"));
@@ -114,7 +119,7 @@ public class NoDisplayTest {
     @Test
     public void anOlderEngineLeavesNoEmptyWindow() throws Exception {
         try (Xvfb server = new Xvfb()) {
-            ProcessBuilder builder = Xvfb.java(server.display(), List.of(), Opener.class.getName());
+            ProcessBuilder builder = Xvfb.java(server.display(), options(), Opener.class.getName());
             List<String> command = builder.command();
             int at = command.indexOf("-cp") + 1;
             command.set(at, olderEngine() + File.pathSeparator + command.get(at));
@@ -161,7 +166,7 @@ public class NoDisplayTest {
     @Test
     public void anXServerThatDiesTakesOnlyTheWindowAway() throws Exception {
         try (Xvfb server = new Xvfb()) {
-            Process process = Xvfb.java(server.display(), List.of(), Opener.class.getName()).start();
+            Process process = Xvfb.java(server.display(), options(), Opener.class.getName()).start();
             BufferedReader lines = new BufferedReader(new InputStreamReader(process.getInputStream()));
             String first = lines.lines().filter(line -> line.startsWith("opened")).findFirst().orElse("it ended");
             assertEquals("opened: true, headless: false", first);
@@ -186,7 +191,7 @@ public class NoDisplayTest {
     public void anXServerThatDiesBeforeAPictureTakesOnlyTheWindowAway() throws Exception {
         for (int i = 0; i < 3; i++) {
             try (Xvfb server = new Xvfb()) {
-                Process process = Xvfb.java(server.display(), List.of(), Opener.class.getName(), String.valueOf(server.pid())).start();
+                Process process = Xvfb.java(server.display(), options(), Opener.class.getName(), String.valueOf(server.pid())).start();
                 onlyTheWindowIsLost(process, new BufferedReader(new InputStreamReader(process.getInputStream())));
             }
         }

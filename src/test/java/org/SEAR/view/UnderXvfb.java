@@ -11,6 +11,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
 import org.junit.runner.Description;
 import org.junit.runner.JUnitCore;
 import org.junit.runner.Request;
@@ -27,7 +28,7 @@ import org.junit.runners.model.TestClass;
 
 /**
  * Runs a test class in a Java process of its own whose display is an Xvfb of its own: {@code @RunWith(UnderXvfb.class)}. Results come back line by
- * line, so that they look as if the tests had run here.
+ * line, so that they look as if the tests had run here. What the process leaves in its folder for temporary files goes with it.
  */
 public final class UnderXvfb extends Runner {
     /** So that what the process grows by isn't Java's heap. */
@@ -59,8 +60,11 @@ public final class UnderXvfb extends Runner {
     public void run(RunNotifier notifier) {
         StringBuilder log = new StringBuilder();
         Map<String, Description> open = new HashMap<>(methods);
+        TemporaryFolder temporary = new TemporaryFolder();
         try (Xvfb server = new Xvfb()) {
+            temporary.create();
             List<String> options = new ArrayList<>(FIXED_HEAP);
+            options.add("-Djava.io.tmpdir=" + temporary.getRoot());
             options.addAll(tests.getName().endsWith("ClockTest") ? OPTIMIZED : List.of());
             Process process = Xvfb.java(server.display(), options, Inside.class.getName(), tests.getName()).start();
             BufferedReader lines = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
@@ -77,6 +81,8 @@ public final class UnderXvfb extends Runner {
             log.append(e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        } finally {
+            temporary.delete();
         }
         for (Description never : open.values()) {
             notifier.fireTestStarted(never);

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import java.util.logging.Level;
@@ -23,7 +24,9 @@ import org.openqa.selenium.OutputType;
 import org.openqa.selenium.SessionNotCreatedException;
 import org.openqa.selenium.StaleElementReferenceException;
 import org.openqa.selenium.TimeoutException;
+import org.openqa.selenium.WebDriverException;
 import org.openqa.selenium.WebElement;
+import org.openqa.selenium.WindowType;
 import org.openqa.selenium.chrome.ChromeDriver;
 import org.openqa.selenium.chrome.ChromeDriverService;
 import org.openqa.selenium.chrome.ChromeOptions;
@@ -49,6 +52,9 @@ public final class Browser implements AutoCloseable {
         VERSIONS.setLevel(Level.SEVERE);
     }
 
+    /** See {@link #shared}; null until it is asked for. */
+    private static Browser shared;
+
     private final ChromeDriver driver;
     private final Path profile;
     private final List<String> expected = new ArrayList<>();
@@ -73,6 +79,41 @@ public final class Browser implements AutoCloseable {
         options.setCapability("goog:loggingPrefs", logs);
         driver = start(driverProgram, options);
         driver.manage().window().setSize(new Dimension(width, height));
+    }
+
+    /**
+     * The one for all who share it in this process, with which it ends. It shows an empty tab, new as its user: nothing set, nothing downloaded, no
+     * errors. What pages keep, they keep by their address, and each MyRobotLab has another.
+     *
+     * @param width of its window in pixels
+     * @param height of its window in pixels
+     */
+    static synchronized Browser shared(int width, int height) throws IOException {
+        if (shared == null || !shared.renew(width, height)) {
+            shared = new Browser(width, height);
+            Runtime.getRuntime().addShutdownHook(new Thread(shared::close));
+        }
+        return shared;
+    }
+
+    /** @return false if it has ended or does not answer */
+    private boolean renew(int width, int height) throws IOException {
+        try {
+            Set<String> before = driver.getWindowHandles();
+            String empty = driver.switchTo().newWindow(WindowType.TAB).getWindowHandle();
+            for (String tab : before) {
+                driver.switchTo().window(tab).close();
+            }
+            driver.switchTo().window(empty);
+            driver.manage().window().setSize(new Dimension(width, height));
+            forget();
+        } catch (WebDriverException e) {
+            System.err.println("the browser is started anew: " + e);
+            return false;
+        }
+        MyRobotLab.deleteFolder(downloads());
+        Files.createDirectories(downloads());
+        return true;
     }
 
     /** A machine that is busy with other things may need a second attempt. */
@@ -308,7 +349,10 @@ public final class Browser implements AutoCloseable {
 
     @Override
     public void close() {
-        driver.quit();
-        MyRobotLab.deleteFolder(profile);
+        try {
+            driver.quit();
+        } finally {
+            MyRobotLab.deleteFolder(profile);
+        }
     }
 }

@@ -13,7 +13,7 @@ import org.openqa.selenium.By;
 import org.openqa.selenium.WebElement;
 
 /**
- * One MyRobotLab and one browser for the tests of a class.
+ * One MyRobotLab for the tests of a class, and the one browser of this process with a new tab for them.
  *
  * <pre>
  * &#64;ClassRule
@@ -43,19 +43,17 @@ public final class Tabs extends ExternalResource {
 
     @Override
     protected void before() throws IOException, InterruptedException {
-        browser = new Browser(WIDTH, HEIGHT);
-        try {
-            robotLab = new MyRobotLab(script);
-        } catch (IOException | InterruptedException | RuntimeException e) {
-            browser.close();
-            throw e;
-        }
+        browser = Browser.shared(WIDTH, HEIGHT);
+        robotLab = new MyRobotLab(script);
     }
 
     @Override
     protected void after() {
-        browser.close();
-        robotLab.close();
+        try {
+            browser.driver().get("about:blank");    // lest the page look for the MyRobotLab that ends now
+        } finally {
+            robotLab.close();
+        }
     }
 
     public MyRobotLab robotLab() {

@@ -51,7 +51,7 @@ public class WebGuiTest {
         port = FreePort.find();
         webGui = (WebGui) Runtime.create("webgui", "WebGui");
         webGui.setPort(port);
-        webGui.getConfig().resources = List.of(folder.getRoot().toString());
+        webGui.getConfig().resources = List.of(folder.newFolder("pages").toString());
         webGui.startService();
         talker = (Talker) Runtime.start("talker", Talker.class.getName());
     }
@@ -116,13 +116,13 @@ public class WebGuiTest {
     public void aMissingPanelIsEmptyAndOneOnTheDiskWins() throws Exception {
         assertEquals(200, get("/service/js/NixGui.js").statusCode());
         assertEquals("", get("/service/js/NixGui.js").body());
-        Path panel = folder.getRoot().toPath().resolve("service/js/PythonGui.js");
+        Path panel = folder.getRoot().toPath().resolve("pages/service/js/PythonGui.js");
         Files.createDirectories(panel.getParent());
         Files.writeString(panel, "mine");
         assertEquals("mine", get("/service/js/PythonGui.js").body());
         assertTrue(get("/service/js/PythonGui.js").headers().firstValue("content-type").orElse("").endsWith("/javascript"));
-        Files.writeString(folder.getRoot().toPath().getParent().resolve("secret-of-" + folder.getRoot().getName()), "secret");
-        assertEquals(404, get("/%2e%2e/secret-of-" + folder.getRoot().getName()).statusCode());
+        Files.writeString(folder.getRoot().toPath().resolve("secret"), "secret");
+        assertEquals(404, get("/%2e%2e/secret").statusCode());
     }
 
     @Test

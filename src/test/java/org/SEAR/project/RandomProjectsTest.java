@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.TreeMap;
+import org.SEAR.HowMany;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.Slow;
@@ -17,10 +18,13 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** A thousand random projects: what was written is read, written again the same, saved, loaded and saved again with the same bytes. */
+/**
+ * Two hundred random projects, or a thousand with {@code -Pfull}, or as many as {@code -Dsear.randomProjects=} says: what was
+ * written is read, written again the same, saved, loaded and saved again with the same bytes.
+ */
 @Category(Slow.class)
 public class RandomProjectsTest {
-    private static final int PROJECTS = 1000;
+    private static final int PROJECTS = HowMany.of("sear.randomProjects", 1000);
     /** How many of them also go through bundles. */
     private static final int EVERY = 10;
 

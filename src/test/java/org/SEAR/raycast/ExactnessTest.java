@@ -3,22 +3,27 @@ package org.SEAR.raycast;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
+import org.SEAR.HowMany;
 import org.SEAR.Slow;
 import org.SEAR.geometry.Pose;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 
-/** Beams and fans against independently written geometry, over random scenes. */
+/**
+ * Beams and fans against independently written geometry, over 200 random scenes, or a thousand with {@code -Pfull}, or as many as {@code
+ * -Dsear.beamWorlds=} says.
+ */
 @Category(Slow.class)
 public class ExactnessTest {
+    private static final int WORLDS = HowMany.of("sear.beamWorlds", 1000);
     private static final int BEAMS = 181;
     private static final double EXACT = 1e-9;
     /** Radians and metres by which a beam is disturbed to find out whether it grazes an edge. */
     private static final double NUDGE = 1e-7;
 
     @Test
-    public void beamsOf1000WorldsMeetWhatTheOracleMeets() {
-        for (long seed = 1; seed <= 1000; seed++) {
+    public void beamsOfManyWorldsMeetWhatTheOracleMeets() {
+        for (long seed = 1; seed <= WORLDS; seed++) {
             RandomScenes world = new RandomScenes(seed);
             world.shapes(1 + world.random.nextInt(30), 4);
             for (int fan = 0; fan < 3; fan++) {

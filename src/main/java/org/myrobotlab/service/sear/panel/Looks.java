@@ -158,8 +158,11 @@ final class Looks {
             this.key = key;
             this.parts = parts;
             int first = CORNERS * PART * part;
-            vertices = Math.min(surface.getIndices().length - first, CORNERS * PART);
+            int[] corners = surface.getIndices();    // copies, all of them: asked for once
             float[] all = surface.getPositions();
+            float[] directions = surface.getNormals();
+            float[] places = surface.getPictures();
+            vertices = Math.min(corners.length - first, CORNERS * PART);
             for (int i = 0; i < all.length; i++) {
                 low[i % CORNERS] = Math.min(low[i % CORNERS], all[i]);
                 high[i % CORNERS] = Math.max(high[i % CORNERS], all[i]);
@@ -168,13 +171,13 @@ final class Looks {
             ByteBuffer outward = ByteBuffer.allocate(CORNERS * vertices);
             ByteBuffer picture = ByteBuffer.allocate(2 * Float.BYTES * vertices).order(ByteOrder.LITTLE_ENDIAN);
             for (int i = first; i < first + vertices; i++) {
-                int vertex = surface.getIndices()[i];
+                int vertex = corners[i];
                 for (int axis = 0; axis < CORNERS; axis++) {
                     double size = high[axis] - low[axis];
                     at.putShort((short) Math.round(size > 0 ? (all[CORNERS * vertex + axis] - low[axis]) / size * FULL : 0));
-                    outward.put((byte) Math.round(surface.getNormals()[CORNERS * vertex + axis] * UNIT));
+                    outward.put((byte) Math.round(directions[CORNERS * vertex + axis] * UNIT));
                 }
-                picture.putFloat(surface.getPictures()[2 * vertex]).putFloat(surface.getPictures()[2 * vertex + 1]);
+                picture.putFloat(places[2 * vertex]).putFloat(places[2 * vertex + 1]);
             }
             positions = Base64.getEncoder().encodeToString(at.array());
             normals = Base64.getEncoder().encodeToString(outward.array());

@@ -128,8 +128,12 @@ class Bodies:
                 self.run.say("%s: %s" % (ENGINES[engine], scene))
                 try:
                     results.append(dict(self.one(engine, scene), engine=ENGINES[engine], scene=scene))
-                except (subprocess.SubprocessError, ValueError) as e:
-                    missing["%s in %s" % (ENGINES[engine], scene)] = str(e)[:200]
+                except subprocess.TimeoutExpired:
+                    missing["%s in %s" % (ENGINES[engine], scene)] = "(it took longer than %g s)" % self.longest
+                except subprocess.CalledProcessError as e:
+                    missing["%s in %s" % (ENGINES[engine], scene)] = "(it ended with status %d)" % e.returncode
+                except ValueError as e:
+                    missing["%s in %s" % (ENGINES[engine], scene)] = "(%s)" % str(e)[:200]
         return results, missing
 
     def one(self, engine, scene):

@@ -4,6 +4,7 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertNotNull;
 import static org.junit.Assert.assertTrue;
 
+import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -11,6 +12,7 @@ import java.util.Properties;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.Test;
 
 /** The table of drivers that were tried names for each row the test that tried it, and the version that the tests install. */
@@ -37,9 +39,18 @@ public class DriversTableTest {
             Matcher test = TEST.matcher(row[COLUMNS - 1]);
             if (!row[COLUMNS - 1].contains("by hand")) {
                 assertTrue(text, test.find());
-                Class<?> type = Class.forName("org.myrobotlab.service." + test.group(1));
+                Class<?> type = test(test.group(1));
                 assertNotNull(text, type.getMethod(test.group(2)).getAnnotation(Test.class));
             }
+        }
+    }
+
+    private static Class<?> test(String name) throws Exception {
+        Path sources = ROOT.resolve("src/test/java");
+        try (Stream<Path> files = Files.walk(sources)) {
+            String file = files.filter(one -> one.endsWith(name + ".java")).findFirst().orElseThrow(() -> new AssertionError("no test " + name)).toString();
+            String inside = file.substring(sources.toString().length() + 1);
+            return Class.forName(inside.replace(".java", "").replace(File.separatorChar, '.'));
         }
     }
 

@@ -48,7 +48,8 @@ public class DriversTableTest {
     private static Class<?> test(String name) throws Exception {
         Path sources = ROOT.resolve("src/test/java");
         try (Stream<Path> files = Files.walk(sources)) {
-            String file = files.filter(one -> one.endsWith(name + ".java")).findFirst().orElseThrow(() -> new AssertionError("no test " + name)).toString();
+            String file = files.filter(one -> one.endsWith(name + ".java")).findFirst()
+                .orElseThrow(() -> new AssertionError("no test " + name)).toString();
             String inside = file.substring(sources.toString().length() + 1);
             return Class.forName(inside.replace(".java", "").replace(File.separatorChar, '.'));
         }

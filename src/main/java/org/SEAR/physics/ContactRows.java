@@ -434,10 +434,23 @@ final class ContactRows {
                     work[i * MOST + k] = i == k ? yields * (1 + SOFT) : yields;
                 }
             }
+            if (n == 2) {
+                invertTwo(r, at);
+                return;
+            }
             factor(n);
             for (int column = 0; column < n; column++) {
                 column(r, at, n, column);
             }
+        }
+
+        /** By the determinant: most faces that only begin or cease to lie have two points. */
+        private void invertTwo(double[] r, int at) {
+            double scale = 1 / (work[0] * work[MOST + 1] - work[MOST] * work[MOST]);
+            r[at] = scale * work[MOST + 1];
+            r[at + 1] = -scale * work[MOST];
+            r[at + MOST] = r[at + 1];
+            r[at + MOST + 1] = scale * work[0];
         }
 
         /** Cholesky's factor in place, with the reciprocals of its diagonal: dividing takes longer than all else here. */

@@ -11,6 +11,8 @@ final class Spin {
     private static final double PIECE = 0.15;
     /** No more pieces in a substep: what turns faster is a blur. */
     private static final int MOST_PIECES = 64;
+    /** What turns by less than this, radians, has the change of its angular velocity from a series; it is good to a millionth of it. */
+    private static final double LITTLE = 0.01;
     /** A body whose moments differ by less than this share turns evenly about any axis. */
     private static final double EVEN = 1e-9;
 
@@ -115,17 +117,46 @@ final class Spin {
      * @param v from index 3 on the angular velocity in the world, rad/s; becomes that at the end
      */
     void gyrate(double[] v, double seconds) {
-        if (!even) {
-            double x = qx;
-            double y = qy;
-            double z = qz;
-            double w = qw;
-            turn(v, seconds);
-            qx = x;
-            qy = y;
-            qz = z;
-            qw = w;
+        if (even) {
+            return;
         }
+        double square = v[3] * v[3] + v[4] * v[4] + v[5] * v[5];
+        if (square * seconds * seconds < LITTLE * LITTLE) {
+            gyrateLittle(v, seconds);
+            return;
+        }
+        double x = qx;
+        double y = qy;
+        double z = qz;
+        double w = qw;
+        turn(v, seconds);
+        qx = x;
+        qy = y;
+        qz = z;
+        qw = w;
+    }
+
+    /** Euler's equations in the body's axes by the midpoint rule, then the result as those axes have turned, up to the second order. */
+    private void gyrateLittle(double[] v, double seconds) {
+        toBody(v[3], v[4], v[5], momentum);
+        double x = momentum[0];
+        double y = momentum[1];
+        double z = momentum[2];
+        double half = seconds / 2;
+        double midX = x + half * inverseX * (jy - jz) * y * z;
+        double midY = y + half * inverseY * (jz - jx) * z * x;
+        double midZ = z + half * inverseZ * (jx - jy) * x * y;
+        x += seconds * inverseX * (jy - jz) * midY * midZ;
+        y += seconds * inverseY * (jz - jx) * midZ * midX;
+        z += seconds * inverseZ * (jx - jy) * midX * midY;
+        double crossX = seconds * (midY * z - midZ * y);
+        double crossY = seconds * (midZ * x - midX * z);
+        double crossZ = seconds * (midX * y - midY * x);
+        toWorld(x + crossX + half * (midY * crossZ - midZ * crossY), y + crossY + half * (midZ * crossX - midX * crossZ),
+            z + crossZ + half * (midX * crossY - midY * crossX), momentum);
+        v[3] = momentum[0];
+        v[4] = momentum[1];
+        v[5] = momentum[2];
     }
 
     /** Turns with the same angular velocity all the time, as what is held does. */

@@ -22,10 +22,13 @@ public class SingleDropsTest {
         findings.assertHold();
     }
 
-    /** In all but the first a cube hangs between others by its corners: without a brake on what rocks it would swing, and keep all awake. */
+    /**
+     * The first three sway on without a brake on what rocks, for in them a cube hangs between others by its corners; the others with one pass in a
+     * substep, for each hears too late of the others.
+     */
     @Test
     public void heapsComeToRest() throws Exception {
-        for (long seed : new long[] {1, 10, 13, 16, 18, 29, 35}) {
+        for (long seed : new long[] {5, 11, 73, 10, 31, 42}) {
             DropScenes.pile(100, seed, findings);
         }
         findings.assertHold();

@@ -1,5 +1,9 @@
 package org.SEAR.physics;
 
+import static org.junit.Assert.assertArrayEquals;
+import static org.junit.Assert.assertEquals;
+
+import java.util.Random;
 import org.junit.Test;
 
 /** What turns without torque, and a top, keeps energy and angular momentum. */
@@ -34,5 +38,33 @@ public class SpinTest {
     public void aTopPrecesses() throws Exception {
         SpinScenes.top(findings);
         findings.assertHold();
+    }
+
+    /** What is held against a surface: its angular velocity changes as that of what turns freely, and it stays as it is turned. */
+    @Test
+    public void aLittleTurnChangesTheAngularVelocityAsTheWholeOneDoes() {
+        Random random = new Random(1);
+        for (int i = 0; i < 1000; i++) {
+            Spin free = spin(random.nextLong());
+            Spin held = new Spin();
+            held.setMoments(1, 2, 2.5);
+            free.setMoments(1, 2, 2.5);
+            held.set(free.qx(), free.qy(), free.qz(), free.qw());
+            double[] v = {0, 0, 0, 5 * random.nextGaussian(), 5 * random.nextGaussian(), 5 * random.nextGaussian()};
+            double[] wanted = v.clone();
+            double seconds = 1e-3 * random.nextDouble();
+            String before = held.qx() + " " + held.qy() + " " + held.qz() + " " + held.qw();
+            free.turn(wanted, seconds);
+            held.gyrate(v, seconds);
+            assertArrayEquals(wanted, v, 1e-5);
+            assertEquals(before, held.qx() + " " + held.qy() + " " + held.qz() + " " + held.qw());
+        }
+    }
+
+    private static Spin spin(long seed) {
+        Random random = new Random(seed);
+        Spin spin = new Spin();
+        spin.set(random.nextGaussian(), random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
+        return spin;
     }
 }

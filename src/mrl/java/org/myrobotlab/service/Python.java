@@ -446,7 +446,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
     @Override
     public void onReleased(String name) {
         PythonEngine current = engine;
-        if (current != null) {
+        if (current != null && Runtime.getService(name) == null) { // else one of that name has come meanwhile
             current.remove(CodecUtils.getSafeReferenceName(CodecUtils.getShortName(name)));
         }
     }

@@ -36,6 +36,7 @@ public class ClockTrapTest {
         heard = (Heard) Runtime.start("searStatus", "Heard");
         sear.addListener("publishStatus", "searStatus", "onStatus");
         python.set("heard", heard);
+        python.set("sear", sear); // the service sets it too, but some time after the start
     }
 
     @After
@@ -65,7 +66,7 @@ public class ClockTrapTest {
     public void aLoopThatLetsNoSimulatedTimePassIsToldOnceWithItsLine() throws Exception {
         sear.setLockStep(true);
         sear.startSimulation();
-        assertTrue(python.exec("import time\nend = time.time() + 60\n"
+        assertTrue(String.valueOf(python.getLastError()), python.exec("import time\nend = time.time() + 60\n"
             + "while sear.getTime() < 5 and not heard.getStatuses().toString().count('busy at') and time.time() < end:\n    pass\n"));
         String said = heard.getStatuses().stream().filter(one -> one.contains("busy at")).findFirst().orElse("nothing");
         assertTrue(said, said.contains("simulated time has stood still for 2 s while the script is busy at line 3 of <script>")

@@ -19,6 +19,7 @@ public final class ContactFeature {
     public double nz;
     private double[] at = new double[3 * MOST];
     private double[] other = new double[3 * MOST];
+    private final double[] above = new double[MOST];
 
     public void clear() {
         count = 0;
@@ -72,6 +73,26 @@ public final class ContactFeature {
         return nx * (x - at[0]) + ny * (y - at[1]) + nz * (z - at[2]);
     }
 
+    /** Whether a point is above or below the inside of this face. */
+    boolean isUnder(double[] point) {
+        int left = 0;
+        int right = 0;
+        for (int i = 0; i < count; i++) {
+            int k = 3 * i;
+            int next = 3 * ((i + 1) % count);
+            double ex = at[next] - at[k];
+            double ey = at[next + 1] - at[k + 1];
+            double ez = at[next + 2] - at[k + 2];
+            double px = point[0] - at[k];
+            double py = point[1] - at[k + 1];
+            double pz = point[2] - at[k + 2];
+            double side = nx * (ey * pz - ez * py) + ny * (ez * px - ex * pz) + nz * (ex * py - ey * px);
+            left += side > 0 ? 1 : 0;
+            right += side < 0 ? 1 : 0;
+        }
+        return flat && count > 2 && (left == count || right == count);
+    }
+
     /** Cuts off what does not lie above or below a face. */
     void clip(ContactFeature face) {
         double mx = 0;
@@ -98,11 +119,19 @@ public final class ContactFeature {
 
     /** Keeps what lies below a plane. */
     private void cut(double px, double py, double pz, double offset) {
+        boolean whole = true;
+        for (int i = 0; i < count; i++) {
+            above[i] = px * x(i) + py * y(i) + pz * z(i) - offset;
+            whole &= above[i] <= 0;
+        }
+        if (whole) {
+            return;
+        }
         int kept = 0;
         for (int i = 0; i < count; i++) {
             int next = (i + 1) % count;
-            double here = px * x(i) + py * y(i) + pz * z(i) - offset;
-            double there = px * x(next) + py * y(next) + pz * z(next) - offset;
+            double here = above[i];
+            double there = above[next];
             if (here <= 0) {
                 kept = keep(kept, x(i), y(i), z(i));
             }

@@ -139,6 +139,34 @@ public final class GjkDistance {
         }
     }
 
+    /**
+     * Takes a face as the answer if the other set's support point stands over it: then no other direction parts both as far, and there is nothing to
+     * search for.
+     *
+     * @param face of one of the sets
+     * @param ofSecond whether it is the second set's
+     * @param other the set whose face it is not
+     * @param deepest how deep in each other they may be for that, metres
+     * @return whether it is the answer
+     */
+    public boolean byFace(ContactFeature face, boolean ofSecond, Convex other, double deepest) {
+        other.support(-face.nx, -face.ny, -face.nz, a);
+        double height = face.height(a[0], a[1], a[2]);
+        if (height < -deepest || !face.isUnder(a)) {
+            return false;
+        }
+        double sign = ofSecond ? 1 : -1;
+        nx = sign * face.nx;
+        ny = sign * face.ny;
+        nz = sign * face.nz;
+        distance = height;
+        double down = ofSecond ? height : 0;
+        onB[0] = a[0] - down * face.nx;
+        onB[1] = a[1] - down * face.ny;
+        onB[2] = a[2] - down * face.nz;
+        return true;
+    }
+
     /** How far apart two sets are at least: the distance of the planes that touch them at right angles to a direction of length 1, metres. */
     public double gap(Convex first, Convex second, double[] direction) {
         first.support(-direction[0], -direction[1], -direction[2], a);

@@ -15,9 +15,9 @@ import java.util.List;
 import javax.vecmath.Vector3f;
 
 /**
- * The broad phase: which pairs of bodies may touch. It is jbullet's, two trees of axis-aligned bounding boxes, one of what moves and one of what
- * rests, into which a box is put anew only when its body has left it; two boxes that overlap are a pair. But only those are looked for whose boxes
- * have changed, and with stacks that are kept: jbullet's own makes two new ones of a kilobyte in each step. Simulation thread.
+ * The broad phase: which pairs of bodies may touch. It is jbullet's tree of axis-aligned bounding boxes, into which a box is put anew only when its
+ * body has left it; two boxes that overlap are a pair. But only those are looked for whose boxes have changed, with stacks that are kept, and nothing
+ * goes over into jbullet's second tree, of what rests: that compares all with all. Simulation thread.
  */
 final class BroadPhase extends DbvtBroadphase {
     private static final int PER_CENT = 100;
@@ -49,21 +49,10 @@ final class BroadPhase extends DbvtBroadphase {
 
     @Override
     public void collide(Dispatcher dispatcher) {
-        if (stageRoots[(stageCurrent + 1) % STAGECOUNT] != null) {
-            // a body came to rest since last time and changes its tree; that is rare
-            super.collide(dispatcher);
-            changed.clear();
-            return;
-        }
-        Dbvt moving = sets[DYNAMIC_SET];
-        Dbvt resting = sets[FIXED_SET];
-        moving.optimizeIncremental(1 + moving.leaves * dupdates / PER_CENT);
-        resting.optimizeIncremental(1 + resting.leaves * fupdates / PER_CENT);
-        stageCurrent = (stageCurrent + 1) % STAGECOUNT;
+        Dbvt tree = sets[DYNAMIC_SET];
+        tree.optimizeIncremental(1 + tree.leaves * dupdates / PER_CENT);
         for (int i = 0; i < changed.size(); i++) {
-            DbvtProxy proxy = (DbvtProxy) changed.get(i);
-            meet(proxy.leaf, resting.root);
-            meet(proxy.leaf, moving.root);
+            meet(((DbvtProxy) changed.get(i)).leaf, tree.root);
         }
         if (!changed.isEmpty()) {
             forgetParted(dispatcher);

@@ -22,6 +22,9 @@ final class ContactRows {
     /** How deep something may be in what is fixed, as a share of its own least half size. */
     private static final double DEEPEST_SHARE = 0.5;
 
+    /** What comes faster than this when all pushes that are already push, m/s, hits: what stops it pushes once and not again. */
+    private static final double BLOW = 0.3;
+
     private static final int MASS_A = 3;
     private static final int MASS_B = 4;
     /** Length of the substep that the impulses belong to, seconds. */
@@ -30,7 +33,9 @@ final class ContactRows {
     private static final int RESTITUTION = 7;
     /** 1 if the block is made: it is when it is first needed. */
     private static final int READY = 8;
-    private static final int POINTS = 9;
+    /** 1 if something hit in this substep, -1 if in the last one. */
+    private static final int STRUCK = 9;
+    private static final int POINTS = 10;
     /** What the distance would be if neither had moved in this step, metres. */
     private static final int BASE = PairRow.SIZE;
     /** Present distance of both surfaces here, metres. */
@@ -137,6 +142,7 @@ final class ContactRows {
         }
         FrictionRows.prepare(r, at + PATCH, of, mx, my, mz);
         r[at + READY] = 0;
+        r[at + STRUCK] = of.struck ? 1 : 0;
     }
 
     private void fill(int at, Manifold of, Manifold.Point point, double mx, double my, double mz) {
@@ -163,18 +169,25 @@ final class ContactRows {
         }
         if (points[slot] > 0) {
             into.seconds = r[at + SECONDS];
+            into.struck = r[at + STRUCK] > 0;
             FrictionRows.store(r, at + PATCH, into);
         }
     }
 
-    /** A substep begins: what pushed in the last one pushes on. */
-    void begin(double seconds) {
+    /**
+     * A substep begins: what pushed in the last one pushes on, unless it was a blow.
+     *
+     * @param growth by what factor a push may grow with the length of the substep
+     */
+    void begin(double seconds, double growth) {
         for (int slot = 0; slot < size; slot++) {
             if (points[slot] > 0) {
                 int at = slot * SIZE;
                 measure(slot);
-                double scale = r[at + SECONDS] > 0 ? seconds / r[at + SECONDS] : 0;
+                boolean struck = r[at + STRUCK] > 0;
+                double scale = r[at + SECONDS] > 0 && !struck ? Math.min(growth, seconds / r[at + SECONDS]) : 0;
                 r[at + SECONDS] = seconds;
+                r[at + STRUCK] = struck ? -1 : 0;
                 for (int i = 0; i < points[slot]; i++) {
                     int point = at + POINTS + i * POINT;
                     r[point + PairRow.IMPULSE] *= scale;
@@ -257,25 +270,41 @@ final class ContactRows {
             block.wanted[i] = (gap > CLOSE ? -(gap - CLOSE) / seconds : 0) + (recovers ? recovery(Math.min(gap, CLOSE), seconds) : 0);
             parting = parting && PairRow.along(r, point, p, q) >= block.wanted[i];
         }
-        if (parting || all && solveAll(at, count, p, q)) {
+        if (parting || all && solveAll(at, count, p, q, recovers)) {
             return;
         }
         for (int i = 0; i < count; i++) {
             int point = at + POINTS + i * POINT;
             if (r[point + AWAITED] == 0) {
-                double sum = Math.max(0, PairRow.wanted(r, point, p, q, block.wanted[i]));
+                double missing = PairRow.missing(r, point, p, q, block.wanted[i]);
+                if (recovers) {
+                    notice(at, missing / r[point + PairRow.MASS]);
+                }
+                double sum = Math.max(0, r[point + PairRow.IMPULSE] + missing);
                 push(slot, point, sum - r[point + PairRow.IMPULSE]);
                 r[point + PairRow.IMPULSE] = sum;
             }
         }
     }
 
-    private boolean solveAll(int at, int count, double[] p, double[] q) {
+    private void notice(int at, double speed) {
+        if (speed > BLOW && r[at + STRUCK] == 0) {
+            r[at + STRUCK] = 1;
+        }
+    }
+
+    private boolean solveAll(int at, int count, double[] p, double[] q, boolean recovers) {
         if (r[at + READY] == 0) {
             r[at + READY] = 1;
             block.prepare(r, at + BLOCK, at + POINTS, count, r[at + MASS_A], r[at + MASS_B]);
         }
-        return block.solve(r, at + BLOCK, at + POINTS, count, p, q, r[at + MASS_A], r[at + MASS_B]);
+        if (!block.solve(r, at + BLOCK, at + POINTS, count, p, q, r[at + MASS_A], r[at + MASS_B])) {
+            return false;
+        }
+        if (recovers) {
+            notice(at, block.fastest);
+        }
+        return true;
     }
 
     private static double recovery(double gap, double seconds) {
@@ -408,7 +437,7 @@ final class ContactRows {
 
     /**
      * All points of a manifold solved at once where all of them push, which is how things rest: one after the other they would turn the bodies to and
-     * fro. The matrix of four points in a plane has rank three; a little softness shares what is left evenly. Its inverse is in the array, too.
+     * fro. The matrix of four points in a plane has rank three; a little softness shares what is left evenly. Its factor is in the array, too.
      */
     private static final class NormalBlock {
         private static final int MOST = Manifold.MOST_POINTS;
@@ -418,11 +447,13 @@ final class ContactRows {
 
         /** The speed at which each point is to part, m/s. */
         final double[] wanted = new double[MOST];
+        /** How fast the fastest point came, beyond that, when it was solved last, m/s. */
+        double fastest;
         private final double[] work = new double[SIZE];
         private final double[] sum = new double[MOST];
 
         /**
-         * Makes the inverse of the matrix of a manifold's points.
+         * Factors the matrix of a manifold's points.
          *
          * @param at where it goes in the array
          * @param points where the rows of the points begin, one each {@link ContactRows#POINT}
@@ -434,53 +465,19 @@ final class ContactRows {
                     work[i * MOST + k] = i == k ? yields * (1 + SOFT) : yields;
                 }
             }
-            if (n == 2) {
-                invertTwo(r, at);
-                return;
-            }
-            factor(n);
-            for (int column = 0; column < n; column++) {
-                column(r, at, n, column);
-            }
+            factor(r, at, n);
         }
 
-        /** By the determinant: most faces that only begin or cease to lie have two points. */
-        private void invertTwo(double[] r, int at) {
-            double scale = 1 / (work[0] * work[MOST + 1] - work[MOST] * work[MOST]);
-            r[at] = scale * work[MOST + 1];
-            r[at + 1] = -scale * work[MOST];
-            r[at + MOST] = r[at + 1];
-            r[at + MOST + 1] = scale * work[0];
-        }
-
-        /** Cholesky's factor in place, with the reciprocals of its diagonal: dividing takes longer than all else here. */
-        private void factor(int n) {
+        /** Cholesky's factor, with the reciprocals of its diagonal: dividing takes longer than all else here. */
+        private void factor(double[] r, int at, int n) {
             for (int i = 0; i < n; i++) {
                 for (int k = 0; k <= i; k++) {
                     double rest = work[i * MOST + k];
                     for (int j = 0; j < k; j++) {
-                        rest -= work[i * MOST + j] * work[k * MOST + j];
+                        rest -= r[at + i * MOST + j] * r[at + k * MOST + j];
                     }
-                    work[i * MOST + k] = i == k ? 1 / Math.sqrt(rest) : rest * work[k * MOST + k];
+                    r[at + i * MOST + k] = i == k ? 1 / Math.sqrt(rest) : rest * r[at + k * MOST + k];
                 }
-            }
-        }
-
-        private void column(double[] r, int at, int n, int column) {
-            for (int i = 0; i < n; i++) {
-                double rest = i == column ? 1 : 0;
-                for (int k = 0; k < i; k++) {
-                    rest -= work[i * MOST + k] * sum[k];
-                }
-                sum[i] = rest * work[i * MOST + i];
-            }
-            for (int i = n - 1; i >= 0; i--) {
-                double rest = sum[i];
-                for (int k = i + 1; k < n; k++) {
-                    rest -= work[k * MOST + i] * sum[k];
-                }
-                sum[i] = rest * work[i * MOST + i];
-                r[at + i * MOST + column] = sum[i];
             }
         }
 
@@ -490,15 +487,25 @@ final class ContactRows {
          * @return false, and nothing is done, if a point would have to pull
          */
         boolean solve(double[] r, int at, int points, int n, double[] p, double[] q, double massA, double massB) {
+            fastest = 0;
             for (int i = 0; i < n; i++) {
                 sum[i] = wanted[i] - PairRow.along(r, points + i * POINT, p, q);
+                fastest = Math.max(fastest, sum[i]);
             }
             for (int i = 0; i < n; i++) {
-                double change = 0;
-                for (int k = 0; k < n; k++) {
-                    change += r[at + i * MOST + k] * sum[k];
+                double rest = sum[i];
+                for (int k = 0; k < i; k++) {
+                    rest -= r[at + i * MOST + k] * sum[k];
                 }
-                work[i] = r[points + i * POINT + PairRow.IMPULSE] + change;
+                sum[i] = rest * r[at + i * MOST + i];
+            }
+            for (int i = n - 1; i >= 0; i--) {
+                double rest = sum[i];
+                for (int k = i + 1; k < n; k++) {
+                    rest -= r[at + k * MOST + i] * sum[k];
+                }
+                sum[i] = rest * r[at + i * MOST + i];
+                work[i] = r[points + i * POINT + PairRow.IMPULSE] + sum[i];
                 if (work[i] < 0) {
                     return false;
                 }

@@ -21,6 +21,12 @@ final class IslandSolver {
     private static final int MOST_SUBSTEPS = 128;
     /** What turns faster than by this in a substep gets more of them, radians. */
     private static final double MOST_TURN = 0.015;
+    /** What is alone on what is fixed goes so far in a substep, metres, where the usual substeps are not needed. */
+    private static final double WAY_ALONE = 4e-3;
+    /** And has no fewer substeps than these. */
+    private static final int LEAST_ALONE = 2;
+    /** And turns by no more than this in one, radians. */
+    private static final double MOST_TURN_ALONE = 0.03;
     /** Bodies of an island for which that is paid. */
     private static final int FEW = 4;
     /** Points times substeps of a step, beyond which there are fewer substeps, but no fewer than {@link #LEAST_SUBSTEPS}. */
@@ -46,6 +52,8 @@ final class IslandSolver {
     private final ContactRows rows = new ContactRows();
     private final Impacts impacts = new Impacts();
     private final double gravity;
+    /** Whether it is one thing without wheels that does not roll, on or before what is fixed: no impulse has to find its way. */
+    private boolean alone;
     private long passes;
     private int rounds;
 
@@ -79,6 +87,7 @@ final class IslandSolver {
             stepAlone(seconds);
             return;
         }
+        alone = bodies.size() == 1 && drives.isEmpty() && !bodies.get(0).canRoll();
         double substep = seconds / substeps(seconds);
         rows.clear();
         ofMeshes.clear();
@@ -106,6 +115,9 @@ final class IslandSolver {
     private void stepAlone(double seconds) {
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).getSolver().fall(seconds, gravity);
+            if (!drives.isEmpty()) {
+                bodies.get(i).getSolver().gyrate();
+            }
         }
         for (int i = 0; i < drives.size(); i++) {
             prepare(drives.get(i));
@@ -141,8 +153,8 @@ final class IslandSolver {
             }
         }
         double ratio = lightest > 0 ? lightest / heaviest : 1;
-        double turning = bodies.size() > FEW ? 0 : fastest() * seconds / MOST_TURN;
-        double wanted = Math.max(SUBSTEPS * Math.sqrt(Math.max(1, ratio / RATIO)), turning);
+        double turning = bodies.size() > FEW ? 0 : fastest() * seconds / (alone ? MOST_TURN_ALONE : MOST_TURN);
+        double wanted = Math.max((alone ? substepsAlone(seconds) : SUBSTEPS) * Math.sqrt(Math.max(1, ratio / RATIO)), turning);
         double paid = Math.max(LEAST_SUBSTEPS, MOST_WORK / Math.max(1, points));
         int substeps = (int) Math.ceil(Math.min(Math.min(wanted, MOST_SUBSTEPS), paid));
         int height = height();
@@ -150,6 +162,15 @@ final class IslandSolver {
         double needed = Math.max(least, Math.max(PASSES_EACH * height, PASSES_RATIO * ratio));
         rounds = (int) Math.max(1, Math.min(needed, (double) MOST_PASSES_WORK / Math.max(1, points * substeps)));
         return substeps;
+    }
+
+    /** Substeps for what is alone: the slower it comes, the fewer. */
+    private double substepsAlone(double seconds) {
+        double fast = 0;
+        for (int i = 0; i < pairs.size(); i++) {
+            fast = Math.max(fast, pairs.get(i).getFast());
+        }
+        return Math.max(LEAST_ALONE, Math.min(SUBSTEPS, (fast + gravity * seconds) * seconds / WAY_ALONE));
     }
 
     /** How fast what is no ball turns, rad/s. */
@@ -201,8 +222,9 @@ final class IslandSolver {
         double taken = impacts.next(rows, seconds, gravity);
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).getSolver().fall(taken, gravity);
+            bodies.get(i).getSolver().gyrate();
         }
-        rows.begin(taken);
+        rows.begin(taken, alone ? 1 : Double.POSITIVE_INFINITY);
         for (int i = 0; i < drives.size(); i++) {
             prepare(drives.get(i));
         }

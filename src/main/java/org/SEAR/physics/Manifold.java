@@ -67,6 +67,8 @@ final class Manifold {
     double massB;
     /** Length of the substep that the impulses belong to, seconds. */
     double seconds;
+    /** Whether they are those of a blow, which does not push on. */
+    boolean struck;
     /** For how long the bodies turn on before the point of contact is where the rows have it, seconds. */
     double leadA;
     double leadB;
@@ -114,6 +116,7 @@ final class Manifold {
             return;
         }
         seconds = from.seconds;
+        struck = from.struck;
         fx = from.fx;
         fy = from.fy;
         fz = from.fz;
@@ -160,6 +163,7 @@ final class Manifold {
     /** Forgets what it pushed. */
     void fresh() {
         seconds = 0;
+        struck = false;
         fx = 0;
         fy = 0;
         fz = 0;

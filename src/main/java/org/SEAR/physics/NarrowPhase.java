@@ -164,7 +164,18 @@ final class NarrowPhase extends DefaultCollisionConfiguration {
             low.set((float) box.minX, (float) box.minY, (float) box.minZ);
             high.set((float) box.maxX, (float) box.maxY, (float) box.maxZ);
             ((ConcaveShape) b.getShape()).processAllTriangles(triangles, low, high);
-        } else if (!(pair.isSingle() && gjk.gap(a, b, guess) > reach) && measure(a, b.core(), b, b.solid.convex().skin())) {
+        } else if (!(pair.isSingle() && gjk.gap(a, b, guess) > reach)) {
+            findConvex(pair, a, b, touched);
+        }
+        write(pair, a.solid, solidA, b.solid, solidB);
+    }
+
+    private void findConvex(PairContacts pair, PlacedSolid a, PlacedSolid b, boolean touched) {
+        if (pair.isFlat() && byFace(a, b)) {
+            if (isNear()) {
+                clipper.find(gjk, contacts);
+            }
+        } else if (measure(a, b.core(), b, b.solid.convex().skin())) {
             if (touched && pair.isFlat()) {
                 gjk.keep(a, b, guess, CHANGE);
             }
@@ -172,7 +183,22 @@ final class NarrowPhase extends DefaultCollisionConfiguration {
             b.feature(gjk.nx, gjk.ny, gjk.nz, clipper.ofB);
             clipper.find(gjk, contacts);
         }
-        write(pair, a.solid, solidA, b.solid, solidB);
+    }
+
+    /** Whether a face of one of them is where they are nearest, as for most things that lie or fall on others; its search costs little. */
+    private boolean byFace(PlacedSolid a, PlacedSolid b) {
+        double skins = a.solid.convex().skin() + b.solid.convex().skin();
+        b.feature(guess[0], guess[1], guess[2], clipper.ofB);
+        if (gjk.byFace(clipper.ofB, true, a, skins)) {
+            a.feature(-gjk.nx, -gjk.ny, -gjk.nz, clipper.ofA);
+            return true;
+        }
+        a.feature(-guess[0], -guess[1], -guess[2], clipper.ofA);
+        if (gjk.byFace(clipper.ofA, false, b, skins)) {
+            b.feature(gjk.nx, gjk.ny, gjk.nz, clipper.ofB);
+            return true;
+        }
+        return false;
     }
 
     /** Measures by the cores, which are apart where things touch; only what is deeper than both skins costs more. */
@@ -183,6 +209,11 @@ final class NarrowPhase extends DefaultCollisionConfiguration {
             return false;
         }
         gjk.addSkins(a, b, skinOfB);
+        return isNear();
+    }
+
+    /** Notes how near they are; whether so near that they may touch. */
+    private boolean isNear() {
         if (gjk.distance <= reach) {
             near = true;
             current.approached(gjk.distance, gjk.nx, gjk.ny, gjk.nz);

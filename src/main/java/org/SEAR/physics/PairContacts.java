@@ -96,6 +96,11 @@ final class PairContacts extends CollisionAlgorithm {
         }
     }
 
+    /** How fast any points of both may come together since the last substep, m/s. */
+    double getFast() {
+        return fast;
+    }
+
     /** How fast any points of both may come together, m/s. */
     private double speed() {
         double[] p = a.getSolver().v;

@@ -15,7 +15,7 @@ final class PairRow {
     private static final int TURN_A = 9;
     private static final int TURN_B = 12;
     /** Impulse that changes the speed along the row by 1 m/s, kg. */
-    private static final int MASS = 15;
+    static final int MASS = 15;
 
     private PairRow() {
     }

@@ -64,6 +64,7 @@ public final class PhysicsWorld {
     private boolean[] awake;
     private boolean[] wanted;
     private int[] queue;
+    private int[] unwanted;
     private boolean redraw;
     private final Vector3f at = new Vector3f();
     private final Vector3f normal = new Vector3f();
@@ -97,6 +98,7 @@ public final class PhysicsWorld {
         awake = new boolean[count];
         wanted = new boolean[count];
         queue = new int[count];
+        unwanted = new int[count];
         for (Body body : bodies) {
             body.restart();
             body.bounds(bounds[body.number]);
@@ -273,23 +275,29 @@ public final class PhysicsWorld {
     private void drawZones() {
         redraw = false;
         int last = 0;
+        int others = 0;
         for (int i = 0; i < wanted.length; i++) {
             wanted[i] = awake[i];
             if (awake[i]) {
                 queue[last++] = i;
+            } else {
+                unwanted[others++] = i;
             }
         }
         for (int next = 0; next < last; next++) {
             int number = queue[next];
             drawZone(number);
-            for (int i = 0; i < wanted.length; i++) {
-                if (!wanted[i] && zones[number].overlaps(bounds[i])) {
-                    wanted[i] = true;
-                    if (!bodies.get(i).isFixed()) {
-                        queue[last++] = i;
-                    }
+            int left = 0;
+            for (int k = 0; k < others; k++) {
+                int i = unwanted[k];
+                wanted[i] = zones[number].overlaps(bounds[i]);
+                if (!wanted[i]) {
+                    unwanted[left++] = i;
+                } else if (!bodies.get(i).isFixed()) {
+                    queue[last++] = i;
                 }
             }
+            others = left;
         }
         for (int i = 0; i < wanted.length; i++) {
             if (wanted[i] != inside[i]) {

@@ -115,7 +115,10 @@ public final class SolverBody {
         }
         fallen = gravity * seconds;
         v[1] -= fallen;
-        // half of what inertia does to its turning before constraints see it, half afterwards: so they hold on the whole way
+    }
+
+    /** Half of what inertia does to its turning comes before constraints see it, half afterwards: so they hold on the whole way. */
+    void gyrate() {
         spin.gyrate(v, seconds / 2);
     }
 

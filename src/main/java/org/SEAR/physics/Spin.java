@@ -138,7 +138,7 @@ final class Spin {
 
     /** Euler's equations in the body's axes by the midpoint rule, then the result as those axes have turned, up to the second order. */
     private void gyrateLittle(double[] v, double seconds) {
-        toBody(v[3], v[4], v[5], momentum);
+        rotate(-qx, -qy, -qz, 2, v[3], v[4], v[5], momentum);
         double x = momentum[0];
         double y = momentum[1];
         double z = momentum[2];
@@ -152,7 +152,7 @@ final class Spin {
         double crossX = seconds * (midY * z - midZ * y);
         double crossY = seconds * (midZ * x - midX * z);
         double crossZ = seconds * (midX * y - midY * x);
-        toWorld(x + crossX + half * (midY * crossZ - midZ * crossY), y + crossY + half * (midZ * crossX - midX * crossZ),
+        rotate(qx, qy, qz, 2, x + crossX + half * (midY * crossZ - midZ * crossY), y + crossY + half * (midZ * crossX - midX * crossZ),
             z + crossZ + half * (midX * crossY - midY * crossX), momentum);
         v[3] = momentum[0];
         v[4] = momentum[1];
@@ -164,6 +164,7 @@ final class Spin {
         turnEvenly(v, Math.sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]), seconds);
     }
 
+    /** Multiplied by a quaternion of length 1 its length changes by rounding only: the first term of the root's series takes that back. */
     private void turnEvenly(double[] v, double speed, double seconds) {
         double half = speed * seconds / 2;
         double sine = half < 1e-4 ? seconds / 2 * (1 - half * half / 6) : Math.sin(half) / speed;
@@ -179,7 +180,7 @@ final class Spin {
         qy = w * oy - x * oz + y * ow + z * ox;
         qz = w * oz + x * oy - y * ox + z * ow;
         qw = w * ow - x * ox - y * oy - z * oz;
-        normalize();
+        scale(1.5 - (qx * qx + qy * qy + qz * qz + qw * qw) / 2);
     }
 
     private void piece(double lx, double ly, double lz, double seconds) {
@@ -218,16 +219,19 @@ final class Spin {
     }
 
     private void toBody(double x, double y, double z, double[] into) {
-        rotate(-qx, -qy, -qz, x, y, z, into);
+        rotate(-qx, -qy, -qz, twice(), x, y, z, into);
     }
 
     private void toWorld(double x, double y, double z, double[] into) {
-        rotate(qx, qy, qz, x, y, z, into);
+        rotate(qx, qy, qz, twice(), x, y, z, into);
     }
 
-    private void rotate(double ax, double ay, double az, double x, double y, double z, double[] into) {
-        // within a piece the quaternion's length is not 1
-        double twice = 2 / (qx * qx + qy * qy + qz * qz + qw * qw);
+    /** 2 for a quaternion of length 1, which it is not within a piece. */
+    private double twice() {
+        return 2 / (qx * qx + qy * qy + qz * qz + qw * qw);
+    }
+
+    private void rotate(double ax, double ay, double az, double twice, double x, double y, double z, double[] into) {
         double tx = twice * (ay * z - az * y);
         double ty = twice * (az * x - ax * z);
         double tz = twice * (ax * y - ay * x);
@@ -237,7 +241,10 @@ final class Spin {
     }
 
     private void normalize() {
-        double scale = 1 / Math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw);
+        scale(1 / Math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw));
+    }
+
+    private void scale(double scale) {
         qx *= scale;
         qy *= scale;
         qz *= scale;

@@ -65,6 +65,53 @@ public class GjkDistanceTest {
         assertTrue(apart + " of 2000 were apart", apart > 500);
     }
 
+    /** What a face says without a search is what a search finds. */
+    @Test
+    public void aFaceUnderTheOthersSupportPointIsTheAnswer() {
+        int ofFirst = 0;
+        int ofSecond = 0;
+        GjkDistance byFace = new GjkDistance();
+        ContactFeature face = new ContactFeature();
+        for (int i = 0; i < 3000; i++) {
+            PlacedConvex first = shapes.place(shapes.shape(), 2);
+            PlacedConvex second = shapes.place(shapes.shape(), 2);
+            if (!gjk.measure(first, second, FAR) || gjk.distance <= EXACT) {
+                continue;
+            }
+            second.feature(gjk.nx, gjk.ny, gjk.nz, face);
+            if (byFace.byFace(face, true, first, 0)) {
+                ofSecond++;
+                assertSame(what(i), byFace);
+            }
+            first.feature(-gjk.nx, -gjk.ny, -gjk.nz, face);
+            if (byFace.byFace(face, false, second, 0)) {
+                ofFirst++;
+                assertSame(what(i), byFace);
+            }
+        }
+        assertTrue("faces that were answers: " + ofFirst + " and " + ofSecond, ofFirst > 100 && ofSecond > 100);
+    }
+
+    private void assertSame(String what, GjkDistance other) {
+        assertEquals(what, gjk.distance, other.distance, 2 * EXACT);
+        assertEquals(what, 1, gjk.nx * other.nx + gjk.ny * other.ny + gjk.nz * other.nz, 1e-6);
+        for (int axis = 0; axis < 3; axis++) {
+            assertEquals(what, gjk.onB[axis], other.onB[axis], 1e-3);
+        }
+    }
+
+    @Test
+    public void aFaceBesideTheOthersSupportPointIsNone() {
+        PlacedConvex cube = RandomShapes.at(new ConvexBox(0.5, 0.5, 0.5), 0, 0, 0);
+        PlacedConvex beside = RandomShapes.at(new ConvexBox(0.1, 0.1, 0.1), 0.7, 0.8, 0);
+        ContactFeature top = new ContactFeature();
+        cube.feature(0, 1, 0, top);
+        assertFalse(gjk.byFace(top, true, beside, 0));
+        assertTrue(gjk.byFace(top, true, RandomShapes.at(new ConvexBox(0.1, 0.1, 0.1), 0.2, 0.8, 0), 0));
+        assertFalse("deeper than said", gjk.byFace(top, true, RandomShapes.at(new ConvexBox(0.1, 0.1, 0.1), 0.2, 0.58, 0), 0.01));
+        assertTrue(gjk.byFace(top, true, RandomShapes.at(new ConvexBox(0.1, 0.1, 0.1), 0.2, 0.58, 0), 0.03));
+    }
+
     @Test
     public void aDenseSearchFindsNothingFarther() {
         for (int i = 0; i < 40; i++) {

@@ -28,7 +28,7 @@ public class SingleDropsTest {
      */
     @Test
     public void heapsComeToRest() throws Exception {
-        for (long seed : new long[] {5, 11, 73, 10, 31, 42}) {
+        for (long seed : new long[] {15, 21, 37, 57, 58, 67}) {
             DropScenes.pile(100, seed, findings);
         }
         findings.assertHold();

@@ -1,19 +1,27 @@
 package org.SEAR.devices;
 
-/** Looks at what goes over a line, in a step or between two, without changing anything. Simulation thread. */
+/**
+ * Looks at what goes over a line, in a step or between two, without changing anything; each method does nothing unless it is overridden. Simulation
+ * thread.
+ */
 public interface LineTap {
     /** Bytes of the user's end are on their way to the device from now on; the array is the line's. */
-    void heard(SerialLine line, byte[] bytes, int count);
+    default void heard(SerialLine line, byte[] bytes, int count) {
+    }
 
     /** Bytes have left the device, whether somebody reads them or not; the array is the reader's. */
-    void said(SerialLine line, byte[] bytes);
+    default void said(SerialLine line, byte[] bytes) {
+    }
 
     /** From now on the user's end has this speed, 0 for the device's own. */
-    void baud(SerialLine line, int baud);
+    default void baud(SerialLine line, int baud) {
+    }
 
     /** The device notices that a program has opened the user's end. */
-    void opened(SerialLine line);
+    default void opened(SerialLine line) {
+    }
 
     /** The device notices that the last program has left the user's end. */
-    void hungUp(SerialLine line);
+    default void hungUp(SerialLine line) {
+    }
 }

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
 import org.SEAR.project.models.ModelLoader;
+import org.SEAR.scene.Movement;
 import org.SEAR.scene.SceneState;
 import org.SEAR.view.hud.Hud;
 import org.SEAR.view.hud.StatusText;
@@ -21,7 +22,6 @@ import org.SEAR.view.scene.Labels;
 import org.SEAR.view.scene.Lighting;
 import org.SEAR.view.scene.Materials;
 import org.SEAR.view.scene.SceneBuilder;
-import org.SEAR.view.scene.SceneInterpolator;
 import org.SEAR.view.scene.WorldView;
 import org.SEAR.view.terrain.FarView;
 import org.SEAR.view.terrain.TerrainView;
@@ -33,7 +33,7 @@ final class WindowScene {
     private static final float LOOK_UP = 0.1f;
 
     private final WorldLink link;
-    private final SceneInterpolator interpolator = new SceneInterpolator();
+    private final Movement movement = new Movement();
     private final Lighting lighting;
     private final WorldView world;
     private final DebugShapes shapes;
@@ -94,9 +94,9 @@ final class WindowScene {
         state.flying = camera.isFlying();
         state.robot = robot;
         state.hidden = world.hiddenSensors();
-        interpolator.advance(sceneState, state.paused ? 0 : state.measuredSpeed, frameTime);
-        world.update(interpolator);
-        shapes.update(interpolator.newest());
+        movement.advance(sceneState, state.paused ? 0 : state.measuredSpeed, frameTime);
+        world.update(movement);
+        shapes.update(movement.newest());
         look(frameTime);
         lighting.follow(window.getCamera());
         if (terrain != null) {
@@ -107,8 +107,8 @@ final class WindowScene {
             lighting.setShadows(false);
             hud.say("this machine draws slowly: no shadows from now on");
         }
-        world.label(labels, interpolator.newest(), window.getCamera());
-        hud.update(frameTime, window.getCamera().getWidth(), window.getCamera().getHeight(), interpolator.newest(), state);
+        world.label(labels, movement.newest(), window.getCamera());
+        hud.update(frameTime, window.getCamera().getWidth(), window.getCamera().getHeight(), movement.newest(), state);
     }
 
     private void look(float frameTime) {
@@ -122,7 +122,7 @@ final class WindowScene {
 
     /** Whether there has been something to draw. */
     boolean hasPicture() {
-        return interpolator.newest() != null;
+        return movement.newest() != null;
     }
 
     void reshape() {

@@ -34,24 +34,23 @@ public final class InstallCommand implements Callable<Integer> {
             Installer installer = new Installer(folder);
             Path plugin = pluginFolder();
             InstallPlan plan = remove ? installer.remove(plugin) : installer.install(plugin, replaceEngine);
-            out.println("MyRobotLab: " + installer.root()
-                + (installer.installedVersion() == null ? "" : ", with SEAR " + installer.installedVersion()));
-            if (installer.recovered() != null) {
-                out.println(installer.recovered());
+            String version = installer.old == null ? null : "SEAR " + installer.old.version;
+            out.println("MyRobotLab: " + installer.mrl.root + (version == null ? "" : ", with " + version));
+            if (installer.recovered != null) {
+                out.println(installer.recovered);
             }
-            plan.describe().forEach(line -> out.println("  " + line));
+            plan.notes.forEach(line -> out.println("  " + line));
             if (plan.isEmpty()) {
-                out.println("Nothing to do" + (plan.remarks().isEmpty() ? ": SEAR " + installer.installedVersion() + " is installed and complete."
-                    : " now: SEAR " + installer.installedVersion() + " is installed."));
+                out.println(plan.remarks.isEmpty() ? "Nothing to do: " + version + " is installed and complete."
+                    : "Nothing to do now: " + version + " is installed.");
             } else if (dryRun) {
                 out.println("Nothing was changed (--dry-run).");
             } else {
                 plan.apply();
-                plan.leftovers().forEach(file -> out.println("  left    " + file + ": another program has it open; delete it by hand"));
-                out.println(remove ? "SEAR was removed." : "Done. Start MyRobotLab; " + (plan.remarks().isEmpty()
+                out.println(remove ? "SEAR was removed." : "Done. Start MyRobotLab; " + (plan.remarks.isEmpty()
                     ? "SEAR, LIDAR and GPS are among its services." : "SEAR, LIDAR and GPS can be started."));
             }
-            plan.remarks().forEach(out::println);
+            plan.remarks.forEach(out::println);
             return 0;
         } catch (InstallException e) {
             spec.commandLine().getErr().println("sear install: " + e.getMessage());

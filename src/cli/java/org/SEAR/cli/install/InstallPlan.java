@@ -1,5 +1,7 @@
 package org.SEAR.cli.install;
 
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -7,6 +9,8 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFileAttributeView;
 import java.nio.file.attribute.PosixFileAttributes;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -14,76 +18,76 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 
 /**
- * Files to write and to delete below one folder, done as a whole or not at all: new bytes are first written beside their place, then moved in; when
- * anything fails, what was done is undone, and when the program is killed, a {@link InstallJournal} tells the next call. Any one thread.
+ * Files to write and to delete below one folder, done as a whole or not at all. What they held before is on the disk, in a journal, until all is
+ * done: when anything fails it is put back, and when the program is killed the next call does that, or finishes when all files were in their places.
+ * Putting back and finishing may be killed, too, and are then done again. Paths are relative to the folder, with '/'. Any one thread.
  */
 final class InstallPlan {
-    private static final String ROOT = "root";
+    /** Where new bytes wait beside their place. */
+    private static final String STAGED = ".sear-new";
+    private static final String JOURNAL = ".sear-install-journal.json";
+    private static final ObjectMapper MAPPER = new ObjectMapper();
+
+    /** What will be done, or is left alone, a line each. */
+    final List<String> notes = new ArrayList<>();
+    /** What the user is left with when all is done, a line each. */
+    final List<String> remarks = new ArrayList<>();
+    /** Called before each change of the disk, so that a test can end the call there. */
+    Runnable beforeStep = () -> { };
+
     private final Path root;
-    private final Map<String, byte[]> writes = new TreeMap<>();
-    private final Set<String> deletes = new TreeSet<>();
-    private final List<String> notes = new ArrayList<>();
-    private final Set<String> emptied = new TreeSet<>();
-    private final List<String> remarks = new ArrayList<>();
-    private final List<Path> leftovers = new ArrayList<>();
-    private Runnable beforeStep = () -> { };
+    /** What each file is to hold; null: it is to go. */
+    private final Map<String, byte[]> files = new TreeMap<>();
+    private final Journal journal = new Journal();
 
     InstallPlan(Path root) {
         this.root = root;
     }
 
+    /** What a call is about to do, for the call after it, should it be killed. */
+    private static final class Journal {
+        /** What the files held; null: they were not there. */
+        public Map<String, byte[]> before = new TreeMap<>();
+        /** Folders that were not there before. */
+        public Set<String> folders = new TreeSet<>();
+        /** Folders to delete in the end, where they are empty then. */
+        public Set<String> emptied = new TreeSet<>();
+        /** Whether all files are in their places. */
+        public boolean done;
+    }
+
+    /** What a file holds now, null where there is none. */
+    byte[] now(String path) throws IOException {
+        return Files.exists(root.resolve(path)) ? Files.readAllBytes(root.resolve(path)) : null;
+    }
+
     /**
      * Lets a file have these bytes.
      *
-     * @param path relative to the root, with '/'
+     * @param bytes null to delete it
      */
     void write(String path, byte[] bytes) throws IOException {
-        Path file = root.resolve(path);
-        if (!Files.exists(file)) {
-            notes.add("add     " + path);
-        } else if (!java.util.Arrays.equals(Files.readAllBytes(file), bytes)) {
-            notes.add("change  " + path);
-        } else {
-            return;
-        }
-        writes.put(path, bytes);
-    }
-
-    void delete(String path) {
-        if (Files.exists(root.resolve(path))) {
-            deletes.add(path);
-            notes.add("delete  " + path);
+        byte[] now = now(path);
+        if (!Arrays.equals(now, bytes)) {
+            notes.add((now == null ? "add     " : bytes == null ? "delete  " : "change  ") + path);
+            files.put(path, bytes);
+            journal.before.put(path, now);
         }
     }
 
-    /** Says something about what is left alone. */
-    void note(String text) {
-        notes.add(text);
-    }
-
-    /** Says something that the user is left with when all is done. */
-    void remark(String text) {
-        remarks.add(text);
-    }
-
-    /** What the user is left with, a line each. */
-    List<String> remarks() {
-        return remarks;
+    /** Deletes folders in the end, where they are empty then. */
+    void deleteEmptied(Collection<String> folders) {
+        journal.emptied.addAll(folders);
     }
 
     boolean isEmpty() {
-        return writes.isEmpty() && deletes.isEmpty();
+        return files.isEmpty();
     }
 
-    /** What will be done, a line each. */
-    List<String> describe() {
-        return notes;
-    }
-
-    /** Folders that have to be made for the writes, relative to the root. */
+    /** Folders that have to be made for the files. */
     Set<String> newFolders() {
         Set<String> folders = new TreeSet<>();
-        for (String path : writes.keySet()) {
+        for (String path : files.keySet()) {
             for (Path folder = Path.of(path).getParent(); folder != null && !Files.exists(root.resolve(folder)); folder = folder.getParent()) {
                 folders.add(folder.toString().replace('\\', '/'));
             }
@@ -91,23 +95,28 @@ final class InstallPlan {
         return folders;
     }
 
-    /** What the user needs the right to write for this: files that are changed, and the folders that get or lose files. */
-    Set<Path> touched() {
-        Set<String> paths = new TreeSet<>(writes.keySet());
-        paths.addAll(deletes);
+    /** Refuses when something that has to be written can't be: a file, or a folder that gets or loses files. */
+    void refuseIfNotWritable() throws InstallException {
         Set<Path> touched = new TreeSet<>();
-        if (!paths.isEmpty()) {
+        for (Map.Entry<String, byte[]> file : files.entrySet()) {
             touched.add(root); // for the journal
-        }
-        for (String path : paths) {
-            Path folder = root.resolve(path).getParent();
-            while (!Files.exists(folder)) {
-                folder = folder.getParent();
+            Path path = root.resolve(file.getKey());
+            if (file.getValue() != null && Files.exists(path)) {
+                touched.add(path);
             }
-            touched.add(folder);
+            do {
+                path = path.getParent();
+            } while (!Files.exists(path));
+            touched.add(path);
         }
-        writes.keySet().stream().map(root::resolve).filter(Files::exists).forEach(touched::add);
-        return touched;
+        for (Path path : touched) {
+            if (!Files.isWritable(path)) {
+                throw new InstallException("No permission to write into " + path + ". Run the command as the user who owns it.");
+            }
+            if (!Files.isDirectory(path) && !files.containsKey(root.relativize(path).toString().replace('\\', '/'))) {
+                throw new InstallException(path + " is a file, and has to be a folder. Rename it and call again.");
+            }
+        }
     }
 
     /**
@@ -116,91 +125,113 @@ final class InstallPlan {
      * @throws IOException after everything was put back as it was; what could not be put back is among its suppressed exceptions
      */
     void apply() throws IOException {
-        InstallJournal journal = journal();
-        for (String path : journal.changed) {
-            Files.deleteIfExists(sibling(path, InstallJournal.KEPT)); // left by an update while another program had it open
-        }
-        journal.write(root, beforeStep);
+        journal.folders = newFolders();
+        write();
         try {
-            carryOut(journal);
+            for (String folder : journal.folders) {
+                beforeStep.run();
+                giveToOwner(Files.createDirectory(root.resolve(folder)));
+            }
+            for (Map.Entry<String, byte[]> file : files.entrySet()) {
+                put(file.getKey(), file.getValue());
+            }
         } catch (IOException e) {
             try {
-                journal.undo(root);
-                InstallJournal.delete(root);
+                undo(journal);
             } catch (IOException more) {
                 e.addSuppressed(more);
             }
             throw e;
         }
         journal.done = true;
-        journal.write(root, beforeStep);
-        beforeStep.run();
-        leftovers.addAll(journal.finish(root));
-        beforeStep.run();
-        InstallJournal.delete(root);
+        journal.before.clear();
+        write();
+        finish(journal);
     }
 
-    private InstallJournal journal() {
-        InstallJournal journal = new InstallJournal();
-        for (String path : writes.keySet()) {
-            (Files.exists(root.resolve(path)) ? journal.changed : journal.fresh).add(path);
-        }
-        journal.changed.addAll(deletes);
-        journal.folders.addAll(newFolders());
-        journal.emptied.addAll(emptied);
-        return journal;
-    }
-
-    private void carryOut(InstallJournal journal) throws IOException {
-        for (String folder : journal.folders) {
-            beforeStep.run();
-            giveToOwner(Files.createDirectory(root.resolve(folder)));
-        }
-        for (Map.Entry<String, byte[]> write : writes.entrySet()) {
-            beforeStep.run();
-            giveToOwner(Files.write(sibling(write.getKey(), InstallJournal.STAGED), write.getValue()));
-        }
-        for (String path : journal.changed) {
-            beforeStep.run();
-            Files.move(root.resolve(path), sibling(path, InstallJournal.KEPT), StandardCopyOption.ATOMIC_MOVE);
-        }
-        for (String path : writes.keySet()) {
-            beforeStep.run();
-            Files.move(sibling(path, InstallJournal.STAGED), root.resolve(path), StandardCopyOption.ATOMIC_MOVE);
-        }
-    }
-
-    /** Called before each change of the disk, so that a test can end the call there. */
-    void setBeforeStep(Runnable action) {
-        beforeStep = action;
+    /** Writes the journal, as a whole or not at all. */
+    private void write() throws IOException {
+        put(JOURNAL, MAPPER.writeValueAsBytes(journal));
     }
 
     /**
-     * Folders to delete in the end, where they are empty then.
+     * Undoes or finishes what a call that was killed has begun.
      *
-     * @param folders relative to the root
+     * @return what was done, null if no call was killed
      */
-    void deleteEmptied(Set<String> folders) {
-        emptied.addAll(folders);
+    String recover() throws IOException, InstallException {
+        Files.deleteIfExists(root.resolve(JOURNAL + STAGED));
+        if (!isPending()) {
+            return null;
+        }
+        Journal begun;
+        try {
+            begun = MAPPER.readValue(now(JOURNAL), Journal.class);
+        } catch (JsonProcessingException e) {
+            throw new InstallException(root.resolve(JOURNAL) + " can't be read (" + e.getOriginalMessage() + "): it should say what a call that was "
+                + "killed had begun. Call the sear install that was killed once more, or delete this file and look for files that end in " + STAGED
+                + ".", e);
+        }
+        if (begun.done) {
+            finish(begun);
+        } else {
+            undo(begun);
+        }
+        return "An earlier call was interrupted. What it had begun was " + (begun.done ? "finished." : "undone.");
     }
 
-    /** Old files that could not be deleted, after {@link #apply}. */
-    List<Path> leftovers() {
-        return leftovers;
+    /** Whether an earlier call was killed. */
+    boolean isPending() {
+        return Files.exists(root.resolve(JOURNAL));
+    }
+
+    private void undo(Journal begun) throws IOException {
+        for (Map.Entry<String, byte[]> file : begun.before.entrySet()) {
+            deleteFile(file.getKey() + STAGED);
+            if (!Arrays.equals(now(file.getKey()), file.getValue())) {
+                put(file.getKey(), file.getValue());
+            }
+        }
+        begun.emptied = begun.folders;
+        finish(begun);
+    }
+
+    private void finish(Journal begun) throws IOException {
+        beforeStep.run();
+        for (String folder : new TreeSet<>(begun.emptied).descendingSet()) {
+            if (Files.isDirectory(root.resolve(folder)) && MrlFolder.list(root.resolve(folder), "*").isEmpty()) {
+                Files.delete(root.resolve(folder));
+            }
+        }
+        beforeStep.run();
+        Files.deleteIfExists(root.resolve(JOURNAL));
+    }
+
+    /** Lets a file have these bytes, as a whole or not at all; null: deletes it. */
+    private void put(String path, byte[] bytes) throws IOException {
+        beforeStep.run();
+        if (bytes == null) {
+            deleteFile(path);
+            return;
+        }
+        giveToOwner(Files.write(root.resolve(path + STAGED), bytes));
+        beforeStep.run();
+        Files.move(root.resolve(path + STAGED), root.resolve(path), StandardCopyOption.ATOMIC_MOVE);
+    }
+
+    private void deleteFile(String path) throws IOException {
+        if (Files.isRegularFile(root.resolve(path))) {
+            Files.delete(root.resolve(path));
+        }
     }
 
     /** What root writes belongs to the owner of the MyRobotLab, who has to be able to change it. */
     private void giveToOwner(Path file) throws IOException {
         PosixFileAttributeView view = Files.getFileAttributeView(file, PosixFileAttributeView.class);
-        if (view != null && ROOT.equals(view.getOwner().getName())) {
+        if (view != null && "root".equals(view.getOwner().getName())) {
             PosixFileAttributes owner = Files.readAttributes(root, PosixFileAttributes.class);
             view.setOwner(owner.owner());
             view.setGroup(owner.group());
         }
-    }
-
-    private Path sibling(String path, String suffix) {
-        Path file = root.resolve(path);
-        return file.resolveSibling(file.getFileName() + suffix);
     }
 }

@@ -1,16 +1,17 @@
 package org.SEAR.cli.install;
 
 import java.io.IOException;
-import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeSet;
-import java.util.regex.Pattern;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipFile;
+import org.myrobotlab.service.link.PanelFiles;
 
 /**
  * Which libraries of the distribution go into a MyRobotLab, and which it keeps of its own. Nothing is put there twice: what MyRobotLab has, in
@@ -20,114 +21,80 @@ final class LibraryChoice {
     /** Where MyRobotLab's jars are, in its folder. */
     static final String JARS = "libraries/jar/";
     /** Where the jars are kept that were replaced; no class path leads there. */
-    static final String REPLACED = "libraries/sear-replaced/";
-    /** jMonkeyEngine, and LWJGL below it, which belongs to it. */
-    private static final Pattern ENGINE = Pattern.compile("(jme3|lwjgl)(-.*)?");
-    /** What the window needs, by the first word of the library's name. */
-    private static final Map<String, String> WINDOW_NEEDS = Map.of("jme3", "3.6", "lwjgl", "3.3");
-    /** Optional reader of models; there is no newer one. */
-    private static final String BLENDER = "jme3-blender";
+    private static final String REPLACED = "libraries/sear-replaced/";
     /** Older than ours, and known to do: MyRobotLab's develop of 2024 has it. */
     private static final Map<String, String> WORKS_FROM = Map.of("xstream", "1.4.19");
 
-    private static final Comparator<String> NEWEST_FIRST = (a, b) -> Versions.compare(InstallPayload.version(b), InstallPayload.version(a));
-
-    private final MrlFolder mrl;
-    private final Receipt old;
-    private final boolean replaceEngine;
+    private final InstallPlan plan;
+    private final Receipt receipt;
     private String olderEngine;
 
-    /**
-     * @param old what is installed, or null
-     * @param replaceEngine whether a jMonkeyEngine too old for the window makes room for ours
-     */
-    LibraryChoice(MrlFolder mrl, Receipt old, boolean replaceEngine) {
-        this.mrl = mrl;
-        this.old = old;
-        this.replaceEngine = replaceEngine;
+    /** @param receipt takes, or has, what is replaced */
+    LibraryChoice(InstallPlan plan, Receipt receipt) {
+        this.plan = plan;
+        this.receipt = receipt;
     }
 
     /**
-     * Plans and says what becomes of each library.
+     * Says what becomes of each library.
      *
-     * @param files takes the bytes to write, by path
-     * @param receipt takes what is replaced
+     * @param libraries of the distribution
+     * @param there MyRobotLab's own jars
+     * @param own names of the entries in {@code myrobotlab.jar}: a library whose classes are in there is not added again
+     * @param replaceEngine whether a jMonkeyEngine too old for the window makes room for ours
+     * @return the bytes to write, by path
      */
-    void choose(InstallPayload payload, InstallPlan plan, Map<String, byte[]> files, Receipt receipt) throws IOException, InstallException {
-        Set<String> there = jarsOfMrl();
-        Set<String> own = mrl.ownEntries();
-        if (old != null) {
-            receipt.replaced.putAll(old.replaced);
-        }
-        for (Path library : payload.libraries()) {
-            String name = library.getFileName().toString();
-            List<String> same = there.stream().filter(jar -> InstallPayload.artifact(jar).equals(InstallPayload.artifact(name))).sorted(NEWEST_FIRST)
-                .collect(Collectors.toList());
-            if (replaceEngine) {
-                for (String jar : same.stream().filter(LibraryChoice::isTooOld).collect(Collectors.toList())) {
-                    setAside(jar, plan, receipt);
-                    same.remove(jar);
-                }
+    Map<String, byte[]> choose(List<Path> libraries, List<JarName> there, Set<String> own, boolean replaceEngine) throws IOException {
+        Map<String, byte[]> files = new TreeMap<>();
+        for (Path library : libraries) {
+            JarName ours = new JarName(library);
+            List<JarName> same = there.stream().filter(jar -> jar.artifact.equals(ours.artifact))
+                .sorted(Comparator.comparing((JarName jar) -> jar.version, JarName::compare).reversed()).collect(Collectors.toList());
+            while (replaceEngine && !same.isEmpty() && same.get(same.size() - 1).isTooOldForTheWindow()) {
+                setAside(same.remove(same.size() - 1).name);
             }
             if (!same.isEmpty()) {
-                keep(same.get(0), name, plan);
-            } else if (InstallPayload.isInside(library, own)) {
-                plan.note("keep    " + name + ": myrobotlab.jar holds this library");
+                keep(same.get(0), ours);
+            } else if (isInside(library, own)) {
+                plan.notes.add("keep    " + ours.name + ": myrobotlab.jar holds this library");
             } else {
-                files.put(JARS + name, Files.readAllBytes(library));
+                files.put(JARS + ours.name, Files.readAllBytes(library));
             }
+        }
+        return files;
+    }
+
+    private static boolean isInside(Path library, Set<String> own) throws IOException {
+        try (ZipFile jar = new ZipFile(library.toFile())) {
+            return jar.stream().map(ZipEntry::getName).filter(name -> name.endsWith(".class") && !name.contains("-info"))
+                .findFirst().map(own::contains).orElse(false);
         }
     }
 
-    /** Names of MyRobotLab's own jars. */
-    private Set<String> jarsOfMrl() throws IOException {
-        Set<String> names = new TreeSet<>();
-        if (Files.isDirectory(mrl.jars())) {
-            try (DirectoryStream<Path> jars = Files.newDirectoryStream(mrl.jars(), "*.jar")) {
-                for (Path jar : jars) {
-                    String name = jar.getFileName().toString();
-                    if (old == null || !old.added.containsKey(JARS + name)) {
-                        names.add(name);
-                    }
-                }
-            }
-        }
-        return names;
-    }
-
-    private static boolean isTooOld(String jar) {
-        String artifact = InstallPayload.artifact(jar);
-        String needed = WINDOW_NEEDS.get(artifact.replaceAll("-.*", ""));
-        return ENGINE.matcher(artifact).matches() && !artifact.equals(BLENDER) && Versions.compare(InstallPayload.version(jar), needed) < 0;
-    }
-
-    private void setAside(String jar, InstallPlan plan, Receipt receipt) throws IOException {
-        byte[] bytes = Files.readAllBytes(mrl.jars().resolve(jar));
+    private void setAside(String jar) throws IOException {
+        byte[] bytes = plan.now(JARS + jar);
         plan.write(REPLACED + jar, bytes);
-        plan.delete(JARS + jar);
-        receipt.replaced.put(jar, Receipt.hash(bytes));
+        plan.write(JARS + jar, null);
+        receipt.replaced.put(jar, PanelFiles.hash(bytes));
     }
 
-    private void keep(String found, String ours, InstallPlan plan) {
-        String theirs = InstallPayload.version(found);
-        String version = InstallPayload.version(ours);
-        if (isTooOld(found)) {
-            olderEngine = olderEngine == null || found.startsWith("jme3-core") ? found : olderEngine;
-            plan.note("keep    " + found + ", " + version + " would be ours: the window needs "
-                + WINDOW_NEEDS.get(InstallPayload.artifact(found).replaceAll("-.*", "")) + "; --replace-jme puts ours into its place");
-        } else if (theirs.equals(version)) {
-            plan.note("keep    " + found + ": MyRobotLab has this library");
-        } else {
-            plan.note("keep    " + found + ", " + version + " would be ours: " + verdict(InstallPayload.artifact(found), theirs, version));
+    private void keep(JarName found, JarName ours) {
+        if (found.isTooOldForTheWindow() && (olderEngine == null || found.artifact.equals("jme3-core"))) {
+            olderEngine = found.name;
         }
+        plan.notes.add("keep    " + found.name + (found.version.equals(ours.version) ? ": MyRobotLab has this library"
+            : ", " + ours.version + " would be ours: " + verdict(found, ours)));
     }
 
-    private static String verdict(String artifact, String theirs, String ours) {
-        String enough = WORKS_FROM.getOrDefault(artifact, WINDOW_NEEDS.get(artifact.replaceAll("-.*", "")));
-        if (enough != null && Versions.compare(theirs, enough) >= 0) {
+    private static String verdict(JarName found, JarName ours) {
+        if (found.isTooOldForTheWindow()) {
+            return "the window needs " + found.neededVersion() + "; --replace-jme puts ours into its place";
+        }
+        String enough = WORKS_FROM.getOrDefault(found.artifact, found.neededVersion());
+        if (enough != null && JarName.compare(found.version, enough) >= 0) {
             return "works";
         }
-        return Versions.compare(theirs, ours) > 0 ? "newer, should work" : "older, and SEAR was not tried with it";
+        return JarName.compare(found.version, ours.version) > 0 ? "newer, should work" : "older, and SEAR was not tried with it";
     }
 
     /** A jar of a jMonkeyEngine that is kept and too old for the window; null if there is none. */
@@ -135,22 +102,18 @@ final class LibraryChoice {
         return olderEngine;
     }
 
-    /**
-     * Plans to put back what was replaced.
-     *
-     * @param receipt of the installation that is taken out
-     */
-    static void putBack(MrlFolder mrl, Receipt receipt, InstallPlan plan) throws IOException {
-        for (Map.Entry<String, String> jar : receipt.replaced.entrySet()) {
-            Path kept = mrl.root().resolve(REPLACED + jar.getKey());
-            if (!Files.exists(kept)) {
-                plan.note("lost    " + JARS + jar.getKey() + ": it is no longer in " + REPLACED + "; MyRobotLab can install it again");
+    /** Plans to put back what was replaced. */
+    void putBack() throws IOException {
+        for (String jar : receipt.replaced.keySet()) {
+            byte[] kept = plan.now(REPLACED + jar);
+            if (kept == null) {
+                plan.notes.add("lost    " + JARS + jar + ": it is no longer in " + REPLACED + "; MyRobotLab can install it again");
                 continue;
             }
-            if (!Files.exists(mrl.jars().resolve(jar.getKey()))) {
-                plan.write(JARS + jar.getKey(), Files.readAllBytes(kept));
+            if (plan.now(JARS + jar) == null) {
+                plan.write(JARS + jar, kept);
             }
-            plan.delete(REPLACED + jar.getKey());
+            plan.write(REPLACED + jar, null);
         }
     }
 }

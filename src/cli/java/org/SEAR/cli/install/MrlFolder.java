@@ -7,107 +7,76 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 
 /** A MyRobotLab installation on disk: the folder with {@code myrobotlab.jar}. Any one thread. */
 final class MrlFolder {
     private static final String JAR = "myrobotlab.jar";
-    private final Path root;
-
-    private MrlFolder(Path root) {
-        this.root = root;
-    }
+    /** Holds {@code myrobotlab.jar}. */
+    final Path root;
 
     /** The installation in {@code given}, or in the only folder right below it that has one. */
-    static MrlFolder find(Path given) throws InstallException {
+    MrlFolder(Path given) throws InstallException, IOException {
         if (!Files.isDirectory(given)) {
             throw new InstallException(given + " is not a folder. Name the folder that holds MyRobotLab's " + JAR + ".");
         }
-        if (Files.isRegularFile(given.resolve(JAR))) {
-            return new MrlFolder(given.toAbsolutePath().normalize());
+        List<Path> found = Stream.of(given).filter(MrlFolder::isMrl).collect(Collectors.toList());
+        if (found.isEmpty()) {
+            list(given, "*").stream().filter(MrlFolder::isMrl).forEach(found::add);
         }
-        List<Path> below = new ArrayList<>();
-        try (DirectoryStream<Path> folders = Files.newDirectoryStream(given, Files::isDirectory)) {
-            for (Path folder : folders) {
-                if (Files.isRegularFile(folder.resolve(JAR))) {
-                    below.add(folder);
-                }
+        if (found.size() != 1) {
+            throw new InstallException(given + (found.isEmpty() ? " holds no " + JAR + ". Name the folder that does."
+                : " holds several MyRobotLabs: " + found + ". Name one of them."));
+        }
+        root = found.get(0).toAbsolutePath().normalize();
+    }
+
+    private static boolean isMrl(Path folder) {
+        return Files.isRegularFile(folder.resolve(JAR));
+    }
+
+    /** What a folder holds, sorted by name; empty where there is no such folder. */
+    static List<Path> list(Path folder, String glob) throws IOException {
+        List<Path> content = new ArrayList<>();
+        if (Files.isDirectory(folder)) {
+            try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, glob)) {
+                files.forEach(content::add);
             }
-        } catch (IOException e) {
-            throw new InstallException("Cannot look into " + given + ": " + e.getMessage(), e);
         }
-        if (below.size() != 1) {
-            throw new InstallException(given + (below.isEmpty() ? " holds no " + JAR + ". Name the folder that does."
-                : " holds several MyRobotLabs: " + below + ". Name one of them."));
-        }
-        return new MrlFolder(below.get(0).toAbsolutePath().normalize());
-    }
-
-    Path root() {
-        return root;
-    }
-
-    Path libraries() {
-        return root.resolve("libraries");
-    }
-
-    Path jars() {
-        return libraries().resolve("jar");
-    }
-
-    Path serviceData() {
-        return libraries().resolve("serviceData.json");
-    }
-
-    Path receipt() {
-        return libraries().resolve("sear-install.json");
-    }
-
-    /** MRL unpacks its own resources only while this folder is missing, so nobody may create it before. */
-    Path resources() {
-        return root.resolve("resource");
+        content.sort(null);
+        return content;
     }
 
     /** The ymls of services, one folder a configuration. */
     List<Path> serviceConfigs() throws IOException {
         List<Path> files = new ArrayList<>();
-        Path configs = root.resolve("data").resolve("config");
-        if (Files.isDirectory(configs)) {
-            try (DirectoryStream<Path> folders = Files.newDirectoryStream(configs, Files::isDirectory)) {
-                for (Path folder : folders) {
-                    try (DirectoryStream<Path> ymls = Files.newDirectoryStream(folder, "*.yml")) {
-                        ymls.forEach(files::add);
-                    }
-                }
-            }
+        for (Path folder : list(root.resolve("data/config"), "*")) {
+            files.addAll(list(folder, "*.yml"));
         }
-        files.sort(null);
         return files;
     }
 
-    /** Names of all entries of {@code myrobotlab.jar}: a library whose classes are in there is not added again. */
+    /** Names of all entries of {@code myrobotlab.jar}. */
     Set<String> ownEntries() throws InstallException {
-        Set<String> names = new HashSet<>();
         try (ZipFile jar = new ZipFile(root.resolve(JAR).toFile())) {
-            jar.stream().map(ZipEntry::getName).forEach(names::add);
+            return jar.stream().map(ZipEntry::getName).collect(Collectors.toSet());
         } catch (IOException e) {
             throw new InstallException(root.resolve(JAR) + " is not a readable jar (" + e.getMessage() + "). Reinstall MyRobotLab.", e);
         }
-        return names;
     }
 
     /** Refuses while a MyRobotLab runs from this folder: it has the jars open and writes the same files. */
     void refuseIfRunning() throws InstallException {
-        Set<Long> callers = new HashSet<>();
-        for (Optional<ProcessHandle> caller = Optional.of(ProcessHandle.current()); caller.isPresent(); caller = caller.get().parent()) {
-            callers.add(caller.get().pid()); // a shell whose command line names myrobotlab.jar and calls this program is no MyRobotLab
-        }
-        Optional<ProcessHandle> running = ProcessHandle.allProcesses().filter(process -> !callers.contains(process.pid()))
+        Set<ProcessHandle> callers = Stream.iterate(ProcessHandle.current(), Objects::nonNull, process -> process.parent().orElse(null))
+            .collect(Collectors.toSet()); // a shell whose command line names myrobotlab.jar and calls this program is no MyRobotLab
+        Optional<ProcessHandle> running = ProcessHandle.allProcesses().filter(process -> !callers.contains(process))
             .filter(this::runsFromHere).findFirst();
         if (running.isPresent()) {
             throw new InstallException("MyRobotLab is running from " + root + " (process " + running.get().pid() + "). Shut it down and call again.");
@@ -126,27 +95,10 @@ final class MrlFolder {
         if (!command.contains("org.myrobotlab.service.Runtime") && !command.contains(JAR)) {
             return false;
         }
-        if (command.contains(root.toString())) {
-            return true;
-        }
         try {
-            return Files.isSameFile(root, Path.of("/proc", Long.toString(process.pid()), "cwd"));
+            return command.contains(root.toString()) || Files.isSameFile(root, Path.of("/proc", Long.toString(process.pid()), "cwd"));
         } catch (IOException | SecurityException e) {
             return false; // no such view of processes on this system: the command line was all there is to judge by
-        }
-    }
-
-    /** Refuses when something that has to be written can't be: a file, or a folder that gets or loses files. */
-    void refuseIfNotWritable(InstallPlan plan) throws InstallException {
-        for (Path path : plan.touched()) {
-            if (!Files.isWritable(path)) {
-                throw new InstallException("No permission to write into " + path + ". Run the command as the user who owns it.");
-            }
-        }
-        for (Path folder : new Path[] {libraries(), jars()}) {
-            if (Files.exists(folder) && !Files.isDirectory(folder)) {
-                throw new InstallException(folder + " is a file, and has to be a folder. Rename it and call again.");
-            }
         }
     }
 }

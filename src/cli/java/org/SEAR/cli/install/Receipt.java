@@ -4,11 +4,9 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.SerializationFeature;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.Base64;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -24,8 +22,8 @@ final class Receipt {
     public Map<String, String> added = new TreeMap<>();
     /** SHA-256 of each file that was there before, as it was written. */
     public Map<String, String> changed = new TreeMap<>();
-    /** The bytes, base64, that the changed files had before. */
-    public Map<String, String> originals = new TreeMap<>();
+    /** The bytes that the changed files had before. */
+    public Map<String, byte[]> originals = new TreeMap<>();
     /** SHA-256 of each jar of MyRobotLab's that made room for one of ours, by its name; it lies in {@code libraries/sear-replaced}. */
     public Map<String, String> replaced = new TreeMap<>();
     /** Folders that were not there before. */
@@ -33,11 +31,8 @@ final class Receipt {
 
     /** The receipt of an installation, or null where there is none. */
     static Receipt read(Path file) throws IOException, InstallException {
-        if (!Files.exists(file)) {
-            return null;
-        }
         try {
-            return MAPPER.readValue(Files.readAllBytes(file), Receipt.class);
+            return Files.exists(file) ? MAPPER.readValue(Files.readAllBytes(file), Receipt.class) : null;
         } catch (JsonProcessingException e) {
             throw new InstallException(file + " cannot be read (" + e.getOriginalMessage()
                 + "). Delete it and install again; nothing was changed.", e);
@@ -45,26 +40,6 @@ final class Receipt {
     }
 
     byte[] bytes() throws JsonProcessingException {
-        return (MAPPER.writeValueAsString(this) + "\n").getBytes(java.nio.charset.StandardCharsets.UTF_8);
-    }
-
-    void keepOriginal(String path, byte[] original) {
-        originals.put(path, Base64.getEncoder().encodeToString(original));
-    }
-
-    byte[] original(String path) {
-        return Base64.getDecoder().decode(originals.get(path));
-    }
-
-    static String hash(byte[] bytes) {
-        try {
-            StringBuilder hex = new StringBuilder();
-            for (byte b : MessageDigest.getInstance("SHA-256").digest(bytes)) {
-                hex.append(String.format("%02x", b));
-            }
-            return hex.toString();
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every JRE has SHA-256", e);
-        }
+        return (MAPPER.writeValueAsString(this) + "\n").getBytes(StandardCharsets.UTF_8);
     }
 }

@@ -1,5 +1,5 @@
 /**
- * {@code sear install}: puts the plug-in into a MyRobotLab and takes it out again; looks first, then changes, and undoes what it began. Uses no
- * other package. The main thread.
+ * {@code sear install}: puts the plug-in into a MyRobotLab and takes it out again; looks first, then changes, and undoes what it began. Uses
+ * {@link org.myrobotlab.service.link}, which knows the panels' files. The main thread.
  */
 package org.SEAR.cli.install;

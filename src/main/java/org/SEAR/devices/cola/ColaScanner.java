@@ -2,20 +2,18 @@ package org.SEAR.devices.cola;
 
 import java.util.Locale;
 import org.SEAR.devices.DeviceContext;
-import org.SEAR.devices.EventQueue;
 import org.SEAR.devices.RequestQueue;
-import org.SEAR.devices.SerialDevice;
+import org.SEAR.devices.ScannerFirmware;
 import org.SEAR.protocol.cola.ColaDialect;
 import org.SEAR.protocol.cola.ColaReader;
 import org.SEAR.protocol.cola.ColaTelegram;
 import org.SEAR.sensors.LidarScan;
-import org.SEAR.sensors.LidarSource;
 
 /**
  * The firmware of SICK's LMS1xx and TiM: requests of CoLa A and B, each answered in its own dialect, and a stream of scans. It measures scan
  * after scan at its own rate; a request for a scan gets the newest one. What the requests do stands in {@link ColaCommands}. One client at a time.
  */
-public final class ColaScanner implements SerialDevice {
+public final class ColaScanner extends ScannerFirmware {
     /** End of a request to its answer, seconds; real ones take a few milliseconds. */
     private static final double ANSWER = 0.001;
     /** An unfinished request is forgotten after so many seconds without a byte. */
@@ -41,10 +39,7 @@ public final class ColaScanner implements SerialDevice {
 
     private final ColaModel model;
     private final int baud;
-    private final DeviceContext context;
-    private final LidarSource source;
     private final Settings delivered;
-    private final EventQueue events = new EventQueue();
     private final RequestQueue<ColaTelegram> requests = new RequestQueue<>(events, time -> time + ANSWER, this::serve);
     private final ColaReader reader = new ColaReader(LONGEST, this::onTelegram);
     private final ColaCommands commands;
@@ -64,16 +59,12 @@ public final class ColaScanner implements SerialDevice {
      * @param spread degrees
      * @param resolution degrees
      * @param baud bits a second of its network
-     * @throws IllegalArgumentException unless the context's sensor is a {@link LidarSource}
+     * @throws IllegalArgumentException unless the context's sensor is a LIDAR
      */
     ColaScanner(ColaModel model, double spread, double resolution, int baud, DeviceContext context) {
-        if (!(context.sensor() instanceof LidarSource)) {
-            throw new IllegalArgumentException(model.lidar.withArticle() + " needs a LIDAR to scan with, not " + context.sensor());
-        }
+        super(model.lidar.withArticle(), context);
         this.model = model;
         this.baud = baud;
-        this.context = context;
-        this.source = (LidarSource) context.sensor();
         this.delivered = Settings.of(model.rateWith(resolution), spread);
         this.commands = new ColaCommands(this, model);
         reset();
@@ -110,8 +101,7 @@ public final class ColaScanner implements SerialDevice {
     }
 
     @Override
-    public void receiveGarbage(double time) {
-        advance(time);
+    protected void forgetRequest() {
         reader.clear();
     }
 
@@ -128,11 +118,6 @@ public final class ColaScanner implements SerialDevice {
         saved = delivered;
         start(0);
         state = State.MEASURING;
-    }
-
-    @Override
-    public void powerOff() {
-        events.clear();
     }
 
     @Override

@@ -3,9 +3,8 @@ package org.SEAR.devices.lms;
 import java.util.Arrays;
 import java.util.function.DoubleConsumer;
 import org.SEAR.devices.DeviceContext;
-import org.SEAR.devices.EventQueue;
 import org.SEAR.devices.RequestQueue;
-import org.SEAR.devices.SerialDevice;
+import org.SEAR.devices.ScannerFirmware;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.protocol.Uart;
 import org.SEAR.protocol.lms.Baud;
@@ -14,14 +13,13 @@ import org.SEAR.protocol.lms.Telegram;
 import org.SEAR.protocol.lms.TelegramReader;
 import org.SEAR.protocol.lms.Variant;
 import org.SEAR.sensors.LidarScan;
-import org.SEAR.sensors.LidarSource;
 
 /**
  * The firmware of a SICK LMS200 and of its sisters for outdoors, LMS221 and LMS291: telegrams in ({@link TelegramReader}), an ACK and a reply out,
  * one request after the other, and streams of scans.
  * What the commands do stands in {@link LmsCommands}. Source: SICK telegram listing 8007954/Q501/2006-08-01.
  */
-public final class Lms200 implements SerialDevice, TelegramReader.Listener {
+public final class Lms200 extends ScannerFirmware implements TelegramReader.Listener {
     /** A byte may look late by the step of the simulation in which the host wrote it. */
     private static final double GAP = Timing.HOST_GAP + TimeStep.SECONDS;
     /** MyRobotLab's old driver sends each baud telegram with the checksum of 9600 baud. */
@@ -29,9 +27,6 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     private static final byte[] OLD_DRIVER_38400 = {0x02, 0x00, 0x02, 0x00, 0x20, 0x40, 0x52, 0x08};
 
     private final PowerOnSettings powerOn;
-    private final DeviceContext context;
-    private final LidarSource source;
-    private final EventQueue events = new EventQueue();
     private final RequestQueue<Telegram> requests = new RequestQueue<>(events, time -> time + Timing.ACKNOWLEDGE, this::serve);
     private final TelegramReader reader;
     private final LmsCommands commands;
@@ -45,17 +40,13 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     private double streamUntil;
     private int partial;
 
-    /** @throws IllegalArgumentException unless the context's sensor is a {@link LidarSource} and the baud rate one of an LMS200 */
+    /** @throws IllegalArgumentException unless the context's sensor is a LIDAR and the baud rate one of an LMS200 */
     public Lms200(PowerOnSettings powerOn, DeviceContext context) {
-        if (!(context.sensor() instanceof LidarSource)) {
-            throw new IllegalArgumentException("an LMS200 needs a LIDAR to scan with, not " + context.sensor());
-        }
+        super("an LMS200", context);
         if (Baud.ofRate(powerOn.baud) == null) {
             throw new IllegalArgumentException(powerOn.baud + " baud: an LMS200 has 9600, 19200, 38400 and 500000");
         }
         this.powerOn = powerOn;
-        this.context = context;
-        this.source = (LidarSource) context.sensor();
         this.reader = new TelegramReader(address -> true, this);
         this.commands = new LmsCommands(this, powerOn);
         reset();
@@ -77,8 +68,7 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     }
 
     @Override
-    public void receiveGarbage(double time) {
-        advance(time);
+    protected void forgetRequest() {
         reader.clear();
     }
 
@@ -97,11 +87,6 @@ public final class Lms200 implements SerialDevice, TelegramReader.Listener {
     public void reset() {
         commands.toFactory();
         start(Baud.ofRate(powerOn.baud));
-    }
-
-    @Override
-    public void powerOff() {
-        events.clear();
     }
 
     @Override

@@ -30,14 +30,10 @@ final class Head {
     /**
      * @param resolution degrees between two samples of a standard scan: the faster the motor, the more
      * @param nearest metres from where on it measures
-     * @throws IllegalArgumentException unless the context's sensor is a {@link LidarSource}
      */
-    Head(double resolution, double nearest, DeviceContext context) {
-        if (!(context.sensor() instanceof LidarSource)) {
-            throw new IllegalArgumentException("an RPLIDAR needs a LIDAR to scan with, not " + context.sensor());
-        }
+    Head(double resolution, double nearest, LidarSource source, DeviceContext context) {
         this.context = context;
-        this.source = (LidarSource) context.sensor();
+        this.source = source;
         this.samplesPerTurn = 2 * (int) Math.round(CIRCLE / 2 / resolution);
         this.nearest = nearest;
     }

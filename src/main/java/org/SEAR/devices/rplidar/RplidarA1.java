@@ -1,9 +1,8 @@
 package org.SEAR.devices.rplidar;
 
 import org.SEAR.devices.DeviceContext;
-import org.SEAR.devices.EventQueue;
 import org.SEAR.devices.RequestQueue;
-import org.SEAR.devices.SerialDevice;
+import org.SEAR.devices.ScannerFirmware;
 import org.SEAR.protocol.rplidar.Health;
 import org.SEAR.protocol.rplidar.Info;
 import org.SEAR.protocol.rplidar.RequestReader;
@@ -15,7 +14,7 @@ import org.SEAR.protocol.rplidar.RplidarRequestPacket;
  * which a simulated port doesn't have; requests for a motor's speed are of other models and are left unanswered, as requests that it doesn't know
  * are. Source: Slamtec, interface protocol and application notes.
  */
-public final class RplidarA1 implements SerialDevice {
+public final class RplidarA1 extends ScannerFirmware {
     /** The only speed of its line, bits a second. */
     public static final int BAUD = 115200;
     /** From a request to its answer; undocumented. Seconds. */
@@ -31,9 +30,7 @@ public final class RplidarA1 implements SerialDevice {
     /** Microseconds of a sample: 500 in standard scans, 250 in express scans. */
     private static final byte[] SAMPLE_RATE = {(byte) 0xF4, 0x01, (byte) 0xFA, 0x00};
 
-    private final DeviceContext context;
     private final Head head;
-    private final EventQueue events = new EventQueue();
     private final RequestQueue<RplidarRequestPacket> requests = new RequestQueue<>(events, this::answerAt, this::serve);
     private final RequestReader reader = new RequestReader(this::onRequest);
     private RplidarCommand scan;
@@ -47,8 +44,8 @@ public final class RplidarA1 implements SerialDevice {
      * @throws IllegalArgumentException unless the context's sensor is a LIDAR
      */
     public RplidarA1(double resolution, double nearest, DeviceContext context) {
-        this.context = context;
-        this.head = new Head(resolution, nearest, context);
+        super("an RPLIDAR", context);
+        this.head = new Head(resolution, nearest, source, context);
     }
 
     @Override
@@ -66,25 +63,14 @@ public final class RplidarA1 implements SerialDevice {
     }
 
     @Override
-    public void receiveGarbage(double time) {
-        advance(time);
+    protected void forgetRequest() {
         reader.clear();
-    }
-
-    @Override
-    public void advance(double time) {
-        events.runUntil(time);
     }
 
     @Override
     public void reset() {
         idle();
         deafUntil = 0;
-    }
-
-    @Override
-    public void powerOff() {
-        events.clear();
     }
 
     @Override

@@ -1,9 +1,8 @@
 package org.SEAR.devices.scip;
 
 import org.SEAR.devices.DeviceContext;
-import org.SEAR.devices.EventQueue;
 import org.SEAR.devices.RequestQueue;
-import org.SEAR.devices.SerialDevice;
+import org.SEAR.devices.ScannerFirmware;
 import org.SEAR.protocol.scip.HokuyoModel;
 import org.SEAR.protocol.scip.ReplyWriter;
 import org.SEAR.protocol.scip.ScanCommand;
@@ -13,7 +12,7 @@ import org.SEAR.protocol.scip.ScipStatus;
  * The firmware of a Hokuyo scanner that speaks SCIP 2.0: a line in, its echo and a reply out, one command after the other, and streams of scans
  * meanwhile. What the commands do stands in {@link ScipCommands}. Source: SCIP 2.0 specification C-42-03320B.
  */
-public final class Hokuyo implements SerialDevice {
+public final class Hokuyo extends ScannerFirmware {
     /** A command has at most 15 characters and a string of 16 after a semicolon. */
     private static final int LONGEST_LINE = 64;
     /** From the end of a command to its reply; undocumented, drivers wait 100 ms and more. Seconds. */
@@ -23,8 +22,6 @@ public final class Hokuyo implements SerialDevice {
 
     private final HokuyoModel model;
     private final int powerOnBaud;
-    private final DeviceContext context;
-    private final EventQueue events = new EventQueue();
     private final RequestQueue<String> requests;
     private final StringBuilder line = new StringBuilder();
     private final Scanner scanner;
@@ -39,13 +36,13 @@ public final class Hokuyo implements SerialDevice {
      * @throws IllegalArgumentException unless the context's sensor is a LIDAR and the baud rate one of the model's
      */
     public Hokuyo(HokuyoModel model, int baud, DeviceContext context) {
+        super("a " + model.getName(), context);
         if (!model.getLidar().hasBaud(baud)) {
             throw new IllegalArgumentException(baud + " baud is none of a " + model.getName());
         }
         this.model = model;
         this.powerOnBaud = baud;
-        this.context = context;
-        this.scanner = new Scanner(model, context);
+        this.scanner = new Scanner(model, source, context);
         this.commands = new ScipCommands(this, model, scanner);
         this.requests = new RequestQueue<>(events, time -> Math.max(time + ANSWER, context.lineFreeAt()), commands::execute);
         reset();
@@ -78,25 +75,14 @@ public final class Hokuyo implements SerialDevice {
     }
 
     @Override
-    public void receiveGarbage(double time) {
-        advance(time);
+    protected void forgetRequest() {
         line.setLength(0);
-    }
-
-    @Override
-    public void advance(double time) {
-        events.runUntil(time);
     }
 
     @Override
     public void reset() {
         start(0);
         bootedAt = 0;
-    }
-
-    @Override
-    public void powerOff() {
-        events.clear();
     }
 
     @Override

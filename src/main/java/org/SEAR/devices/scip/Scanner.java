@@ -27,14 +27,10 @@ final class Scanner {
     private int slower;
     private double clockZero;
 
-    /** @throws IllegalArgumentException unless the context's sensor is a {@link LidarSource} */
-    Scanner(HokuyoModel model, DeviceContext context) {
-        if (!(context.sensor() instanceof LidarSource)) {
-            throw new IllegalArgumentException("a " + model.getName() + " needs a LIDAR to scan with, not " + context.sensor());
-        }
+    Scanner(HokuyoModel model, LidarSource source, DeviceContext context) {
         this.model = model;
         this.context = context;
-        this.source = (LidarSource) context.sensor();
+        this.source = source;
         this.half = Math.max(model.getFront() - model.getFirst(), model.getLast() - model.getFront());
     }
 

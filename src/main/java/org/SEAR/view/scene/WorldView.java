@@ -13,11 +13,13 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Servo;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
 import org.SEAR.scene.BeamFan;
+import org.SEAR.scene.Movement;
 import org.SEAR.scene.SceneState;
 
-/** The scene of a project: its objects, robots and beams, put where the interpolation says. Window thread only. */
+/** The scene of a project: its objects, robots and beams, put where they are between two steps. Window thread only. */
 public final class WorldView {
     private static final float LABEL_HEIGHT = 0.12f;
     private final Node root = new Node("world");
@@ -123,40 +125,42 @@ public final class WorldView {
     }
 
     /** Puts everything where it is now. */
-    public void update(SceneInterpolator interpolator) {
-        SceneState shown = interpolator.shown();
+    public void update(Movement movement) {
+        SceneState shown = movement.shown();
         for (int i = 0; i < Math.min(environment.size(), shown.environment.size()); i++) {
-            interpolator.environment(i, place, turn);
-            move(environment.get(i));
+            move(environment.get(i), movement.environment(i));
         }
         for (int i = 0; i < Math.min(robots.size(), shown.robots.size()); i++) {
-            interpolator.robot(i, place, turn);
-            move(robots.get(i));
+            move(robots.get(i), movement.robot(i));
             for (int j = 0; j < Math.min(wheels.get(i).size(), shown.robots.get(i).wheels.size()); j++) {
-                interpolator.wheel(i, j, place, turn);
-                move(wheels.get(i).get(j));
+                move(wheels.get(i).get(j), movement.wheel(i, j));
             }
             for (int j = 0; j < Math.min(lights.get(i).size(), shown.robots.get(i).lights.size()); j++) {
                 lights.get(i).get(j).shine(shown.robots.get(i).lights.get(j));
             }
             for (int j = 0; j < parts.get(i).size(); j++) {
-                if (interpolator.part(i, j, place, turn)) {
-                    move(parts.get(i).get(j));
-                }
+                move(parts.get(i).get(j), movement.part(i, j));
             }
         }
         for (BeamView beam : beams) {
-            if (interpolator.part(beam.fan().robot, beam.fan().part, place, turn)) {
-                move(beam.node());
-            }
+            move(beam.node(), movement.part(beam.fan().robot, beam.fan().part));
             if (beam.isVisible()) {
                 beam.update(shown.beams.get(beam.fan().sensor));
             }
         }
     }
 
-    /** Things at rest are left alone, so that jMonkeyEngine needn't compute their bounds again. */
-    private void move(Node node) {
+    /**
+     * Things at rest are left alone, so that jMonkeyEngine needn't compute their bounds again.
+     *
+     * @param pose null to leave it where it is
+     */
+    private void move(Node node, Pose pose) {
+        if (pose == null) {
+            return;
+        }
+        place.set((float) pose.x, (float) pose.y, (float) pose.z);
+        turn.set((float) pose.qx, (float) pose.qy, (float) pose.qz, (float) pose.qw);
         if (!node.getLocalTranslation().equals(place)) {
             node.setLocalTranslation(place);
         }

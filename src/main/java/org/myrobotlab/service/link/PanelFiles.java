@@ -3,6 +3,7 @@ package org.myrobotlab.service.link;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
+import java.math.BigInteger;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -28,8 +29,8 @@ public final class PanelFiles {
     private static final String LIST = "/org/SEAR/panel-files.txt";
     /** Where the jar has them. */
     private static final String IN_JAR = "/resource/";
-    /** Below the resource root: what was written, by file name, as SHA-256. */
-    private static final String RECORD = ".sear-files.properties";
+    /** Below the resource root: the list of what was written. */
+    public static final String RECORD = ".sear-files.properties";
 
     private PanelFiles() {
     }
@@ -48,7 +49,7 @@ public final class PanelFiles {
         if (!Files.isDirectory(root)) {
             return;
         }
-        Properties record = read(root.resolve(RECORD));
+        Properties record = record(root);
         boolean changed = false;
         List<String> names = Arrays.asList(new String(bytes(LIST), StandardCharsets.UTF_8).split("\n"));
         for (String name : names) {
@@ -104,10 +105,11 @@ public final class PanelFiles {
         return true;
     }
 
-    private static Properties read(Path file) throws IOException {
+    /** What was written below a resource root, by file name, as SHA-256; empty where nothing was. */
+    public static Properties record(Path root) throws IOException {
         Properties record = new Properties();
-        if (Files.exists(file)) {
-            try (InputStream in = Files.newInputStream(file)) {
+        if (Files.exists(root.resolve(RECORD))) {
+            try (InputStream in = Files.newInputStream(root.resolve(RECORD))) {
                 record.load(in);
             }
         }
@@ -120,13 +122,10 @@ public final class PanelFiles {
         Files.writeString(file, text);
     }
 
-    private static String hash(byte[] bytes) {
+    /** SHA-256 in hexadecimal digits. */
+    public static String hash(byte[] bytes) {
         try {
-            StringBuilder text = new StringBuilder();
-            for (byte b : MessageDigest.getInstance("SHA-256").digest(bytes)) {
-                text.append(String.format("%02x", b));
-            }
-            return text.toString();
+            return String.format("%064x", new BigInteger(1, MessageDigest.getInstance("SHA-256").digest(bytes)));
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException("this Java has no SHA-256", e);
         }

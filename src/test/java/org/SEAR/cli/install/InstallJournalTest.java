@@ -39,18 +39,18 @@ public class InstallJournalTest extends LaidOutMrl {
         for (int step = 0;; step++) {
             InstallPlan plan = planning.plan();
             int[] left = {step};
-            plan.setBeforeStep(() -> {
+            plan.beforeStep = () -> {
                 if (left[0]-- == 0) {
                     throw new Killed();
                 }
-            });
+            };
             boolean killed = false;
             try {
                 plan.apply();
             } catch (Killed e) {
                 killed = true;
             }
-            String recovered = new Installer(mrl).recovered();
+            String recovered = new Installer(mrl).recovered;
             if (!killed) {
                 assertEquals(null, recovered);
                 break;

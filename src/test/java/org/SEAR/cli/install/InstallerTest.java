@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.junit.Test;
+import org.myrobotlab.service.link.PanelFiles;
 
 /** Installs, updates and removes, and compares the trees. */
 public class InstallerTest extends LaidOutMrl {
@@ -58,7 +59,7 @@ public class InstallerTest extends LaidOutMrl {
         Files.delete(plugin.resolve("jbullet-20101010-1.jar"));
         jar(plugin.resolve("jbullet-20260101.jar"), null, "com/bulletphysics/BulletGlobals.class", "com/bulletphysics/New.class");
         install();
-        assertEquals("1.1.0", new Installer(mrl).installedVersion());
+        assertEquals("1.1.0", new Installer(mrl).old.version);
         assertTrue(Files.exists(mrl.resolve("libraries/jar/jbullet-20260101.jar")));
         assertFalse(Files.exists(mrl.resolve("libraries/jar/jbullet-20101010-1.jar")));
         remove();
@@ -93,8 +94,8 @@ public class InstallerTest extends LaidOutMrl {
         Files.delete(mrl.resolve("libraries/serviceData.json"));
         Map<String, String> before = tree();
         InstallPlan plan = new Installer(mrl).install(plugin, false);
-        assertTrue(plan.describe().toString(), plan.describe().stream().anyMatch(line -> line.startsWith("later   panels")));
-        assertTrue(plan.describe().toString(), plan.describe().stream().anyMatch(line -> line.startsWith("later   service picker")));
+        assertTrue(plan.notes.toString(), plan.notes.stream().anyMatch(line -> line.startsWith("later   panels")));
+        assertTrue(plan.notes.toString(), plan.notes.stream().anyMatch(line -> line.startsWith("later   service picker")));
         plan.apply();
         assertFalse(Files.exists(mrl.resolve("resource")));
         remove();
@@ -107,7 +108,7 @@ public class InstallerTest extends LaidOutMrl {
         install();
         text("resource/SEAR.png", "resource/SEAR.png");
         text("resource/SEAR/SEAR.py", "an older version's example");
-        text("resource/.sear-files.properties", "SEAR/SEAR.py=" + Receipt.hash("an older version's example".getBytes(StandardCharsets.UTF_8)));
+        text("resource/.sear-files.properties", "SEAR/SEAR.py=" + PanelFiles.hash("an older version's example".getBytes(StandardCharsets.UTF_8)));
         remove();
         assertFalse(Files.exists(mrl.resolve("resource/SEAR.png")));
         assertFalse(Files.exists(mrl.resolve("resource/SEAR/SEAR.py")));
@@ -116,7 +117,7 @@ public class InstallerTest extends LaidOutMrl {
 
     @Test
     public void theFolderAboveWillDoWhenThereIsOneMrlInIt() throws Exception {
-        assertEquals(mrl, new Installer(mrl.getParent()).root());
+        assertEquals(mrl, new Installer(mrl.getParent()).mrl.root);
         Files.createDirectories(mrl.getParent().resolve("other"));
         Files.copy(mrl.resolve("myrobotlab.jar"), mrl.getParent().resolve("other/myrobotlab.jar"));
         assertRefused("holds several MyRobotLabs", mrl.getParent());

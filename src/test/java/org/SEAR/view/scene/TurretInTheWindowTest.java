@@ -18,6 +18,7 @@ import org.SEAR.POJOs.Wheel;
 import org.SEAR.files.Assets;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.project.models.ModelLoader;
+import org.SEAR.scene.Movement;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.SimulationRunner;
 import org.SEAR.view.link.RunnerLink;
@@ -61,9 +62,9 @@ public class TurretInTheWindowTest {
             for (int i = 0; i < 30; i++) {
                 world.step();
             }
-            SceneInterpolator interpolator = new SceneInterpolator();
-            interpolator.advance(link.sceneState(), 0, 0);
-            view.update(interpolator);
+            Movement movement = new Movement();
+            movement.advance(link.sceneState(), 0, 0);
+            view.update(movement);
             near(new Vector3f(0.2f, 0.1f, 0), view.robot(0).getChild("head").getLocalTranslation());
             near(new Vector3f(0.25f, 0.1f, 0), view.robot(0).getChild("eye").getLocalTranslation());
             near(new Vector3f(0.3f, 0.1f, 0), view.beams().get(0).node().getLocalTranslation());
@@ -88,9 +89,9 @@ public class TurretInTheWindowTest {
             ColorRGBA dark = (ColorRGBA) bulb.getMaterial().getParam("Color").getValue();
             world.getLight("lamp").setBrightness(1);
             world.step();
-            SceneInterpolator interpolator = new SceneInterpolator();
-            interpolator.advance(link.sceneState(), 0, 0);
-            view.update(interpolator);
+            Movement movement = new Movement();
+            movement.advance(link.sceneState(), 0, 0);
+            view.update(movement);
             ColorRGBA lit = (ColorRGBA) bulb.getMaterial().getParam("Color").getValue();
             assertEquals(0xff8000, lit.asIntARGB() & 0xffffff);
             assertEquals(0.2, dark.r, 1e-6);

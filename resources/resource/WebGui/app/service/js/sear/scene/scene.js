@@ -55,6 +55,8 @@ export function Scene(canvas, ask, repaint) {
     this.sensors = []
     this.looks = new Looks(ask, repaint, this.renderer.getMaxAnisotropy ? this.renderer.getMaxAnisotropy() : 1)
     this.ground = null
+    this.time = 0               // of what is shown, simulated seconds
+    this.seconds = 0            // that passed since what was shown before
     this.arrived = 0
     this.period = 100
     this.light(10)
@@ -89,20 +91,23 @@ Scene.prototype.show = function(world, terrain, beams) {
         var passed = now - this.arrived
         this.period = passed < SLOWEST_MILLIS ? 0.8 * this.period + 0.2 * passed : this.period
         this.arrived = now
+        this.seconds = world.time - this.time
         this.time = world.time
+    } else {
+        this.seconds = 0
     }
     this.keep('objects', world.objects, this.scene)
     this.keep('robots', world.robots, this.scene)
     this.keep('sensors', world.sensors, this.scene)
     world.objects.forEach(function(object, i) {
-        this.objects[i].goTo(object.pose, now)
+        this.objects[i].goTo(object.pose, now, this.seconds)
         this.dress(this.objects[i], object)
     }, this)
     world.robots.forEach(function(robot, i) {
         this.showRobot(this.robots[i], robot, now)
     }, this)
     world.sensors.forEach(function(sensor, i) {
-        this.sensors[i].goTo(sensor.pose, now)
+        this.sensors[i].goTo(sensor.pose, now, this.seconds)
         showBeams(this, this.sensors[i], sensor, beams)
     }, this)
     this.showGround(terrain)
@@ -153,11 +158,10 @@ Scene.prototype.dress = function(item, object) {
 }
 
 Scene.prototype.showRobot = function(item, robot, now) {
-    item.goTo(robot.pose, now)
+    item.goTo(robot.pose, now, this.seconds)
     item.parts = item.parts || robot.parts.map(part => new Item(item.holder, part))
-    var wheel = 0
     robot.parts.forEach(function(part, i) {
-        item.parts[i].goTo(part.type === 'Wheel' && robot.wheels ? robot.wheels[wheel++] : robot.turned ? robot.turned[i] : part.pose, now)
+        item.parts[i].goTo(geometry.placeOf(robot, i), now, this.seconds)
         this.dress(item.parts[i], part)
     }, this)
     this.showLights(item, robot, now)
@@ -173,8 +177,8 @@ Scene.prototype.showLights = function(item, robot, now) {
         light.holder.add(light.bulb)
         return light
     })
-    item.lights.forEach(function(light, i) {
-        light.goTo(robot.turnedLeds ? robot.turnedLeds[i] : light.source.pose, now)
+    item.lights.forEach((light, i) => {
+        light.goTo(robot.turnedLeds ? robot.turnedLeds[i] : light.source.pose, now, this.seconds)
         light.bulb.material.color.set(light.source.dark).lerp(new THREE.Color(light.source.color), robot.lights[i] || 0)
     })
 }

@@ -1,6 +1,8 @@
 // Poses and outlines of what a world holds, as functions of what they are given. Metres; degrees at the edges.
 var GROUND = 'rgba(128, 128, 128, 0.12)'
 var ROBOT = 'rgba(51, 122, 183, 0.55)'
+var FAR = 1                 // metres; what is farther off and would have been faster than FASTEST did not move: it was put there
+var FASTEST = 60            // m/s
 
 /** A pose [x, y, z, rx, ry, rz] in metres and degrees as [x, y, z, qx, qy, qz, qw], the rotation as jME's Quaternion.fromAngles. */
 export function frame(pose) {
@@ -29,6 +31,32 @@ export function times(outer, inner) {
     return [outer[0] + p[0], outer[1] + p[1], outer[2] + p[2],
         a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1], a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0],
         a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3], a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]]
+}
+
+/**
+ * The pose on the way from one frame to another, by the rule of the Java class Movement: straight on, and evenly the shorter way round; what was put
+ * elsewhere is there at once.
+ *
+ * @param share of the way, 0 to 1
+ * @param seconds simulated, that the whole way took
+ */
+export function between(a, b, share, seconds) {
+    if (share >= 1 || Math.hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]) > Math.max(FAR, FASTEST * seconds)) {
+        return b
+    }
+    var sign = a[3] * b[3] + a[4] * b[4] + a[5] * b[5] + a[6] * b[6] < 0 ? -share : share
+    var rotation = [3, 4, 5, 6].map(i => a[i] * (1 - share) + b[i] * sign)
+    var length = Math.hypot.apply(null, rotation)
+    return [0, 1, 2].map(i => a[i] + (b[i] - a[i]) * share).concat(rotation.map(value => value / length))
+}
+
+/** Where a part of a robot is in its body now: a wheel as it has turned, others where a servo has turned them. @param i its number */
+export function placeOf(robot, i) {
+    var part = robot.parts[i]
+    if (part.type === 'Wheel' && robot.wheels) {
+        return robot.wheels[i - robot.parts.length + robot.wheels.length]
+    }
+    return robot.turned && robot.turned[i] || part.pose
 }
 
 /** Where a point that is fixed to something lies on the ground: [x, z]. */
@@ -64,11 +92,8 @@ export function shapesOf(world) {
     var all = world.objects.map(shapeOf)
     world.robots.forEach(function(robot) {
         var body = frame(robot.pose)
-        var others = robot.turned ? robot.turned.length : 0
         robot.parts.forEach(function(part, i) {
-            var pose = i < others ? robot.turned[i] : part.type === 'Wheel' && robot.wheels ?
-                robot.wheels[i - robot.parts.length + robot.wheels.length] : part.pose
-            all.push({color: colorOf(part, ROBOT), ground: false, robot: true, outline: outline(part, times(body, frame(pose)))})
+            all.push({color: colorOf(part, ROBOT), ground: false, robot: true, outline: outline(part, times(body, frame(placeOf(robot, i))))})
         })
     })
     all = all.filter(shape => shape.outline.length > 2)

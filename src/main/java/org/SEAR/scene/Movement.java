@@ -1,0 +1,126 @@
+package org.SEAR.scene;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Iterator;
+import org.SEAR.geometry.Pose;
+
+/**
+ * Movement between steps. Turns states that arrive at uneven times into smooth motion: keeps the last few, and shows the world a little late, between
+ * the two states that enclose the display's time. One thread.
+ */
+public final class Movement {
+    private static final int KEPT = 6;
+    /** How far behind the newest state the display runs, real seconds: two steps. */
+    private static final double DELAY = 2 / 60.0;
+    /** Farther off than this, real seconds, the display jumps. */
+    private static final double JUMP = 0.25;
+    /** Share of the display's error that is corrected at each frame. */
+    private static final double CORRECTION = 0.1;
+    /** What is farther off than this, metres, and would have been faster than that, m/s, did not move: it was put there. */
+    private static final double FAR = 1;
+    private static final double FASTEST = 60;
+
+    private final Deque<SceneState> states = new ArrayDeque<>();
+    private double clock;
+    private SceneState before;
+    private SceneState after;
+    private double share;
+
+    /**
+     * Takes the newest state and moves the display's time on.
+     *
+     * @param sceneState the newest; may be the same as at the last frame
+     * @param speed simulated seconds per real second; 0 while paused
+     * @param frameTime real seconds since the last frame
+     */
+    public void advance(SceneState sceneState, double speed, double frameTime) {
+        SceneState last = states.peekLast();
+        if (last == null || sceneState.step < last.step) {
+            states.clear();
+            clock = sceneState.time;
+        }
+        if (states.isEmpty() || sceneState.step != states.peekLast().step) {
+            states.addLast(sceneState);
+        }
+        if (states.size() > KEPT) {
+            states.removeFirst();
+        }
+        double target = speed > 0 ? sceneState.time - DELAY * speed : sceneState.time;
+        clock += frameTime * speed;
+        double error = target - clock;
+        boolean far = speed <= 0 || Math.abs(error) > JUMP * speed;
+        clock += far ? error : error * CORRECTION;
+        clock = Math.max(states.peekFirst().time, Math.min(sceneState.time, clock));
+        enclose();
+    }
+
+    private void enclose() {
+        Iterator<SceneState> all = states.iterator();
+        before = all.next();
+        after = before;
+        while (all.hasNext() && after.time < clock) {
+            before = after;
+            after = all.next();
+        }
+        double span = after.time - before.time;
+        share = span > 0 ? Math.max(0, Math.min(1, (clock - before.time) / span)) : 1;
+    }
+
+    /** The newest state: for numbers and words. */
+    public SceneState newest() {
+        return states.peekLast();
+    }
+
+    /** The state whose beams and lights go best with the poses shown. */
+    public SceneState shown() {
+        return share < 0.5 ? before : after;
+    }
+
+    public Pose environment(int index) {
+        return between(before.environment.get(index), after.environment.get(index));
+    }
+
+    public Pose robot(int index) {
+        return between(before.robots.get(index).pose, after.robots.get(index).pose);
+    }
+
+    /** In the robot's frame. */
+    public Pose wheel(int robot, int wheel) {
+        return between(before.robots.get(robot).wheels.get(wheel), after.robots.get(robot).wheels.get(wheel));
+    }
+
+    /** A component in the robot's frame; null if no servo can turn it: then it is where its object is. */
+    public Pose part(int robot, int part) {
+        boolean known = part < before.robots.get(robot).parts.size() && part < after.robots.get(robot).parts.size();
+        return known ? between(before.robots.get(robot).parts.get(part), after.robots.get(robot).parts.get(part)) : null;
+    }
+
+    private Pose between(Pose a, Pose b) {
+        return between(a, b, share, after.time - before.time);
+    }
+
+    /**
+     * The pose on the way from one pose to another: straight on, and evenly the shorter way round; what was put elsewhere is there at once.
+     *
+     * @param share of the way, 0 to 1
+     * @param seconds simulated, that the whole way took
+     */
+    public static Pose between(Pose a, Pose b, double share, double seconds) {
+        double dx = b.x - a.x;
+        double dy = b.y - a.y;
+        double dz = b.z - a.z;
+        double limit = Math.max(FAR, FASTEST * seconds);
+        if (share >= 1 || dx * dx + dy * dy + dz * dz > limit * limit) {
+            return b;
+        }
+        double rest = 1 - share;
+        double sign = a.qx * b.qx + a.qy * b.qy + a.qz * b.qz + a.qw * b.qw < 0 ? -share : share;
+        double qx = a.qx * rest + b.qx * sign;
+        double qy = a.qy * rest + b.qy * sign;
+        double qz = a.qz * rest + b.qz * sign;
+        double qw = a.qw * rest + b.qw * sign;
+        double length = Math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw);
+        return new Pose(a.x + dx * share, a.y + dy * share, a.z + dz * share, qx / length, qy / length, qz / length, qw / length);
+    }
+}

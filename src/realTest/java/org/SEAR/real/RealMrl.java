@@ -25,7 +25,6 @@ final class RealMrl {
     private static final long PATIENCE_SECONDS = 240;
     /** The Java that MyRobotLab runs on. */
     private static final Path JAVA = Path.of(System.getProperty("sear.mrlJava", System.getProperty("java.home")), "bin", "java");
-    /** Runs a script as the Python tab does, and leaves what it and its callbacks print in a file that is whole when it has its name. */
     /**
      * Runs a script with a file for its output. Whether "print a, b" still owes a space is kept for each thread by itself: MyRobotLab's Python
      * service executes a line of its own after each service that starts, which would end the line of another thread.
@@ -62,7 +61,8 @@ final class RealMrl {
     private final List<String> firstServices;
 
     /**
-     * Starts it as its own start script does, without a browser, and waits until it answers.
+     * Starts it as its own start script does, without a browser and without the optimizing compiler, whose work does not pay for minutes, and waits
+     * until it answers.
      *
      * @param folder of the copy
      * @param config the configuration's name
@@ -75,7 +75,7 @@ final class RealMrl {
         Path web = folder.resolve("data/config").resolve(config).resolve("webgui.yml");
         Files.createDirectories(web.getParent());
         Files.writeString(web, "!!org.myrobotlab.service.config.WebGuiConfig\nautoStartBrowser: false\nport: " + port + "\ntype: WebGui\n");
-        process = new ProcessBuilder(JAVA.toString(), "-Xmx1200m",
+        process = new ProcessBuilder(JAVA.toString(), "-Xmx1200m", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC",
             "-Djava.library.path=libraries/native", "-Djna.library.path=libraries/native", "-Dfile.encoding=UTF-8", "-Dsear.headless=true",
             "-cp", "libraries/jar/*:myrobotlab.jar", "org.myrobotlab.service.Runtime", "--log-level", "warn", "-c", config,
             "-s", "webgui", "WebGui", "python", "Python").directory(folder.toFile()).redirectErrorStream(true).redirectOutput(log.toFile()).start();

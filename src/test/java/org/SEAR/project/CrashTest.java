@@ -20,6 +20,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.SEAR.POJOs.Box;
+import org.SEAR.HowMany;
 import org.SEAR.SearProcess;
 import org.SEAR.Slow;
 import org.SEAR.project.bundle.Bundle;
@@ -33,7 +34,7 @@ import org.junit.experimental.categories.Category;
  */
 @Category(Slow.class)
 public class CrashTest {
-    private static final int KILLS = Integer.getInteger("sear.kills", 50);
+    private static final int KILLS = HowMany.of("sear.kills", 100);
     /** A process is killed while it does one of so many things from its start on: it loads and saves in turn. */
     private static final int STEPS = 5;
     private static final long FIRST_GUESS_NS = 20_000_000;

@@ -83,7 +83,7 @@ public final class Browser implements AutoCloseable {
 
     /**
      * The one for all who share it in this process, with which it ends. It shows an empty tab, new as its user: nothing set, nothing downloaded, no
-     * errors. What pages keep, they keep by their address, and each MyRobotLab has another.
+     * errors. What pages keep, they keep by their address: see {@link #forgetPages}.
      *
      * @param width of its window in pixels
      * @param height of its window in pixels
@@ -94,6 +94,11 @@ public final class Browser implements AutoCloseable {
             Runtime.getRuntime().addShutdownHook(new Thread(shared::close));
         }
         return shared;
+    }
+
+    /** Forgets what pages of an address have kept. */
+    void forgetPages(String url) {
+        driver.executeCdpCommand("Storage.clearDataForOrigin", Map.of("origin", url.replaceAll("/$", ""), "storageTypes", "all"));
     }
 
     /** @return false if it has ended or does not answer */

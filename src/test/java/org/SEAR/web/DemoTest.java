@@ -14,7 +14,8 @@ import org.junit.rules.TestRule;
 public class DemoTest {
     private static final String DEMO = Paths.get(System.getProperty("sear.root", "."), "scripts", "demo.py").toString().replace("\\", "\\\\");
     @ClassRule
-    public static final Tabs TABS = new Tabs("from java.lang import System\nSystem.setProperty('sear.speed', '5')\nexecfile('" + DEMO + "')");
+    public static final Tabs TABS = Tabs.alone("from java.lang import System\nSystem.setProperty('sear.speed', '5')\n"
+        + "execfile('" + DEMO + "')");
     @Rule
     public final TestRule page = TABS.page("SEAR");
     private final Browser browser = TABS.browser();

@@ -27,7 +27,11 @@ public final class MyRobotLab implements AutoCloseable {
     private static final int START_SECONDS = 120;
     private static final int STOP_SECONDS = 30;
     private static final int LOOK_MILLIS = 100;
+    private static final String START = "start.py";
     private static final String STARTED = "started.txt";
+    private static final String RELEASE_ALL = String.join("\n",
+        "for _name in Runtime.getServiceNames():",
+        "    if _name.split('@')[0] not in ('runtime', 'python', 'webgui', 'security'): Runtime.release(_name)");
     private static final String TAKEN = "is in use by another program";
     private static final ObjectMapper JSON = new ObjectMapper();
 
@@ -35,6 +39,9 @@ public final class MyRobotLab implements AutoCloseable {
         // Seconds: far less than after which the server closes an idle connection, since a call may meet that.
         System.setProperty("jdk.httpclient.keepalive.timeout", "5");
     }
+
+    /** See {@link #shared(String)}; null until it is asked for. */
+    private static MyRobotLab shared;
 
     /** One for each process: connections that it keeps to a killed one are of no use at the next. */
     private HttpClient client;
@@ -63,7 +70,7 @@ public final class MyRobotLab implements AutoCloseable {
         this.moreClasses = moreClasses;
         this.options = List.of(options);
         folder = Files.createTempDirectory("sear-web").toRealPath();
-        Files.writeString(folder.resolve("start.py"), "# coding: utf-8\n" + script + "\nopen('" + STARTED + "', 'w').close()\n");
+        write(script);
         while (process == null || log().contains(TAKEN)) {
             if (process != null) {
                 stop();
@@ -73,11 +80,53 @@ public final class MyRobotLab implements AutoCloseable {
         }
     }
 
+    private void write(String script) throws IOException {
+        Files.writeString(folder.resolve(START), "# coding: utf-8\n" + script + "\nopen('" + STARTED + "', 'w').close()\n");
+    }
+
+    /**
+     * The one for all who share it in this process, with which it ends: no services but the first, an empty folder, and then what a script starts. A
+     * new one where that can't be done, as where a script takes a name that another has left.
+     */
+    static synchronized MyRobotLab shared(String script) throws IOException, InterruptedException {
+        if (shared == null) {
+            shared = new MyRobotLab(script);
+            Runtime.getRuntime().addShutdownHook(new Thread(() -> shared.close()));
+        } else if (!shared.renew(script)) {
+            shared.close();
+            shared = new MyRobotLab(script);
+        }
+        return shared;
+    }
+
+    /** @return false if it has ended or does not answer */
+    private boolean renew(String script) throws IOException {
+        try {
+            run(RELEASE_ALL);
+            for (Path file : contents()) {
+                deleteFolder(file);
+            }
+            write(script);
+            run("execfile('" + START + "', globals())");
+        } catch (IllegalStateException | AssertionError e) {
+            System.err.println("MyRobotLab is started anew: " + e);
+            return false;
+        }
+        return true;
+    }
+
+    /** What is in the folder, but for what it writes always. */
+    private List<Path> contents() throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.filter(file -> !file.equals(logFile()) && !file.endsWith("data")).collect(Collectors.toList());
+        }
+    }
+
     private void startProcess() throws IOException, InterruptedException {
         client = HttpClient.newBuilder().version(HttpClient.Version.HTTP_1_1).build();
         Files.deleteIfExists(folder.resolve(STARTED));
         List<String> command = SearProcess.command(moreClasses, new String[] {"-Xmx384m", "-Dfile.encoding=UTF-8"});
-        command.addAll(List.of("start.py", "--headless", "--keep", "--port", String.valueOf(port)));
+        command.addAll(List.of(START, "--headless", "--keep", "--port", String.valueOf(port)));
         command.addAll(options);
         process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(logFile().toFile()).start();
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(START_SECONDS);

@@ -13,7 +13,7 @@ import org.openqa.selenium.By;
 import org.openqa.selenium.WebElement;
 
 /**
- * One MyRobotLab for the tests of a class, and the one browser of this process with a new tab for them.
+ * The one MyRobotLab of this process, in which a script of the class starts what it needs, and the one browser with a new tab for its tests.
  *
  * <pre>
  * &#64;ClassRule
@@ -32,27 +32,41 @@ public final class Tabs extends ExternalResource {
     private static final Path PICTURES = Paths.get(System.getProperty("sear.root", "."), "build/reports/web");
 
     private final String script;
+    private final boolean isAlone;
     private MyRobotLab robotLab;
     private Browser browser;
     private int loads;
 
     /** @param script Jython code that starts what the class needs */
     public Tabs(String script) {
+        this(script, false);
+    }
+
+    private Tabs(String script, boolean isAlone) {
         this.script = script;
+        this.isAlone = isAlone;
+    }
+
+    /** With a MyRobotLab of its own, for a script that changes more than services and files. */
+    public static Tabs alone(String script) {
+        return new Tabs(script, true);
     }
 
     @Override
     protected void before() throws IOException, InterruptedException {
         browser = Browser.shared(WIDTH, HEIGHT);
-        robotLab = new MyRobotLab(script);
+        robotLab = isAlone ? new MyRobotLab(script) : MyRobotLab.shared(script);
+        browser.forgetPages(robotLab.url());
     }
 
     @Override
     protected void after() {
         try {
-            browser.driver().get("about:blank");    // lest the page look for the MyRobotLab that ends now
+            browser.driver().get("about:blank");    // lest the page look for services that are released now
         } finally {
-            robotLab.close();
+            if (isAlone) {
+                robotLab.close();
+            }
         }
     }
 

@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.SEAR.Bytes;
+import org.SEAR.Golden;
 import org.SEAR.protocol.arduino.BoardModel;
 import org.SEAR.protocol.mrlcomm.MrlFunction;
 import org.SEAR.protocol.mrlcomm.MrlMessage;
@@ -17,6 +18,7 @@ import org.junit.Test;
 
 /** Exchanges with MrlComm 68 as MyRobotLab's Arduino service has them. */
 public class MrlCommTest {
+    private static final Golden MRL_COMM = Golden.of("mrlcomm");
     private final Boards uno = Boards.mrlComm(BoardModel.UNO);
 
     private List<MrlMessage> taken() {
@@ -42,10 +44,10 @@ public class MrlCommTest {
         uno.line.pass(1.01);
         byte[] hello = uno.line.take();
         assertEquals("MRLComm Reset.", new String(hello, 0, 63).trim());
-        assertEquals("AA 02 3A 44", Bytes.hex(Arrays.copyOfRange(hello, 63, hello.length)));
-        assertEquals("AA 09 03 44 02 03 E8 04 00 00 00 AA 02 09 02", uno.answer("AA 01 02"));
+        assertEquals(MRL_COMM.get("hello of a board"), Bytes.hex(Arrays.copyOfRange(hello, 63, hello.length)));
+        assertEquals(MRL_COMM.get("an Uno with nothing attached", "ask for the board acknowledged"), uno.answer(MRL_COMM.get("ask for the board")));
         Boards mega = Boards.mrlComm(BoardModel.MEGA);
-        assertEquals("AA 09 03 44 01 03 E8 04 00 00 00 AA 02 09 02", mega.answer("AA 01 02"));
+        assertEquals(MRL_COMM.get("a Mega with nothing attached", "ask for the board acknowledged"), mega.answer(MRL_COMM.get("ask for the board")));
     }
 
     @Test
@@ -56,10 +58,10 @@ public class MrlCommTest {
 
     @Test
     public void acknowledgementsCanBeSwitchedOff() {
-        assertEquals("AA 02 09 1B", uno.answer("AA 03 1B 0D 01"));
-        assertEquals("", uno.answer("AA 02 08 00"));
-        assertEquals("", uno.answer("AA 03 1B 0D 01"));
-        assertEquals("AA 0A 0B 3F 80 00 00 07 C0 00 00 00", uno.answer("AA 0A 0A 3F 80 00 00 07 C0 00 00 00"));
+        assertEquals(MRL_COMM.get("digital write acknowledged"), uno.answer(MRL_COMM.get("pin 13 high")));
+        assertEquals("", uno.answer(MRL_COMM.get("no acknowledgements")));
+        assertEquals("", uno.answer(MRL_COMM.get("pin 13 high")));
+        assertEquals(MRL_COMM.get("echo a number"), uno.answer(MRL_COMM.get("the number echoed")));
     }
 
     /** How its Motor service drives an H bridge. */
@@ -79,13 +81,13 @@ public class MrlCommTest {
     public void pinsAreReadAtTheirRate() {
         uno.probe(14).volts = 2.5;
         uno.probe(4).volts = 5;
-        uno.line.host("AA 05 04 0E 01 00 0A AA 05 04 04 00 00 0A");
+        uno.line.host(MRL_COMM.get("read analog pin 14 ten times a second", "read digital pin 4 ten times a second"));
         uno.line.take();
         uno.line.pass(1);
         List<String> told = taken(MrlFunction.PUBLISH_PIN_ARRAY);
         assertEquals(10, told.stream().filter(each -> each.contains("0E 02 00")).count(), 1);
         assertEquals(10, told.stream().filter(each -> each.contains("04 00 01")).count(), 1);
-        uno.line.host("AA 02 1C 0E AA 01 1D");
+        uno.line.host(MRL_COMM.get("stop reading pin 14", "stop reading all pins"));
         uno.line.take();
         uno.line.pass(1);
         assertEquals(0, taken(MrlFunction.PUBLISH_PIN_ARRAY).size());
@@ -94,7 +96,7 @@ public class MrlCommTest {
     @Test
     public void aPinThatIsReadInEachLoopLeavesRoomOnTheLine() {
         uno.probe(14).volts = 2.5;
-        uno.line.host("AA 05 04 0E 01 00 00");
+        uno.line.host(MRL_COMM.get("read analog pin 14 in each loop"));
         uno.line.pass(2);
         assertTrue(uno.line.lineFreeAt() - uno.line.now < 0.1);
         assertEquals(1000 * 2, taken(MrlFunction.PUBLISH_PIN_ARRAY).size(), 300);
@@ -106,42 +108,43 @@ public class MrlCommTest {
         Boards.Probe trigger = uno.probe(7);
         trigger.second = uno.probe(8);
         trigger.echo = 123 * 57e-6;
-        assertEquals("AA 02 09 2F AA 02 09 30", uno.answer("AA 04 2F 01 07 08 AA 02 30 01"));
+        assertEquals(MRL_COMM.get("attach acknowledged", "start acknowledged"),
+            uno.answer(MRL_COMM.get("attach a range finder 1 at pins 7 and 8", "start range finder 1")));
         uno.line.pass(0.5);
-        assertEquals(List.of("AA 04 32 01 00 7B"), taken(MrlFunction.PUBLISH_ULTRASONIC));
+        assertEquals(List.of(MRL_COMM.get("range finder 1: 123 us")), taken(MrlFunction.PUBLISH_ULTRASONIC));
         trigger.echo = 0.038;
         uno.line.pass(0.5);
-        assertEquals(List.of("AA 04 32 01 00 00"), taken(MrlFunction.PUBLISH_ULTRASONIC));
-        uno.line.host("AA 02 31 01");
+        assertEquals(List.of(MRL_COMM.get("range finder 1: nothing")), taken(MrlFunction.PUBLISH_ULTRASONIC));
+        uno.line.host(MRL_COMM.get("stop range finder 1"));
         trigger.echo = 0.001;
         uno.line.take();
         uno.line.pass(0.5);
         assertEquals(0, taken(MrlFunction.PUBLISH_ULTRASONIC).size());
-        assertEquals("AA 0A 03 44 02 03 E8 04 00 00 01 01 AA 02 09 02", uno.answer("AA 01 02"));
+        assertEquals(MRL_COMM.get("an Uno with device 1", "ask for the board acknowledged"), uno.answer(MRL_COMM.get("ask for the board")));
     }
 
     /** The Servo service: attached at 1472 us, 90 degrees, then to 2400 with 45 degrees a second, which takes two seconds. */
     @Test
     public void aServo() {
         Boards.Probe servo = uno.probe(10);
-        uno.line.host("AA 0D 23 03 0A 05 C0 00 2D 05 73 65 72 76 6F");
+        uno.line.host(MRL_COMM.get("attach the servo 3 at pin 10, 1472 us, 45 degrees a second"));
         assertEquals(1472, servo.micros);
         uno.line.take();
-        uno.line.host("AA 04 29 03 09 60");
+        uno.line.host(MRL_COMM.get("servo 3 to 2400 us"));
         uno.line.pass(1);
-        assertEquals(List.of("AA 07 2B 03 00 05 C0 09 60"), taken(MrlFunction.PUBLISH_SERVO_EVENT));
+        assertEquals(List.of(MRL_COMM.get("servo 3 starts")), taken(MrlFunction.PUBLISH_SERVO_EVENT));
         assertEquals(1472 + 464, servo.micros, 5);
         uno.line.pass(1.1);
         assertEquals(2400, servo.micros);
-        assertEquals(List.of("AA 07 2B 03 01 09 60 09 60"), taken(MrlFunction.PUBLISH_SERVO_EVENT));
-        uno.line.host("AA 04 26 03 FF FF AA 04 29 03 02 20");
+        assertEquals(List.of(MRL_COMM.get("servo 3 has arrived")), taken(MrlFunction.PUBLISH_SERVO_EVENT));
+        uno.line.host(MRL_COMM.get("servo 3 as fast as it goes", "servo 3 to 544 us"));
         uno.line.pass(0.1);
         assertEquals("no speed set: at once", 544, servo.micros);
-        uno.line.host("AA 02 25 03");
+        uno.line.host(MRL_COMM.get("switch servo 3 off"));
         assertEquals(0, servo.micros);
-        uno.line.host("AA 03 24 03 0A");
+        uno.line.host(MRL_COMM.get("switch servo 3 on at pin 10"));
         assertEquals(544, servo.micros);
-        uno.line.host("AA 02 0E 03");
+        uno.line.host(MRL_COMM.get("detach device 3"));
         assertEquals(0, servo.micros);
     }
 
@@ -165,8 +168,9 @@ public class MrlCommTest {
     @Test
     public void aSoftResetForgetsDevicesAndPins() {
         Boards.Probe servo = uno.probe(10);
-        uno.line.host("AA 0D 23 03 0A 05 C0 00 2D 05 73 65 72 76 6F AA 05 04 0E 01 00 0A AA 01 07");
+        uno.line.host(MRL_COMM.get("attach the servo 3 at pin 10, 1472 us, 45 degrees a second", "read analog pin 14 ten times a second",
+            "soft reset"));
         assertEquals(0, servo.micros);
-        assertEquals("AA 09 03 44 02 03 E8 04 00 00 00 AA 02 09 02", uno.answer("AA 01 02"));
+        assertEquals(MRL_COMM.get("an Uno with nothing attached", "ask for the board acknowledged"), uno.answer(MRL_COMM.get("ask for the board")));
     }
 }

@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.function.IntToDoubleFunction;
 import org.SEAR.Bytes;
+import org.SEAR.Golden;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.devices.FakeContext;
 import org.SEAR.devices.FakeScanner;
@@ -22,7 +23,8 @@ import org.junit.Test;
 
 /** LMS111 and TiM561 against recorded telegrams and what their drivers send. */
 public class ColaScannerTest {
-    private static final String LOGIN = "sMN SetAccessMode 03 F4724744";
+    private static final Golden COLA = Golden.of("cola");
+    private static final String LOGIN = COLA.get("log in as authorized client");
     private static final int FIRST_VALUE = 26;
 
     private FakeContext line;
@@ -74,12 +76,12 @@ public class ColaScannerTest {
 
     @Test
     public void mrptsConversation() {
-        assertEquals("sAN SetAccessMode 1", ask(LOGIN));
-        assertEquals("sAN mLMPsetscancfg 0 9C4 1 9C4 FFF92230 225510", ask("sMN mLMPsetscancfg +2500 +1 +2500 -450000 +2250000"));
-        assertEquals("sWA LMDscandatacfg", ask("sWN LMDscandatacfg 01 00 0 1 0 00 00 0 0 0 0 +1"));
-        assertEquals("sAN LMCstartmeas 0", ask("sMN LMCstartmeas"));
-        assertTrue(ask("sRN STlms").matches("sRA STlms 7 0 8 00:00:00 A 01\\.01\\.1970 0 0 0"));
-        String[] scan = ask("sRN LMDscandata").split(" ");
+        assertEquals(COLA.get("logged in"), ask(LOGIN));
+        assertEquals(COLA.get("25 Hz, a quarter of a degree: done"), ask(COLA.get("25 Hz, a quarter of a degree, decimal")));
+        assertEquals(COLA.get("what scans have: done"), ask(COLA.get("distances without remissions")));
+        assertEquals(COLA.get("measuring"), ask(COLA.get("start measuring")));
+        assertTrue(ask(COLA.get("ask for the state")).matches("sRA STlms 7 0 8 00:00:00 A 01\\.01\\.1970 0 0 0"));
+        String[] scan = ask(COLA.get("ask for a scan")).split(" ");
         head(scan, "9C4", "168", "FFF92230", "9C4", "439");
         assertEquals("7 0", scan[13] + " " + scan[14]);
         for (int beam = 0; beam < 1081; beam++) {
@@ -90,14 +92,14 @@ public class ColaScannerTest {
 
     @Test
     public void theLms1xxLibrarysConversation() {
-        assertEquals("sAN SetAccessMode 1", ask(LOGIN));
-        assertEquals("sRA LMPscancfg 1388 1 1388 FFF92230 225510", ask("sRN LMPscancfg"));
-        assertEquals("sRA LMPoutputRange 1 1388 FFF92230 225510", ask("sRN LMPoutputRange"));
-        assertEquals("sWA LMDscandatacfg", ask("sWN LMDscandatacfg 01 00 1 1 0 00 00 0 0 0 0 +1"));
-        assertEquals("sAN LMCstartmeas 0", ask("sMN LMCstartmeas"));
-        assertTrue(ask("sRN STlms").startsWith("sRA STlms 7"));
-        assertEquals("sAN Run 1", ask("sMN Run"));
-        assertTrue(ask("sEN LMDscandata 1").startsWith("sEA LMDscandata 1"));
+        assertEquals(COLA.get("logged in"), ask(LOGIN));
+        assertEquals(COLA.get("50 Hz, half a degree, 270 degrees"), ask(COLA.get("ask for frequency and resolution")));
+        assertEquals(COLA.get("270 degrees, each half"), ask(COLA.get("ask for the range of angles")));
+        assertEquals(COLA.get("what scans have: done"), ask(COLA.get("distances and remissions")));
+        assertEquals(COLA.get("measuring"), ask(COLA.get("start measuring")));
+        assertTrue(ask(COLA.get("ask for the state")).startsWith("sRA STlms 7"));
+        assertEquals(COLA.get("it runs"), ask(COLA.get("run")));
+        assertTrue(ask(COLA.get("stream scans")).startsWith("sEA LMDscandata 1"));
         line.take();
         line.pass(0.0201);
         String[] scan = text().split(" ");
@@ -107,7 +109,7 @@ public class ColaScannerTest {
         assertEquals("0 0 0 0 0 0", String.join(" ", Arrays.copyOfRange(scan, 32 + 2 * 541, scan.length)));
         line.pass(1);
         assertEquals("50 Hz", 50, text().split("sSN LMDscandata", -1).length - 1, 1);
-        ask("sEN LMDscandata 0");
+        ask(COLA.get("end the stream"));
         line.pass(1);
         assertEquals("", text());
     }
@@ -115,17 +117,17 @@ public class ColaScannerTest {
     @Test
     public void sickScansConversationInBinary() {
         power(LidarModel.TIM561, 270, 1 / 3.0, beam -> 2);
-        assertEquals("02 02 02 02 00 00 00 13 73 41 4E 20 53 65 74 41 63 63 65 73 73 4D 6F 64 65 20 01 38",
-            askB("02 02 02 02 00 00 00 17 73 4D 4E 20 53 65 74 41 63 63 65 73 73 4D 6F 64 65 20 03 F4 72 47 44 B3"));
-        assertEquals("02 02 02 02 00 00 00 0E 73 57 41 20 45 49 48 73 74 43 6F 6C 61 20 07",
-            askB("02 02 02 02 00 00 00 0F 73 57 4E 20 45 49 48 73 74 43 6F 6C 61 20 01 09"));
-        assertEquals("V2.60 with its length", "73 52 41 20 46 69 72 6D 77 61 72 65 56 65 72 73 69 6F 6E 20 00 05 56 32 2E 36 30",
-            payload(askB(binary("sRN FirmwareVersion"))));
-        assertEquals("ready", "73 52 41 20 53 43 64 65 76 69 63 65 73 74 61 74 65 20 01", payload(askB(binary("sRN SCdevicestate"))));
-        assertEquals("73 52 41 20 4C 4D 50 6F 75 74 70 75 74 52 61 6E 67 65 20 00 01 00 00 0D 05 FF F9 22 30 00 22 55 10",
-            payload(askB(binary("sRN LMPoutputRange"))));
-        assertTrue(askB("02 02 02 02 00 00 00 11 73 45 4E 20 4C 4D 44 73 63 61 6E 64 61 74 61 20 01 33")
-            .startsWith("02 02 02 02 00 00 00 11 73 45 41 20 4C 4D 44 73 63 61 6E 64 61 74 61 20 01 3C"));
+        assertEquals(COLA.get("CoLa B: logged in"),
+            askB(COLA.get("CoLa B: log in")));
+        assertEquals(COLA.get("CoLa B: it speaks CoLa B"),
+            askB(COLA.get("CoLa B: speak CoLa B")));
+        assertEquals("V2.60 with its length", COLA.get("CoLa B: firmware 2.60, without frame"),
+            payload(askB(binary(COLA.get("ask for the firmware")))));
+        assertEquals("ready", COLA.get("CoLa B: ready, without frame"), payload(askB(binary("sRN SCdevicestate"))));
+        assertEquals(COLA.get("CoLa B: 270 degrees, each third, without frame"),
+            payload(askB(binary(COLA.get("ask for the range of angles")))));
+        assertTrue(askB(COLA.get("CoLa B: stream scans"))
+            .startsWith(COLA.get("CoLa B: scans are streamed")));
         line.take();
         line.pass(1 / 15.0);
         byte[] scan = line.take();
@@ -148,22 +150,22 @@ public class ColaScannerTest {
 
     @Test
     public void whoItIs() {
-        assertEquals("sRA DeviceIdent 10 LMS10x_FieldEval 10 V1.36-21.10.2010", ask("sRN DeviceIdent"));
-        assertEquals("sRA LocationName B not defined", ask("sRN LocationName"));
-        assertEquals("sRA FirmwareVersion 5 V1.36", ask("sRN FirmwareVersion"));
+        assertEquals(COLA.get("an LMS111"), ask(COLA.get("ask for the device")));
+        assertEquals(COLA.get("no name"), ask(COLA.get("ask for the name")));
+        assertEquals(COLA.get("firmware 1.36"), ask(COLA.get("ask for the firmware")));
         power(LidarModel.TIM561, 270, 1 / 3.0, beam -> 2);
-        assertEquals("sRA 0 6 TiM561 E V2.60-20.02.15", ask("sRI0"));
-        assertEquals("sRA SerialNumber 8 18340008", ask("sRN SerialNumber"));
+        assertEquals(COLA.get("a TiM561"), ask(COLA.get("ask for the device by its number")));
+        assertEquals(COLA.get("the serial number"), ask(COLA.get("ask for the serial number")));
         assertEquals("sRA ODpwrc 1", ask("sRN ODpwrc"));
         assertEquals("sRA ODoprh 0", ask("sRN ODoprh"));
     }
 
     @Test
     public void refusals() {
-        assertEquals("write access", "sFA A", ask("sWN LMPoutputRange 1 1388 0 1B7740"));
-        assertEquals("access", "sFA 1", ask("sMN mLMPsetscancfg 1388 1 1388 FFF92230 225510"));
-        assertEquals("sAN LMCstartmeas 1", ask("sMN LMCstartmeas"));
-        assertEquals("sAN SetAccessMode 0", ask("sMN SetAccessMode 03 F4724745"));
+        assertEquals("write access", COLA.get("no access to a variable"), ask(COLA.get("180 degrees, each half")));
+        assertEquals("access", COLA.get("no access to a method"), ask(COLA.get("50 Hz, half a degree")));
+        assertEquals(COLA.get("not measuring"), ask(COLA.get("start measuring")));
+        assertEquals(COLA.get("not logged in"), ask(COLA.get("log in with a wrong password")));
         assertEquals("sFA 2", ask("sMN NoSuchThing"));
         assertEquals("sFA 3", ask("sRN NoSuchThing"));
         assertEquals("sFA F", ask("sEN NoSuchThing 1"));
@@ -175,7 +177,7 @@ public class ColaScannerTest {
         assertEquals("sFA 5", ask("sWN LMDscandatacfg 00 00 0 1 0 00 00 0 0 0 0 +1"));
         assertEquals("beyond 225 degrees", "sFA 5", ask("sWN LMPoutputRange 1 1388 0 225511"));
         assertEquals("a resolution that it doesn't have", "sFA 5", ask("sWN LMPoutputRange 1 1389 0 225510"));
-        assertEquals("an LMS1xx' method", "sFA 2", tim("sMN mLMPsetscancfg +2500 +1 +2500 -450000 +2250000"));
+        assertEquals("an LMS1xx' method", "sFA 2", tim(COLA.get("25 Hz, a quarter of a degree, decimal")));
     }
 
     private String tim(String request) {
@@ -229,7 +231,7 @@ public class ColaScannerTest {
             assertEquals("sWA LMPoutputRange", ask("sWN LMPoutputRange 1 1388 " + hex(range[0]) + " " + hex(range[1])));
             double first = range[0] / 10000.0 - 90;
             int count = (range[1] - range[0]) / 5000 + 1;
-            String[] scan = ask("sRN LMDscandata").split(" ");
+            String[] scan = ask(COLA.get("ask for a scan")).split(" ");
             assertEquals(hex(range[0]), scan[23]);
             assertEquals(count, Integer.parseInt(scan[25], 16));
             for (int i = 0; i < count; i++) {
@@ -246,7 +248,7 @@ public class ColaScannerTest {
             line = new FakeContext();
             line.sensor = new AngleScanner();
             device = line.attach(new ColaScanner(ColaModel.COLA, fan[0], fan[1], LidarModel.COLA.getBaud(), line));
-            String[] scan = ask("sRN LMDscandata").split(" ");
+            String[] scan = ask(COLA.get("ask for a scan")).split(" ");
             int count = (int) Math.floor(fan[0] / fan[1] + 1e-6) + 1;
             String start = hex(900000 - (int) Math.round(fan[0] * 5000));
             head(scan, "3E8", hex((int) Math.round(36 / fan[1])), start, hex((int) Math.round(fan[1] * 10000)), hex(count));
@@ -254,7 +256,7 @@ public class ColaScannerTest {
                 assertEquals(10000 + (-fan[0] / 2 + i * fan[1]) * 10, Integer.parseInt(scan[FIRST_VALUE + i], 16), 0.51);
             }
         }
-        assertEquals("sFA 2", ask("sMN mLMPsetscancfg +2500 +1 +2500 -450000 +2250000"));
+        assertEquals("sFA 2", ask(COLA.get("25 Hz, a quarter of a degree, decimal")));
     }
 
     private static String hex(int value) {
@@ -264,7 +266,7 @@ public class ColaScannerTest {
     @Test
     public void whatItCantMeasureIsZero() {
         power(LidarModel.LMS111, 270, 0.5, beam -> new double[] {0.499, 0.5, 20, 20.0004, 20.001, Double.POSITIVE_INFINITY}[beam % 6]);
-        String[] scan = ask("sRN LMDscandata").split(" ");
+        String[] scan = ask(COLA.get("ask for a scan")).split(" ");
         assertEquals("0 1F4 4E20 4E20 0 0", String.join(" ", Arrays.copyOfRange(scan, FIRST_VALUE, FIRST_VALUE + 6)));
     }
 
@@ -275,11 +277,11 @@ public class ColaScannerTest {
         ask("sWN LocationName 5 front");
         ask("sWN LMDscandatacfg 03 00 1 0 0 00 00 1 1 1 1 +2");
         assertEquals("sRA LMDscandatacfg 3 0 1 0 0 0 0 1 1 1 1 2", ask("sRN LMDscandatacfg"));
-        String[] scan = ask("sRN LMDscandata").split(" ");
+        String[] scan = ask(COLA.get("ask for a scan")).split(" ");
         assertEquals("two channels of 16 bit, two of 8, name and time", "2 DIST1 3F800000 00000000 DBBA0 1388 1 3E9 "
             + "DIST2 3F800000 00000000 DBBA0 1388 1 0 2 RSSI1 3F800000 00000000 DBBA0 1388 1 64 RSSI2 3F800000 00000000 DBBA0 1388 1 0 "
             + "0 1 5 front 0 1 7EA 1 1 C 0 0", String.join(" ", Arrays.copyOfRange(scan, 19, scan.length - 2)));
-        ask("sEN LMDscandata 1");
+        ask(COLA.get("stream scans"));
         line.take();
         line.pass(1);
         assertEquals("every second one", 25, text().split("sSN LMDscandata", -1).length - 1, 1);
@@ -289,16 +291,16 @@ public class ColaScannerTest {
     public void standbyAndStart() {
         ask(LOGIN);
         assertEquals("sAN LMCstandby 0", ask("sMN LMCstandby"));
-        assertTrue(ask("sRN STlms").startsWith("sRA STlms 3"));
+        assertTrue(ask(COLA.get("ask for the state")).startsWith("sRA STlms 3"));
         assertEquals("sRA SCdevicestate 0", ask("sRN SCdevicestate"));
-        assertEquals("no scan", "sFA 4", ask("sRN LMDscandata"));
-        assertEquals("sAN LMCstartmeas 0", ask("sMN LMCstartmeas"));
-        assertTrue(ask("sRN STlms").startsWith("sRA STlms 5"));
+        assertEquals("no scan", "sFA 4", ask(COLA.get("ask for a scan")));
+        assertEquals(COLA.get("measuring"), ask(COLA.get("start measuring")));
+        assertTrue(ask(COLA.get("ask for the state")).startsWith("sRA STlms 5"));
         line.pass(8);
-        assertTrue(ask("sRN STlms").startsWith("sRA STlms 7"));
+        assertTrue(ask(COLA.get("ask for the state")).startsWith("sRA STlms 7"));
         assertEquals("sAN LMCstopmeas 0", ask("sMN LMCstopmeas"));
-        assertTrue(ask("sRN STlms").startsWith("sRA STlms 4"));
-        ask("sMN LMCstartmeas");
+        assertTrue(ask(COLA.get("ask for the state")).startsWith("sRA STlms 4"));
+        ask(COLA.get("start measuring"));
         line.pass(1);
         assertEquals("sRA SCdevicestate 1", ask("sRN SCdevicestate"));
     }
@@ -306,30 +308,30 @@ public class ColaScannerTest {
     @Test
     public void settingsAreKeptWithoutPowerOnlyIfTheyWereWritten() {
         ask(LOGIN);
-        ask("sWN LMPoutputRange 1 1388 0 1B7740");
+        ask(COLA.get("180 degrees, each half"));
         assertEquals("sAN mEEwriteall 1", ask("sMN mEEwriteall"));
-        ask("sMN mLMPsetscancfg +2500 +1 +2500 -450000 +2250000");
+        ask(COLA.get("25 Hz, a quarter of a degree, decimal"));
         device.powerOff();
         device.powerOn(line.now);
         assertTrue(device.status(), device.status().endsWith("booting"));
-        assertEquals("it boots", "", ask("sRN STlms"));
+        assertEquals("it boots", "", ask(COLA.get("ask for the state")));
         line.pass(15);
-        assertTrue(ask("sRN STlms").startsWith("sRA STlms 7 0 8 00:00:15"));
-        assertEquals("sRA LMPscancfg 1388 1 1388 FFF92230 225510", ask("sRN LMPscancfg"));
-        assertEquals("sRA LMPoutputRange 1 1388 0 1B7740", ask("sRN LMPoutputRange"));
+        assertTrue(ask(COLA.get("ask for the state")).startsWith("sRA STlms 7 0 8 00:00:15"));
+        assertEquals(COLA.get("50 Hz, half a degree, 270 degrees"), ask(COLA.get("ask for frequency and resolution")));
+        assertEquals("sRA LMPoutputRange 1 1388 0 1B7740", ask(COLA.get("ask for the range of angles")));
         ask(LOGIN);
         assertEquals("sAN mSCloadfacdef", ask("sMN mSCloadfacdef"));
-        assertEquals("sRA LMPoutputRange 1 1388 FFF92230 225510", ask("sRN LMPoutputRange"));
+        assertEquals(COLA.get("270 degrees, each half"), ask(COLA.get("ask for the range of angles")));
         assertEquals("sAN mSCreboot", ask("sMN mSCreboot"));
-        assertEquals("it boots", "", ask("sRN STlms"));
+        assertEquals("it boots", "", ask(COLA.get("ask for the state")));
     }
 
     @Test
     public void aFanOfTheObjectIsWhatItStartsWith() {
         power(LidarModel.LMS111, 100, 0.25, beam -> 2);
-        assertEquals("sRA LMPscancfg 9C4 1 9C4 FFF92230 225510", ask("sRN LMPscancfg"));
-        assertEquals("sRA LMPoutputRange 1 9C4 61A80 155CC0", ask("sRN LMPoutputRange"));
-        head(ask("sRN LMDscandata").split(" "), "9C4", "168", "61A80", "9C4", "191");
+        assertEquals("sRA LMPscancfg 9C4 1 9C4 FFF92230 225510", ask(COLA.get("ask for frequency and resolution")));
+        assertEquals("sRA LMPoutputRange 1 9C4 61A80 155CC0", ask(COLA.get("ask for the range of angles")));
+        head(ask(COLA.get("ask for a scan")).split(" "), "9C4", "168", "61A80", "9C4", "191");
         assertEquals("LMS111: 401 beams every 0.25 degrees, 25.0 Hz, measuring", device.status());
     }
 
@@ -337,14 +339,14 @@ public class ColaScannerTest {
     @Test
     public void countersAndTimes() {
         line.pass(2);
-        String[] first = ask("sRN LMDscandata").split(" ");
-        String[] second = ask("sRN LMDscandata").split(" ");
+        String[] first = ask(COLA.get("ask for a scan")).split(" ");
+        String[] second = ask(COLA.get("ask for a scan")).split(" ");
         assertEquals(1, Integer.parseInt(second[7], 16) - Integer.parseInt(first[7], 16));
         assertEquals(line.now * 50, Integer.parseInt(second[8], 16), 3);
         assertEquals(line.now, Integer.parseInt(second[10], 16) / 1e6, 0.04);
         int scans = scanner.scans;
         for (int i = 0; i < 10; i++) {
-            send("sRN LMDscandata");
+            send(COLA.get("ask for a scan"));
         }
         line.pass(0.012);
         assertTrue("ten requests, " + (scanner.scans - scans) + " scans", scanner.scans - scans <= 2);
@@ -353,13 +355,13 @@ public class ColaScannerTest {
     @Test
     public void loginAndStreamEndWithTheConnection() {
         ask(LOGIN);
-        ask("sEN LMDscandata 1");
+        ask(COLA.get("stream scans"));
         line.hostText("\u0002sRN ST");
         device.hungUp(line.now);
         line.take();
         line.pass(1);
         assertEquals("", text());
-        assertEquals("sFA A", ask("sWN LMPoutputRange 1 1388 0 1B7740"));
+        assertEquals(COLA.get("no access to a variable"), ask(COLA.get("180 degrees, each half")));
     }
 
     @Test

@@ -6,6 +6,7 @@ import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
 
 import java.time.Instant;
+import org.SEAR.Golden;
 import org.SEAR.devices.FakeContext;
 import org.SEAR.protocol.nmea.Nmea;
 import org.SEAR.sensors.GpsFix;
@@ -14,12 +15,13 @@ import org.junit.Test;
 
 /** The receiver against recordings of real ones. */
 public class Mt3301Test {
-    private static final String[] COMMANDS = {"$PMTK000*32", "$PMTK101*32", "$PMTK102*31", "$PMTK103*30", "$PMTK104*37", "$PMTK220,1000*1F",
-        "$PMTK220,500*2B", "$PMTK220,250*29", "$PMTK220,200*2C", "$PMTK220,100*2F", "$PMTK251,0*28", "$PMTK251,4800*14", "$PMTK251,9600*17",
-        "$PMTK251,14400*29", "$PMTK251,19200*22", "$PMTK251,38400*27", "$PMTK251,57600*2C", "$PMTK251,115200*1F", "$PMTK300,1000,0,0,0,0*1C",
-        "$PMTK300,200,0,0,0,0*2F", "$PMTK301,2*2E", "$PMTK313,1*2E", "$PMTK314,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0*29",
-        "$PMTK314,0,1,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0*28", "$PMTK314,1,1,1,1,1,5,0,0,0,0,0,0,0,0,0,0,0,1,0*2D", "$PMTK314,-1*04",
-        "$PMTK320,0*2F", "$PMTK400*36", "$PMTK401*37", "$PMTK413*34", "$PMTK414*33", "$PMTK605*31"};
+    private static final Golden NMEA = Golden.of("nmea");
+    private static final String[] COMMANDS = NMEA.each("test", "hot start", "warm start", "cold start", "full cold start", "a fix each second",
+        "2 fixes a second", "4 fixes a second", "5 fixes a second", "10 fixes a second", "baud rate of its start", "4800 baud", "9600 baud",
+        "14400 baud", "19200 baud", "38400 baud", "57600 baud", "115200 baud", "an interval of a second between fixes",
+        "an interval of 200 ms between fixes", "corrections by satellites", "look for satellites of corrections", "GGA only", "RMC and GGA only",
+        "all sentences, GSV with each fifth fix", "sentences of its start", "no power saving", "ask for the interval between fixes",
+        "ask for the source of corrections", "ask whether it looks for corrections", "ask which sentences", "ask for the release");
 
     private FakeContext line;
     private Mt3301 gps;
@@ -54,16 +56,16 @@ public class Mt3301Test {
     @Test
     public void sentencesAsRecorded() {
         Sentences real = new Sentences(SentenceStyle.MT3301, recorded(), millis("2008-08-23T08:14:36Z"));
-        assertEquals("$GPGGA,081436.000,5212.982135,N,00653.101394,E,1,3,2.88,102.907,M,47.093,M,,*5F\r\n",
+        assertEquals(NMEA.get("place with three satellites, recorded") + "\r\n",
             Nmea.sentence(real.gga(3, "2.88", 47.093)));
-        assertEquals("$GPRMC,081436.000,A,5212.982135,N,00653.101394,E,0.039,0.00,230808,,,A*53\r\n", Nmea.sentence(real.rmc()));
-        assertEquals("$GPVTG,0.00,T,,M,0.039,N,0.072,K,A*32\r\n", Nmea.sentence(real.vtg()));
+        assertEquals(NMEA.get("the least that one needs, recorded") + "\r\n", Nmea.sentence(real.rmc()));
+        assertEquals(NMEA.get("course and speed, recorded") + "\r\n", Nmea.sentence(real.vtg()));
         Sentences none = new Sentences(SentenceStyle.MT3301, null, millis("2008-08-22T23:59:46.005Z"));
-        assertEquals("$GPGGA,235946.005,8960.000000,N,00000.000000,E,0,0,,137.000,M,13.000,M,,*49\r\n", Nmea.sentence(none.gga()));
+        assertEquals(NMEA.get("place without a fix, recorded") + "\r\n", Nmea.sentence(none.gga()));
         GpsFix other = new GpsFix(51 + 29.0623 / 60, 6 + 32.2910 / 60, 29.7, 0, 0, 0);
         Sentences mt3329 = new Sentences(SentenceStyle.MT3329, other, millis("2010-01-01T10:21:28Z"));
-        assertEquals("$GPGGA,102128.000,5129.0623,N,00632.2910,E,1,4,1.31,29.7,M,47.4,M,,*6D\r\n", Nmea.sentence(mt3329.gga(4, "1.31", 47.4)));
-        assertEquals("$PMTK010,001*2E\r\n", Nmea.sentence("PMTK010,001"));
+        assertEquals(NMEA.get("place by an MT3329, recorded") + "\r\n", Nmea.sentence(mt3329.gga(4, "1.31", 47.4)));
+        assertEquals(NMEA.get("it has restarted") + "\r\n", Nmea.sentence("PMTK010,001"));
     }
 
     @Test
@@ -72,18 +74,19 @@ public class Mt3301Test {
             String body = Nmea.body(command);
             assertEquals(command + "\r\n", Nmea.sentence(body));
         }
-        assertNull(Nmea.body("$PMTK220,1000*1E"));
+        assertNull(Nmea.body(NMEA.get("a fix each second, its checksum wrong")));
         assertNull(Nmea.body("$*"));
         assertNull(Nmea.body("$PMTK220,1000"));
     }
 
     @Test
     public void commandsAreAcknowledged() {
-        String[][] pairs = {{"$PMTK220,200*2C", "$PMTK001,220,3*30"}, {"$PMTK251,9600*17", "$PMTK001,251,3*36"},
-            {"$PMTK314,-1*04", "$PMTK001,314,3*36"}, {"$PMTK300,1000,0,0,0,0*1C", "$PMTK001,300,3*33"},
-            {Nmea.sentence("PMTK604").trim(), "$PMTK001,604,3*32"},
-            {"$PMTK400*36", "$PMTK500,1000,0,0,0,0*1A"}, {"$PMTK220,100*2F", "$PMTK001,220,2*31"},
-            {Nmea.sentence("PMTK999").trim(), ""}};
+        String[][] pairs = {NMEA.each("5 fixes a second", "fixes per second: done"), NMEA.each("9600 baud", "baud rate: done"),
+            NMEA.each("sentences of its start", "which sentences: done"),
+            NMEA.each("an interval of a second between fixes", "interval between fixes: done"),
+            {Nmea.sentence("PMTK604").trim(), NMEA.get("604: done")},
+            NMEA.each("ask for the interval between fixes", "the interval between fixes is a second"),
+            NMEA.each("10 fixes a second", "fixes per second: failed"), {Nmea.sentence("PMTK999").trim(), ""}};
         for (String[] pair : pairs) {
             power();
             String answer = ask(pair[0]);
@@ -94,8 +97,8 @@ public class Mt3301Test {
             }
         }
         power(GpsModel.MT3329, 0);
-        assertEquals("$PMTK705,AXN_1.30,0000,20090609,*20", ask("$PMTK605*31"));
-        assertTrue(ask("$PMTK101*32").contains("$PMTK001,101,3*30"));
+        assertEquals(NMEA.get("release AXN_1.30"), ask(NMEA.get("ask for the release")));
+        assertTrue(ask(NMEA.get("hot start")).contains(NMEA.get("hot start: done")));
         for (String command : COMMANDS) {
             power();
             assertFalse(command, ask(command).isEmpty());
@@ -122,8 +125,8 @@ public class Mt3301Test {
 
     @Test
     public void fiveHertzOfPositionOnly() {
-        ask("$PMTK314,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0*29");
-        ask("$PMTK220,200*2C");
+        ask(NMEA.get("GGA only"));
+        ask(NMEA.get("5 fixes a second"));
         line.take();
         line.pass(10);
         assertEquals(50, line.takeText().split("\r\n").length, 1);
@@ -131,7 +134,7 @@ public class Mt3301Test {
 
     @Test
     public void allSentencesOnRequest() {
-        ask("$PMTK314,1,1,1,1,1,5,0,0,0,0,0,0,0,0,0,0,0,1,0*2D");
+        ask(NMEA.get("all sentences, GSV with each fifth fix"));
         line.pass(1);
         String text = line.takeText();
         for (String kind : new String[] {"GGA", "GLL", "RMC", "VTG", "GSA", "GSV", "ZDA"}) {
@@ -171,7 +174,7 @@ public class Mt3301Test {
 
     @Test
     public void theBaudRateChangesAfterTheAcknowledgement() {
-        ask("$PMTK251,4800*14");
+        ask(NMEA.get("4800 baud"));
         assertEquals(38400, gps.getBaud());
         line.pass(0.1);
         assertEquals(4800, gps.getBaud());
@@ -182,9 +185,9 @@ public class Mt3301Test {
 
     @Test
     public void aSlowLineLeavesOutFixesInsteadOfFallingBehind() {
-        ask("$PMTK251,4800*14");
+        ask(NMEA.get("4800 baud"));
         line.pass(0.2);
-        ask("$PMTK220,200*2C");
+        ask(NMEA.get("5 fixes a second"));
         line.pass(60);
         assertTrue("behind by " + (line.lineFreeAt() - line.now), line.lineFreeAt() - line.now < 1.5);
     }
@@ -193,9 +196,9 @@ public class Mt3301Test {
     public void thePowerSwitchMakesAReceiverBeginAgain() {
         power(GpsModel.MT3301, 3);
         line.pass(4);
-        ask("$PMTK251,9600*17");
+        ask(NMEA.get("9600 baud"));
         line.pass(1);
-        ask("$PMTK220,200*2C");
+        ask(NMEA.get("5 fixes a second"));
         line.pass(1);
         assertEquals(9600, gps.getBaud());
         gps.powerOff();

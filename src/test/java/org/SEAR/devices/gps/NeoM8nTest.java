@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.SEAR.Bytes;
+import org.SEAR.Golden;
 import org.SEAR.devices.FakeContext;
 import org.SEAR.protocol.nmea.Nmea;
 import org.SEAR.protocol.ubx.NavPvt;
@@ -22,7 +23,8 @@ import org.junit.Test;
 
 /** The receiver's answers, byte for byte, to what gpsd and others send. */
 public class NeoM8nTest {
-    private static final String PVT_ON = "B5 62 06 01 03 00 01 07 01 13 51";
+    private static final Golden UBX = Golden.of("ubx");
+    private static final String PVT_ON = UBX.get("position, velocity and time with each solution");
     private static final String SAVE = masks(0, 0x1F, 0);
     private static final String FORGET = masks(0x1F, 0, 0x1F);
 
@@ -125,29 +127,29 @@ public class NeoM8nTest {
 
     @Test
     public void settingsAreAcknowledgedOrRefused() {
-        assertEquals("B5 62 05 01 02 00 06 01 0F 38", ask(PVT_ON));
-        assertEquals("B5 62 05 01 02 00 06 08 16 3F", ask("B5 62 06 08 06 00 C8 00 01 00 01 00 DE 6A"));
-        assertEquals("B5 62 05 01 02 00 06 00 0E 37", ask("B5 62 06 00 14 00 01 00 00 00 D0 08 00 00 80 25 00 00 27 00 23 00 00 00 00 00 E2 75"));
-        assertEquals("B5 62 05 00 02 00 06 8A 97 BC", ask("B5 62 06 8A 09 00 00 01 00 00 07 00 91 20 01 53 48"));
-        String refused = "B5 62 05 00 02 00 06 01 0E 33";
+        assertEquals(UBX.get("message rate acknowledged"), ask(PVT_ON));
+        assertEquals(UBX.get("navigation rate acknowledged"), ask(UBX.get("five solutions a second")));
+        assertEquals(UBX.get("port settings acknowledged"), ask(UBX.get("UBX, NMEA and RTCM both ways, 9600 baud")));
+        assertEquals(UBX.get("key and value refused"), ask(UBX.get("key and value, which a generation 8 does not know")));
+        String refused = UBX.get("message rate refused");
         assertEquals("an unknown message", refused, ask(frame(UbxMessage.CFG_MSG, 0x01, 0x43, 1)));
         assertEquals("of a wrong length", refused, ask(frame(UbxMessage.CFG_MSG, 0x01, 0x07, 1, 1)));
-        String rate = "B5 62 05 00 02 00 06 08 15 3A";
+        String rate = UBX.get("navigation rate refused");
         assertEquals("too fast", rate, ask(frame(UbxMessage.CFG_RATE, 50, 0, 1, 0, 1, 0)));
         assertEquals("no cycles", rate, ask(frame(UbxMessage.CFG_RATE, 0xC8, 0, 0, 0, 1, 0)));
         assertEquals("an unknown clock", rate, ask(frame(UbxMessage.CFG_RATE, 0xC8, 0, 1, 0, 7, 0)));
-        assertEquals("UART 2", "B5 62 05 00 02 00 06 00 0D 32", ask(frame(UbxMessage.CFG_PRT, 2)));
-        assertEquals("a wrong check sum", "", ask("B5 62 06 01 03 00 01 07 01 13 52"));
-        assertEquals("a message of another class", "", ask("B5 62 27 03 00 00 2A A5"));
+        assertEquals("UART 2", UBX.get("port settings refused"), ask(frame(UbxMessage.CFG_PRT, 2)));
+        assertEquals("a wrong check sum", "", ask(UBX.get("position, velocity and time with each solution, its checksum wrong")));
+        assertEquals("a message of another class", "", ask(UBX.get("ask for the unique number")));
     }
 
     @Test
     public void settingsAreAnsweredWithWhatIsSet() {
-        assertEquals("B5 62 06 00 14 00 01 00 00 00 D0 08 00 00 80 25 00 00 07 00 03 00 00 00 00 00 A2 B5 B5 62 05 01 02 00 06 00 0E 37",
-            ask("B5 62 06 00 00 00 06 18"));
+        assertEquals(UBX.get("UBX, NMEA and RTCM in, UBX and NMEA out, 9600 baud", "port settings acknowledged"),
+            ask(UBX.get("ask for the settings of this port")));
         ask(PVT_ON);
         assertEquals(frame(UbxMessage.CFG_MSG, 1, 7, 0, 1, 0, 0, 0, 0) + " B5 62 05 01 02 00 06 01 0F 38", ask(frame(UbxMessage.CFG_MSG, 1, 7)));
-        assertEquals("B5 62 06 08 06 00 E8 03 01 00 01 00 01 39 B5 62 05 01 02 00 06 08 16 3F", ask(frame(UbxMessage.CFG_RATE)));
+        assertEquals(UBX.get("a solution each second", "navigation rate acknowledged"), ask(frame(UbxMessage.CFG_RATE)));
         assertEquals(28 + 10, Bytes.ints(ask(frame(UbxMessage.CFG_NMEA))).length);
     }
 
@@ -197,7 +199,7 @@ public class NeoM8nTest {
         for (int i = 0; i < 6; i++) {
             ask(frame(UbxMessage.CFG_MSG, 0xF0, i, 0));
         }
-        ask("B5 62 06 08 06 00 C8 00 01 00 01 00 DE 6A");
+        ask(UBX.get("five solutions a second"));
         ask(PVT_ON);
         line.take();
         line.pass(4);
@@ -209,14 +211,14 @@ public class NeoM8nTest {
 
     @Test
     public void theSpeedOfTheLineChangesAfterTheAcknowledgement() {
-        assertEquals("B5 62 05 01 02 00 06 00 0E 37", ask(port(115200)));
+        assertEquals(UBX.get("port settings acknowledged"), ask(port(115200)));
         assertEquals(9600, gps.getBaud());
         line.pass(0.02);
         assertEquals(115200, gps.getBaud());
         line.take();
         line.pass(2);
         assertEquals("no sentences any more", "", line.takeText());
-        assertEquals("a speed that there is not", "B5 62 05 00 02 00 06 00 0D 32", ask(port(115201)));
+        assertEquals("a speed that there is not", UBX.get("port settings refused"), ask(port(115201)));
     }
 
     /** UBX only, at a speed. */
@@ -230,7 +232,7 @@ public class NeoM8nTest {
         StringBuilder[] runs = {new StringBuilder(), new StringBuilder()};
         for (StringBuilder run : runs) {
             power(2);
-            run.append(ask(PVT_ON)).append(ask("B5 62 06 08 06 00 C8 00 01 00 01 00 DE 6A")).append(ask(frame(UbxMessage.CFG_MSG, 1, 0x35, 2)));
+            run.append(ask(PVT_ON)).append(ask(UBX.get("five solutions a second"))).append(ask(frame(UbxMessage.CFG_MSG, 1, 0x35, 2)));
             line.pass(5);
             run.append(line.takeHex());
         }
@@ -240,12 +242,12 @@ public class NeoM8nTest {
 
     @Test
     public void whatIsSavedOutlastsThePower() {
-        ask("B5 62 06 08 06 00 C8 00 01 00 01 00 DE 6A");
+        ask(UBX.get("five solutions a second"));
         gps.powerOff();
         gps.powerOn(line.now);
         assertTrue("not saved", gps.status().contains("every 1000 ms"));
-        ask("B5 62 06 08 06 00 C8 00 01 00 01 00 DE 6A");
-        assertEquals("B5 62 05 01 02 00 06 09 17 40", ask(SAVE));
+        ask(UBX.get("five solutions a second"));
+        assertEquals(UBX.get("save acknowledged"), ask(SAVE));
         gps.powerOff();
         gps.powerOn(line.now);
         assertTrue(gps.status(), gps.status().contains("every 200 ms"));

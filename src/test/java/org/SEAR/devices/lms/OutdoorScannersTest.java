@@ -3,6 +3,7 @@ package org.SEAR.devices.lms;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
+import org.SEAR.Golden;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.devices.FakeContext;
 import org.SEAR.devices.FakeScanner;
@@ -13,9 +14,10 @@ import org.junit.rules.TemporaryFolder;
 
 /** LMS221 and LMS291: the telegrams of the LMS200 with their own identity and configuration. */
 public class OutdoorScannersTest {
-    private static final String TYPE = "02 00 01 00 3A 1E 12";
-    private static final String CONFIGURATION = "02 00 01 00 74 50 12";
-    private static final String ALL_VALUES = "02 00 02 00 30 01 31 18";
+    private static final Golden LMS = Golden.of("lms200");
+    private static final String TYPE = LMS.get("ask for the type");
+    private static final String CONFIGURATION = LMS.get("ask for the configuration");
+    private static final String ALL_VALUES = LMS.get("ask for a scan");
     private static final int DISTANCES_AT = 8;
 
     @Rule
@@ -45,11 +47,11 @@ public class OutdoorScannersTest {
     @Test
     public void theySayWhoTheyAre() {
         assertTrue(power("LMS221").status().startsWith("LMS221: 180 degrees every 1.0, cm"));
-        assertEquals("06 02 80 17 00 BA 4C 4D 53 32 32 31 3B 33 30 32 30 36 33 3B 56 30 32 2E 31 30 20 10 6C 5E", ask(TYPE));
+        assertEquals("06 " + LMS.get("type of an LMS221"), ask(TYPE));
         power("LMS291");
-        assertEquals("06 02 80 17 00 BA 4C 4D 53 32 39 31 3B 53 30 35 30 36 33 3B 56 30 32 2E 31 30 20 10 DB BC", ask(TYPE));
+        assertEquals("06 " + LMS.get("type of an LMS291"), ask(TYPE));
         power("LMS200");
-        assertEquals("06 02 80 17 00 BA 4C 4D 53 32 30 30 3B 33 30 31 30 36 33 3B 56 30 32 2E 31 30 20 10 22 61", ask(TYPE));
+        assertEquals("06 " + LMS.get("type of an LMS200 with V02.10"), ask(TYPE));
     }
 
     @Test

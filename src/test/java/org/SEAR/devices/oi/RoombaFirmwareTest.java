@@ -6,11 +6,13 @@ import static org.junit.Assert.assertTrue;
 
 import java.util.Arrays;
 import org.SEAR.Bytes;
+import org.SEAR.Golden;
 import org.SEAR.devices.FakeContext;
 import org.junit.Test;
 
 /** The Open Interface against the documents' vectors and mode rules. */
 public class RoombaFirmwareTest {
+    private static final Golden OI = Golden.of("open-interface");
     private FakeContext line = new FakeContext();
     private RoombaFirmware roomba;
 
@@ -36,18 +38,18 @@ public class RoombaFirmwareTest {
         power(OiModel.CREATE2);
         line.host("80 84");
         double share = 0.129 / 0.5;
-        drives("89 FF 38 01 F4", -0.2 * (1 - share), -0.2 * (1 + share));
-        drives("89 00 C8 80 00", 0.2, 0.2);
-        drives("89 00 C8 7F FF", 0.2, 0.2);
-        drives("89 00 C8 00 01", -0.2, 0.2);
-        drives("89 00 C8 FF FF", 0.2, -0.2);
-        drives("89 01 2C F8 30", 0.3 * (1 + 0.129 / 2), 0.3 * (1 - 0.129 / 2));
-        drives("89 00 00 00 00", 0, 0);
-        drives("91 00 C8 00 C8", 0.2, 0.2);
-        drives("91 00 64 FF 9C", -0.1, 0.1);
-        drives("91 FF 38 FF 38", -0.2, -0.2);
-        drives("92 00 FF FF 01", -0.5, 0.5);
-        drives("89 03 E8 80 00", 0.5, 0.5);
+        drives(OI.get("back at 200 mm/s, to the left around 500 mm, of the specification"), -0.2 * (1 - share), -0.2 * (1 + share));
+        drives(OI.get("200 mm/s straight on"), 0.2, 0.2);
+        drives(OI.get("200 mm/s straight on, the other number for it"), 0.2, 0.2);
+        drives(OI.get("200 mm/s to the left on the spot"), -0.2, 0.2);
+        drives(OI.get("200 mm/s to the right on the spot"), 0.2, -0.2);
+        drives(OI.get("300 mm/s to the right around 2 m"), 0.3 * (1 + 0.129 / 2), 0.3 * (1 - 0.129 / 2));
+        drives(OI.get("stand"), 0, 0);
+        drives(OI.get("both wheels 200 mm/s"), 0.2, 0.2);
+        drives(OI.get("right wheel 100 mm/s, left 100 mm/s back"), -0.1, 0.1);
+        drives(OI.get("both wheels 200 mm/s back"), -0.2, -0.2);
+        drives(OI.get("right wheel full duty, left full duty back"), -0.5, 0.5);
+        drives(OI.get("1000 mm/s straight on, which is too fast"), 0.5, 0.5);
     }
 
     @Test
@@ -93,7 +95,7 @@ public class RoombaFirmwareTest {
     public void sensorVectors() {
         power(OiModel.CREATE);
         line.host("80 83");
-        assertEquals("FF 00 00 00 00 00", ask("8E 02"));
+        assertEquals(OI.get("group 2 of a Create at rest"), ask("8E 02"));
         line.hardware.bumpLeft = true;
         line.hardware.bumpRight = true;
         assertEquals("03", ask("8E 07"));
@@ -105,16 +107,16 @@ public class RoombaFirmwareTest {
         assertEquals("02", ask("8E 23"));
         line.hardware.path = 0.35;
         line.hardware.turned = Math.toRadians(-135);
-        assertEquals("FF 00 00 FA FF A6", ask("8E 02"));
+        assertEquals(OI.get("group 2 of a Create after 250 mm and 90 degrees to the right"), ask("8E 02"));
         power(OiModel.CREATE2);
         line.host("80");
         line.hardware.path = 0.25;
         line.hardware.turned = Math.toRadians(-90);
-        assertEquals("00 00 00 FA FF A6", ask("8E 02"));
+        assertEquals(OI.get("group 2 of a Create 2 after 250 mm and 90 degrees to the right"), ask("8E 02"));
         power(OiModel.ROOMBA400);
         line.host("80");
         line.hardware.turned = Math.toRadians(90);
-        assertEquals("FF 00 00 00 00 CB", ask("8E 02"));
+        assertEquals(OI.get("group 2 of a Roomba 400 after 90 degrees to the left"), ask("8E 02"));
     }
 
     @Test
@@ -123,7 +125,7 @@ public class RoombaFirmwareTest {
         line.host("80");
         roomba.advance(3600 * 702 / 200.0);
         line.now = 3600 * 702 / 200.0;
-        assertEquals("00 38 40 FF 38 19 07 D0 0A 8E", ask("8E 03"));
+        assertEquals(OI.get("group 3: the battery of the specification's example"), ask("8E 03"));
     }
 
     @Test
@@ -171,8 +173,8 @@ public class RoombaFirmwareTest {
 
     @Test
     public void streamChecksumsOfBothRules() {
-        assertEquals("13 05 1D 02 19 0D 00 A3", Bytes.hex(Stream.frame(Bytes.bytes("1D 02 19 0D 00"), true)));
-        assertEquals("13 05 1D 02 19 0D 00 B6", Bytes.hex(Stream.frame(Bytes.bytes("1D 02 19 0D 00"), false)));
+        assertEquals(OI.get("stream of packets 29 and 13, its header summed"), Bytes.hex(Stream.frame(Bytes.bytes("1D 02 19 0D 00"), true)));
+        assertEquals(OI.get("stream of packets 29 and 13, its header not summed"), Bytes.hex(Stream.frame(Bytes.bytes("1D 02 19 0D 00"), false)));
         assertEquals("13 02 07 00 E4", Bytes.hex(Stream.frame(Bytes.bytes("07 00"), true)));
         assertEquals("13 02 07 00 F7", Bytes.hex(Stream.frame(Bytes.bytes("07 00"), false)));
         assertEquals("13 02 23 02 C6", Bytes.hex(Stream.frame(Bytes.bytes("23 02"), true)));
@@ -228,8 +230,8 @@ public class RoombaFirmwareTest {
     @Test
     public void theScriptOf40CentimetresDrivesAndStops() {
         power(OiModel.CREATE);
-        line.host("80 83 98 0D 89 01 2C 80 00 9C 01 90 89 00 00 00 00");
-        assertEquals("0D 89 01 2C 80 00 9C 01 90 89 00 00 00 00", ask("9A"));
+        line.host(OI.get("40 cm of the specification, a script"));
+        assertEquals(OI.get("the script of 40 cm, shown"), ask("9A"));
         line.host("99");
         line.pass(0.05);
         assertEquals(0.3, line.hardware.left, 1e-9);
@@ -246,7 +248,7 @@ public class RoombaFirmwareTest {
     @Test
     public void theScriptOfTheSquareGoesRound() {
         power(OiModel.CREATE);
-        line.host("80 83 98 11 89 01 2C 80 00 9C 01 90 89 01 2C 00 01 9D 00 5A 99 99");
+        line.host(OI.get("square of the specification, a script that plays itself"));
         for (int side = 0; side < 4; side++) {
             line.pass(0.1);
             assertEquals(0.3, line.hardware.left, 1e-9);
@@ -260,7 +262,7 @@ public class RoombaFirmwareTest {
     @Test
     public void theScriptOfTheBumperTogglesTheLight() {
         power(OiModel.CREATE);
-        line.host("80 83 98 11 9E 05 9E FB 8B 02 00 00 9E 05 9E FB 8B 00 00 00 99 99");
+        line.host(OI.get("light by the bumper of the specification, a script that plays itself"));
         for (int i = 0; i < 2; i++) {
             press();
             assertEquals(2, roomba.getLights().getBits());
@@ -311,7 +313,7 @@ public class RoombaFirmwareTest {
         line.host(200);
         assertTrue(line.warnings.toString(), line.warnings.get(0).contains("opcode 200"));
         assertEquals("01", ask("8E 23"));
-        line.host("89 00 C8 80 00");
+        line.host(OI.get("200 mm/s straight on"));
         assertEquals(0, line.hardware.left, 0);
         assertTrue(line.warnings.toString(), line.warnings.get(1).contains("137"));
     }

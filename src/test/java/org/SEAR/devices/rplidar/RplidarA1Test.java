@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.SEAR.Bytes;
+import org.SEAR.Golden;
 import org.SEAR.devices.FakeContext;
 import org.SEAR.devices.FakeScanner;
 import org.SEAR.protocol.rplidar.Capsule;
@@ -18,8 +19,9 @@ import org.junit.Test;
 
 /** The A1 against Slamtec's description and what drivers of others check. */
 public class RplidarA1Test {
-    private static final String SCAN = "A5 5A 05 00 00 40 81";
-    private static final String EXPRESS = "A5 82 05 00 00 00 00 00 22";
+    private static final Golden RPLIDAR = Golden.of("rplidar");
+    private static final String SCAN = RPLIDAR.get("a scan follows");
+    private static final String EXPRESS = RPLIDAR.get("ask for an express scan");
     private static final int DESCRIPTOR = 7;
 
     private FakeContext line;
@@ -61,24 +63,24 @@ public class RplidarA1Test {
 
     @Test
     public void itTellsWhatItIs() {
-        assertEquals("A5 5A 14 00 00 00 04 18 14 01 00 EB B3 99 F6 C9 E5 9A D2 C5 E5 9C F7 17 61 34 12", ask("A5 50"));
-        assertEquals("A5 5A 03 00 00 00 06 00 00 00", ask("A5 52"));
-        assertEquals("A5 5A 04 00 00 00 15 F4 01 FA 00", ask("A5 59"));
+        assertEquals(RPLIDAR.get("model 24, firmware 1.20, its number"), ask(RPLIDAR.get("ask who it is")));
+        assertEquals(RPLIDAR.get("health: good"), ask(RPLIDAR.get("ask for its health")));
+        assertEquals(RPLIDAR.get("500 us a sample, 250 of an express scan"), ask("A5 59"));
     }
 
     @Test
     public void whatAnA1DoesNotKnowIsNotAnswered() {
-        assertEquals("the motor's speed", "", ask("A5 F0 02 94 02 C1"));
-        assertEquals("an accessory board", "", ask("A5 FF 04 00 00 00 00 5E"));
-        assertEquals("boost, of newer firmware", "", ask("A5 82 05 03 00 00 00 00 21"));
-        assertEquals("wrong checksum", "", ask("A5 82 05 00 00 00 00 00 23"));
-        assertEquals("idle anyway", "", ask("A5 25"));
+        assertEquals("the motor's speed", "", ask(RPLIDAR.get("motor at 660 of 1023")));
+        assertEquals("an accessory board", "", ask(RPLIDAR.get("ask for the motor's control")));
+        assertEquals("boost, of newer firmware", "", ask(RPLIDAR.get("ask for an express scan of another mode")));
+        assertEquals("wrong checksum", "", ask(RPLIDAR.get("ask for an express scan, its checksum wrong")));
+        assertEquals("idle anyway", "", ask(RPLIDAR.get("stop")));
     }
 
     @Test
     public void samplesRunClockwiseFromAhead() {
         scanner.world = beam -> beam == 180 ? 1 : beam == 90 ? 2 : beam == 270 ? 3 : beam == 0 ? 4 : beam == 179 ? 0.1 : Double.POSITIVE_INFINITY;
-        List<Node> nodes = nodes("A5 20", 0.5);
+        List<Node> nodes = nodes(RPLIDAR.get("ask for a scan"), 0.5);
         assertTrue(nodes.get(0).isFirst());
         assertNode(nodes.get(0), 0, 1000, 15);
         assertNode(nodes.get(90), 90, 2000, 15);
@@ -112,7 +114,7 @@ public class RplidarA1Test {
         line.host(EXPRESS);
         line.pass(1);
         byte[] bytes = line.take();
-        assertEquals("A5 5A 54 00 00 40 82", Bytes.hex(Arrays.copyOf(bytes, DESCRIPTOR)));
+        assertEquals(RPLIDAR.get("an express scan follows"), Bytes.hex(Arrays.copyOf(bytes, DESCRIPTOR)));
         int count = (bytes.length - DESCRIPTOR) / Capsule.SIZE;
         assertEquals(124, count, 2);
         for (int i = 0; i < count; i++) {
@@ -129,30 +131,30 @@ public class RplidarA1Test {
     @Test
     public void anotherRequestEndsTheScan() {
         scanner.world = beam -> 1;
-        nodes("A5 20", 0.2);
-        line.host("A5 25");
+        nodes(RPLIDAR.get("ask for a scan"), 0.2);
+        line.host(RPLIDAR.get("stop"));
         line.pass(0.1);
         line.take();
         line.pass(0.5);
         assertEquals(0, line.take().length);
-        nodes("A5 20", 0.2);
-        assertTrue(ask("A5 52").endsWith("A5 5A 03 00 00 00 06 00 00 00"));
+        nodes(RPLIDAR.get("ask for a scan"), 0.2);
+        assertTrue(ask(RPLIDAR.get("ask for its health")).endsWith(RPLIDAR.get("health: good")));
     }
 
     @Test
     public void resetAndPowerEndAScan() {
         scanner.world = beam -> 1;
-        nodes("A5 20", 0.2);
+        nodes(RPLIDAR.get("ask for a scan"), 0.2);
         ask("A5 40");
         line.pass(0.1);
-        assertEquals("A5 5A 03 00 00 00 06 00 00 00", ask("A5 52"));
-        nodes("A5 20", 0.2);
+        assertEquals(RPLIDAR.get("health: good"), ask(RPLIDAR.get("ask for its health")));
+        nodes(RPLIDAR.get("ask for a scan"), 0.2);
         rplidar.powerOff();
         line.pass(1);
         rplidar.powerOn(line.now);
-        assertEquals("it boots", "", ask("A5 52"));
+        assertEquals("it boots", "", ask(RPLIDAR.get("ask for its health")));
         line.pass(1);
-        assertEquals("A5 5A 03 00 00 00 06 00 00 00", ask("A5 52"));
+        assertEquals(RPLIDAR.get("health: good"), ask(RPLIDAR.get("ask for its health")));
         line.host(0xA5);
         rplidar.receiveGarbage(line.now);
         assertEquals("", ask("52"));

@@ -8,6 +8,7 @@ import static org.junit.Assert.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import org.SEAR.Golden;
 import org.SEAR.devices.FakeContext;
 import org.SEAR.devices.FakeScanner;
 import org.SEAR.protocol.scip.Encoding;
@@ -19,6 +20,7 @@ import org.junit.Test;
 
 /** The scanners against the specification's examples and what drivers of others check; {@code |} is a line feed. */
 public class HokuyoTest {
+    private static final Golden SCIP = Golden.of("scip");
     private FakeContext line;
     private FakeScanner scanner;
     private Hokuyo hokuyo;
@@ -57,11 +59,9 @@ public class HokuyoTest {
 
     @Test
     public void itTellsWhatItIs() {
-        assertEquals("PP|00P|MODL:URG-04LX(Hokuyo Automatic Co.,Ltd.);N|DMIN:20;4|DMAX:5600;_|ARES:1024;\\|"
-            + "AMIN:44;7|AMAX:725;o|AFRT:384;6|SCAN:600;e||",
+        assertEquals(SCIP.get("parameters of an URG-04LX"),
             ask("PP"));
-        assertEquals("VV|00P|VEND:Hokuyo Automatic Co.,Ltd.;[|PROD:SOKUIKI Sensor URG-04LX;[|FIRM:3.1.00(18/Jan./2007);`|"
-            + "PROT:SCIP 2.0;N|SERI:H0000001;",
+        assertEquals(SCIP.get("version of an URG-04LX, up to its last checksum"),
             ask("VV").replaceAll(";.\\|\\|$", ";"));
         String state = ask("II");
         assertTrue(state, state.contains("|LASR:OFF;7|SCSP:Initial(600[rpm])<-Default setting by user;A|MESM:IDLE;:|"));
@@ -73,26 +73,26 @@ public class HokuyoTest {
 
     @Test
     public void theLaserIsOffUntilItIsSwitchedOn() {
-        assertEquals("GD0384038601|10Q||", ask("GD0384038601"));
-        assertEquals("BM|00P||", ask("BM"));
-        assertEquals("BM|02R||", ask("BM"));
+        assertEquals(SCIP.get("a scan by GD while the laser is off"), ask("GD0384038601"));
+        assertEquals(SCIP.get("laser on"), ask("BM"));
+        assertEquals(SCIP.get("laser on already"), ask("BM"));
         scanner.world = beam -> 1 + (beam - 341) / 1000.0;
         List<Reply> replies = replies("GD0384038601", 1);
         assertArrayEquals(new int[] {1000, 1001, 1002}, replies.get(0).values(Encoding.LONG));
-        assertEquals("QT|00P||", ask("QT"));
-        assertEquals("GD0384038601|10Q||", ask("GD0384038601"));
+        assertEquals(SCIP.get("stop"), ask("QT"));
+        assertEquals(SCIP.get("a scan by GD while the laser is off"), ask("GD0384038601"));
     }
 
     @Test
     public void aCommandIsEchoedWithItsString() {
-        assertEquals("BM;my own name|00P||", ask("BM;my own name"));
-        assertEquals("QT;0123456789012345|00P||", ask("QT;0123456789012345"));
-        assertEquals("QT;01234567890123456|0Gg||", ask("QT;01234567890123456"));
+        assertEquals(SCIP.get("laser on, with a comment"), ask("BM;my own name"));
+        assertEquals(SCIP.get("stop, with the longest comment"), ask("QT;0123456789012345"));
+        assertEquals(SCIP.get("stop, with a comment that is too long"), ask("QT;01234567890123456"));
         assertEquals("QT\u0001|0Hh||", ask("QT\u0001"));
-        assertEquals("ME0000108001000|0Ee||", ask("ME0000108001000"));
+        assertEquals(SCIP.get("no such command"), ask("ME0000108001000"));
         assertEquals("Q|0Ee||", ask("Q"));
-        assertEquals("MD00440725|0Cc||", ask("MD00440725"));
-        assertEquals("MD0044076901000|04T||", ask("MD0044076901000"));
+        assertEquals(SCIP.get("a command that is too short"), ask("MD00440725"));
+        assertEquals(SCIP.get("steps beyond the end"), ask("MD0044076901000"));
         assertEquals("", ask("\r"));
     }
 
@@ -127,7 +127,7 @@ public class HokuyoTest {
         List<Reply> replies = replies("MD0044072501000", 4);
         assertFalse("no broken one but the last", replies.subList(0, replies.size() - 1).contains(null));
         assertEquals("185.5 ms each: every second one", 200, replies.get(3).time() - replies.get(2).time());
-        assertEquals("QT|00P||", ask("QT").replaceAll(".*QT", "QT"));
+        assertEquals(SCIP.get("stop"), ask("QT").replaceAll(".*QT", "QT"));
     }
 
     @Test
@@ -159,12 +159,12 @@ public class HokuyoTest {
 
     @Test
     public void theRateChangesAfterTheReply() {
-        assertEquals("SS115200|03S||", ask("SS115200"));
-        assertEquals("SS123456|02R||", ask("SS123456"));
-        assertEquals("SS12x456|01Q||", ask("SS12x456"));
-        assertEquals("SS019200|00P||", ask("SS019200"));
+        assertEquals(SCIP.get("115200 baud, which it has"), ask("SS115200"));
+        assertEquals(SCIP.get("a baud rate that there is not"), ask("SS123456"));
+        assertEquals(SCIP.get("a baud rate that is no number"), ask("SS12x456"));
+        assertEquals(SCIP.get("19200 baud"), ask("SS019200"));
         assertEquals(19200, hokuyo.getBaud());
-        assertEquals("RS|00P||", ask("RS"));
+        assertEquals(SCIP.get("reset"), ask("RS"));
         assertEquals("the rate of power-on", 115200, hokuyo.getBaud());
         assertFalse(hokuyo.hearsEveryBaud());
         power(HokuyoModel.UTM_30LX);
@@ -174,15 +174,15 @@ public class HokuyoTest {
 
     @Test
     public void theClockCanBeReadWhileAdjusting() {
-        assertEquals("TM1|04T||", ask("TM1"));
-        assertEquals("TM0|00P||", ask("TM0"));
-        assertEquals("TM0|02R||", ask("TM0"));
+        assertEquals(SCIP.get("clock: not begun"), ask("TM1"));
+        assertEquals(SCIP.get("clock: begin to set it"), ask("TM0"));
+        assertEquals(SCIP.get("clock: begun already"), ask("TM0"));
         assertEquals("QT|0Ee||", ask("QT"));
         List<Reply> replies = replies("TM1", 0.1);
         assertEquals(4000, replies.get(0).time(), 20);
-        assertEquals("TM2|00P||", ask("TM2"));
-        assertEquals("TM2|03S||", ask("TM2"));
-        assertEquals("TM3|01Q||", ask("TM3"));
+        assertEquals(SCIP.get("clock: end"), ask("TM2"));
+        assertEquals(SCIP.get("clock: ended already"), ask("TM2"));
+        assertEquals(SCIP.get("clock: no such step"), ask("TM3"));
         ask("RS");
         ask("TM0");
         assertEquals("the clock began anew", 2000, replies("TM1", 0.1).get(0).time(), 20);
@@ -207,17 +207,17 @@ public class HokuyoTest {
     @Test
     public void aResetEndsTheAdjustingOfItsClock() {
         for (String reset : new String[] {"RS", "RT"}) {
-            assertEquals("TM0|00P||", ask("TM0"));
+            assertEquals(SCIP.get("clock: begin to set it"), ask("TM0"));
             assertEquals("BM|0Ee||", ask("BM"));
             assertEquals("QT|0Ee||", ask("QT"));
             assertEquals(reset + "|00P||", ask(reset));
-            assertEquals("BM|00P||", ask("BM"));
-            assertEquals("TM1|04T||", ask("TM1"));
+            assertEquals(SCIP.get("laser on"), ask("BM"));
+            assertEquals(SCIP.get("clock: not begun"), ask("TM1"));
         }
         power(HokuyoModel.UTM_30LX);
         ask("TM0");
-        assertEquals("of a UTM-30LX QT does, too", "QT|00P||", ask("QT"));
-        assertEquals("BM|00P||", ask("BM"));
+        assertEquals("of a UTM-30LX QT does, too", SCIP.get("stop"), ask("QT"));
+        assertEquals(SCIP.get("laser on"), ask("BM"));
     }
 
     @Test
@@ -234,7 +234,7 @@ public class HokuyoTest {
         assertTrue(ask("II").contains("|LASR:OFF;7|"));
         line.host(0x51);
         hokuyo.receiveGarbage(line.now);
-        assertEquals("BM|00P||", ask("BM"));
+        assertEquals(SCIP.get("laser on"), ask("BM"));
     }
 
     @Test

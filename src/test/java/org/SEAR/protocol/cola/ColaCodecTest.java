@@ -11,10 +11,12 @@ import java.util.List;
 import java.util.Random;
 import org.SEAR.Bytes;
 import org.SEAR.Fuzz;
+import org.SEAR.Golden;
 import org.junit.Test;
 
 /** Telegrams of CoLa A and B against recordings and the ones that SICK's drivers print. */
 public class ColaCodecTest {
+    private static final Golden COLA = Golden.of("cola");
     /** What a real LMS1xx told of 21 beams from 10 degrees on. */
     private static final String REAL_SCAN = "sRA LMDscandata 1 1 89A27F 0 0 343 347 27477BA9 2747813B 0 0 7 0 0 1388 168 0 1 DIST1 3F800000 00000000 "
         + "186A0 1388 15 8A1 8A5 8AB 8AC 8A6 8AC 8B6 8C8 8C2 8C9 8CB 8C4 8E4 8E1 8EB 8E0 8F5 908 8FC 907 906 0 0 0 0 0 0";
@@ -45,14 +47,14 @@ public class ColaCodecTest {
 
     @Test
     public void binaryTelegramsOfTheListing() {
-        golden("02 02 02 02 00 00 00 13 73 41 4E 20 53 65 74 41 63 63 65 73 73 4D 6F 64 65 20 01 38", b("sAN", "SetAccessMode").u1(1));
-        golden("02 02 02 02 00 00 00 17 73 4D 4E 20 53 65 74 41 63 63 65 73 73 4D 6F 64 65 20 03 F4 72 47 44 B3",
+        golden(COLA.get("CoLa B: logged in"), b("sAN", "SetAccessMode").u1(1));
+        golden(COLA.get("CoLa B: log in"),
             b("sMN", "SetAccessMode").u1(3).i4(0xF4724744));
-        golden("02 02 02 02 00 00 00 0E 73 57 41 20 45 49 48 73 74 43 6F 6C 61 20 07", b("sWA", "EIHstCola"));
-        golden("02 02 02 02 00 00 00 0F 73 57 4E 20 45 49 48 73 74 43 6F 6C 61 20 01 09", b("sWN", "EIHstCola").u1(1));
+        golden(COLA.get("CoLa B: it speaks CoLa B"), b("sWA", "EIHstCola"));
+        golden(COLA.get("CoLa B: speak CoLa B"), b("sWN", "EIHstCola").u1(1));
         golden("02 02 02 02 00 00 00 13 73 52 41 20 53 43 64 65 76 69 63 65 73 74 61 74 65 20 01 1E", b("sRA", "SCdevicestate").u1(1));
-        golden("02 02 02 02 00 00 00 11 73 45 4E 20 4C 4D 44 73 63 61 6E 64 61 74 61 20 01 33", b("sEN", "LMDscandata").u1(1));
-        golden("02 02 02 02 00 00 00 11 73 45 41 20 4C 4D 44 73 63 61 6E 64 61 74 61 20 01 3C", b("sEA", "LMDscandata").u1(1));
+        golden(COLA.get("CoLa B: stream scans"), b("sEN", "LMDscandata").u1(1));
+        golden(COLA.get("CoLa B: scans are streamed"), b("sEA", "LMDscandata").u1(1));
         golden("02 02 02 02 00 00 00 25 73 4D 4E 20 6D 4C 4D 50 73 65 74 73 63 61 6E 63 66 67 20 "
             + "00 00 13 88 00 01 00 00 13 88 FF F9 22 30 00 22 55 10 21",
             b("sMN", "mLMPsetscancfg").i4(5000).u2(1).i4(5000).i4(-450000).i4(2250000));
@@ -80,7 +82,7 @@ public class ColaCodecTest {
             assertEquals(form, "5000 1 5000 -450000 2250000",
                 found.i4() + " " + found.u2() + " " + found.i4() + " " + found.i4() + " " + found.i4());
         }
-        assertEquals("sMN mLMPsetscancfg 1388 1 1388 FFF92230 225510", read(new ColaPayload(ColaDialect.A).begin("sMN", "mLMPsetscancfg")
+        assertEquals(COLA.get("50 Hz, half a degree"), read(new ColaPayload(ColaDialect.A).begin("sMN", "mLMPsetscancfg")
             .i4(5000).u2(1).i4(5000).i4(-450000).i4(2250000).toTelegram()).get(0).toString());
     }
 
@@ -152,12 +154,12 @@ public class ColaCodecTest {
 
     @Test
     public void textsWithALength() throws Exception {
-        assertEquals("sRA LocationName B not defined", read(new ColaPayload(ColaDialect.A).begin("sRA", "LocationName").text("not defined")
+        assertEquals(COLA.get("no name"), read(new ColaPayload(ColaDialect.A).begin("sRA", "LocationName").text("not defined")
             .toTelegram()).get(0).toString());
-        ColaTelegram ident = read(text("sRA DeviceIdent 10 LMS10x_FieldEval 10 V1.36-21.10.2010")).get(0);
+        ColaTelegram ident = read(text(COLA.get("an LMS111"))).get(0);
         assertEquals("LMS10x_FieldEval", ident.text());
         assertEquals("V1.36-21.10.2010", ident.text());
-        assertEquals("0", read(text("sRI0")).get(0).getName());
+        assertEquals("0", read(text(COLA.get("ask for the device by its number"))).get(0).getName());
     }
 
     @Test
@@ -182,8 +184,8 @@ public class ColaCodecTest {
             found.clear();
         }
         reader.clear();
-        reader.accept(text("sRN STlms"));
-        assertEquals("seed " + Fuzz.SEED, "sRN STlms", found.get(found.size() - 1).toString());
+        reader.accept(text(COLA.get("ask for the state")));
+        assertEquals("seed " + Fuzz.SEED, COLA.get("ask for the state"), found.get(found.size() - 1).toString());
     }
 
     private static void readWhole(ColaTelegram telegram) {

@@ -10,10 +10,12 @@ import java.util.List;
 import java.util.Random;
 import org.SEAR.Bytes;
 import org.SEAR.Fuzz;
+import org.SEAR.Golden;
 import org.junit.Test;
 
 /** Messages as protocol.md, encoder.md, PingFirmata and johnny-five have them. */
 public class CodecTest {
+    private static final Golden FIRMATA = Golden.of("firmata");
     private static List<FirmataMessage> read(int most, String hex) {
         List<FirmataMessage> found = new ArrayList<>();
         FirmataReader reader = new FirmataReader(most, found::add);
@@ -39,29 +41,28 @@ public class CodecTest {
 
     @Test
     public void theFirmwaresName() {
-        assertEquals("F0 79 02 05 53 00 74 00 61 00 6E 00 64 00 61 00 72 00 64 00 46 00 69 00 72 00 6D 00 61 00 74 00 61 00 2E"
-            + " 00 69 00 6E 00 6F 00 F7",
+        assertEquals(FIRMATA.get("StandardFirmata.ino 2.5"),
             hex(FirmataMessage.text(Feature.FIRMWARE, new int[] {2, 5}, "StandardFirmata.ino")));
         assertEquals("Tür", read(FirmataReader.HOST, hex(FirmataMessage.text(Feature.STRING, new int[0], "Tür"))).get(0).getText(0));
     }
 
     @Test
     public void echoesAsJohnnyFiveAsksForThem() {
-        String request = "F0 75 07 01 00 00 00 00 00 00 05 00 00 00 0F 00 42 00 40 00 F7";
+        String request = FIRMATA.get("ping at pin 7: 5 us high, a second's patience");
         assertEquals(request, hex(EchoMessage.request(7, true, 5, 1000000)));
         FirmataMessage read = read(FirmataReader.BOARD, request).get(0);
         assertTrue(EchoMessage.isRequest(read));
         assertEquals(7, read.get(0));
         assertEquals(1000000, EchoMessage.timeout(read));
-        assertEquals("F0 75 07 00 00 00 00 00 03 00 68 01 F7", hex(EchoMessage.answer(7, 1000)));
+        assertEquals(FIRMATA.get("echo at pin 7 after 1000 us"), hex(EchoMessage.answer(7, 1000)));
         assertEquals(3000000000L, EchoMessage.duration(EchoMessage.answer(7, 3000000000L)));
         assertFalse(EchoMessage.isRequest(EchoMessage.answer(7, 1000)));
     }
 
     @Test
     public void positionsOfEncoders() {
-        assertEquals("F0 61 42 2C 02 00 00 F7", hex(EncoderMessage.positions(new int[] {2}, new long[] {-300})));
-        assertEquals("F0 61 00 01 00 00 00 04 7F 7F 7F 7F F7", hex(EncoderMessage.positions(new int[] {0, 4}, new long[] {1, 0xFFFFFFF})));
+        assertEquals(FIRMATA.get("encoder 2 at -300"), hex(EncoderMessage.positions(new int[] {2}, new long[] {-300})));
+        assertEquals(FIRMATA.get("encoders 0 and 4 at the ends"), hex(EncoderMessage.positions(new int[] {0, 4}, new long[] {1, 0xFFFFFFF})));
     }
 
     @Test
@@ -70,7 +71,7 @@ public class CodecTest {
         List<FirmataMessage> found = read(FirmataReader.BOARD, "33 F4 0D 01 44 F0 F7 F0 79 F7 F9");
         assertEquals(3, found.size());
         assertArrayEquals(Bytes.bytes("F4 0D 01"), found.get(0).toBytes());
-        assertEquals("F0 79 F7", hex(found.get(1)));
+        assertEquals(FIRMATA.get("ask for the firmware"), hex(found.get(1)));
         assertEquals(FirmataMessage.VERSION, found.get(2).getCommand());
     }
 

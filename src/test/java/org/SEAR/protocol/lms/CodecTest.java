@@ -8,10 +8,12 @@ import static org.junit.Assert.assertTrue;
 
 import java.util.Arrays;
 import org.SEAR.Bytes;
+import org.SEAR.Golden;
 import org.junit.Test;
 
 /** Payloads and codes of the LMS2xx as SICK's telegram listing prints them. */
 public class CodecTest {
+    private static final Golden LMS = Golden.of("lms200");
     private static final String ZEROS = " 00".repeat(21);
 
     private static void request(String frame, LmsPayload payload) {
@@ -24,39 +26,39 @@ public class CodecTest {
 
     @Test
     public void requestsAreThoseOfTheListing() {
-        request("02 00 01 00 10 34 12", LmsCommand.RESET.request());
-        request("02 00 01 00 31 15 12", LmsCommand.STATUS.request());
-        request("02 00 01 00 32 16 12", LmsCommand.ERRORS.request());
-        request("02 00 01 00 3A 1E 12", LmsCommand.TYPE.request());
-        request("02 00 01 00 74 50 12", LmsCommand.GET_CONFIGURATION.request());
-        request("02 00 02 00 20 24 34 08", LmsCommand.MODE.request().add(OperatingMode.STREAM_ALL));
-        request("02 00 02 00 20 25 35 08", LmsCommand.MODE.request().add(OperatingMode.ON_REQUEST));
-        request("02 00 02 00 20 2A 3A 08", LmsCommand.MODE.request().add(OperatingMode.STREAM_PARTIAL));
-        request("02 00 02 00 20 10 00 08", LmsCommand.MODE.request().add(OperatingMode.DIAGNOSTIC));
-        request("02 00 03 00 20 26 05 79 3E", LmsCommand.MODE.request().add(OperatingMode.STREAM_MEAN).add(5));
-        request("02 00 06 00 20 27 1B 00 2B 01 FF FE", LmsCommand.MODE.request().add(OperatingMode.STREAM_RANGE).word(27).word(299));
-        request("02 00 0A 00 20 00 53 49 43 4B 5F 4C 4D 53 BE C5",
+        request(LMS.get("reset"), LmsCommand.RESET.request());
+        request(LMS.get("ask for the status"), LmsCommand.STATUS.request());
+        request(LMS.get("ask for errors"), LmsCommand.ERRORS.request());
+        request(LMS.get("ask for the type"), LmsCommand.TYPE.request());
+        request(LMS.get("ask for the configuration"), LmsCommand.GET_CONFIGURATION.request());
+        request(LMS.get("stream all scans"), LmsCommand.MODE.request().add(OperatingMode.STREAM_ALL));
+        request(LMS.get("scans on request"), LmsCommand.MODE.request().add(OperatingMode.ON_REQUEST));
+        request(LMS.get("stream partial scans"), LmsCommand.MODE.request().add(OperatingMode.STREAM_PARTIAL));
+        request(LMS.get("diagnosis, without a password"), LmsCommand.MODE.request().add(OperatingMode.DIAGNOSTIC));
+        request(LMS.get("stream means of 5 scans"), LmsCommand.MODE.request().add(OperatingMode.STREAM_MEAN).add(5));
+        request(LMS.get("stream values 27 to 299"), LmsCommand.MODE.request().add(OperatingMode.STREAM_RANGE).word(27).word(299));
+        request(LMS.get("installation, with the password SICK_LMS"),
             LmsCommand.MODE.request().add(OperatingMode.INSTALLATION).text(OperatingMode.PASSWORD));
-        request("02 00 02 00 30 01 31 18", LmsCommand.SCAN.request().add(1));
-        request("02 00 02 00 36 02 3E 1E", LmsCommand.MEAN.request().add(2));
-        request("02 00 05 00 37 01 00 69 01 EB 75", LmsCommand.RANGE.request().word(1).word(361));
-        request("02 00 02 00 66 01 9D 4E", LmsCommand.PERMANENT_BAUD.request().add(1));
-        request("02 00 05 00 7C 00 00 00 00 8F C4", LmsCommand.PIXELS.request().word(0).word(0));
+        request(LMS.get("ask for a scan"), LmsCommand.SCAN.request().add(1));
+        request(LMS.get("ask for the mean of 2 scans"), LmsCommand.MEAN.request().add(2));
+        request(LMS.get("ask for values 1 to 361"), LmsCommand.RANGE.request().word(1).word(361));
+        request(LMS.get("keep the baud rate"), LmsCommand.PERMANENT_BAUD.request().add(1));
+        request(LMS.get("define no field"), LmsCommand.PIXELS.request().word(0).word(0));
     }
 
     @Test
     public void repliesAreThoseOfTheListingAndOfARealDevice() {
-        reply("02 80 02 00 91 10 79 30", LmsCommand.RESET.reply().add(StatusByte.OK));
-        reply("02 80 17 00 90 4C 4D 53 32 30 30 3B 33 30 31 30 36 33 3B 56 30 32 2E 31 30 20 10 63 5E",
+        reply(LMS.get("it resets itself"), LmsCommand.RESET.reply().add(StatusByte.OK));
+        reply(LMS.get("hello of an LMS200 with V02.10"),
             new LmsPayload(LmsCommand.POWER_ON).text("LMS200;301063;V02.10 ").add(StatusByte.OK));
-        reply("02 80 03 00 A0 00 10 16 0A", LmsCommand.MODE.reply().add(0).add(StatusByte.OK));
-        reply("02 81 03 00 A0 00 10 36 1A", LmsCommand.MODE.reply().add(0).add(StatusByte.OK));
-        reply("02 80 03 00 A0 02 10 12 08", LmsCommand.MODE.reply().add(2).add(StatusByte.OK));
-        reply("02 80 02 00 92 10 7F 33", new LmsPayload(LmsCommand.NOT_PERMITTED).add(StatusByte.OK));
-        reply("02 80 02 00 B2 10 3F 13", LmsCommand.ERRORS.reply().add(StatusByte.OK));
-        reply("02 80 17 00 BA 4C 4D 53 32 30 30 3B 53 31 38 30 36 33 3B 56 30 32 2E 31 39 20 10 85 6A",
+        reply(LMS.get("mode changed"), LmsCommand.MODE.reply().add(0).add(StatusByte.OK));
+        reply(LMS.get("mode changed, of the device with address 1"), LmsCommand.MODE.reply().add(0).add(StatusByte.OK));
+        reply(LMS.get("mode not changed"), LmsCommand.MODE.reply().add(2).add(StatusByte.OK));
+        reply(LMS.get("not permitted"), new LmsPayload(LmsCommand.NOT_PERMITTED).add(StatusByte.OK));
+        reply(LMS.get("no errors"), LmsCommand.ERRORS.reply().add(StatusByte.OK));
+        reply(LMS.get("type of the recorded LMS200 with V02.19"),
             LmsCommand.TYPE.reply().text("LMS200;S18063;V02.19 ").add(StatusByte.OK));
-        reply("02 80 04 00 E6 01 00 10 CD FC", LmsCommand.PERMANENT_BAUD.reply().word(1).add(StatusByte.OK));
+        reply(LMS.get("the baud rate is kept"), LmsCommand.PERMANENT_BAUD.reply().word(1).add(StatusByte.OK));
     }
 
     @Test
@@ -71,7 +73,7 @@ public class CodecTest {
 
     @Test
     public void speedsHaveTheirTelegramsAndTheirStatusWords() {
-        String[] frames = {"02 00 02 00 20 42 52 08", "02 00 02 00 20 41 51 08", "02 00 02 00 20 40 50 08", "02 00 02 00 20 48 58 08"};
+        String[] frames = {LMS.get("9600 baud"), LMS.get("19200 baud"), LMS.get("38400 baud"), LMS.get("500000 baud")};
         int[] rates = {9600, 19200, 38400, 500000};
         int[] words = {0x8067, 0x8033, 0x8019, 0x8001};
         for (int i = 0; i < rates.length; i++) {
@@ -88,10 +90,10 @@ public class CodecTest {
 
     @Test
     public void variantsHaveTheirTelegrams() {
-        String[] frames = {"02 00 05 00 3B 64 00 64 00 1D 0F", "02 00 05 00 3B 64 00 32 00 B1 59", "02 00 05 00 3B 64 00 19 00 E7 72",
-            "02 00 05 00 3B B4 00 64 00 97 49", "02 00 05 00 3B B4 00 32 00 3B 1F"};
-        String[] replies = {"02 80 07 00 BB 01 64 00 64 00 10 4F BD", "02 80 07 00 BB 01 64 00 32 00 10 17 10",
-            "02 80 07 00 BB 01 64 00 19 00 10 BB 46", "02 80 07 00 BB 01 B4 00 64 00 10 5B 30", "02 80 07 00 BB 01 B4 00 32 00 10 03 9D"};
+        String[] frames = {LMS.get("100 degrees, each"), LMS.get("100 degrees, each half"), LMS.get("100 degrees, each quarter"),
+            LMS.get("180 degrees, each"), LMS.get("180 degrees, each half")};
+        String[] replies = {LMS.get("100 degrees, each: done"), LMS.get("100 degrees, each half: done"),
+            LMS.get("100 degrees, each quarter: done"), LMS.get("180 degrees, each: done"), LMS.get("180 degrees, each half: done")};
         for (Variant variant : Variant.values()) {
             request(frames[variant.ordinal()], LmsCommand.VARIANT.request().word(variant.getSpread()).word(variant.getResolution()));
             reply(replies[variant.ordinal()], LmsCommand.VARIANT.reply().add(1).word(variant.getSpread()).word(variant.getResolution())

@@ -12,12 +12,14 @@ import java.util.Random;
 import java.util.function.IntPredicate;
 import org.SEAR.Bytes;
 import org.SEAR.Fuzz;
+import org.SEAR.Golden;
 import org.junit.Test;
 
 /** Telegrams are found in any stream of bytes, whole ones only. */
 public class TelegramReaderTest {
-    private static final String MODE_REPLY = "02 80 03 00 A0 00 10 16 0A";
-    private static final String VARIANT_REPLY = "02 80 07 00 BB 01 64 00 64 00 10 4F BD";
+    private static final Golden LMS = Golden.of("lms200");
+    private static final String MODE_REPLY = LMS.get("mode changed");
+    private static final String VARIANT_REPLY = LMS.get("100 degrees, each: done");
 
     private final List<Telegram> telegrams = new ArrayList<>();
     private final List<byte[]> wrong = new ArrayList<>();
@@ -95,7 +97,7 @@ public class TelegramReaderTest {
 
     @Test
     public void theHostsOwnTelegramsAreNoAnswers() {
-        feed("02 00 02 00 30 01 31 18");
+        feed(LMS.get("ask for a scan"));
         assertEquals(0, telegrams.size());
     }
 

@@ -9,10 +9,12 @@ import java.util.List;
 import java.util.Random;
 import org.SEAR.Bytes;
 import org.SEAR.Fuzz;
+import org.SEAR.Golden;
 import org.junit.Test;
 
 /** Frames as MyRobotLab's schema of its messages has them. */
 public class CodecTest {
+    private static final Golden MRL_COMM = Golden.of("mrlcomm");
     private final List<MrlMessage> found = new ArrayList<>();
     private final List<Integer> unknown = new ArrayList<>();
     private final MrlReader reader = new MrlReader(found::add, unknown::add);
@@ -25,10 +27,10 @@ public class CodecTest {
 
     @Test
     public void theHello() {
-        assertEquals("AA 02 3A 44", Bytes.hex(MrlMessage.of(MrlFunction.PUBLISH_BEGIN).add(MrlMessage.VERSION).end().toBytes()));
-        assertEquals("AA 02 09 02",
+        assertEquals(MRL_COMM.get("hello of a board"), Bytes.hex(MrlMessage.of(MrlFunction.PUBLISH_BEGIN).add(MrlMessage.VERSION).end().toBytes()));
+        assertEquals(MRL_COMM.get("ask for the board acknowledged"),
             Bytes.hex(MrlMessage.of(MrlFunction.PUBLISH_ACK).add(MrlFunction.GET_BOARD_INFO.getNumber()).end().toBytes()));
-        read("AA 01 02");
+        read(MRL_COMM.get("ask for the board"));
         assertEquals(MrlFunction.GET_BOARD_INFO, found.get(0).getFunction());
     }
 
@@ -46,7 +48,7 @@ public class CodecTest {
 
     @Test
     public void numbersAreBigEndianAndSigned() {
-        read("AA 0D 23 03 0A 05 DC FF FF 05 73 65 72 76 6F");
+        read(MRL_COMM.get("attach the servo 3 at pin 10, 1500 us, as fast as it goes"));
         MrlMessage attach = found.get(0);
         assertEquals(MrlFunction.SERVO_ATTACH, attach.getFunction());
         assertEquals(3, attach.getByte(0));

@@ -3,17 +3,17 @@ package org.SEAR.protocol.nmea;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertNull;
 
+import org.SEAR.Golden;
 import org.junit.Test;
 
 /** Frames, numbers and commands as in MediaTek's manual and recordings of real receivers. */
 public class NmeaTest {
+    private static final Golden NMEA = Golden.of("nmea");
     @Test
     public void sentencesOfRealReceiversHaveThisChecksum() {
-        String[] real = {"$PMTK010,001*2E", "$GPGGA,235946.005,8960.000000,N,00000.000000,E,0,0,,137.000,M,13.000,M,,*49",
-            "$GPGGA,081436.000,5212.982135,N,00653.101394,E,1,3,2.88,102.907,M,47.093,M,,*5F", "$GPGSA,A,2,21,28,08,,,,,,,,,,3.05,2.88,1.00*07",
-            "$GPGSV,3,1,11,08,63,065,50,28,42,144,52,21,13,320,42,26,,,48*44",
-            "$GPRMC,081436.000,A,5212.982135,N,00653.101394,E,0.039,0.00,230808,,,A*53", "$GPVTG,0.00,T,,M,0.039,N,0.072,K,A*32",
-            "$GPGGA,102128.000,5129.0623,N,00632.2910,E,1,4,1.31,29.7,M,47.4,M,,*6D"};
+        String[] real = NMEA.each("it has restarted", "place without a fix, recorded", "place with three satellites, recorded",
+            "three satellites in use, recorded", "satellites in view, recorded", "the least that one needs, recorded", "course and speed, recorded",
+            "place by an MT3329, recorded");
         for (String sentence : real) {
             String body = Nmea.body(sentence);
             assertEquals(sentence.substring(1, sentence.length() - 3), body);
@@ -23,7 +23,8 @@ public class NmeaTest {
 
     @Test
     public void aDamagedFrameHasNoBody() {
-        String[] damaged = {"", "$", "*00", "$PMTK220,1000*1E", "PMTK220,1000*1F", "$PMTK220,1000", "$PMTK220,1000*1G", "$PMTK220,1000*1F "};
+        String[] damaged = {"", "$", "*00", NMEA.get("a fix each second, its checksum wrong"), "PMTK220,1000*1F", "$PMTK220,1000",
+            "$PMTK220,1000*1G", "$PMTK220,1000*1F "};
         for (String line : damaged) {
             assertNull(line, Nmea.body(line));
         }
@@ -32,14 +33,14 @@ public class NmeaTest {
 
     @Test
     public void commandsAreThoseOfTheManual() {
-        assertEquals("$PMTK000*32\r\n", Nmea.sentence(Pmtk.TEST.body()));
-        assertEquals("$PMTK220,200*2C\r\n", Nmea.sentence(Pmtk.SET_PERIOD.body(200)));
-        assertEquals("$PMTK251,38400*27\r\n", Nmea.sentence(Pmtk.SET_BAUD.body(38400)));
-        assertEquals("$PMTK300,1000,0,0,0,0*1C\r\n", Nmea.sentence(Pmtk.SET_FIX_INTERVAL.body(1000, 0, 0, 0, 0)));
-        assertEquals("$PMTK314,-1*04\r\n", Nmea.sentence(Pmtk.SET_OUTPUT.body(-1)));
-        assertEquals("$PMTK605*31\r\n", Nmea.sentence(Pmtk.QUERY_RELEASE.body()));
-        assertEquals("$PMTK001,220,3*30\r\n", Nmea.sentence(Pmtk.ACKNOWLEDGE.body(220, 3)));
-        assertEquals("$PMTK705,AXN_1.30,0000,20090609,*20\r\n", Nmea.sentence(Pmtk.RELEASE.body("AXN_1.30", "0000", "20090609", "")));
+        assertEquals(NMEA.get("test") + "\r\n", Nmea.sentence(Pmtk.TEST.body()));
+        assertEquals(NMEA.get("5 fixes a second") + "\r\n", Nmea.sentence(Pmtk.SET_PERIOD.body(200)));
+        assertEquals(NMEA.get("38400 baud") + "\r\n", Nmea.sentence(Pmtk.SET_BAUD.body(38400)));
+        assertEquals(NMEA.get("an interval of a second between fixes") + "\r\n", Nmea.sentence(Pmtk.SET_FIX_INTERVAL.body(1000, 0, 0, 0, 0)));
+        assertEquals(NMEA.get("sentences of its start") + "\r\n", Nmea.sentence(Pmtk.SET_OUTPUT.body(-1)));
+        assertEquals(NMEA.get("ask for the release") + "\r\n", Nmea.sentence(Pmtk.QUERY_RELEASE.body()));
+        assertEquals(NMEA.get("fixes per second: done") + "\r\n", Nmea.sentence(Pmtk.ACKNOWLEDGE.body(220, 3)));
+        assertEquals(NMEA.get("release AXN_1.30") + "\r\n", Nmea.sentence(Pmtk.RELEASE.body("AXN_1.30", "0000", "20090609", "")));
         String[] speeds = {"4800*14", "9600*17", "14400*29", "19200*22", "38400*27", "57600*2C", "115200*1F"};
         for (int i = 0; i < speeds.length; i++) {
             assertEquals("$PMTK251," + speeds[i] + "\r\n", Nmea.sentence(Pmtk.SET_BAUD.body(Pmtk.BAUDS.get(i))));

@@ -9,18 +9,21 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.SEAR.Bytes;
+import org.SEAR.Golden;
 import org.junit.Test;
 
 /** Slamtec's examples, frames of real devices, and such as drivers of others take. */
 public class CodecTest {
+    private static final Golden RPLIDAR = Golden.of("rplidar");
     private static final double ANGLE = 1 / 64.0;
 
     @Test
     public void requestsWithAndWithoutPayload() {
-        assertEquals("A5 25", Bytes.hex(new RplidarRequestPacket(RplidarCommand.STOP.getCode()).toBytes()));
-        assertEquals("A5 82 05 00 00 00 00 00 22", Bytes.hex(new RplidarRequestPacket(RplidarCommand.EXPRESS_SCAN.getCode(), new byte[5]).toBytes()));
-        assertEquals("A5 F0 02 94 02 C1", Bytes.hex(new RplidarRequestPacket(0xF0, (byte) 0x94, (byte) 2).toBytes()));
-        assertEquals("A5 FF 04 00 00 00 00 5E", Bytes.hex(new RplidarRequestPacket(0xFF, new byte[4]).toBytes()));
+        assertEquals(RPLIDAR.get("stop"), Bytes.hex(new RplidarRequestPacket(RplidarCommand.STOP.getCode()).toBytes()));
+        assertEquals(RPLIDAR.get("ask for an express scan"),
+            Bytes.hex(new RplidarRequestPacket(RplidarCommand.EXPRESS_SCAN.getCode(), new byte[5]).toBytes()));
+        assertEquals(RPLIDAR.get("motor at 660 of 1023"), Bytes.hex(new RplidarRequestPacket(0xF0, (byte) 0x94, (byte) 2).toBytes()));
+        assertEquals(RPLIDAR.get("ask for the motor's control"), Bytes.hex(new RplidarRequestPacket(0xFF, new byte[4]).toBytes()));
     }
 
     @Test
@@ -36,8 +39,9 @@ public class CodecTest {
 
     @Test
     public void descriptors() {
-        String[] expected = {null, null, "A5 5A 05 00 00 40 81", "A5 5A 05 00 00 40 81", "A5 5A 54 00 00 40 82", "A5 5A 14 00 00 00 04",
-            "A5 5A 03 00 00 00 06", "A5 5A 04 00 00 00 15"};
+        String[] expected = {null, null, RPLIDAR.get("a scan follows"), RPLIDAR.get("a scan follows"),
+            RPLIDAR.get("an express scan follows"), RPLIDAR.get("who it is follows"),
+            RPLIDAR.get("its health follows"), RPLIDAR.get("sample rates follow")};
         for (RplidarCommand command : RplidarCommand.values()) {
             Descriptor descriptor = command.getDescriptor();
             assertEquals(expected[command.ordinal()], descriptor == null ? null : Bytes.hex(descriptor.toBytes()));
@@ -105,7 +109,7 @@ public class CodecTest {
 
     @Test
     public void infoAndHealth() {
-        byte[] serial = Bytes.bytes("EB B3 99 F6 C9 E5 9A D2 C5 E5 9C F7 17 61 34 12");
+        byte[] serial = Bytes.bytes(RPLIDAR.get("its number"));
         assertEquals("18 1D 01 07 EB B3 99 F6 C9 E5 9A D2 C5 E5 9C F7 17 61 34 12", Bytes.hex(new Info(Info.A1M8, 1, 29, 7, serial).toBytes()));
         assertEquals("model 24, firmware 1.29, hardware 7", new Info(new Info(Info.A1M8, 1, 29, 7, serial).toBytes()).toString());
         assertEquals("02 34 12", Bytes.hex(new Health(Health.ERROR, 0x1234).toBytes()));

@@ -11,10 +11,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.zip.CRC32;
+import org.SEAR.Golden;
 import org.junit.Test;
 
 /** Examples of the specification and answers of real sensors; {@code |} is a line feed. */
 public class CodecTest {
+    private static final Golden SCIP = Golden.of("scip");
     private static String encode(int value, int characters) {
         StringBuilder out = new StringBuilder();
         Encoding.append(out, value, characters);
@@ -61,11 +63,11 @@ public class CodecTest {
 
     @Test
     public void wholeRepliesByteByByte() {
-        assertEquals("GD0384038601|00P|00?Xg|0?X0?Y0?ZH||",
+        assertEquals(SCIP.get("three values of three characters by GD"),
             text(new ReplyWriter("GD0384038601", ScipStatus.OK).time(1000).values(new int[] {1000, 1001, 1002}, Encoding.LONG)));
-        assertEquals("MD0384038401000|99b|00?Xg|0?X7||",
+        assertEquals(SCIP.get("a value of three characters by MD"),
             text(new ReplyWriter("MD0384038401000", ScipStatus.SCAN).time(1000).values(new int[] {1000}, Encoding.LONG)));
-        assertEquals("MS0384038501000|99b|00?Xg|?X0C:||",
+        assertEquals(SCIP.get("two values of two characters by MS"),
             text(new ReplyWriter("MS0384038501000", ScipStatus.SCAN).time(1000).values(new int[] {1000, 19}, Encoding.SHORT)));
     }
 

@@ -11,18 +11,18 @@ import java.util.List;
 import java.util.Random;
 import org.SEAR.Bytes;
 import org.SEAR.Fuzz;
+import org.SEAR.Golden;
 import org.junit.Test;
 
 /** Frames and their reader against frames of real receivers and of gpsd. */
 public class UbxTest {
+    private static final Golden UBX = Golden.of("ubx");
     /** From gpsd's log of a NEO-M8N, 2017-07-19. */
-    public static final String PVT = "B5 62 01 07 5C 00 30 98 58 11 E1 07 07 13 08 32 00 37 03 00 00 00 27 80 AD 2F 03 03 0A 0E AD EB 9D 52 "
-        + "89 BB 31 EB 50 63 00 00 DF 70 00 00 6C 04 00 00 42 06 00 00 F6 FF FF FF E4 FF FF FF 26 00 00 00 1E 00 "
-        + "00 00 AA 05 30 00 E5 00 00 00 68 5F 0D 00 91 00 00 E0 AC 4C 22 00 00 E0 00 E0 00 00 00 80 C8 55";
-    private static final String[] FRAMES = {"B5 62 0A 04 00 00 0E 34", "B5 62 06 00 01 00 01 08 22", "B5 62 05 01 02 00 06 01 0F 38",
-        "B5 62 05 00 02 00 06 8A 97 BC", "B5 62 06 08 06 00 E8 03 01 00 01 00 01 39", "B5 62 06 01 03 00 F0 01 00 FB 11",
-        "B5 62 06 8A 09 00 00 01 00 00 07 00 91 20 01 53 48", "B5 62 01 04 12 00 A0 66 17 19 C5 00 AD 00 5E 00 94 00 5B 00 47 00 38 00 8B 9B",
-        "B5 62 06 00 14 00 01 00 00 00 D0 08 00 00 80 25 00 00 27 00 23 00 00 00 00 00 E2 75", PVT};
+    public static final String PVT = UBX.get("position, velocity and time of a NEO-M8N, from gpsd's log of 2017-07-19");
+    private static final String[] FRAMES = UBX.each("ask for the version", "ask for the settings of UART 1", "message rate acknowledged",
+        "key and value refused", "a solution each second", "no GLL", "key and value, which a generation 8 does not know",
+        "dilutions of precision of a real receiver", "UBX, NMEA and RTCM both ways, 9600 baud",
+        "position, velocity and time of a NEO-M8N, from gpsd's log of 2017-07-19");
 
     private final List<UbxFrame> found = new ArrayList<>();
     private final ByteArrayOutputStream others = new ByteArrayOutputStream();

@@ -28,22 +28,24 @@ import org.openqa.selenium.interactions.Actions;
 public class BuildingTest {
     @ClassRule
     public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
-    /** What the first test builds. */
-    private static final String SCRIPT = String.join("\n",
-        "from org.SEAR.POJOs import Box, Compass, Cone, Cylinder, Distance, Floor, LIDAR, Robots, Sphere",
-        "sear.newProject()",
+    private static final String TYPES = "from org.SEAR.POJOs import Box, Compass, Cone, Cylinder, Distance, Floor, LIDAR, Robots, Sphere";
+    /** A floor with things in the middle of its quarters, the north-eastern one with a tower on it, and others east of the middle. */
+    private static final String THINGS = String.join("\n",
         "Floor('floor1', 10, 10)",
         "for name, x, z in ((1, 2, 2), (2, 2, -2), (3, -2, 2), (4, -2, -2)): Box('box%d' % name, 0.5, 0.5, 0.5).move(x, 0.25, z)",
         "Cylinder('cylinder1', 0.2, 0.5).move(3, 0.25, 0)",
         "Cone('cone1', 0.2, 0.5).move(3, 0.25, 1)",
         "Sphere('sphere1', 0.2).move(3, 0.2, -1)",
         "tower = Box('box5', 0.5, 0.5, 0.5)",
-        "tower.move(2, 0.75, 2)",
+        "tower.move(2, 0.75, 2)");
+    private static final String COPY_OF_THE_TOWER = String.join("\n",
         "copy = Box('box6', 0.5, 0.5, 0.5, 4)",
         "copy.move(2.05, 0.75, 2.5)",
-        "copy.rotate(0, 15, 0)",
+        "copy.rotate(0, 15, 0)");
+    private static final String ROBOT = String.join("\n",
         "robot = Robots.create2('create2')",
-        "robot.move(0, 0, 1)",
+        "robot.move(0, 0, 1)");
+    private static final String SENSORS = String.join("\n",
         "robot.addComponent(Compass('compass1'))",
         "lidar = LIDAR('lidar1')",
         "lidar.move(0, 0.1, 0.1)",
@@ -128,15 +130,42 @@ public class BuildingTest {
         browser.until(field + " to be " + value, () -> tab.isTrue("edits.object && edits.object.values." + field + " == '" + value + "'"));
     }
 
-    @Test
-    public void aWorldAndARobotAreBuiltAndEqualWhatAScriptMakes() throws Exception {
-        TABS.robotLab().run(SCRIPT);
-        Map<String, String> wanted = files();
+    /** Has a script make a world anew; returns when the page shows so many things and robots of it. */
+    private void make(int things, int robots, String... parts) {
+        TABS.robotLab().run(TYPES + "\nsear.newProject()\n" + String.join("\n", parts));
+        browser.until("what the script makes", () -> tab.isTrue("world.shown() && world.shown().objects.length == " + things
+            + " && world.shown().robots.length == " + robots));
+    }
+
+    /** The files that a script makes, in the end with an empty project. */
+    private Map<String, String> filesOf(int things, int robots, String... parts) throws IOException {
+        make(things, robots, parts);
+        Map<String, String> files = files();
         beginWithAnEmptyProject();
+        return files;
+    }
+
+    /** A map of 10 m around the middle, where things are built. */
+    private void buildOnTheMap() {
         build(".sear-map");
         browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope();"
             + "angular.extend(scope.view, {x: 0, z: 0, scale: 50, chosen: true}); scope.view.redraw()");
         browser.until("all places in the view", () -> Math.abs(tab.toScreen(1, 0)[1] - tab.toScreen(0, 0)[1] + 50) < 0.1);
+    }
+
+    /** Takes back one edit after the other until there is none. */
+    private void undoAll() {
+        while (tab.isTrue("edits.undoable !== null")) {
+            Object last = browser.scope(SearTab.ROOT, "messages.list[0].id + ' ' + messages.list[0].times");
+            browser.click(".sear-undo");
+            browser.until("an edit undone", () -> !last.equals(browser.scope(SearTab.ROOT, "messages.list[0].id + ' ' + messages.list[0].times")));
+        }
+    }
+
+    @Test
+    public void thingsPlacedByClicksOnTheMapAreWhatAScriptMakesAndUndoTakesThemAllBack() throws Exception {
+        Map<String, String> wanted = filesOf(9, 0, THINGS);
+        buildOnTheMap();
         placeOnMap("Floor", 0, 0, "floor1");
         int box = 1;
         for (double[] at : new double[][] {{2, 2}, {2, -2}, {-2, 2}, {-2, -2}}) {
@@ -146,6 +175,20 @@ public class BuildingTest {
         placeOnMap("Cone", 3, 1, "cone1");
         placeOnMap("Sphere", 3, -1, "sphere1");
         placeOnMap("Box", 2, 2, "box5");
+        assertEquals(wanted, files());
+        undoAll();
+        assertEquals(Map.of(), files());
+        browser.until("an empty view", () -> tab.isTrue("!world.shown().objects.length && !world.shown().robots.length && edits.selected === null"));
+    }
+
+    @Test
+    public void aCopyIsMovedAndTurnedByKeysAndGetsAMassByItsField() throws Exception {
+        Map<String, String> wanted = filesOf(10, 0, THINGS, COPY_OF_THE_TOWER);
+        make(9, 0, THINGS);
+        Map<String, String> before = files();
+        buildOnTheMap();
+        onMap(2, 2).click().perform();
+        waitForSelected("box5");
         browser.click(".sear-duplicate");
         waitForSelected("box6");
         browser.see(".sear-view").sendKeys(Keys.ARROW_UP);
@@ -153,6 +196,18 @@ public class BuildingTest {
         browser.see(".sear-view").sendKeys("[");
         browser.until("a turn", () -> tab.isTrue("edits.object.values.ry == '15'"));
         set("mass", "4");
+        assertEquals(wanted, files());
+        undoAll();
+        assertEquals(before, files());
+    }
+
+    /** A sensor comes to the middle of the robot by a button, or to where one clicks. */
+    @Test
+    public void aRobotAndItsSensorsPlacedByClicksAreWhatAScriptMakes() throws Exception {
+        Map<String, String> wanted = filesOf(9, 1, THINGS, ROBOT, SENSORS);
+        make(9, 0, THINGS);
+        Map<String, String> before = files();
+        buildOnTheMap();
         placeOnMap("create2", 0, 1, "create2");
         for (String type : List.of("Compass", "LIDAR", "Distance")) {
             arm(type);
@@ -171,49 +226,81 @@ public class BuildingTest {
         name.sendKeys("eye", Keys.ENTER);
         waitForSelected("create2/eye");
         set("beam", "PING)))");
-        browser.click(".sear-tree button[ng-click*='sensor']");
-        browser.until("a sensor of the list", () -> tab.isTrue("edits.object && edits.object.robot == 'create2'"));
         TABS.robotLab().run("sear.edit({'do': 'set', 'object': 'lidar1', 'set': {'z': 0.1}})");
         assertEquals(wanted, files());
-        handlesOfTheMapSizeAndTurn();
         tab.start();
         browser.until("readings of all three sensors", () -> tab.number("world.shown().sensors.length") == 3);
-        aRobotIsDraggedWhileItRuns();
         TABS.robotLab().call("sear", "stopSimulation");
         browser.until("no simulation", () -> tab.isTrue("service && !service.simulating"));
-        while (tab.isTrue("edits.undoable !== null")) {
-            Object last = browser.scope(SearTab.ROOT, "messages.list[0].id + ' ' + messages.list[0].times");
-            browser.click(".sear-undo");
-            browser.until("an edit undone", () -> !last.equals(browser.scope(SearTab.ROOT, "messages.list[0].id + ' ' + messages.list[0].times")));
-        }
-        assertEquals(Map.of(), files());
-        browser.until("an empty view", () -> tab.isTrue("!world.shown().objects.length && !world.shown().robots.length && edits.selected === null"));
+        undoAll();
+        assertEquals(before, files());
+    }
+
+    @Test
+    public void aSensorIsSelectedInTheListOfParts() {
+        make(9, 1, THINGS, ROBOT, SENSORS);
+        buildOnTheMap();
+        onMap(0, 1).click().perform();
+        waitForSelected("create2");
+        browser.click(".sear-tree button[ng-click*='sensor']");
+        browser.until("a sensor of the list", () -> tab.isTrue("edits.object && edits.object.robot == 'create2'"));
     }
 
     /** Handles of 0.5 m of box4 in the south-west. */
-    private void handlesOfTheMapSizeAndTurn() throws IOException {
+    private WebElement boxWithHandles() throws IOException {
+        make(9, 1, THINGS, ROBOT);
+        buildOnTheMap();
         onMap(-2, -2).click().perform();
         waitForSelected("box4");
-        WebElement view = browser.see(".sear-view");
         picture("map");
+        return browser.see(".sear-view");
+    }
+
+    @Test
+    public void aHandleOnTheMapMakesAThingLongerTheOtherSideStays() throws IOException {
+        WebElement view = boxWithHandles();
+        Map<String, String> before = files();
         drag(view, onMapOf("x"), tab.toScreen(-1.25, -2));
         browser.until("it is longer", () -> tab.isTrue("edits.object.values.length == '1' && edits.object.values.x == '-1.75'"));
         browser.until("in the view, too", () -> Math.abs(place("x").get(0).doubleValue() + 1.25) < 1e-3);
+        assertTrue("what one looks along has no handle", tab.isTrue("building.handle('y') === null"));
+        undoAll();
+        assertEquals(before, files());
+    }
+
+    @Test
+    public void aHandleOnTheMapTurnsAThing() throws IOException {
+        WebElement view = boxWithHandles();
+        drag(view, onMapOf("x"), tab.toScreen(-1.25, -2));
+        browser.until("it is longer", () -> Math.abs(place("x").get(0).doubleValue() + 1.25) < 1e-3);
         drag(view, onMapOf("turn"), tab.toScreen(-1, -2.02));
         browser.until("it looks north", () -> tab.isTrue("edits.object.values.ry == '90'"));
-        assertTrue("what one looks along has no handle", tab.isTrue("building.handle('y') === null"));
+    }
+
+    @Test
+    public void aRobotHasAHandleToTurnItAndNoneForItsSize() {
+        make(9, 1, THINGS, ROBOT);
+        buildOnTheMap();
+        onMap(0, 1).click().perform();
+        waitForSelected("create2");
+        assertTrue("a robot can be turned, its parts have sizes", tab.isTrue("building.handle('x') === null && building.handle('turn') !== null"));
+    }
+
+    @Test
+    public void aPlaceOnTheEarthIsWrittenAsSuchAndAHeightAsOnTheGround() {
         String onEarth = "{x: '0', y: '0', z: '0', ry: '0', placeLatitude: '5', placeLongitude: '6', placeHeading: '30'}";
         String thing = "{robot: null, object: {pose: [1, 2, 3, 0, 60, 0]}}";
         assertEquals("{\"placeHeading\":\"0\"}", written(thing, onEarth, false, "{ry: '90'}"));
         assertEquals("{\"x\":\"4\",\"z\":\"3\",\"onGround\":\"true\"}", written(thing, onEarth, false, "{x: '4'}"));
+    }
+
+    @Test
+    public void whatMovedWhileItRanIsWrittenWhereItStands() {
         assertEquals("a crate that was tipped over and pushed", "{\"rx\":\"0\",\"ry\":\"0\",\"rz\":\"90\",\"z\":\"3\",\"x\":\"4\"}",
             written("{robot: null, object: {pose: [1, 2, 3, 0, 0, 90]}}", "{x: '1', y: '2', z: '0', ry: '0'}", true, "{x: '4'}"));
         assertEquals("a robot whose Dynamics is 2 m ahead of it", "{\"x\":\"3\",\"z\":\"6\",\"ry\":\"90\"}",
             written("{robot: null, object: {parts: [], pose: [5, 0, 5, 0, 90, 0], start: [1, 0, 2, 0, 0, 0], written: [1, 0, 0, 0, 0, 0]}}",
                 "{x: '1', y: '0', z: '0', ry: '0'}", true, "{z: '6'}"));
-        onMap(0, 1).click().perform();
-        waitForSelected("create2");
-        assertTrue("a robot can be turned, its parts have sizes", tab.isTrue("building.handle('x') === null && building.handle('turn') !== null"));
     }
 
     /** What an edit sets in a file with such values. */
@@ -222,9 +309,20 @@ public class BuildingTest {
             + live + "), " + set + "))");
     }
 
-    /** By mouse and by a key, back by undo; its sensors go with it. */
-    private void aRobotIsDraggedWhileItRuns() {
+    /** A robot with sensors runs and is selected on the map. */
+    private void runSelected() {
+        make(9, 1, THINGS, ROBOT, SENSORS);
+        buildOnTheMap();
+        onMap(0, 1).click().perform();
         waitForSelected("create2");
+        tab.start();
+        browser.until("readings of all three sensors", () -> tab.number("world.shown().sensors.length") == 3);
+    }
+
+    @Test
+    public void aRunningRobotIsDraggedItsSensorsGoWithItAndUndoPutsItBack() throws IOException {
+        runSelected();
+        Map<String, String> before = files();
         double x = tab.number("world.running.robots[0].pose[0]");
         drag(browser.see(".sear-view"), tab.toScreen(x, 1), tab.toScreen(x - 1, -1));
         browser.until("its new place in its file",
@@ -234,15 +332,34 @@ public class BuildingTest {
         browser.until("it stands there", () -> Math.abs(tab.number("world.running.robots[0].pose[2]") + 1) < 0.01
             && Math.abs(tab.number("world.running.robots[0].pose[0]") - put) < 0.01);
         browser.until("its sensors with it", () -> tab.number("world.running.sensors[0].pose[2]") < -0.5);
+        assertNothingWaitsForTheNextStart();
+        browser.see(".sear-view").sendKeys(Keys.chord(Keys.CONTROL, "z"));
+        backWhereItWas();
+        assertEquals(before, files());
+    }
+
+    @Test
+    public void aRunningRobotIsMovedAndTurnedByKeysAndUndoPutsItBack() throws IOException {
+        runSelected();
+        Map<String, String> before = files();
         browser.see(".sear-view").sendKeys(Keys.ARROW_RIGHT);
-        browser.until("5 cm to the east", () -> tab.isTrue("edits.object.values.z == '-0.95'")
-            && Math.abs(tab.number("world.running.robots[0].pose[2]") + 0.95) < 0.01);
+        browser.until("5 cm to the east", () -> tab.isTrue("edits.object.values.z == '1.05'")
+            && Math.abs(tab.number("world.running.robots[0].pose[2]") - 1.05) < 0.01);
         browser.see(".sear-view").sendKeys("[");
         browser.until("turned",
             () -> tab.isTrue("edits.object.values.ry == '15'") && Math.abs(tab.number("world.running.robots[0].pose[4]") - 15) < 1);
+        assertNothingWaitsForTheNextStart();
+        browser.see(".sear-view").sendKeys(Keys.chord(Keys.CONTROL, "z"), Keys.chord(Keys.CONTROL, "z"));
+        backWhereItWas();
+        assertEquals(before, files());
+    }
+
+    private void assertNothingWaitsForTheNextStart() {
         String said = String.valueOf(browser.scope(SearTab.ROOT, "messages.list"));
         assertFalse("nothing waits: " + said, said.contains("next start"));
-        browser.see(".sear-view").sendKeys(Keys.chord(Keys.CONTROL, "z"), Keys.chord(Keys.CONTROL, "z"), Keys.chord(Keys.CONTROL, "z"));
+    }
+
+    private void backWhereItWas() {
         browser.until("back where it was", () -> tab.isTrue("edits.object.values.z == '1' && edits.object.values.x == '0'")
             && Math.abs(tab.number("world.running.robots[0].pose[2]") - 1) < 0.01);
     }

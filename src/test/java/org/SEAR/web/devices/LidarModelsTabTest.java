@@ -25,10 +25,10 @@ public class LidarModelsTabTest {
 
     @ClassRule
     public static final Tabs TABS = new Tabs(String.join("\n", DeviceWorld.SCRIPT,
-        "from org.SEAR.POJOs import LIDAR",
+        "from org.SEAR.POJOs import LIDAR as Scanner",    // Python has the service by the name LIDAR, once one has started
         "Box('behind', 20, 0.2, 1, 0).move(0, 0.5, -2)",
         "for (number, model) in ((2, 'RPLIDAR-A1'), (3, 'URG-04LX')):",
-        "    another = LIDAR('another%d' % number)",
+        "    another = Scanner('another%d' % number)",
         "    another.setModel(model)",
         "    another.move(0, 0.15, 0.1)",
         "    another.setPorts('/dev/my_Lidar%02d' % number, '/dev/SEAR_LIDAR_%02d' % number)",

@@ -6,6 +6,7 @@ import static org.junit.Assert.assertTrue;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.SEAR.HowMany;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
@@ -19,7 +20,7 @@ import org.myrobotlab.service.Runtime;
  * -Dsear.orderRuns=200} has a script run that often.
  */
 public class OneOrderTest {
-    private static final int RUNS = Integer.getInteger("sear.orderRuns", 10);
+    private static final int RUNS = HowMany.of("sear.orderRuns", 25);
 
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();

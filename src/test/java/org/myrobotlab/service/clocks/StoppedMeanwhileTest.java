@@ -13,7 +13,12 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.locks.ReadWriteLock;
+import java.util.concurrent.locks.ReentrantReadWriteLock;
+import org.SEAR.HowMany;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
@@ -28,13 +33,18 @@ import org.myrobotlab.service.sear.run.SimulationSession;
 
 /** Panels look at the world again and again; one that looks while the simulation is stopped has nothing to complain of. */
 public class StoppedMeanwhileTest {
-    private static final int STOPS = 20;
+    private static final int STOPS = HowMany.of("sear.stops", 40);
     private static final int PANELS = 3;
+    private static final int PATIENCE_SECONDS = 60;
 
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();
 
     private final AtomicBoolean isDone = new AtomicBoolean();
+    /** Read while one looks. */
+    private final ReadWriteLock looks = new ReentrantReadWriteLock();
+    /** One for each time that a world was seen. */
+    private final Semaphore sights = new Semaphore(0);
     private Path folder;
     private SEAR sear;
 
@@ -55,9 +65,27 @@ public class StoppedMeanwhileTest {
     private int looking(Callable<Map<String, Object>> look) throws Exception {
         int seen = 0;
         while (!isDone.get()) {
-            seen += Boolean.TRUE.equals(look.call().get("running")) ? 1 : 0;
+            looks.readLock().lock();
+            try {
+                if (Boolean.TRUE.equals(look.call().get("running"))) {
+                    seen++;
+                    sights.release();
+                }
+            } finally {
+                looks.readLock().unlock();
+            }
         }
         return seen;
+    }
+
+    /** Lets the simulation come to its first steps, for which all who look would leave it no processor. */
+    private void letItRun() {
+        looks.writeLock().lock();
+        try {
+            sear.simSleep(0.05);
+        } finally {
+            looks.writeLock().unlock();
+        }
     }
 
     @Test
@@ -71,7 +99,9 @@ public class StoppedMeanwhileTest {
             }
             for (int i = 0; i < STOPS; i++) {
                 sear.startSimulation();
-                sear.simSleep(0.05);
+                letItRun();
+                sights.drainPermits();
+                assertTrue("all look while it stops", sights.tryAcquire(2 * PANELS, PATIENCE_SECONDS, TimeUnit.SECONDS));
                 sear.stopSimulation();
             }
             isDone.set(true);

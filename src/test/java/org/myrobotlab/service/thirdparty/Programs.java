@@ -23,6 +23,8 @@ final class Programs {
     static final int SECONDS = Integer.getInteger("sear.driverSeconds", 8);
     /** Seconds after which a driver that says nothing will never do. */
     static final int PATIENCE = 60;
+    /** What MRPT's rawlog-grabber says each time that it has logged something. */
+    static final String LOGS = ".*Saved [1-9]\\d* objects.*";
     private static final int TRIES = 3;
 
     private final TemporaryFolder folder;
@@ -51,12 +53,19 @@ final class Programs {
 
     /** Waits until a process has said a line like that. */
     void untilItTells(Process process, String pattern) throws Exception {
-        long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE);
-        List<String> output = new ArrayList<>();
-        while (output.stream().noneMatch(line -> line.matches(pattern))) {
-            assertTrue("no " + pattern + " in " + output, process.isAlive() && System.nanoTime() < deadline);
-            output = read(process, 1);
+        assertTrue("no " + pattern + " in " + read(process, 0), tells(process, pattern, PATIENCE));
+    }
+
+    /** Whether a process says a line like that within some seconds. */
+    boolean tells(Process process, String pattern, int seconds) throws Exception {
+        long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(seconds);
+        while (read(process, 0).stream().noneMatch(line -> line.matches(pattern))) {
+            if (!process.isAlive() || System.nanoTime() > deadline) {
+                return false;
+            }
+            process.waitFor(100, TimeUnit.MILLISECONDS);
         }
+        return true;
     }
 
     /** All that a process says that has to end well. */
@@ -97,29 +106,33 @@ final class Programs {
     }
 
     /**
-     * What MRPT's rawlog-grabber, whose only sensor is a laser scanner with the label LASER, logs in {@link #SECONDS} and some time to start. Where
+     * What MRPT's rawlog-grabber, whose only sensor is a laser scanner with the label LASER, logs in some seconds after it has begun to. Where
      * the machine lets it wait for a tenth of a second it ends, or goes on for ever without the scanner: then it is started again.
      *
      * @param config its configuration, which logs to {@code log} in the temporary folder
-     * @param starting seconds
+     * @param starting seconds after which it has begun, or will never do
+     * @param seconds that it logs
      * @return a line for each scan: time, ranges in metres, which of them are valid
      */
-    List<String[]> grabScans(Path config, int starting) throws Exception {
+    List<String[]> grabScans(Path config, int starting, int seconds) throws Exception {
         List<String> output = new ArrayList<>();
-        List<String> lines = grab(config, starting, output);
+        List<String> lines = grab(config, starting, seconds, output);
         for (int i = 1; i < TRIES && lines.size() <= SECONDS; i++) {
             forget("log*.rawlog");
             forget("*LASER*.txt");
-            lines = grab(config, starting, output);
+            lines = grab(config, starting, seconds, output);
         }
         assertTrue("only " + lines.size() + " scans in " + SECONDS + " s: " + String.join("\n", output), lines.size() > SECONDS);
         return lines.stream().skip(1).map(line -> line.trim().split("\\s+")).collect(Collectors.toList());
     }
 
     /** The lines of what it logs: the first says what is in them, the others are scans; none if it has found no scanner. */
-    private List<String> grab(Path config, int starting, List<String> output) throws Exception {
-        Process grabber = start(new ProcessBuilder("rawlog-grabber", config.toString()));
-        List<String> said = read(grabber, SECONDS + starting);
+    private List<String> grab(Path config, int starting, int seconds, List<String> output) throws Exception {
+        Process grabber = start(new ProcessBuilder("stdbuf", "-oL", "rawlog-grabber", config.toString()));
+        if (tells(grabber, LOGS, starting + seconds)) {
+            grabber.waitFor(seconds, TimeUnit.SECONDS);
+        }
+        List<String> said = read(grabber, 0);
         if (!grabber.isAlive()) {
             output.addAll(said);
             return List.of();

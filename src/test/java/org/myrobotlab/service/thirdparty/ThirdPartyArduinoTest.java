@@ -3,8 +3,6 @@ package org.myrobotlab.service.thirdparty;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
-import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.IntSummaryStatistics;
@@ -20,22 +18,16 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.VoltagePoint;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.Slow;
-import org.junit.After;
 import org.junit.Before;
-import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
-import org.junit.rules.TemporaryFolder;
-import org.myrobotlab.service.Runtime;
-import org.myrobotlab.service.SEAR;
 
 /**
  * Programs of others, written for real Arduinos with StandardFirmata, on the exported port of a simulated Uno, in real time. They are killed in the
  * middle of their work and come back, {@code sear.driverRestarts} times, and then run for {@code sear.driverSeconds}: 20 and 600 for the long run.
  */
 @Category(Slow.class)
-public class ThirdPartyArduinoTest {
-    private static final Path SCRIPTS = Paths.get(System.getProperty("sear.root", "."), "src/test/drivers").toAbsolutePath();
+public class ThirdPartyArduinoTest extends WithPrograms {
     private static final String PORT = "/dev/SEAR_UNO_01";
     private static final double STEP = 5.0 / 1024;
     private static final int KILLS = Integer.getInteger("sear.driverRestarts", 1);
@@ -44,18 +36,11 @@ public class ThirdPartyArduinoTest {
     /** Between the middle of a wall and a corner, in steps of the converter; there are some 30. */
     private static final int SEEN = 12;
 
-    @Rule
-    public final TemporaryFolder folder = new TemporaryFolder();
-    private Programs programs;
-    private SEAR sear;
     private Distance sharp;
 
     /** A robot with two motors, a Sharp sensor and a PING))) in the middle of a room of 1.4 m. */
     @Before
     public void start() {
-        programs = new Programs(folder);
-        System.setProperty("sear.project", folder.getRoot().toPath().resolve("SEARproject").toString());
-        System.setProperty("sear.headless", "true");
         new Floor("floor", 20, 20);
         for (int way : new int[] {-1, 1}) {
             new Box("wall at z " + way, 2.4, 0.5, 0.5, 0).move(0, 0.25, 0.95 * way);
@@ -83,18 +68,7 @@ public class ThirdPartyArduinoTest {
             }
         }
         robot.addComponent(uno);
-        sear = (SEAR) Runtime.start("sear", "SEAR");
-        sear.startSimulation();
-        sear.simSleep(1);
-    }
-
-    @After
-    public void stop() {
-        programs.end();
-        sear.stopSimulation();
-        Runtime.releaseService("sear");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.headless");
+        simulate();
     }
 
     /** By the data sheet's curve, between whose points the voltage goes linearly with 1 / distance. */
@@ -127,12 +101,6 @@ public class ThirdPartyArduinoTest {
             assertTrue("drove " + path + " m, with what simulated time a busy machine finds in 1.5 s", path > 0.02);
             assertEquals(volts(), Double.parseDouble(output.get(3)), STEP);
         }
-    }
-
-    private ProcessBuilder python(String script, String port, int seconds) {
-        ProcessBuilder python = new ProcessBuilder("python3", SCRIPTS.resolve(script).toString(), port, Integer.toString(seconds));
-        python.environment().put("PYTHONPATH", System.getProperty("sear.drivers"));
-        return python;
     }
 
     /** Starts a program, lets it work, and kills it. */

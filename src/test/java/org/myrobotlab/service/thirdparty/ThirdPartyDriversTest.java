@@ -6,38 +6,29 @@ import static org.junit.Assert.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import org.SEAR.POJOs.Box;
+import org.SEAR.FreePort;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Dynamics;
-import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.Slow;
 import org.SEAR.documents.DocBlock;
-import org.junit.After;
 import org.junit.Before;
-import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
-import org.junit.rules.TemporaryFolder;
-import org.myrobotlab.service.Runtime;
-import org.myrobotlab.service.SEAR;
 
 /**
  * Programs of others, written for the real hardware, on the exported ports of a simulation that runs in real time. The system property
  * {@code sear.driverSeconds} makes each run longer than the few seconds that are enough for every change.
  */
 @Category(Slow.class)
-public class ThirdPartyDriversTest {
-    private static final Path ROOT = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath();
-    private static final Path SCRIPTS = ROOT.resolve("src/test/drivers");
+public class ThirdPartyDriversTest extends WithPrograms {
     private static final int SECONDS = Programs.SECONDS;
     private static final double LATITUDE = 35.3;
     private static final double LONGITUDE = -80.7;
@@ -45,20 +36,9 @@ public class ThirdPartyDriversTest {
     private static final int TRIES = 3;
     private static final int RESTARTS = Integer.getInteger("sear.driverRestarts", 3);
 
-    @Rule
-    public TemporaryFolder folder = new TemporaryFolder();
-    private SEAR sear;
-    private Programs programs;
-
     @Before
-    public void start() throws IOException {
-        programs = new Programs(folder);
-        System.setProperty("sear.project", folder.getRoot().toPath().resolve("SEARproject").toString());
-        System.setProperty("sear.headless", "true");
-        new Floor("floor", 20, 20);
-        new Box("ahead", 6, 0.2, 1, 0).move(0, 0.5, 3);
-        new Box("left", 1, 1, 1, 0).move(3, 0.5, 1);
-        new Cylinder("pillar", 0.2, 1, 0).move(-2, 0.5, 1.5);
+    public void start() {
+        room();
         SEARrobot robot = new SEARrobot("create");
         Dynamics dynamics = new Dynamics("drive", 3.6, 60, 0.3, 0.4, 1000, 0.1, 0, 0.1, 0, 0, 0, 0);
         dynamics.setPorts("/dev/my_Robot01", "/dev/SEAR_Robot_01");
@@ -79,24 +59,17 @@ public class ThirdPartyDriversTest {
         GPS gps = new GPS("receiver", LATITUDE, 200, LONGITUDE);
         gps.setPorts("/dev/my_GPS_01", "/dev/SEAR_GPS_01");
         robot.addComponent(gps);
-        sear = (SEAR) Runtime.start("sear", "SEAR");
-        sear.startSimulation();
-        sear.simSleep(1);
+        simulate();
     }
 
-    @After
-    public void stop() {
-        programs.end();
-        sear.stopSimulation();
-        Runtime.releaseService("sear");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.headless");
+    private List<String> run(String script, Object... arguments) throws Exception {
+        return programs.run(python(script, arguments), new ArrayList<>());
     }
 
     @Test
     public void pycreate2DrivesAndReads() throws Exception {
         String port = sear.exportPort("/dev/SEAR_Robot_01");
-        List<String> output = python("pycreate2_drive.py", port, Integer.toString(SECONDS));
+        List<String> output = run("pycreate2_drive.py", port, SECONDS);
         assertTrue(output.toString(), output.stream().anyMatch(line -> line.matches("\\d+ readings, \\d+ mm")));
     }
 
@@ -113,7 +86,7 @@ public class ThirdPartyDriversTest {
 
     private void scanAndDrive(String robot, String scanner) throws Exception {
         int[] expected = millimetres(sear.getLidarResult("scanner"));
-        List<String> output = python("pyserial_scan.py", robot, "115200", scanner);
+        List<String> output = run("pyserial_scan.py", robot, 115200, scanner);
         int[] scan = Arrays.stream(output.get(0).split(" ")).mapToInt(Integer::parseInt).toArray();
         assertEquals(expected.length, scan.length);
         for (int i = 0; i < scan.length; i++) {
@@ -128,20 +101,21 @@ public class ThirdPartyDriversTest {
         assertTrue(program, program.contains("\"/dev/pts/1\", 57600"));
         Path file = folder.newFile("page.py").toPath();
         Files.writeString(file, program.replace("/dev/pts/1", sear.exportPort("/dev/SEAR_Robot_01")).replace("57600", "115200"));
-        List<String> output = python(file);
+        List<String> output = run(file.toString());
         assertTrue(output.toString(), output.get(0).matches("\\(\\d+,\\)"));
         sear.simSleep(1);
         assertTrue("it drives", sear.getPose("create")[2] > 0.1);
     }
 
+    private Path sick(String port) throws IOException {
+        return grabber("sick-mrpt.ini", "log", "@PORT@", port, "@BAUD@", "38400");
+    }
+
     @Test
     public void mrptsDriverSeesTheSameRanges() throws Exception {
-        Path config = folder.newFile("grabber.ini").toPath();
-        String port = sear.exportPort("/dev/SEAR_LIDAR_01", folder.getRoot().toPath().resolve("ttySICK").toString());
-        Files.writeString(config, Files.readString(SCRIPTS.resolve("sick-mrpt.ini")).replace("@PORT@", port).replace("@BAUD@", "38400")
-            .replace("@OUTPUT@", folder.getRoot().toPath().resolve("log").toString()));
+        Path config = sick(sear.exportPort("/dev/SEAR_LIDAR_01", inFolder("ttySICK")));
         int[] expected = millimetres(sear.getLidarResult("scanner"));
-        for (String[] line : programs.grabScans(config, 15)) {
+        for (String[] line : programs.grabScans(config, 15, Programs.SECONDS)) {
             compare(expected, line);
         }
     }
@@ -149,37 +123,23 @@ public class ThirdPartyDriversTest {
     /** Killed while the scanner streams, which goes on: the next one has to stop that and set it up anew. */
     @Test
     public void mrptsDriverStartsInMidStream() throws Exception {
-        Path config = folder.newFile("grabber.ini").toPath();
-        String port = sear.exportPort("/dev/SEAR_LIDAR_01");
-        Files.writeString(config, Files.readString(SCRIPTS.resolve("sick-mrpt.ini")).replace("@PORT@", port).replace("@BAUD@", "38400")
-            .replace("@OUTPUT@", folder.getRoot().toPath().resolve("log").toString()));
+        Path config = sick(sear.exportPort("/dev/SEAR_LIDAR_01"));
         int streaming = 0;
         int starts = 0;
-        List<String> output = new ArrayList<>();
+        List<String> output = List.of();
         while (streaming < RESTARTS && starts < RESTARTS * TRIES) {
             Process grabber = programs.start(new ProcessBuilder("stdbuf", "-oL", "rawlog-grabber", config.toString()));
             starts++;
-            if (isStreaming(grabber, output)) {
+            if (programs.tells(grabber, Programs.LOGS, SECONDS + Programs.PATIENCE)) {
                 streaming++;
             } else {
+                output = programs.read(grabber, 0);
                 System.out.println("start " + starts + " failed:\n" + String.join("\n", output));
             }
             grabber.destroyForcibly().waitFor();
         }
         System.out.println("MRPT's driver streamed after " + streaming + " of " + starts + " starts");
         assertEquals(starts + " starts: " + output, RESTARTS, streaming);
-    }
-
-    private boolean isStreaming(Process grabber, List<String> output) throws Exception {
-        long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(SECONDS + 60);
-        while (grabber.isAlive() && System.nanoTime() < deadline) {
-            output.clear();
-            output.addAll(programs.read(grabber, 1));
-            if (output.stream().anyMatch(line -> line.matches(".*Saved \\d+ objects.*"))) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /** MRPT asks for a value every half degree, the script call answers one a degree. */
@@ -196,10 +156,10 @@ public class ThirdPartyDriversTest {
 
     @Test
     public void gpsdGetsAFix() throws Exception {
-        Path link = folder.getRoot().toPath().resolve("ttyGPS");
-        String port = sear.exportPort("/dev/SEAR_GPS_01", link.toString());
-        assertEquals(link.toString(), port);
-        int number = freePort();
+        String link = inFolder("ttyGPS");
+        String port = sear.exportPort("/dev/SEAR_GPS_01", link);
+        assertEquals(link, port);
+        int number = FreePort.find();
         programs.start(new ProcessBuilder(words(DocBlock.commands("docs/other-programs.md", "gpsd -N -n -b"), "/dev/pts/3",
             "-S " + number + " " + port)));
         String fix = null;
@@ -222,33 +182,11 @@ public class ThirdPartyDriversTest {
         return Arrays.asList(commands.get(0).replace(word, here).split(" "));
     }
 
-    private static double number(String json, String field) {
-        return Double.parseDouble(json.replaceAll(".*\"" + field + "\":(-?[0-9.]+).*", "$1"));
-    }
-
-    private static int freePort() throws IOException {
-        try (java.net.ServerSocket socket = new java.net.ServerSocket(0)) {
-            return socket.getLocalPort();
-        }
-    }
-
     private static int[] millimetres(float[] metres) {
         int[] values = new int[metres.length];
         for (int i = 0; i < values.length; i++) {
             values[i] = metres[i] >= 8.19 ? LMS_NO_RETURN : Math.round(metres[i] * 1000);
         }
         return values;
-    }
-
-    private List<String> python(String script, String... arguments) throws Exception {
-        return python(SCRIPTS.resolve(script), arguments);
-    }
-
-    private List<String> python(Path script, String... arguments) throws Exception {
-        List<String> command = new ArrayList<>(Arrays.asList("python3", script.toString()));
-        command.addAll(Arrays.asList(arguments));
-        ProcessBuilder builder = new ProcessBuilder(command);
-        builder.environment().put("PYTHONPATH", System.getProperty("sear.drivers"));
-        return programs.run(builder, new ArrayList<>());
     }
 }

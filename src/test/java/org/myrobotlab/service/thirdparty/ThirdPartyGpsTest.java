@@ -3,8 +3,6 @@ package org.myrobotlab.service.thirdparty;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
-import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -16,58 +14,33 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.Slow;
 import org.SEAR.documents.DocBlock;
 import org.SEAR.geometry.Geoid;
-import org.junit.After;
 import org.junit.Before;
-import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
-import org.junit.rules.TemporaryFolder;
-import org.myrobotlab.service.Runtime;
-import org.myrobotlab.service.SEAR;
 
 /** Programs of others, written for real u-blox receivers, on the exported port of a simulated NEO-M8N. */
 @Category(Slow.class)
-public class ThirdPartyGpsTest {
-    private static final Path SCRIPT = Paths.get(System.getProperty("sear.root", "."), "src/test/drivers/pyubx2_read.py").toAbsolutePath();
+public class ThirdPartyGpsTest extends WithPrograms {
     private static final String PORT = "/dev/SEAR_GPS_01";
     private static final double LATITUDE = 35.3;
     private static final double LONGITUDE = -80.7;
     private static final double ALTITUDE = 200;
 
-    @Rule
-    public final TemporaryFolder folder = new TemporaryFolder();
-    private Programs programs;
-    private SEAR sear;
-
     @Before
     public void start() {
-        programs = new Programs(folder);
-        System.setProperty("sear.project", folder.getRoot().toPath().resolve("SEARproject").toString());
-        System.setProperty("sear.headless", "true");
         new Floor("floor", 20, 20);
         SEARrobot robot = Robots.create2("create");
         GPS gps = new GPS("receiver", LATITUDE, ALTITUDE, LONGITUDE);
         gps.setModel("NEO-M8N");
         gps.setPorts("/dev/my_GPS_01", PORT);
         robot.addComponent(gps);
-        sear = (SEAR) Runtime.start("sear", "SEAR");
-        sear.startSimulation();
-        sear.simSleep(1);
-    }
-
-    @After
-    public void stop() {
-        programs.end();
-        sear.stopSimulation();
-        Runtime.releaseService("sear");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.headless");
+        simulate();
     }
 
     /** It sets the receiver to UBX, which it says, and then goes by NAV-PVT. */
     @Test
     public void gpsdSwitchesToUbxAndGetsAFix() throws Exception {
-        String port = sear.exportPort(PORT, folder.getRoot().toPath().resolve("ttyGPS").toString());
+        String port = sear.exportPort(PORT, inFolder("ttyGPS"));
         int number = FreePort.find();
         List<String> commands = DocBlock.commands("docs/other-programs.md", "gpsd -N -n -s 9600");
         assertEquals(commands.toString(), 1, commands.size());
@@ -97,15 +70,9 @@ public class ThirdPartyGpsTest {
         return line.matches(".*\"class\":\"TPV\".*\"mode\":3.*\"lat\":.*") && line.contains("\"ecefx\"");
     }
 
-    private static double number(String json, String field) {
-        return Double.parseDouble(json.replaceAll(".*\"" + field + "\":(-?[0-9.]+).*", "$1"));
-    }
-
     @Test
     public void pyubx2SetsUpTheReceiverAndReadsItsSolutions() throws Exception {
-        ProcessBuilder python = new ProcessBuilder("python3", SCRIPT.toString(), sear.exportPort(PORT), Integer.toString(5 * Programs.SECONDS));
-        python.environment().put("PYTHONPATH", System.getProperty("sear.drivers"));
-        List<String> output = programs.run(python, new ArrayList<>());
+        List<String> output = programs.run(python("pyubx2_read.py", sear.exportPort(PORT), 5 * Programs.SECONDS), new ArrayList<>());
         assertEquals("EXT CORE 3.01 (107900)", output.get(0));
         assertEquals("12", output.get(1));
         assertEquals(2 + 5 * Programs.SECONDS, output.size());

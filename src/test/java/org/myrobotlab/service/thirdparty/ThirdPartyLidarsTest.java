@@ -4,46 +4,26 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Box;
-import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Dynamics;
-import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.Slow;
-import org.junit.After;
-import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
-import org.junit.rules.TemporaryFolder;
-import org.myrobotlab.service.Runtime;
-import org.myrobotlab.service.SEAR;
 
 /** Drivers of others on the exported ports of each model of LIDAR, in real time: they read what {@code sear.getLidarResult} answers. */
 @Category(Slow.class)
-public class ThirdPartyLidarsTest {
-    private static final Path SCRIPTS = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("src/test/drivers");
+public class ThirdPartyLidarsTest extends WithPrograms {
     private static final String PORT = "/dev/SEAR_LIDAR_01";
 
-    @Rule
-    public TemporaryFolder folder = new TemporaryFolder();
-    private final Programs programs = new Programs(folder);
-    private SEAR sear;
-
     private void start(String model, double spread, double resolution) throws IOException {
-        System.setProperty("sear.project", folder.getRoot().toPath().resolve("SEARproject").toString());
-        System.setProperty("sear.headless", "true");
-        new Floor("floor", 20, 20);
-        new Box("ahead", 6, 0.2, 1, 0).move(0, 0.5, 3);
-        new Box("left", 1, 1, 1, 0).move(3, 0.5, 1);
-        new Cylinder("pillar", 0.2, 1, 0).move(-2, 0.5, 1.5);
+        room();
         new Box("far to the right", 0.2, 60, 6, 0).move(-40, 0, 0);
         SEARrobot robot = new SEARrobot("stand");
         robot.addComponent(new Dynamics("drive", 4, 0, 0.1, 0, 0, 0, 0));
@@ -58,28 +38,7 @@ public class ThirdPartyLidarsTest {
         lidar.setPorts("/dev/my_Lidar01", PORT);
         lidar.move(0, 0.3, 0);
         robot.addComponent(lidar);
-        sear = (SEAR) Runtime.start("sear", "SEAR");
-        sear.startSimulation();
-        sear.simSleep(1);
-    }
-
-    @After
-    public void stop() {
-        programs.end();
-        sear.stopSimulation();
-        Runtime.releaseService("sear");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.headless");
-    }
-
-    /** A configuration of MRPT's rawlog-grabber, with each odd text replaced by the even one after it. */
-    private Path grabber(String file, String... replaced) throws IOException {
-        String text = Files.readString(SCRIPTS.resolve(file)).replace("@OUTPUT@", folder.getRoot().toPath().resolve("log").toString());
-        for (int i = 0; i < replaced.length; i += 2) {
-            assertTrue(replaced[i], text.contains(replaced[i]));
-            text = text.replace(replaced[i], replaced[i + 1]);
-        }
-        return Files.writeString(folder.newFile("grabber.ini").toPath(), text);
+        simulate();
     }
 
     @Test
@@ -96,32 +55,32 @@ public class ThirdPartyLidarsTest {
     }
 
     private void mrptReadsCentimetres(String spread, String hundredths) throws Exception {
-        Path config = grabber("sick-mrpt.ini", "@PORT@", sear.exportPort(PORT), "@BAUD@", "38400", "mm_mode = 1", "mm_mode = 0", "FOV = 180",
+        Path config = grabber("sick-mrpt.ini", "log", "@PORT@", sear.exportPort(PORT), "@BAUD@", "38400", "mm_mode = 1", "mm_mode = 0", "FOV = 180",
             "FOV = " + spread, "resolution = 50", "resolution = " + hundredths);
-        compare(programs.grabScans(config, 15), sear.getLidarResult("scanner"), 80, 0.0101);
+        compare(programs.grabScans(config, 15, Programs.SECONDS), sear.getLidarResult("scanner"), 80, 0.0101);
     }
 
     @Test
     public void mrptReadsAnLms111OverTcp() throws Exception {
         start("LMS111", 270, 0.25);
-        Path config = grabber("sick-lms1xx-mrpt.ini", "@PORT@", Integer.toString(sear.exportTcp(PORT, 0)));
-        compare(inTime(programs.grabScans(config, 25)), sear.getLidarResult("scanner"), 20, 0.00101);
+        Path config = grabber("sick-lms1xx-mrpt.ini", "log", "@PORT@", Integer.toString(sear.exportTcp(PORT, 0)));
+        compare(inTime(programs.grabScans(config, 25, Programs.SECONDS)), sear.getLidarResult("scanner"), 20, 0.00101);
     }
 
     /** Its driver takes a TiM, too, and leaves it its own resolution. */
     @Test
     public void mrptReadsATim561OverTcp() throws Exception {
         start("TiM561", 270, 1 / 3.0);
-        Path config = grabber("sick-lms1xx-mrpt.ini", "@PORT@", Integer.toString(sear.exportTcp(PORT, 0)));
-        compare(inTime(programs.grabScans(config, 25)), sear.getLidarResult("scanner"), 10, 0.00101);
+        Path config = grabber("sick-lms1xx-mrpt.ini", "log", "@PORT@", Integer.toString(sear.exportTcp(PORT, 0)));
+        compare(inTime(programs.grabScans(config, 25, Programs.SECONDS)), sear.getLidarResult("scanner"), 10, 0.00101);
     }
 
     /** Its driver logs as many ranges as a scan has, of whatever fan. */
     @Test
     public void mrptReadsAFanThatNoScannerOnSaleHas() throws Exception {
         start("CoLa", 231, 5.5);
-        Path config = grabber("sick-lms1xx-mrpt.ini", "@PORT@", Integer.toString(sear.exportTcp(PORT, 0)));
-        compare(inTime(programs.grabScans(config, 20)), sear.getLidarResult("scanner"), 30, 0.00101);
+        Path config = grabber("sick-lms1xx-mrpt.ini", "log", "@PORT@", Integer.toString(sear.exportTcp(PORT, 0)));
+        compare(inTime(programs.grabScans(config, 20, Programs.SECONDS)), sear.getLidarResult("scanner"), 30, 0.00101);
     }
 
     /** Where an answer takes more than 40 ms, as on a busy computer, this driver logs a scan without values. */

@@ -4,9 +4,6 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -16,56 +13,32 @@ import org.SEAR.SearProcess;
 import org.SEAR.Slow;
 import org.SEAR.documents.DocBlock;
 import org.SEAR.protocol.scip.HokuyoModel;
-import org.junit.After;
-import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
-import org.junit.rules.TemporaryFolder;
-import org.myrobotlab.service.Runtime;
-import org.myrobotlab.service.SEAR;
 import org.myrobotlab.service.devices.ScannedRoom;
 
 /** Drivers of others on the exported ports of Hokuyo's scanners and the RPLIDAR, in real time: they read what {@code sear.getLidarResult} answers. */
 @Category(Slow.class)
-public class ThirdPartyScannersTest {
-    private static final Path SCRIPTS = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("src/test/drivers");
+public class ThirdPartyScannersTest extends WithPrograms {
     private static final int STARTING = 15;
     private static final int TURNS = 5;
 
-    @Rule
-    public TemporaryFolder folder = new TemporaryFolder();
-    private final Programs programs = new Programs(folder);
-    private SEAR sear;
     private double range;
 
     private void start(String model) throws IOException {
-        System.setProperty("sear.project", folder.getRoot().toPath().resolve("SEARproject").toString());
-        System.setProperty("sear.headless", "true");
         ScannedRoom.build(model, scanner -> {
             range = scanner.getRange();
             if (model.equals("URG-04LX")) {
                 scanner.setBaud(HokuyoModel.USB);
             }
         });
-        sear = (SEAR) Runtime.start("sear", "SEAR");
-        sear.startSimulation();
-        sear.simSleep(1);
-    }
-
-    @After
-    public void stop() {
-        programs.end();
-        sear.stopSimulation();
-        Runtime.releaseService("sear");
-        System.clearProperty("sear.project");
-        System.clearProperty("sear.headless");
+        simulate();
     }
 
     /** @param rate how often the driver looks for a scan in a second: when it finds none ten times it begins anew */
     private List<String[]> mrpt(String file, int rate) throws Exception {
-        String text = Files.readString(SCRIPTS.resolve(file)).replace("@PORT@", sear.exportPort(ScannedRoom.PORT)).replace("@RATE@", "" + rate)
-            .replace("@OUTPUT@", folder.getRoot().toPath().resolve("log").toString());
-        return programs.grabScans(Files.writeString(folder.newFile("grabber.ini").toPath(), text), STARTING);
+        String[] replaced = {"@PORT@", sear.exportPort(ScannedRoom.PORT), "@RATE@", "" + rate};
+        return programs.grabScans(grabber(file, "log", replaced), STARTING, Programs.SECONDS);
     }
 
     @Test
@@ -159,9 +132,7 @@ public class ThirdPartyScannersTest {
         List<String> command = SearProcess.command();
         command.addAll(Arrays.asList(asOnThePage.split(" ")).subList(1, asOnThePage.split(" ").length));
         command.addAll(List.of(arguments));
-        ProcessBuilder builder = new ProcessBuilder(command);
-        builder.environment().put("PYTHONPATH", System.getProperty("sear.drivers"));
-        return programs.run(builder, new ArrayList<>());
+        return programs.run(withDrivers(new ProcessBuilder(command)), new ArrayList<>());
     }
 
     @Test

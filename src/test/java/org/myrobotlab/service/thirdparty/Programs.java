@@ -126,9 +126,24 @@ final class Programs {
         return lines.stream().skip(1).map(line -> line.trim().split("\\s+")).collect(Collectors.toList());
     }
 
+    /** MRPT's rawlog-grabber that logs by now; started again where it has given up, as in {@link #grabScans}. */
+    Process grabber(Path config) throws Exception {
+        Process grabber = start(grabbing(config));
+        for (int i = 1; i < TRIES && !tells(grabber, LOGS, PATIENCE / 2); i++) {
+            grabber.destroyForcibly().waitFor();
+            grabber = start(grabbing(config));
+        }
+        untilItTells(grabber, LOGS);
+        return grabber;
+    }
+
+    private static ProcessBuilder grabbing(Path config) {
+        return new ProcessBuilder("stdbuf", "-oL", "rawlog-grabber", config.toString());
+    }
+
     /** The lines of what it logs: the first says what is in them, the others are scans; none if it has found no scanner. */
     private List<String> grab(Path config, int starting, int seconds, List<String> output) throws Exception {
-        Process grabber = start(new ProcessBuilder("stdbuf", "-oL", "rawlog-grabber", config.toString()));
+        Process grabber = start(grabbing(config));
         if (tells(grabber, LOGS, starting + seconds)) {
             grabber.waitFor(seconds, TimeUnit.SECONDS);
         }

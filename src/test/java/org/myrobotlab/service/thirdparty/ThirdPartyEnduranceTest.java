@@ -59,10 +59,9 @@ public class ThirdPartyEnduranceTest extends WithPrograms {
         for (int kill = 0; kill < KILLS; kill++) {
             Process robot = programs.start(python("pycreate2_drive.py", sear.exportPort(ROBOT), Programs.PATIENCE));
             Process receiver = programs.start(python("pyubx2_read.py", sear.exportPort(RECEIVER), Programs.PATIENCE));
-            Process scanner = programs.start(new ProcessBuilder("rawlog-grabber", grabber("killed" + kill).toString()));
+            Process scanner = programs.grabber(grabber("killed" + kill));
             programs.untilItTells(robot, "\\d+ mode .*");
             programs.untilItTells(receiver, "35\\.3.*");
-            programs.untilItTells(scanner, Programs.LOGS);
             for (Process driver : new Process[] {robot, receiver, scanner}) {
                 driver.destroyForcibly().waitFor();
             }

@@ -175,17 +175,17 @@ final class ContactRows {
     }
 
     /**
-     * A substep begins: what pushed in the last one pushes on, unless it was a blow.
-     *
-     * @param growth by what factor a push may grow with the length of the substep
+     * A substep begins: what pushed in the last one pushes on; but where one thing is alone a blow does not, and no push grows with the substep. In
+     * heaps a push that is missing would let all above it fall.
      */
-    void begin(double seconds, double growth) {
+    void begin(double seconds, boolean alone) {
         for (int slot = 0; slot < size; slot++) {
             if (points[slot] > 0) {
                 int at = slot * SIZE;
                 measure(slot);
-                boolean struck = r[at + STRUCK] > 0;
-                double scale = r[at + SECONDS] > 0 && !struck ? Math.min(growth, seconds / r[at + SECONDS]) : 0;
+                boolean struck = alone && r[at + STRUCK] > 0;
+                double scale = r[at + SECONDS] > 0 && !struck ? seconds / r[at + SECONDS] : 0;
+                scale = alone ? Math.min(1, scale) : scale;
                 r[at + SECONDS] = seconds;
                 r[at + STRUCK] = struck ? -1 : 0;
                 for (int i = 0; i < points[slot]; i++) {

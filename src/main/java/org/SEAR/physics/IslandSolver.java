@@ -224,7 +224,7 @@ final class IslandSolver {
             bodies.get(i).getSolver().fall(taken, gravity);
             bodies.get(i).getSolver().gyrate();
         }
-        rows.begin(taken, alone ? 1 : Double.POSITIVE_INFINITY);
+        rows.begin(taken, alone);
         for (int i = 0; i < drives.size(); i++) {
             prepare(drives.get(i));
         }

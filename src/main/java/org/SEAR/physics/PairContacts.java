@@ -243,6 +243,11 @@ final class PairContacts extends CollisionAlgorithm {
         return flat;
     }
 
+    /** Whether both of them move in this step. */
+    boolean bothMove() {
+        return a.isSolved() && b.isSolved();
+    }
+
     /** Gives the points of a new manifold what pushed there before. */
     void inherit(Manifold manifold) {
         for (int i = 0; i < countBefore; i++) {

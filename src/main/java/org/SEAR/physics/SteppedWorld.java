@@ -17,8 +17,6 @@ final class SteppedWorld extends CollisionWorld {
     private static final double MARGIN = 5e-3;
     /** What stays in a box that is wider by this gets no new one, metres. */
     private static final double ROOM = 0.01;
-    /** And by where it goes in so many steps more. */
-    private static final int STEPS = 4;
     private static final short FIXED = CollisionFilterGroups.STATIC_FILTER;
     private static final short MOVING = CollisionFilterGroups.DEFAULT_FILTER;
 
@@ -54,7 +52,6 @@ final class SteppedWorld extends CollisionWorld {
         if (body.getRoom().contains(box)) {
             return;
         }
-        body.widen(box, STEPS * TimeStep.SECONDS);
         Aabb room = body.getRoom().set(box).grow(MARGIN + ROOM);
         low.set((float) room.minX, (float) room.minY, (float) room.minZ);
         high.set((float) room.maxX, (float) room.maxY, (float) room.maxZ);

@@ -33,4 +33,11 @@ public class SingleDropsTest {
         }
         findings.assertHold();
     }
+
+    /** So many that each has many others about it. */
+    @Test
+    public void aHeapOfManyIsNotInItself() throws Exception {
+        DropScenes.pile(500, 1, findings);
+        findings.assertHold();
+    }
 }

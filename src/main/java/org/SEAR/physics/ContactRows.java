@@ -22,7 +22,7 @@ final class ContactRows {
     /** How deep something may be in what is fixed, as a share of its own least half size. */
     private static final double DEEPEST_SHARE = 0.5;
 
-    /** What comes faster than this when all pushes that are already push, m/s, hits: what stops it pushes once and not again. */
+    /** What comes faster than this when all pushes that are already push, m/s, hits: where it is alone, what stops it pushes no more. */
     private static final double BLOW = 0.3;
 
     private static final int MASS_A = 3;

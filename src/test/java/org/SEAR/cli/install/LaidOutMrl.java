@@ -5,11 +5,13 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDateTime;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.jar.Attributes;
+import java.util.jar.JarFile;
 import java.util.jar.JarOutputStream;
 import java.util.jar.Manifest;
 import java.util.stream.Collectors;
@@ -93,7 +95,7 @@ abstract class LaidOutMrl {
         }
     }
 
-    /** A jar whose entries contain their own names. */
+    /** A jar whose entries contain their own names; the same bytes whenever it is made, so that an update changes the same files each time. */
     static void jar(Path file, String version, String... entries) throws IOException {
         Files.createDirectories(file.getParent());
         Manifest manifest = new Manifest();
@@ -101,12 +103,19 @@ abstract class LaidOutMrl {
         if (version != null) {
             manifest.getMainAttributes().put(Attributes.Name.IMPLEMENTATION_VERSION, version);
         }
-        try (OutputStream out = Files.newOutputStream(file); JarOutputStream jar = new JarOutputStream(out, manifest)) {
+        try (OutputStream out = Files.newOutputStream(file); JarOutputStream jar = new JarOutputStream(out)) {
+            next(jar, JarFile.MANIFEST_NAME);
+            manifest.write(jar);
             for (String entry : entries) {
-                jar.putNextEntry(new ZipEntry(entry));
+                next(jar, entry);
                 jar.write(entry.getBytes(StandardCharsets.UTF_8));
-                jar.closeEntry();
             }
         }
+    }
+
+    private static void next(JarOutputStream jar, String name) throws IOException {
+        ZipEntry entry = new ZipEntry(name);
+        entry.setTimeLocal(LocalDateTime.of(2026, 1, 1, 0, 0));
+        jar.putNextEntry(entry);
     }
 }

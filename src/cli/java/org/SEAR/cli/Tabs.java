@@ -36,7 +36,8 @@ final class Tabs {
             return null;
         }
         String address = "http://localhost:" + port + "/" + (token == null ? "" : "#token=" + token.text());
-        err.println("tabs: " + address + (port == wanted ? "" : " (port " + wanted + " is in use by another program)"));
+        err.println((port == wanted ? "" : "Port " + wanted + " is in use by another program. ") + "Open this in a browser:");
+        err.println(address);
         if (token != null) {
             keep(token, port, err);
         }

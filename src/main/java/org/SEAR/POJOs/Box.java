@@ -6,11 +6,11 @@ import org.SEAR.grammar.Param;
 /** A box: length along x, height along y, width along z, centred on its origin. Its default picture is a cardboard box. */
 @Described("a box: length along x, height along y, width along z")
 public class Box extends Shape {
-    @Param(doc = "size along x", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.5")
+    @Param(doc = "size along x", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.25")
     private double length;
-    @Param(doc = "size along z", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.5")
+    @Param(doc = "size along z", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.25")
     private double width;
-    @Param(doc = "size along y", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.5")
+    @Param(doc = "size along y", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.25")
     private double height;
 
     /** For reading from a file. */

@@ -4,9 +4,9 @@ import org.SEAR.grammar.Param;
 
 /** A shape that is round about its y axis, centred on its origin. */
 public abstract class RoundShape extends Shape {
-    @Param(doc = "radius; of a cone, that of its base", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.2")
+    @Param(doc = "radius; of a cone, that of its base", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.1")
     private double radius;
-    @Param(doc = "size along y", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.5")
+    @Param(doc = "size along y", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.25")
     private double height;
 
     /** For reading from a file. */

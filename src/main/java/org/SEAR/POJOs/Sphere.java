@@ -6,7 +6,7 @@ import org.SEAR.grammar.Param;
 /** A sphere, centred on its origin; scaled, an ellipsoid. Without a picture it is plain. */
 @Described("a sphere; scaled differently along its axes, an ellipsoid")
 public class Sphere extends Shape {
-    @Param(doc = "radius", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.2")
+    @Param(doc = "radius", unit = "m", min = SMALL, max = LARGE, required = true, initial = "0.1")
     private double radius;
 
     /** For reading from a file. */

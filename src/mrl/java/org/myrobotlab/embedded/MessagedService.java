@@ -146,15 +146,27 @@ public abstract class MessagedService extends PublishingService implements Broad
         }
     }
 
-    /** The words are those of the real one: arguments as Java shows an array, the reason as Java shows an exception. */
+    /**
+     * The words of the status are those of the real one: arguments as Java shows an array, the reason as Java shows an exception. The log has them
+     * for people, if the service has not said the reason itself.
+     */
     private void failed(String methodName, Object[] params, Throwable cause) {
         if (cause instanceof InterruptedException) {
             Thread.currentThread().interrupt();
         } else {
             LOG.debug("{}.{}", getName(), methodName, cause);
-            error("could not invoke " + getName() + "." + methodName + " (" + params + ") " + cause + " - check logs for details");
+            complain("could not invoke " + getName() + "." + methodName + " (" + params + ") " + cause + " - check logs for details",
+                methodName, cause.getMessage() == null ? cause.toString() : cause.getMessage());
         }
     }
+
+    /**
+     * Publishes that a call has failed.
+     *
+     * @param text of the status
+     * @param reason for the log, where the method stands before it
+     */
+    abstract void complain(String text, String method, String reason);
 
     /** Listeners' methods are called here and now; what these answer is not published. For who has no such method its default one is called. */
     private void callListeners(Object from, String method, Object answer) {

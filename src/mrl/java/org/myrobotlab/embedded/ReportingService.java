@@ -55,6 +55,14 @@ public abstract class ReportingService extends MessagedService implements QueueR
     }
 
     @Override
+    final void complain(String text, String method, String reason) {
+        if (lastError == null || !reason.equals(lastError.key)) {
+            LOG.error("{}.{}: {}", getName(), method, reason);
+        }
+        broadcastStatus(Status.error(text));
+    }
+
+    @Override
     public Status error(Exception e) {
         LOG.debug("{}", getName(), e);
         return broadcasted(Status.error(e));

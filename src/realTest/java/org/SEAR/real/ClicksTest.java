@@ -46,7 +46,7 @@ public class ClicksTest extends InPage {
         page.setSize(0, 0);
     }
 
-    /** A narrow page shows the row of the project when one clicks its heading. */
+    /** The page shows the row of the project when one clicks its name. */
     private void showProjects() {
         page.await("a layout", "layout.room !== undefined");
         if (page.isTrue("layout.isFolded('project')")) {

@@ -24,7 +24,8 @@ public class SamePictureTest extends InRealMrl {
     /** Of all pixels; the embedded one's buttons and grey words are darker, so that one can read them. */
     private static final double MOST_DIFFERENT = 0.015;
     /** The list of examples says where they lie, which is another folder here and there. */
-    private static final String PREPARE = "document.querySelector('.sear-example').style.width = '190px'";
+    private static final String PREPARE = "if (!document.querySelector('.sear-example')) { document.querySelector('.sear-fold-project').click() }"
+        + "document.querySelector('.sear-example').style.width = '190px'";
     private static final String READY =
         "world.preview !== null && edits.grammar !== null && world.shown() && world.shown().robots.length == 1 && view.fitted";
     /** Of each visible part of the panel: what it is, and left, top, width and height in the window. */

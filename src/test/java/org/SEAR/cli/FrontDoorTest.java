@@ -87,7 +87,7 @@ public class FrontDoorTest {
     private void isOpen() throws IOException {
         await("no browser", opened);
         assertEquals("http://localhost:" + port + "/#/sear\n", Files.readString(opened));
-        assertTrue(read("err"), read("err").startsWith("tabs: http://localhost:" + port + "/\n"));
+        assertTrue(read("err"), read("err").startsWith("Open this in a browser:\nhttp://localhost:" + port + "/\n"));
     }
 
     /** What a service's method answers, as JSON. */

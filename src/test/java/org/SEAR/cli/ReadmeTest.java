@@ -27,7 +27,7 @@ import org.junit.rules.TemporaryFolder;
 /** What README and docs promise: their scripts run, their links and pictures are there. */
 public class ReadmeTest {
     private static final Path ROOT = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath();
-    private static final Pattern TABS = Pattern.compile("tabs: (http://localhost:\\d+/)");
+    private static final Pattern TABS = Pattern.compile("Open this in a browser:\\s+(http://localhost:\\d+/)");
     private static final long PATIENCE_SECONDS = 240;
     private static final long LOOK_MILLIS = 100;
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)#:]+)(#[^)]*)?\\)");

@@ -96,7 +96,7 @@ public class SearCommandTest {
         int port = freePort();
         assertEquals(0, sear(script("print 'out'"), "--headless", "--port", String.valueOf(port)));
         assertEquals("out\n", out);
-        assertEquals("tabs: http://localhost:" + port + "/\n", err);
+        assertEquals("Open this in a browser:\nhttp://localhost:" + port + "/\n", err);
     }
 
     @Test
@@ -105,7 +105,7 @@ public class SearCommandTest {
             int port = other.getLocalPort();
             assertEquals(err, 0, sear(script("print webgui.getPort(), webgui.isStarted()"), "--headless", "--port", String.valueOf(port)));
             String[] printed = out.trim().split(" ");
-            assertEquals("tabs: http://localhost:" + printed[0] + "/ (port " + port + " is in use by another program)\n", err);
+            assertEquals("Port " + port + " is in use by another program. Open this in a browser:\nhttp://localhost:" + printed[0] + "/\n", err);
             assertTrue(out, Integer.parseInt(printed[0]) > port && printed[1].equals("True"));
         }
     }
@@ -117,7 +117,8 @@ public class SearCommandTest {
         Path file = Paths.get(home, ".sear", "token-" + port);
         assertEquals(err, 0, sear(script("print open('" + file + "').read()"), "--headless", "--token", "--port", String.valueOf(port)));
         assertTrue(out, out.trim().matches("[\\w-]{32}"));
-        assertTrue(err, err.startsWith("tabs: http://localhost:" + port + "/#token=" + out.trim() + "\ntoken: " + file + " has it"));
+        assertTrue(err, err.startsWith("Open this in a browser:\nhttp://localhost:" + port + "/#token=" + out.trim() + "\ntoken: " + file
+            + " has it"));
         assertFalse("it goes when the program ends", Files.exists(file));
     }
 

@@ -25,7 +25,7 @@ public final class Accessibility {
         "    return [255, 255, 255]",
         "}",
         "function ownText(e) {",
-        "    return ['INPUT', 'SELECT'].indexOf(e.tagName) >= 0 || [].some.call(e.childNodes, function(n) {",
+        "    return ['INPUT', 'SELECT'].indexOf(e.tagName) >= 0 && e.type !== 'color' || [].some.call(e.childNodes, function(n) {",
         "        return n.nodeType === 3 && n.textContent.trim()",
         "    })",
         "}",
@@ -37,7 +37,7 @@ public final class Accessibility {
 
     private static final String LOOK = String.join("\n",
         "panel.querySelectorAll('input, select, button, a, svg, canvas, [tabindex]').forEach(function(e) {",
-        "    if (shown(e) && !name(e)) { found.push('no name: ' + what(e)) }",
+        "    if (shown(e) && !e.closest('[aria-hidden=true]') && !name(e)) { found.push('no name: ' + what(e)) }",
         "})",
         "panel.querySelectorAll('[id]').forEach(function(e) {",
         "    if (document.querySelectorAll('[id=\"' + e.id + '\"]').length > 1) { found.push('id used twice: ' + what(e)) }",

@@ -25,7 +25,7 @@ public class DemoTest {
     public void itNamesTheAddressOfItsTabs() {
         String address = robotLab.url().replaceAll("/$", "");
         List<String> told = robotLab.log().lines().filter(line -> line.contains("http://")).collect(Collectors.toList());
-        assertEquals(List.of("tabs: " + address + "/", "The simulation goes on; see its tabs at " + address + ". Ctrl+C ends it."), told);
+        assertEquals(List.of(address + "/", "The simulation goes on; see its tabs at " + address + ". Ctrl+C ends it."), told);
         browser.driver().get(address);
         browser.see("#tab-SEAR");
         browser.seeText(".sear-robots", "demoRoomba");

@@ -22,13 +22,16 @@ import org.openqa.selenium.WebElement;
  * public final TestRule page = TABS.page("sear");
  * </pre>
  *
- * <p>Each test begins with a page that was just loaded and shows that tab, with nothing folded or opened by a user. It ends with a look at the
- * browser's console, which must be without errors. When a test fails, {@code build/reports/web} gets what the page showed.
+ * <p>Each test begins with a page that was just loaded and shows that tab, with project, messages and scripts opened, else nothing folded or
+ * opened by a user. It ends with a look at the browser's console, which must be without errors. When a test fails, {@code build/reports/web} gets
+ * what the page showed.
  */
 public final class Tabs extends ExternalResource {
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 1000;
     private static final int MOST_WORDS = 2000;
+    /** What the tests have opened from the beginning; the others are as their user meets them. */
+    private static final String OPEN = "localStorage.setItem('sear.folds', '{\"project\":false,\"messages\":false,\"scripts\":false}')";
     private static final Path PICTURES = Paths.get(System.getProperty("sear.root", "."), "build/reports/web");
 
     private final String script;
@@ -110,9 +113,11 @@ public final class Tabs extends ExternalResource {
             @Override
             public void evaluate() throws Throwable {
                 browser.forget();
-                if (browser.driver().getCurrentUrl().startsWith(robotLab.url())) {
-                    browser.script("localStorage.removeItem('sear.folds')");
+                if (!browser.driver().getCurrentUrl().startsWith(robotLab.url())) {
+                    browser.driver().get(robotLab.url() + "icon.svg");      // a small page of that address
+                    browser.expectErrors("/favicon.ico");
                 }
+                browser.script(OPEN);
                 try {
                     open(service);
                     test.evaluate();

@@ -32,15 +32,15 @@ public class BuildingTest {
     /** A floor with things in the middle of its quarters, the north-eastern one with a tower on it, and others east of the middle. */
     private static final String THINGS = String.join("\n",
         "Floor('floor1', 10, 10)",
-        "for name, x, z in ((1, 2, 2), (2, 2, -2), (3, -2, 2), (4, -2, -2)): Box('box%d' % name, 0.5, 0.5, 0.5).move(x, 0.25, z)",
-        "Cylinder('cylinder1', 0.2, 0.5).move(3, 0.25, 0)",
-        "Cone('cone1', 0.2, 0.5).move(3, 0.25, 1)",
-        "Sphere('sphere1', 0.2).move(3, 0.2, -1)",
-        "tower = Box('box5', 0.5, 0.5, 0.5)",
-        "tower.move(2, 0.75, 2)");
+        "for name, x, z in ((1, 2, 2), (2, 2, -2), (3, -2, 2), (4, -2, -2)): Box('box%d' % name, 0.25, 0.25, 0.25).move(x, 0.125, z)",
+        "Cylinder('cylinder1', 0.1, 0.25).move(3, 0.125, 0)",
+        "Cone('cone1', 0.1, 0.25).move(3, 0.125, 1)",
+        "Sphere('sphere1', 0.1).move(3, 0.1, -1)",
+        "tower = Box('box5', 0.25, 0.25, 0.25)",
+        "tower.move(2, 0.375, 2)");
     private static final String COPY_OF_THE_TOWER = String.join("\n",
-        "copy = Box('box6', 0.5, 0.5, 0.5, 4)",
-        "copy.move(2.05, 0.75, 2.5)",
+        "copy = Box('box6', 0.25, 0.25, 0.25, 4)",
+        "copy.move(2.05, 0.375, 2.5)",
         "copy.rotate(0, 15, 0)");
     private static final String ROBOT = String.join("\n",
         "robot = Robots.create2('create2')",
@@ -52,6 +52,7 @@ public class BuildingTest {
         "robot.addComponent(lidar)",
         "eye = Distance('eye', 'PING)))')",
         "eye.move(0.1, 0.0365, 0)",
+        "eye.rotate(-20, 0, 0)",
         "robot.addComponent(eye)");
 
     @Rule
@@ -81,10 +82,10 @@ public class BuildingTest {
     }
 
     private void build(String mode) {
-        browser.click(mode);
         if (!tab.isTrue("view.building")) {
-            browser.click(".sear-build");
+            browser.click(tab.isTrue("welcome.isShown()") ? "[data-tile='build']" : ".sear-build");
         }
+        browser.click(mode);
         browser.see(".sear-palette");
     }
 
@@ -246,7 +247,7 @@ public class BuildingTest {
         browser.until("a sensor of the list", () -> tab.isTrue("edits.object && edits.object.robot == 'create2'"));
     }
 
-    /** Handles of 0.5 m of box4 in the south-west. */
+    /** Handles of 0.25 m of box4 in the south-west. */
     private WebElement boxWithHandles() throws IOException {
         make(9, 1, THINGS, ROBOT);
         buildOnTheMap();
@@ -260,9 +261,9 @@ public class BuildingTest {
     public void aHandleOnTheMapMakesAThingLongerTheOtherSideStays() throws IOException {
         WebElement view = boxWithHandles();
         Map<String, String> before = files();
-        drag(view, onMapOf("x"), tab.toScreen(-1.25, -2));
-        browser.until("it is longer", () -> tab.isTrue("edits.object.values.length == '1' && edits.object.values.x == '-1.75'"));
-        browser.until("in the view, too", () -> Math.abs(place("x").get(0).doubleValue() + 1.25) < 1e-3);
+        drag(view, onMapOf("x"), tab.toScreen(-1.275, -2));
+        browser.until("it is longer", () -> tab.isTrue("edits.object.values.length == '0.85' && edits.object.values.x == '-1.7'"));
+        browser.until("in the view, too", () -> Math.abs(place("x").get(0).doubleValue() + 1.275) < 1e-3);
         assertTrue("what one looks along has no handle", tab.isTrue("building.handle('y') === null"));
         undoAll();
         assertEquals(before, files());
@@ -271,8 +272,8 @@ public class BuildingTest {
     @Test
     public void aHandleOnTheMapTurnsAThing() throws IOException {
         WebElement view = boxWithHandles();
-        drag(view, onMapOf("x"), tab.toScreen(-1.25, -2));
-        browser.until("it is longer", () -> Math.abs(place("x").get(0).doubleValue() + 1.25) < 1e-3);
+        drag(view, onMapOf("x"), tab.toScreen(-1.275, -2));
+        browser.until("it is longer", () -> Math.abs(place("x").get(0).doubleValue() + 1.275) < 1e-3);
         drag(view, onMapOf("turn"), tab.toScreen(-1, -2.02));
         browser.until("it looks north", () -> tab.isTrue("edits.object.values.ry == '90'"));
     }

@@ -96,7 +96,8 @@ public class PreviewTest {
     @Test
     public void whatAScriptMakesAndChangesIsFollowed() {
         robotLab.call("sear", "newProject");
-        browser.seeText(".sear-note", "the project is empty: open one or an example above");
+        browser.seeText(".sear-welcome", "Where do you want to begin?");
+        assertFalse("nothing to start", browser.see(".sear-start").isEnabled());
         robotLab.run(OBJECTS + "Floor('ground', 8, 8)\ncrate = Box('crate', 0.5, 0.5, 0.5, 0)\ncrate.move(1, 0.25, 2)\n");
         browser.until("the crate", () -> index("crate") >= 0 && tab.number("world.shown().objects[" + index("crate") + "].pose[0]") == 1);
         browser.until("its picture", () -> tab.colour(1, 2) == BOX);

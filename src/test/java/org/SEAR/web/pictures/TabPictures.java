@@ -27,7 +27,10 @@ public final class TabPictures {
     private TabPictures() {
     }
 
-    /** @param arguments the folder for the pictures and, if not all are wanted, some of {@code tabs}, {@code terrain-tab}, {@code building} */
+    /**
+     * @param arguments the folder for the pictures and, if not all are wanted, some of {@code tabs}, {@code terrain-tab}, {@code building} and
+     *     {@code tiles}
+     */
     public static void main(String[] arguments) throws Exception {
         Path folder = Paths.get(arguments[0]);
         List<String> wanted = Arrays.asList(arguments).subList(1, arguments.length);
@@ -39,6 +42,9 @@ public final class TabPictures {
         }
         if (wanted.isEmpty() || wanted.contains("building")) {
             BuildingPictures.take(folder);
+        }
+        if (wanted.isEmpty() || wanted.contains("tiles")) {
+            TilePictures.take();
         }
         System.exit(0);
     }

@@ -68,7 +68,13 @@ public class LayoutTest {
         return "mrl-panel[name='" + service + "'] > .sear-panel";
     }
 
+    /** As a stranger meets it. */
+    private void forgetWhatIsOpen() {
+        browser.script("localStorage.removeItem('sear.folds')");
+    }
+
     private void open(int width, String query) {
+        forgetWhatIsOpen();
         browser.driver().manage().window().setSize(new Dimension(width, 1000));
         browser.driver().get(TABS.robotLab().url() + "?" + query + "#/sear");
         browser.see(panel("sear"));
@@ -144,6 +150,7 @@ public class LayoutTest {
     }
 
     private void openAt(int width, int height) {
+        forgetWhatIsOpen();
         browser.setPageSize(width, height);
         TABS.open("sear");
         browser.see(".sear-sensors");
@@ -165,7 +172,8 @@ public class LayoutTest {
     private void checkNothingScrolls(String when) {
         browser.until("a page that does not scroll, " + when, () -> ((Number) browser.script("return Math.max(document.documentElement.scrollHeight,"
             + " document.body.scrollHeight)")).intValue() <= LAPTOP_HEIGHT);
-        checkInWindow(LAPTOP_WIDTH, LAPTOP_HEIGHT, ".sear-load", ".sear-start", ".sear-status", ".sear-stage canvas", ".sear-halt", ".sear-plots");
+        checkInWindow(LAPTOP_WIDTH, LAPTOP_HEIGHT, ".sear-fold-project", ".sear-start", ".sear-status", ".sear-stage canvas", ".sear-halt",
+            ".sear-plots");
     }
 
     @Test
@@ -177,13 +185,14 @@ public class LayoutTest {
         double[] view = box(".sear-stage canvas");
         double[] side = box(".sear-side");
         assertTrue("world, view, inspector from left to right", world[2] <= view[0] && view[2] <= side[0]);
-        assertTrue("the view is the largest", view[2] - view[0] > 600 && view[3] - view[1] > 350);
+        assertTrue("two thirds of the page are the view " + Arrays.toString(view), view[2] - view[0] > LAPTOP_WIDTH * 0.64
+            && view[3] - view[1] > LAPTOP_HEIGHT * 0.66);
         browser.click(".sear-tree .btn-link");
         browser.see(".sear-inspector .sear-field");
         browser.click(".sear-build");
         browser.see(".sear-palette");
         checkNothingScrolls("while one builds");
-        for (String part : new String[] {".sear-plots", ".sear-fold-messages", ".sear-fold-scripts"}) {
+        for (String part : new String[] {".sear-fold-project", ".sear-plots", ".sear-fold-messages", ".sear-fold-scripts"}) {
             browser.click(part);
         }
         browser.see(".sear-plot");

@@ -265,7 +265,7 @@ public class ProjectsInTheTabTest {
             + "var data = new DataTransfer(); data.items.add(new File([bytes], arguments[0]));"
             + "var event = function(type) { return new DragEvent(type, {dataTransfer: data, bubbles: true, cancelable: true}) };"
             + "arguments[2].dispatchEvent(event('dragover')); arguments[2].dispatchEvent(event('drop'))",
-            name, Base64.getEncoder().encodeToString(content), browser.see(".sear-drop"));
+            name, Base64.getEncoder().encodeToString(content), browser.see(SearTab.ROOT));
     }
 
     @Test
@@ -286,8 +286,8 @@ public class ProjectsInTheTabTest {
         browser.click(".sear-new");
         browser.seeText(".sear-main .alert-info", "kept");
         browser.until("no project", () -> Files.notExists(project("robot")));
-        browser.click(".sear-start");
-        browser.seeText(".sear-main .alert-danger", "there is no project folder");
+        browser.until("nothing to start", () -> !browser.see(".sear-start").isEnabled());
+        browser.seeText(".sear-welcome", "Where do you want to begin?");
         assertEquals("no simulation runs", browser.text(".sear-status"));
     }
 }

@@ -176,6 +176,7 @@ public class SearTabTest {
     @Test
     public void aDoubleClickStartsAndStopsOnceAndNothingIsComplainedAbout() {
         tab.openExample("maze");
+        browser.until("something to start", () -> browser.see(".sear-start").isEnabled());
         new Actions(browser.driver()).doubleClick(browser.see(".sear-start")).perform();
         tab.waitForStatus("running");
         new Actions(browser.driver()).doubleClick(browser.see(".sear-stop")).perform();

@@ -190,7 +190,7 @@ public class SpaceTest {
         browser.scope(SearTab.ROOT, "edits.select('roomba/body')");
         browser.until("no such lines of what is no sensor", () -> Boolean.TRUE.equals(inScene("!scene.handles.eye.visible")));
         browser.scope(SearTab.ROOT, "edits.select(null)");
-        browser.choose(".sear-eye", "outside");
+        browser.choose(".sear-eye", "from outside");
         browser.until("the camera outside", () -> number("scene.camera.position.y") > 1);
     }
 

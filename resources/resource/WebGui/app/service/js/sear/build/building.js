@@ -21,8 +21,13 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
     var drag = null             // what the mouse does with the selected object
     var grip = null             // where the mouse went down
     var nudged = null           // what the keys have done that is not sent yet
+    var turned = null           // likewise of the keys that turn
+    var sentTurn = null         // the turn that was sent and is not answered yet
     var held = null             // where what is selected is shown until the service answers, whatever a running simulation tells meanwhile
 
+    edits.changed.hear(function() {
+        sentTurn = null
+    })
     /** What is selected, see pointing.find. */
     function found() {
         return pointing.find(world.shown(), edits.selected)
@@ -345,11 +350,33 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
             held = null
         }
     }
+    /** Turns add up until the service has answered, however fast the keys come. */
     function turnBy(degrees) {
-        if (edits.object && edits.object.values.ry !== undefined) {
-            var selected = found()
-            var now = place(selected)
-            send({start: selected && selected.object.pose.slice(), place: now}, {ry: places.plain(places.wrapped(now.ry + degrees))})
+        if (!edits.object || edits.object.values.ry === undefined) {
+            return
+        }
+        var selected = found()
+        if (!turned || turned.object !== edits.selected) {
+            var now = angular.extend({}, place(selected), sentTurn && sentTurn.object === edits.selected ? {ry: sentTurn.ry} : {})
+            turned = {start: selected && selected.object.pose.slice(), place: now, object: edits.selected, by: 0}
+        } else {
+            clearTimeout(turned.timer)
+        }
+        turned.by += degrees
+        if (selected) {
+            showMoved(turned.start, [0, 0, 0], turned.by)
+        }
+        turned.timer = setTimeout(sendTurned, PAUSE_MILLIS)
+    }
+    function sendTurned() {
+        var done = turned
+        turned = null
+        var ry = places.plain(places.wrapped(done.place.ry + done.by))
+        if (done.object === edits.selected && Number(ry) !== done.place.ry) {
+            sentTurn = {object: done.object, ry: Number(ry)}
+            send(done, {ry: ry})
+        } else {
+            held = null
         }
     }
     /** @return whether it was a key of building */

@@ -3,11 +3,23 @@ import {robotOf} from './balance.js'
 import {find} from '../world/pointing.js'
 
 var PARTS = ['component', 'wheel']              // of a robot: other edits see to them
+// Which parameters stand together, by their names, in the order in which the groups are shown; the others are in the group OWN.
+var GROUPS = [
+    ['Size', /^(length|width|height|radius|thickness|scale|scale[XYZ]|size)$/],
+    ['Place', /^([xyz]|r[xyz]|onGround|above)$/],
+    ['Settings', null],
+    ['Look', /^(color|texture|textureScale|picture|opacity|shininess)/],
+    ['Physics', /^(mass|friction|rollingFriction|bounce|restitution|damping|inertia|centre|center)/],
+    ['Earth', /^place[A-Z]/]
+]
+var OWN = 'Settings'
 
 /** Of one panel. */
 export function makeInspector(panel, world, edits) {
     var shown = null            // whose rows these are
+    var pen = document.createElement('canvas').getContext('2d')     // which knows the names of colours
     var inspector = {
+        groups: [],             // of the rows: name, rows
         rows: [],               // of the parameters
         parts: [],              // of a selected robot: what edits call them, and their names
         inspected: {},          // the name as it stands in its field, and the robot that it is on
@@ -16,12 +28,30 @@ export function makeInspector(panel, world, edits) {
         refused: ''             // what was wrong and belongs to no field
     }
 
+    function grouped(rows) {
+        function nameOf(row) {
+            var found = GROUPS.filter(group => group[1] && group[1].test(row.p.name))[0]
+            return found ? found[0] : OWN
+        }
+        return GROUPS.map(group => ({name: group[0], rows: rows.filter(row => nameOf(row) === group[0])})).filter(group => group.rows.length)
+    }
     /** Text of a value, entries of a list of them. */
     function same(a, b) {
         return angular.equals(a === undefined ? '' : a, b === undefined ? '' : b)
     }
     function rowOf(parameter) {
-        return {p: parameter, id: 'sear-p-' + parameter.name, text: '', was: '', entries: null, error: ''}
+        var row = {p: parameter, id: 'sear-p-' + parameter.name, text: '', was: '', entries: null, error: ''}
+        /** Its colour in the form that the browser's chooser has, be it a name or such a form; sets another one. */
+        row.color = function(chosen) {
+            if (arguments.length) {
+                row.text = chosen
+                inspector.setRow(row)
+            }
+            pen.fillStyle = '#808080'
+            pen.fillStyle = row.text || parameter['default'] || '#808080'
+            return pen.fillStyle
+        }
+        return row
     }
     /** Fields of one entry of a list: of a group its parameters, else the value itself. */
     function entryOf(row, value) {
@@ -53,6 +83,7 @@ export function makeInspector(panel, world, edits) {
         var type = object && edits.typeOf(object.type)
         if (!type) {
             inspector.rows = []
+            inspector.groups = []
             inspector.parts = []
             shown = null
             return
@@ -63,6 +94,7 @@ export function makeInspector(panel, world, edits) {
             inspector.rows = type.parameters.filter(function(parameter) {
                 return parameter.name !== 'name' && (type.kind !== 'robot' || PARTS.indexOf(parameter.name) < 0)
             }).map(rowOf)
+            inspector.groups = grouped(inspector.rows)
         }
         inspector.rows.forEach(function(row) {
             fill(row, object.values[row.p.name])
@@ -135,6 +167,14 @@ export function makeInspector(panel, world, edits) {
         row.refused = Boolean(row.error)
         inspector.refused = other.join('; ')
         edits.ask()
+    }
+    inspector.isSwitch = row => row.p.kind === 'switch'
+    inspector.isColor = row => row.p.name === 'color' && !row.entries
+    /** What the box of a switch shows: its value, or its default where it has none. */
+    inspector.isOn = row => (row.text || row.p['default']) === 'true'
+    inspector.flip = function(row) {
+        row.text = inspector.isOn(row) ? 'false' : 'true'
+        inspector.setRow(row)
     }
     inspector.addEntry = function(row) {
         row.entries.push(entryOf(row, null))

@@ -4,6 +4,7 @@ import {plain} from './places.js'
 var FLOOR = '20'            // metres: side of the floor that a robot gets where there is no ground
 var UPRIGHT = 0.7           // a surface whose normal is less steep than this is a side
 var TURN = 15               // degrees
+var TILT = '-20'            // degrees about x, upwards: the widest beam that comes with SEAR sees no ground then, but what is ahead
 
 /** The edit that makes a robot, and ground for it in a world that has none. */
 export function withGround(edit, world) {
@@ -25,6 +26,10 @@ export function mounted(at, type, free, snapped) {
         set.ry = plain(free ? degrees : Math.round(degrees / TURN) * TURN)
     }
     return set
+}
+/** What has cones looks over the ground, for else it would tell of nothing but that. */
+export function tilted(type) {
+    return hasBeams(type) && type.parameters.some(parameter => parameter.name === 'cone') ? {rx: TILT} : {}
 }
 function hasBeams(type) {
     return Boolean(type) && type.parameters.some(parameter => parameter.name === 'seesOwnRobot')

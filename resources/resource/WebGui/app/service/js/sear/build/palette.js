@@ -1,24 +1,56 @@
 // The palette of the SEAR panel: everything that can be made, and where a click in the view puts it.
-import {mounted, withGround} from './mounting.js'
+import {mounted, tilted, withGround} from './mounting.js'
 import {plain} from './places.js'
+import * as symbols from './symbols.js'
 
 var GRID = 0.05             // metres between the places that things snap to
+var STEPS = {ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1}
 
 /** Of one panel. */
 export function makePalette(panel, messages, world, view, edits, pointer) {
     var carried = null          // the button from which something is being dragged
     var palette = {
         armed: null,            // what the next click makes: type or template, and fields that have to be filled in
-        snap: true
+        snap: true,
+        sought: ''              // a part of the word of what is looked for
     }
 
     palette.build = function() {
         palette.armed = null
         view.build(!view.building)
     }
-    /** Classes of one kind: shape, sensor, part. */
-    palette.typesOf = function(kind) {
-        return edits.grammar ? edits.grammar.types.filter(type => type.kind === kind) : []
+    // ---- what can be made, in groups ---------------------------------------------------------------------------------------------------
+    var kinds = []              // of the grammar, in the order in which they are shown
+    var groups = []             // of those that are looked for
+    var made = null             // the grammar and the words that these are of
+    var stop = null             // what the Tab key comes to: the one that the arrow keys went to last
+    /** Name and kinds of each group; the same as long as nothing else is looked for. */
+    palette.groups = function() {
+        if (made && made.grammar === edits.grammar && made.sought === palette.sought) {
+            return groups
+        }
+        made = {grammar: edits.grammar, sought: palette.sought}
+        var all = !edits.grammar ? [] : edits.grammar.types.filter(type => type.kind !== 'robot').map(symbols.ofType)
+            .concat(edits.grammar.templates.map(symbols.ofTemplate))
+        var wanted = palette.sought.trim().toLowerCase()
+        kinds = all.filter(kind => (kind.word + ' ' + kind.make).toLowerCase().indexOf(wanted) >= 0)
+        groups = symbols.GROUPS.map(name => ({name: name, kinds: kinds.filter(kind => kind.group === name)})).filter(group => group.kinds.length)
+        kinds = [].concat.apply([], groups.map(group => group.kinds))
+        stop = kinds.indexOf(stop) < 0 ? kinds[0] : stop
+        return groups
+    }
+    palette.isStop = function(kind) {
+        return kind === stop
+    }
+    /** The arrow keys go from one to the next, Home and End to the ends. */
+    palette.key = function(event) {
+        var at = kinds.findIndex(kind => kind.make === event.target.getAttribute('data-make'))
+        var next = event.key === 'Home' ? 0 : event.key === 'End' ? kinds.length - 1 : at + STEPS[event.key]
+        if (at >= 0 && kinds[next]) {
+            stop = kinds[next]
+            event.currentTarget.querySelector('[data-make="' + stop.make + '"]').focus()
+            event.preventDefault()
+        }
     }
 
     palette.arm = function(type, template) {
@@ -83,8 +115,9 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
                 return
             }
             edit.to = robot
+            angular.extend(edit.set, tilted(armed.type))
             if (at.robot) {
-                edit.set = angular.extend(edit.set, mounted(at, armed.type, free, palette.snapped))
+                angular.extend(edit.set, mounted(at, armed.type, free, palette.snapped))
             } else {
                 put(edit.set, [0, 0.1, 0], free)
             }

@@ -19,6 +19,7 @@ import {makeReplay} from '../records/replay.js'
 import {makeRun} from './run.js'
 import {makeScript} from './script.js'
 import {makeView} from '../scene/view.js'
+import {makeWelcome} from './welcome.js'
 import {makeWorld} from '../world/world.js'
 import {count} from '../shared/words.js'
 
@@ -27,6 +28,7 @@ var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems
     'publishEdit', 'getProjectObject', 'getScript', 'recordRun', 'endRecord', 'getRecords', 'getRecordFrames', 'getRecordValues']
 var ASKED = ['getExamples', 'getExampleScripts', 'getGrammar', 'getEdits']
 var LOOK_MILLIS = 1000      // how often a page that shows the project asks whether that has changed
+var SETTLED_MILLIS = 12000  // how long the line of status has what was only told
 var LISTEN_MILLIS = 100     // how often a panel looks whether the page has its view
 
 /** Opens a panel. @param controller of MyRobotLab's, on whose scope the panel's parts are put */
@@ -48,7 +50,8 @@ export function open(controller, $scope, $timeout, $interval) {
     var records = makeRecords(panel, messages)
     var replay = makeReplay(panel, messages, world, picture)
     var plot = makePlot(panel, world, records, replay, layout)
-    var project = makeProject(panel, messages, problems)
+    var project = makeProject(panel, messages, problems, view)
+    var welcome = makeWelcome(world, view, palette, project)
     var script = makeScript(panel, messages, project)
     var run = makeRun(panel, messages, world, problems, view, edits, picture)
 
@@ -85,6 +88,13 @@ export function open(controller, $scope, $timeout, $interval) {
             first = $timeout(listen, LISTEN_MILLIS)
         }
     }
+    $scope.$watch('messages.last', function(last) {
+        if (last && last.level === 'info') {
+            $timeout(function() {
+                messages.settle(last)
+            }, SETTLED_MILLIS)
+        }
+    })
     var looks = $interval(world.look, LOOK_MILLIS, 0, false)
     first = $timeout(listen)
     $scope.$on('$destroy', function() {
@@ -93,7 +103,7 @@ export function open(controller, $scope, $timeout, $interval) {
     })
 
     var parts = {messages, world, problems, ground, view, pointed, edits, inspector, palette, building, layout, records, replay, plot, project,
-        script, run}
+        script, run, welcome}
     angular.extend($scope, parts, {key})
     panel.hear(TOPICS, ASKED, angular.extend.apply(angular, [{onState, onStatus}].concat(Object.values(parts).map(part => part.handlers))))
     if ($scope.service) {

@@ -8,7 +8,7 @@ var NEW = 'project.sear'
 var MOST_RECENT = 8
 
 /** Of one panel. */
-export function makeProject(panel, messages, problems) {
+export function makeProject(panel, messages, problems, view) {
     var msg = panel.msg
     var asked = {}              // paths that this page wants saved and opened
     var project = {
@@ -37,6 +37,7 @@ export function makeProject(panel, messages, problems) {
     }
     /** What comes from an example is saved beside it, not over it. */
     function onLoaded() {
+        view.fit()
         messages.say('info', 'opened ' + (asked.load || 'by another page'))
         if (asked.load && project.examples.indexOf(asked.load) >= 0) {
             project.path = words.fileName(asked.load)
@@ -78,6 +79,7 @@ export function makeProject(panel, messages, problems) {
         return script.replace(/\.py$/, '').replace(/_/g, ' ')
     }
     project.runScript = function() {
+        view.fit()
         messages.say('info', 'running ' + project.script)
         msg.send('runExampleScript', project.script)
     }
@@ -131,7 +133,7 @@ export function makeProject(panel, messages, problems) {
 
     /** Once its fields are there. */
     project.listen = function() {
-        var drop = panel.element('drop')
+        var drop = panel.element('workspace')
         drop.addEventListener('dragover', function(event) {
             event.preventDefault()
         })
@@ -139,9 +141,11 @@ export function makeProject(panel, messages, problems) {
             event.preventDefault()
             project.upload(event.dataTransfer.files[0])
         })
-        panel.element('file').addEventListener('change', function(event) {
-            project.upload(event.target.files[0])
-            event.target.value = ''     // so that the same file can be chosen again
+        drop.addEventListener('change', function(event) {      // its field comes and goes
+            if (event.target.classList.contains('sear-file')) {
+                project.upload(event.target.files[0])
+                event.target.value = ''     // so that the same file can be chosen again
+            }
         })
     }
 
@@ -161,6 +165,7 @@ export function makeProject(panel, messages, problems) {
             project.script = project.script || project.scripts[0]
         },
         onUploaded: function(text) {
+            view.fit()
             project.transfer = null
             if (asked.upload) {
                 project.path = asked.upload
@@ -174,6 +179,7 @@ export function makeProject(panel, messages, problems) {
         onSaveProjectAs: onSaved,
         onLoadProject: onLoaded,
         onNewProject: function(backup) {
+            view.fit()
             if (asked.anew) {
                 project.path = NEW
             }

@@ -81,7 +81,9 @@ function drawGrid(pen, at, ink, element, view) {
     pen.globalAlpha = 0.8
     pen.fillStyle = ink
     pen.font = '12px sans-serif'
-    pen.fillText('N ↑   grid ' + step + ' m', 8, 16)
+    pen.textAlign = 'right'
+    pen.fillText('N ↑   grid ' + step + ' m', element.clientWidth - 10, element.clientHeight - 10)
+    pen.textAlign = 'left'
     pen.globalAlpha = 1
 }
 

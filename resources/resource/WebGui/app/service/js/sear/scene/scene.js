@@ -1,6 +1,7 @@
 // The view in space of the SEAR panel, with three.js as MyRobotLab has it (release 73; it works with 71, too). World frame: x north, y up, z east.
 import {show as showBeams} from './beams.js'
 import * as geometry from '../shared/geometry.js'
+import {makeGrid} from './grid.js'
 import * as shapes from './shapes.js'
 import {Item} from './item.js'
 import {Looks} from './looks.js'
@@ -220,6 +221,17 @@ Scene.prototype.showGround = function(terrain) {
     this.ground = new THREE.Mesh(shapes.ground(terrain), new THREE.MeshBasicMaterial({map: texture, side: THREE.DoubleSide}))
     this.ground.stamp = stamp
     this.scene.add(this.ground)
+}
+
+/** Shows a grid of metres with the axes, or takes it away. */
+Scene.prototype.showGrid = function(on) {
+    if (on && !this.grid) {
+        this.grid = makeGrid()
+        this.scene.add(this.grid)
+    }
+    if (this.grid) {
+        this.grid.visible = on
+    }
 }
 
 // ---- the camera ----------------------------------------------------------------------------------------------------------------------------

@@ -6,6 +6,7 @@ import {Scene, isPossible} from './scene.js'
 
 var MODE = 'sear.view'      // where the browser remembers which one was chosen
 var MOST_LISTED = 100       // objects of the world; the others on request
+var BENCH = 4               // metres that an empty view shows where things are built
 var TURN = 20               // pixels of a mouse that an arrow key stands for
 var ARROWS = {ArrowLeft: [-TURN, 0], ArrowRight: [TURN, 0], ArrowUp: [0, TURN], ArrowDown: [0, -TURN]}
 
@@ -15,6 +16,7 @@ export function makeView(panel, messages, world, ground, picture) {
     var overlay = null          // what is drawn with the world, see view.overlaidBy
     var scene = null            // made when it is first seen
     var fitted = {}             // by mode: whether that view shows everything, or what the user wants
+    var benched = false         // whether the view shows the empty ground before one who builds
     var view = {
         x: 0, z: 0,             // metres: the middle of the map
         scale: 60,              // its pixels a metre
@@ -83,6 +85,9 @@ export function makeView(panel, messages, world, ground, picture) {
     }
     view.build = function(on) {
         view.building = on
+        if (on && world.isEmpty()) {
+            view.fit()          // so near that what is made first is well to be seen, and does not fill the view
+        }
         picture.repaint()
     }
     view.driveRobot = function(name) {
@@ -110,6 +115,7 @@ export function makeView(panel, messages, world, ground, picture) {
     function refit() {
         view.fitted = false      // the one that is shown
         fitted = {}
+        benched = false
     }
 
     function isChosen(robot) {
@@ -132,7 +138,8 @@ export function makeView(panel, messages, world, ground, picture) {
         }
         view.size = size
         if (view.building && (!seen || !seen.objects.length && !seen.robots.length)) {
-            fitted = {space: true, map: true}       // what is made first does not fill the view
+            benched = true
+            view.x = view.z = 0
         }
         overlay.hold()
         if (view.mode === 'space') {
@@ -149,7 +156,10 @@ export function makeView(panel, messages, world, ground, picture) {
 
     function drawMap(shown, seen) {
         var shapes = seen ? geometry.shapesOf(seen) : []
-        if (seen && !fitted.map) {
+        if (benched && !fitted.map) {
+            view.scale = Math.min(shown.clientWidth, shown.clientHeight) / BENCH
+            fitted.map = true
+        } else if (seen && !fitted.map) {
             geometry.fit(view, shapes, shown)
             fitted.map = true
         }
@@ -171,7 +181,11 @@ export function makeView(panel, messages, world, ground, picture) {
         var seen = drawn || {objects: [], robots: [], sensors: []}
         var terrain = ground.of(seen)
         scene.show(seen, terrain, view.beams)
-        if (!fitted.space && (seen.objects.length || seen.robots.length)) {
+        scene.showGrid(view.building)
+        if (benched && !fitted.space) {
+            scene.fit({x: 0, y: 0, z: 0, size: BENCH})
+            fitted.space = true
+        } else if (!fitted.space && (seen.objects.length || seen.robots.length)) {
             var area = geometry.area(geometry.shapesOf(seen))
             if (area) {
                 scene.fit({x: area.x, y: heightOf(seen, terrain, area), z: area.z, size: area.size})

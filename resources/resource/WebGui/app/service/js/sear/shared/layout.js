@@ -3,12 +3,12 @@ import {isLight} from './geometry.js'
 import {recallJson, remember} from './page.js'
 
 var FOLDS = 'sear.folds'    // where the browser remembers what its user has folded and opened
-var WIDE = 1100             // pixels from which on there are three columns
+var WIDE = 900              // pixels from which on there are three columns
 var MEDIUM = 720            // and two; below, all stands below each other, and the page scrolls
+var BELOW = ['project', 'plots', 'messages', 'scripts']    // what stands above or below the view, and what nobody needs at first
 var SLACK = 24              // more than a scroll bar that comes or goes
-var LEAST = 480             // pixels of height that the columns need
+var LEAST = 420             // pixels of height that the columns need
 var MOST_BELOW = 200        // pixels that are kept free for what the page has below the panel
-var TALL = 800              // pixels of a window in which messages and scripts are open at first
 
 /** Where an element begins in the page, wherever that is scrolled to. */
 function topOf(element) {
@@ -60,21 +60,12 @@ export function makeLayout(panel, messages) {
     }
     layout.room = roomOf(window.innerWidth)
 
-    /** As long as nobody has chosen. */
+    /** As long as nobody has chosen: the view has what a narrow page has, and on others what stands beside it. */
     function isFoldedAtFirst(part) {
-        var narrow = layout.room === 'narrow'
-        switch (part) {
-        case 'plots': return true
-        case 'messages': return !narrow && window.innerHeight < TALL
-        case 'scripts': return !narrow && window.innerHeight < TALL
-        case 'project': return narrow
-        case 'world': return narrow
-        default: return false
-        }
+        return layout.room === 'narrow' ? part === 'world' || BELOW.indexOf(part) >= 0 : BELOW.indexOf(part) >= 0
     }
-    /** Only a narrow page folds the project away. */
     layout.isFolded = function(part) {
-        return part === 'project' && layout.room !== 'narrow' ? false : part in chosen ? Boolean(chosen[part]) : isFoldedAtFirst(part)
+        return part in chosen ? Boolean(chosen[part]) : isFoldedAtFirst(part)
     }
     /** Folds a part, or opens it. */
     layout.fold = function(part) {

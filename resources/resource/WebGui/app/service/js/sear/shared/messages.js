@@ -39,6 +39,12 @@ export function makeMessages() {
     messages.hideLast = function() {
         messages.last = null
     }
+    /** Hides a message if it is still the last one. */
+    messages.settle = function(one) {
+        if (messages.last === one) {
+            messages.hideLast()
+        }
+    }
     messages.clear = function() {
         messages.list = []
         messages.last = null

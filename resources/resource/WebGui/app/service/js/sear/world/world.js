@@ -142,6 +142,11 @@ export function makeWorld(panel, messages, picture) {
     world.shown = function() {
         return world.instead ? world.instead.world : world.now()
     }
+    /** Whether it is known that there is nothing to start. */
+    world.isEmpty = function() {
+        var seen = !panel.isSimulating() && world.preview && world.preview.world
+        return Boolean(seen && !seen.objects.length && !seen.robots.length)
+    }
     world.note = function() {
         var preview = world.preview
         if (world.instead) {
@@ -157,7 +162,7 @@ export function makeWorld(panel, messages, picture) {
             return 'Not running, and nothing to show: the project has ' + words.count(preview.problems.length, 'problem') + ', listed below'
         }
         if (!preview.world.objects.length && !preview.world.robots.length) {
-            return 'Not running, and the project is empty: open one or an example above, drop a .sear file there, press Build, '
+            return 'Not running, and the project is empty: open one or an example, drop a .sear file here, press Build, '
                 + 'or create objects in a script'
         }
         return 'Not running: this is how the project starts, with the button Start or ' + $scope.service.name + '.startSimulation()'

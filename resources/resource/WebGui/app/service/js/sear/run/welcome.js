@@ -1,0 +1,53 @@
+// What the SEAR panel shows in place of an empty view: pictures of what one can begin with.
+
+var TILES = '../tiles/'
+var MINE = {name: 'build', title: 'Build my own', text: 'An empty ground, and a palette of things, robots and sensors.', picture: 'build.jpg'}
+// By the name of an example: its title, and what one sees there.
+var EXAMPLES = {
+    office: ['Office', 'A Roomba with a laser scanner among desks and chairs.'],
+    maze: ['Maze', 'A robot that looks for the way out.'],
+    sensors: ['Every sensor', 'One robot with all of them, in a yard.'],
+    ramps: ['Ramps', 'Slopes, steps and kerbs: what can it climb?'],
+    mountain: ['Mountain', 'Real terrain from elevation data.'],
+    car: ['Car', 'A steered car on a road.'],
+    line: ['Line', 'A black line on the floor, to be followed.'],
+    rover: ['Arduino rover', 'Motors and sensors on the pins of an Arduino.'],
+    turret: ['Turret', 'A distance sensor that a servo turns.']
+}
+var BY_HEART = Object.keys(EXAMPLES)
+
+/** Of one panel. */
+export function makeWelcome(world, view, palette, project) {
+    var tiles = []
+    var made = null             // the examples that these are of
+    var welcome = {}
+
+    welcome.isShown = function() {
+        return world.isEmpty() && !view.building && !world.instead
+    }
+    function nameOf(path) {
+        return path.replace(/^.*\//, '').replace(/\.sear$/, '')
+    }
+    function rank(path) {
+        var at = BY_HEART.indexOf(nameOf(path))
+        return at < 0 ? BY_HEART.length : at
+    }
+    function picture(file) {
+        return new URL(TILES + file, import.meta.url).href
+    }
+    function tileOf(path) {
+        var name = nameOf(path)
+        var known = EXAMPLES[name] || [name, '']
+        return {name: name, title: known[0], text: known[1], picture: known[1] ? picture(name + '.jpg') : '', open: () => project.open(path)}
+    }
+    /** One for each example, and one to build without any. */
+    welcome.tiles = function() {
+        if (made !== project.examples) {
+            made = project.examples
+            tiles = [angular.extend({}, MINE, {picture: picture(MINE.picture), open: palette.build})]
+                .concat(made.slice().sort((a, b) => rank(a) - rank(b)).map(tileOf))
+        }
+        return tiles
+    }
+    return welcome
+}

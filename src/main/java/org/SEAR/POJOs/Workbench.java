@@ -103,6 +103,15 @@ public final class Workbench {
         return Notices.ofOthers(Workbenches.ALL.script().others(names));
     }
 
+    /**
+     * Where the calling script, or the last one, has made the first object that a text names.
+     *
+     * @return {@code line 7 of first.py}; empty if it names none of them
+     */
+    public static String lineOf(String text) {
+        return Workbenches.ALL.script().lineOf(text);
+    }
+
     void tell(String text) {
         told.accept(text);
     }

@@ -1,26 +1,27 @@
 package org.myrobotlab.embedded.python;
 
 import java.io.IOException;
+import java.lang.reflect.Field;
 import java.lang.reflect.Method;
+import java.lang.reflect.Modifier;
 import java.util.Comparator;
 import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.python.core.Py;
-import org.python.core.PyException;
-import org.python.core.PyFrame;
+import java.util.stream.Collectors;
+import org.python.core.PyFunction;
 import org.python.core.PyObject;
-import org.python.core.PyTraceback;
 
 /** The name that was perhaps meant by one that there is not. Any thread that runs Python. */
 public final class DidYouMean {
     private static final Pattern NO_NAME = Pattern.compile("name '(\\w+)' is not defined");
-    private static final Pattern NO_ATTRIBUTE = Pattern.compile("'([\\w.$]+)' object has no attribute '(\\w+)'");
+    private static final Pattern NO_ATTRIBUTE = Pattern.compile("'([\\w.$]+)'(?: object)? has no attribute '(\\w+)'");
     /** Names that have less in common are not suggested. */
     private static final double NEAR = 0.65;
     private static final double WITHOUT_VERB = 0.9;
+    private static final int MOST_ACTIONS = 4;
     private static final String SERVICES = "org.myrobotlab.service";
 
     private DidYouMean() {
@@ -40,15 +41,48 @@ public final class DidYouMean {
         }
     }
 
-    /** For a name or a Java object's method that a script uses and that there is not: a line, or empty. */
-    static String line(PyException e) {
-        String message = e.value.__str__().toString();
+    /** For a name or a Java object's member that a script uses and that there is not: a line, or empty. */
+    static String line(String message, boolean isName, Scope scope) {
         Matcher name = NO_NAME.matcher(message);
         Matcher attribute = NO_ATTRIBUTE.matcher(message);
-        if (e.match(Py.NameError) && name.find()) {
-            return line(name.group(1), names(e.traceback));
+        if (isName && name.find()) {
+            String wanted = name.group(1);
+            String imported = WrongNames.used(wanted);
+            String called = imported.isEmpty() ? methodOf(wanted, scope) : imported;
+            return called.isEmpty() ? line(wanted, scope.names()) : called;
         }
-        return e.match(Py.AttributeError) && attribute.find() ? line(attribute.group(2), methods(attribute.group(1))) : "";
+        if (isName || !attribute.find()) {
+            return "";
+        }
+        String own = line(attribute.group(2), members(attribute.group(1), true));
+        return own.isEmpty() ? line(attribute.group(2), members(attribute.group(1), false)) : own;
+    }
+
+    /** For a function of the script that there is not: ", did you mean onScan?"; empty if there is none like it. */
+    static String function(String wanted, PyObject variables) {
+        Set<String> functions = new TreeSet<>();
+        for (PyObject name : variables.invoke("keys").asIterable()) {
+            if (variables.__finditem__(name) instanceof PyFunction) {
+                functions.add(name.toString());
+            }
+        }
+        return line(wanted, functions).replace("\n", ", ");
+    }
+
+    /** A method whose object was left out: simSleep(1) for sear.simSleep(1). */
+    private static String methodOf(String wanted, Scope scope) {
+        for (String owner : scope.names()) {
+            Class<?> type = scope.objectTypeOf(owner);
+            if (type == null || !type.getName().matches("org\\.(SEAR|myrobotlab)\\..*")) {
+                continue;
+            }
+            for (Method method : type.getMethods()) {
+                if (method.getName().equalsIgnoreCase(wanted)) {
+                    return "\ndid you mean " + owner + "." + method.getName() + "?";
+                }
+            }
+        }
+        return "";
     }
 
     private static String line(String wanted, Set<String> known) {
@@ -57,10 +91,19 @@ public final class DidYouMean {
                 return "\ndid you mean " + one + "?";
             }
         }
-        return known.stream().filter(one -> nearness(wanted, one) >= NEAR)
+        String actions = known.stream().filter(one -> isVerbOf(wanted, one)).sorted().limit(MOST_ACTIONS).collect(Collectors.joining(" or "));
+        if (!actions.isEmpty()) {
+            return "\ndid you mean " + actions + "?";
+        }
+        return known.stream().filter(one -> wanted.length() > 1 && nearness(wanted, one) >= NEAR)
             .max(Comparator.comparingDouble((String one) -> nearness(wanted, one)).thenComparing(DidYouMean::likelihood)
                 .thenComparing(Comparator.reverseOrder()))
             .map(one -> "\ndid you mean " + one + "?").orElse("");
+    }
+
+    /** Whether an action's first word was written alone: start. */
+    private static boolean isVerbOf(String wanted, String known) {
+        return wanted.length() > 2 && known.matches(Pattern.quote(wanted) + "[A-Z].*");
     }
 
     /** How near a name is to what was written: as a whole, or a little less without its first word, which people leave out: startSimulation. */
@@ -90,35 +133,24 @@ public final class DidYouMean {
         return 2.0 * common[b.length()] / Math.max(1, a.length() + b.length());
     }
 
-    /** All names that the failed line could use. */
-    private static Set<String> names(PyTraceback traceback) {
-        Set<String> names = new TreeSet<>();
-        PyTraceback last = traceback;
-        while (last != null && last.tb_next instanceof PyTraceback) {
-            last = (PyTraceback) last.tb_next;
-        }
-        if (last != null) {
-            PyFrame frame = last.tb_frame;
-            add(names, frame.f_globals);
-            add(names, frame.getLocals());
-            add(names, frame.f_builtins);
-        }
-        return names;
-    }
-
-    private static void add(Set<String> names, PyObject scope) {
-        for (PyObject name : scope.invoke("keys").asIterable()) {
-            if (!name.toString().startsWith("_")) {
-                names.add(name.toString());
-            }
-        }
-    }
-
-    private static Set<String> methods(String type) {
+    /**
+     * Methods, and what Jython makes of getX and setX.
+     *
+     * @param own whether only those of the class itself, which are meant rather than those that every service has
+     */
+    private static Set<String> members(String type, boolean own) {
         Set<String> names = new TreeSet<>();
         try {
-            for (Method method : Class.forName(type).getMethods()) {
-                names.add(method.getName());
+            Class<?> described = Class.forName(type);
+            for (Method method : own ? described.getDeclaredMethods() : described.getMethods()) {
+                if (Modifier.isPublic(method.getModifiers()) && !method.isSynthetic()) {
+                    names.add(method.getName());
+                }
+            }
+            for (Field field : own ? described.getDeclaredFields() : described.getFields()) {
+                if (Modifier.isPublic(field.getModifiers())) {
+                    names.add(field.getName());
+                }
             }
         } catch (ClassNotFoundException e) {
             return names; // a class of the script's own

@@ -1,7 +1,10 @@
 package org.SEAR.POJOs;
 
+import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
+import java.util.stream.Collectors;
 
 /**
  * The workbenches of a program. A script's {@code Box("crate", ...)} names no service: here it finds whose it is. Beside the store of the project
@@ -14,6 +17,8 @@ final class Workbenches {
     /** In the order in which they were used last. */
     private volatile List<Workbench> open = List.of();
     private volatile int starts;
+    /** Robots of the project that somebody still has, in the order in which they were made. */
+    private final List<WeakReference<SEARrobot>> robots = new ArrayList<>();
 
     private Workbenches() {
     }
@@ -21,6 +26,20 @@ final class Workbenches {
     /** What the present run of a script has made: of the program's one project, whichever service it asks. */
     ScriptRun script() {
         return script;
+    }
+
+    synchronized void made(SEARrobot robot) {
+        robots.removeIf(one -> one.get() == null || one.get().getName().equals(robot.getName()));
+        robots.add(new WeakReference<>(robot));
+    }
+
+    synchronized void forgetRobots() {
+        robots.clear();
+    }
+
+    /** The robots of the project that were made in this program, and that it still has. */
+    synchronized List<SEARrobot> robots() {
+        return robots.stream().map(WeakReference::get).filter(Objects::nonNull).collect(Collectors.toList());
     }
 
     synchronized void add(Workbench bench) {

@@ -42,12 +42,12 @@ final class ScriptHints {
             return unpacked(line);
         }
         if (e.match(Py.NameError)) {
-            return DidYouMean.line(message, true, new Scope(e));
+            return DidYouMean.name(message, new Scope(e));
         }
-        return e.match(Py.AttributeError) ? attribute(e, message, line) : "";
+        return e.match(Py.AttributeError) ? attribute(message, line) : "";
     }
 
-    private static String attribute(PyException e, String message, String line) {
+    private static String attribute(String message, String line) {
         Matcher fixed = READ_ONLY.matcher(message);
         if (fixed.find()) {
             return PLACE.contains(fixed.group(1)) ? "\nlegal: move(x, y, z)" : TURN.contains(fixed.group(1)) ? "\nlegal: rotate(rx, ry, rz)" : "";
@@ -58,7 +58,7 @@ final class ScriptHints {
         if (message.startsWith("'array.array'")) {
             return "\nit is a list of numbers: take one out by its place, as list[0]" + answers(line);
         }
-        return DidYouMean.line(message, false, new Scope(e));
+        return DidYouMean.member(message);
     }
 
     private static String unpacked(String line) {

@@ -63,8 +63,8 @@ public final class StartChecks {
         boolean right = driven.stream().allMatch(wheel -> wheel.getX() < -MIDDLE);
         if (!driven.isEmpty() && (left || right)) {
             Wheel first = driven.get(0);
-            warnings.add(String.format(Locale.ROOT, "robot %s has all its driven wheels on the %s (%s, x %s m), so that it can't drive straight on and"
-                + " hardly turn: x above 0 is to the left, below 0 to the right; wheel.move(%s, %s, %s) puts one on the other side",
+            warnings.add(String.format(Locale.ROOT, "robot %s has all its driven wheels on the %s (%s, x %s m), so that it can't drive straight on"
+                + " and hardly turn: x above 0 is to the left, below 0 to the right; wheel.move(%s, %s, %s) puts one on the other side",
                 robot.getName(), left ? "left" : "right", first.getName(), Parameter.format(first.getX()), Parameter.format(-first.getX()),
                 Parameter.format(first.getY()), Parameter.format(first.getZ())));
         }

@@ -18,7 +18,8 @@ import java.util.stream.Stream;
 
 /** How a constructor or method of a Java class is called that a script has called otherwise. Any thread. */
 final class LegalCalls {
-    private static final Pattern REFUSED = Pattern.compile("^([\\w.$]+)\\(\\): (?:expected .* args?; got (\\d+)|(\\d+)\\w\\w arg can't be coerced to (.+))$");
+    private static final Pattern REFUSED = Pattern.compile("^([\\w.$]+)\\(\\): (?:expected .* args?; got (\\d+)"
+        + "|(\\d+)\\w\\w arg can't be coerced to (.+))$");
     private static final int MOST = 12;
     private static final Map<String, String> WORDS = words();
 
@@ -96,7 +97,8 @@ final class LegalCalls {
     private static Set<String> sorted(Stream<? extends Executable> all, String name) {
         return all.filter(one -> Modifier.isPublic(one.getModifiers()) && !(one instanceof Method && ((Method) one).isBridge()))
             .map(one -> name + Arrays.stream(one.getParameters()).map(LegalCalls::nameOf).collect(Collectors.joining(", ", "(", ")")))
-            .sorted(Comparator.comparing(String::length).thenComparing(Comparator.naturalOrder())).collect(Collectors.toCollection(LinkedHashSet::new));
+            .sorted(Comparator.comparing(String::length).thenComparing(Comparator.naturalOrder()))
+            .collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
     /** As the pages write it: newMass is mass. */

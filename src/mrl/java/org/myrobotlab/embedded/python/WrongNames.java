@@ -16,7 +16,8 @@ final class WrongNames {
     private static final Pattern NO_MODULE = Pattern.compile("No module named (\\w+)");
     private static final Pattern NOTHING_IN_IT = Pattern.compile("cannot import name (\\w+)");
     /** Packages that people know of a Python with parts in C. */
-    private static final Set<String> NOT_IN_JYTHON = Set.of("numpy", "scipy", "pandas", "matplotlib", "cv2", "serial", "pylab", "tkinter", "requests");
+    private static final Set<String> NOT_IN_JYTHON = Set.of("numpy", "scipy", "pandas", "matplotlib", "cv2", "serial", "pylab", "tkinter",
+        "requests");
     /** What people call things of SEAR. */
     private static final Map<String, String> OTHER_WORDS = otherWords();
 

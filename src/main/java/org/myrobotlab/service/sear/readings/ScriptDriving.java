@@ -31,7 +31,8 @@ public final class ScriptDriving {
     /** @param degrees a second, + to the left */
     public void spin(String robot, double degrees) throws InterruptedException {
         check("spin: speed", degrees, MOST_SPIN, "degrees a second");
-        give(robot, degrees != 0, true, (number, driven) -> DriveCommand.circle(number, Math.toRadians(degrees) * driven.getHardware().getWheelBase() / 2, 0));
+        give(robot, degrees != 0, true, (number, driven) ->
+            DriveCommand.circle(number, Math.toRadians(degrees) * driven.getHardware().getWheelBase() / 2, 0));
     }
 
     /** @param left m/s over ground, + forward, likewise right */

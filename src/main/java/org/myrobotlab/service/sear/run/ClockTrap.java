@@ -52,7 +52,8 @@ final class ClockTrap {
             return;
         }
         Map<Thread, StackTraceElement[]> stacks = still ? Thread.getAllStackTraces() : Map.of();
-        Thread sleeper = stacks.entrySet().stream().filter(entry -> isSleepOfScript(entry.getValue())).map(Map.Entry::getKey).findFirst().orElse(null);
+        Thread sleeper = stacks.entrySet().stream().filter(entry -> isSleepOfScript(entry.getValue())).map(Map.Entry::getKey).findFirst()
+            .orElse(null);
         boolean sleeping = sleeper != null;
         if (sleeping && suspected) {
             told = true;

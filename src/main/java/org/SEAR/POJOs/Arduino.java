@@ -2,8 +2,10 @@ package org.SEAR.POJOs;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Faults;
 import org.SEAR.grammar.Included;
@@ -149,10 +151,13 @@ public class Arduino extends SearObject implements SerialObject {
     }
 
     private SearObject find(String part) {
-        List<SEARrobot> robots = robot() != null ? List.of(robot()) : Workbenches.ALL.robots();
+        Map<String, SEARrobot> robots = new LinkedHashMap<>();
+        for (SEARrobot robot : robot() != null ? List.of(robot()) : Workbenches.ALL.made(SEARrobot.class)) {
+            robots.put(robot.getName(), robot);    // a later one of that name has replaced it
+        }
         List<SearObject> found = new ArrayList<>();
         List<String> names = new ArrayList<>();
-        for (SEARrobot robot : robots) {
+        for (SEARrobot robot : robots.values()) {
             for (SearObject one : robot.getComponents()) {
                 if (one.getName().equals(part)) {
                     found.add(one);

@@ -84,7 +84,7 @@ public final class Workbench {
     public void anotherProject() {
         Workbenches.ALL.use(this);
         Workbenches.ALL.script().forget();
-        Workbenches.ALL.forgetRobots();
+        Workbenches.ALL.forgetMade();
     }
 
     /** The calling script has opened a project or taken something out of one, and means to have what is in it. */

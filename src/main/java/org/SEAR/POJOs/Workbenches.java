@@ -3,7 +3,6 @@ package org.SEAR.POJOs;
 import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import java.util.stream.Collectors;
 
 /**
@@ -18,7 +17,7 @@ final class Workbenches {
     private volatile List<Workbench> open = List.of();
     private volatile int starts;
     /** Robots of the project that somebody still has, in the order in which they were made. */
-    private final List<WeakReference<SEARrobot>> robots = new ArrayList<>();
+    private final List<WeakReference<Object>> made = new ArrayList<>();
 
     private Workbenches() {
     }
@@ -28,18 +27,18 @@ final class Workbenches {
         return script;
     }
 
-    synchronized void made(SEARrobot robot) {
-        robots.removeIf(one -> one.get() == null || one.get().getName().equals(robot.getName()));
-        robots.add(new WeakReference<>(robot));
+    synchronized void made(Object robot) {
+        made.removeIf(one -> one.get() == null);
+        made.add(new WeakReference<>(robot));
     }
 
-    synchronized void forgetRobots() {
-        robots.clear();
+    synchronized void forgetMade() {
+        made.clear();
     }
 
-    /** The robots of the project that were made in this program, and that it still has. */
-    synchronized List<SEARrobot> robots() {
-        return robots.stream().map(WeakReference::get).filter(Objects::nonNull).collect(Collectors.toList());
+    /** What of the project was made in this program, and is still had by somebody, in the order in which it was made. */
+    synchronized <T> List<T> made(Class<T> type) {
+        return made.stream().map(WeakReference::get).filter(type::isInstance).map(type::cast).collect(Collectors.toList());
     }
 
     synchronized void add(Workbench bench) {

@@ -48,7 +48,7 @@ public class RoomsTest {
         "org.SEAR.project.bundle", "org.SEAR.project.edit", "org.SEAR.project.script", "org.SEAR.project", "org.SEAR.project.wiring",
         "org.SEAR.project.xml", "org.SEAR.project.models", "org.SEAR.project.problems",
         "org.SEAR.terrain", "org.SEAR.terrain.format", "org.SEAR.terrain.tiff", "org.SEAR.terrain.relief", "org.SEAR.files",
-        "org.SEAR.geometry", "org.SEAR.POJOs", "org.SEAR.grammar", "org.SEAR.protocol.scip", "org.SEAR.protocol.rplidar",
+        "org.SEAR.plot", "org.SEAR.geometry", "org.SEAR.POJOs", "org.SEAR.grammar", "org.SEAR.protocol.scip", "org.SEAR.protocol.rplidar",
         "org.SEAR.protocol.lidar", "org.SEAR.protocol.lms", "org.SEAR.protocol.cola", "org.SEAR.protocol.nmea", "org.SEAR.protocol.ubx",
         "org.SEAR.protocol.firmata", "org.SEAR.protocol.mrlcomm", "org.SEAR.protocol.arduino",
         "org.SEAR.protocol");

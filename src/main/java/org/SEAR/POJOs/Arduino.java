@@ -2,13 +2,16 @@ package org.SEAR.POJOs;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Faults;
 import org.SEAR.grammar.Included;
 import org.SEAR.grammar.Param;
 import org.SEAR.grammar.ParameterTable;
+import org.SEAR.grammar.ScriptText;
 import org.SEAR.protocol.arduino.BoardModel;
 import org.SEAR.protocol.arduino.WireRole;
 
@@ -119,6 +122,60 @@ public class Arduino extends SearObject implements SerialObject {
     /** Wires a component to a digital pin. */
     public void wire(int pin, SearObject part, String role) {
         wire(Integer.toString(pin), part, role);
+    }
+
+    /** Wires a component to a digital pin, by its name. */
+    public void wire(int pin, String part) {
+        wire(Integer.toString(pin), part, null);
+    }
+
+    /** Wires a component to a pin, by its name. */
+    public void wire(String pin, String part) {
+        wire(pin, part, null);
+    }
+
+    /** Wires a component to a digital pin, by its name. */
+    public void wire(int pin, String part, String role) {
+        wire(Integer.toString(pin), part, role);
+    }
+
+    /**
+     * Wires a component to a pin, by its name.
+     *
+     * @param part a component of the Arduino's robot; before it is on one, of the only robot that has one of that name
+     * @throws IllegalArgumentException that names the parts there are, and as the call with the component itself
+     */
+    public void wire(String pin, String part, String role) {
+        String name = ScriptText.of(part);
+        wire(pin, name == null ? (SearObject) null : find(name), role);
+    }
+
+    private SearObject find(String part) {
+        Map<String, SEARrobot> robots = new LinkedHashMap<>();
+        for (SEARrobot robot : robot() != null ? List.of(robot()) : Workbenches.ALL.made(SEARrobot.class)) {
+            robots.put(robot.getName(), robot);    // a later one of that name has replaced it
+        }
+        List<SearObject> found = new ArrayList<>();
+        List<String> names = new ArrayList<>();
+        for (SEARrobot robot : robots.values()) {
+            for (SearObject one : robot.getComponents()) {
+                if (one.getName().equals(part)) {
+                    found.add(one);
+                }
+                if (one instanceof Wirable) {
+                    names.add(one.getName());
+                }
+            }
+        }
+        if (found.isEmpty()) {
+            throw new IllegalArgumentException(label() + ": what is wired is " + ParameterTable.quote(part) + ", legal: a component of the robot"
+                + (names.isEmpty() ? "; no robot has one to wire yet, addComponent(...) comes first" : ", " + String.join(", ", names)));
+        }
+        if (found.size() > 1) {
+            throw new IllegalArgumentException(label() + ": " + ParameterTable.quote(part) + " is on several robots, legal: the one of "
+                + label() + "'s own, so robot.addComponent(...) puts it on its robot first");
+        }
+        return found.get(0);
     }
 
     /**

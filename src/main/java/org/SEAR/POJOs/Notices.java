@@ -30,6 +30,18 @@ final class Notices {
     }
 
     /**
+     * An object was put elsewhere.
+     *
+     * @param madeAfter so many starts
+     */
+    static void moved(String label, int madeAfter) {
+        if (Workbenches.ALL.actsFor(madeAfter) != null) {
+            say(label + " was moved while a simulation runs: its file says so, and the next startSimulation() finds it there;"
+                + " sear.edit({\"do\": \"set\", ...}) moves it at once");
+        }
+    }
+
+    /**
      * Objects of a project that the script which starts it did not make.
      *
      * @return one line; empty if there are none

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.SEAR.grammar.Described;
 import org.SEAR.grammar.Param;
 import org.SEAR.grammar.ParameterTable;
@@ -47,6 +48,9 @@ public class SEARrobot extends PlacedObject {
         super(name);
         order = TextRule.NAME.isLegal(getName()) ? Stores.get().orderOfRobot(getName()) : null;
         created(SEARrobot.class);
+        if (!Stores.isRedirected()) {
+            Workbenches.ALL.made(this);
+        }
     }
 
     @Override
@@ -312,6 +316,18 @@ public class SEARrobot extends PlacedObject {
     /** The components in the order they were added; a view. */
     public List<SearObject> getComponents() {
         return Collections.unmodifiableList(components);
+    }
+
+    /**
+     * A component or wheel by its name, for example a motor of a ready robot.
+     *
+     * @throws IllegalArgumentException that names the parts that it has, if there is none of that name
+     */
+    public SearObject getPart(String part) {
+        String wanted = ScriptText.of(part);
+        return Stream.concat(components.stream(), wheels.stream()).filter(one -> one.getName().equals(wanted)).findFirst()
+            .orElseThrow(() -> new IllegalArgumentException(label() + ": part is " + ParameterTable.quote(wanted) + ", legal: "
+                + Stream.concat(components.stream(), wheels.stream()).map(SearObject::getName).collect(Collectors.joining(", "))));
     }
 
     /** Its place in the order in which the project's robots were made; null for the first, and in files of older versions. */

@@ -49,6 +49,8 @@ public abstract class SearObject {
     /** Whether its file lies in a folder of its robot's own, because another robot's part of that name has the plain place. */
     private boolean aside;
     private String fullName;
+    /** How many simulations had begun when it was made. */
+    private int starts;
 
     /** For reading from a file. */
     protected SearObject() {
@@ -75,6 +77,7 @@ public abstract class SearObject {
         boolean taken = isTaken();
         life = Life.LIVE;
         changed();
+        starts = Workbenches.ALL.starts();
         if (!Stores.isRedirected()) {
             Notices.made(label(), name, taken);
         }
@@ -345,6 +348,7 @@ public abstract class SearObject {
         x = checkedX;
         y = checkedY;
         changed();
+        tellMoved();
     }
 
     /** Turns the object: degrees about the three axes, applied as jME's Quaternion.fromAngles. */
@@ -355,6 +359,13 @@ public abstract class SearObject {
         rx = checkedX;
         ry = checkedY;
         changed();
+        tellMoved();
+    }
+
+    private void tellMoved() {
+        if (life == Life.LIVE && !Stores.isRedirected()) {
+            Notices.moved(label(), starts);
+        }
     }
 
     /** Puts it elsewhere; the values are checked already. */

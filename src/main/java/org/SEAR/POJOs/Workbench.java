@@ -84,6 +84,7 @@ public final class Workbench {
     public void anotherProject() {
         Workbenches.ALL.use(this);
         Workbenches.ALL.script().forget();
+        Workbenches.ALL.forgetMade();
     }
 
     /** The calling script has opened a project or taken something out of one, and means to have what is in it. */
@@ -101,6 +102,15 @@ public final class Workbench {
      */
     public String ofOthers(Collection<String> names) {
         return Notices.ofOthers(Workbenches.ALL.script().others(names));
+    }
+
+    /**
+     * Where the calling script, or the last one, has made the first object that a text names.
+     *
+     * @return {@code line 7 of first.py}; empty if it names none of them
+     */
+    public static String lineOf(String text) {
+        return Workbenches.ALL.script().lineOf(text);
     }
 
     void tell(String text) {

@@ -1,7 +1,9 @@
 package org.SEAR.POJOs;
 
+import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /**
  * The workbenches of a program. A script's {@code Box("crate", ...)} names no service: here it finds whose it is. Beside the store of the project
@@ -14,6 +16,8 @@ final class Workbenches {
     /** In the order in which they were used last. */
     private volatile List<Workbench> open = List.of();
     private volatile int starts;
+    /** Robots of the project that somebody still has, in the order in which they were made. */
+    private final List<WeakReference<Object>> made = new ArrayList<>();
 
     private Workbenches() {
     }
@@ -21,6 +25,20 @@ final class Workbenches {
     /** What the present run of a script has made: of the program's one project, whichever service it asks. */
     ScriptRun script() {
         return script;
+    }
+
+    synchronized void made(Object robot) {
+        made.removeIf(one -> one.get() == null);
+        made.add(new WeakReference<>(robot));
+    }
+
+    synchronized void forgetMade() {
+        made.clear();
+    }
+
+    /** What of the project was made in this program, and is still had by somebody, in the order in which it was made. */
+    synchronized <T> List<T> made(Class<T> type) {
+        return made.stream().map(WeakReference::get).filter(type::isInstance).map(type::cast).collect(Collectors.toList());
     }
 
     synchronized void add(Workbench bench) {

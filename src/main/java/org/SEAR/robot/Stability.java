@@ -17,6 +17,8 @@ public final class Stability {
     public static final double CRITICAL = 15;
     /** Feet on a line, metres: their hull is narrower than this. */
     private static final double FLAT = 1e-6;
+    /** Of more feet only these are looked at. */
+    private static final int MOST_FEET = 20;
     /** By the angle from ahead to the left in steps of 45 degrees. */
     private static final String[] WAYS = {"forwards", "forwards to the left", "to the left", "backwards to the left", "backwards",
         "backwards to the right", "to the right", "forwards to the right"};
@@ -25,6 +27,7 @@ public final class Stability {
     public final double degrees;
     private final double[] centre;
     private final double[][] support;
+    private final double[] slope;
     /** Whether the centre of mass was put into the middle of the wheels. */
     private final boolean balanced;
     private String way = "";
@@ -43,7 +46,47 @@ public final class Stability {
         this.balanced = balanced;
         double[][] hull = hull(feet);
         support = hull.length < 3 ? new double[0][] : hull;
+        slope = slope(centre, feet);
         degrees = support.length == 0 ? Double.NaN : least();
+    }
+
+    /** The plane through three feet that has no foot below it and the centre of mass above these three: how it rises along x and z. */
+    private static double[] slope(double[] centre, double[][] feet) {
+        for (int i = 0; i < Math.min(feet.length, MOST_FEET); i++) {
+            for (int j = 0; j < i; j++) {
+                for (int k = 0; k < j; k++) {
+                    double[] plane = plane(feet[i], feet[j], feet[k], centre);
+                    if (plane != null && isLowest(plane, feet[i], feet)) {
+                        return plane;
+                    }
+                }
+            }
+        }
+        return new double[2];
+    }
+
+    /** How the plane through three feet rises along x and z; null if the centre of mass is not above these. */
+    private static double[] plane(double[] a, double[] b, double[] c, double[] centre) {
+        double[] ab = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        double[] ac = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+        double area = ab[0] * ac[2] - ab[2] * ac[0];
+        double px = centre[0] - a[0];
+        double pz = centre[2] - a[2];
+        double toB = (px * ac[2] - pz * ac[0]) / area;
+        double toC = (ab[0] * pz - ab[2] * px) / area;
+        if (Math.abs(area) < FLAT || toB < -FLAT || toC < -FLAT || toB + toC > 1 + FLAT) {
+            return null;
+        }
+        return new double[] {(ab[1] * ac[2] - ab[2] * ac[1]) / area, (ab[0] * ac[1] - ab[1] * ac[0]) / area};
+    }
+
+    private static boolean isLowest(double[] plane, double[] on, double[][] feet) {
+        return Arrays.stream(feet).allMatch(foot -> foot[1] - on[1] > plane[0] * (foot[0] - on[0]) + plane[1] * (foot[2] - on[2]) - FLAT);
+    }
+
+    /** How the plane on which it stands rises in its own frame along x and along z, metres a metre; 0 if it does not stand. */
+    double[] slope() {
+        return slope.clone();
     }
 
     private double least() {

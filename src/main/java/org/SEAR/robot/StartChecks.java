@@ -2,10 +2,12 @@ package org.SEAR.robot;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.OpenInterfaceBody;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Wheel;
 import org.SEAR.geometry.Pose;
 import org.SEAR.grammar.Parameter;
 import org.SEAR.physics.Scenes;
@@ -17,6 +19,10 @@ public final class StartChecks {
     /** By how much dimensions may differ from those that drivers take for granted, as a share. */
     private static final double ALIKE = 0.02;
 
+    /** A wheel that is less to a side is in the middle, metres. */
+    private static final double MIDDLE = 1e-3;
+    /** A robot that stands tilted by more is told, degrees: no more than springs give way. */
+    private static final double LEVEL = 2;
     /** So many times as stiff as what just holds. */
     private static final double STIFF = 10;
 
@@ -35,6 +41,8 @@ public final class StartChecks {
             warnings.add("robot " + name + " has no wheels and can't drive: robot.addWheel(Wheel(...)) adds one");
         }
         checkDimensions(robot, warnings);
+        checkSides(robot.getObject(), warnings);
+        checkLevel(robot, warnings);
         if (robot.getStability().isCritical()) {
             warnings.add("robot " + name + " " + robot.getStability().getWords());
         }
@@ -45,6 +53,35 @@ public final class StartChecks {
         if (down == Double.POSITIVE_INFINITY) {
             warnings.add(String.format(Locale.ROOT, "robot %s has no ground below its start at x %.2f, y %.2f, z %.2f and will fall:"
                 + " Floor(\"floor\", 20, 20) makes one at height 0", name, pose.x, pose.y, pose.z));
+        }
+    }
+
+    /** One that is driven on one side only goes in circles, whatever it is told. */
+    private static void checkSides(SEARrobot robot, List<String> warnings) {
+        List<Wheel> driven = robot.getWheels().stream().filter(Wheel::isDriven).collect(Collectors.toList());
+        boolean left = driven.stream().allMatch(wheel -> wheel.getX() > MIDDLE);
+        boolean right = driven.stream().allMatch(wheel -> wheel.getX() < -MIDDLE);
+        if (!driven.isEmpty() && (left || right)) {
+            Wheel first = driven.get(0);
+            warnings.add(String.format(Locale.ROOT, "robot %s has all its driven wheels on the %s (%s, x %s m), so that it can't drive straight on"
+                + " and hardly turn: x above 0 is to the left, below 0 to the right; wheel.move(%s, %s, %s) puts one on the other side",
+                robot.getName(), left ? "left" : "right", first.getName(), Parameter.format(first.getX()), Parameter.format(-first.getX()),
+                Parameter.format(first.getY()), Parameter.format(first.getZ())));
+        }
+    }
+
+    /** How it will stand on level ground, by the feet that its wheels have when they carry it. */
+    private static void checkLevel(RobotModel robot, List<String> warnings) {
+        double[] slope = robot.getStability().slope();
+        double ahead = Math.toDegrees(Math.atan(slope[1]));
+        double aside = Math.toDegrees(Math.atan(slope[0]));
+        if (Math.max(Math.abs(ahead), Math.abs(aside)) > LEVEL) {
+            boolean lengthwise = Math.abs(ahead) >= Math.abs(aside);
+            warnings.add(String.format(Locale.ROOT, "robot %s stands tilted by %.0f degrees, with its %s up, because its wheels do not reach down"
+                + " equally far: %s; y - radius should be the same for all", robot.getObject().getName(), Math.abs(lengthwise ? ahead : aside),
+                lengthwise ? ahead > 0 ? "back" : "front" : aside > 0 ? "right" : "left", robot.getObject().getWheels().stream()
+                .map(wheel -> String.format(Locale.ROOT, "%s to y %.3f m", wheel.getName(), wheel.getY() - wheel.getRadius() * wheel.getScaleY()))
+                .collect(Collectors.joining(", "))));
         }
     }
 

@@ -18,6 +18,7 @@ import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
+import org.SEAR.physics.start.BesideGround;
 import org.SEAR.physics.start.StartPoses;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.physics.solid.Solids;
@@ -117,6 +118,7 @@ final class World implements PhysicsWorld.Touches {
         }
         StartPoses.lift(physics.getBodies(), warnings);
         StartPoses.tellOverlaps(physics.getBodies(), warnings);
+        BesideGround.tell(physics.getBodies(), scenes, warnings);
         fallen = new Fallen(physics.getBodies(), told);
         moves = new Moves(this);
         restart();

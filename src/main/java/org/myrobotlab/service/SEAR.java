@@ -15,6 +15,7 @@ import org.myrobotlab.service.sear.SensorReading;
 import org.myrobotlab.service.sear.files.Edits;
 import org.myrobotlab.service.sear.files.ExampleScripts;
 import org.myrobotlab.service.sear.panel.Preview;
+import org.myrobotlab.service.sear.records.Plots;
 import org.myrobotlab.service.sear.records.Recording;
 import org.myrobotlab.service.sear.records.Records;
 import org.myrobotlab.service.sear.run.SimulationSession;
@@ -912,6 +913,48 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      */
     public void saveRecordCsv(String path, List<String> names, String csv) {
         calls.act(() -> parts.records().saveCsv(path, names, csv));
+    }
+
+    /**
+     * Draws values of a record over time as a picture; those of one unit share an axis.
+     *
+     * @param path of a record
+     * @param names of {@link #getRecordNames}, up to 16
+     * @param picture a file whose name ends in .png or .svg; one of that name is replaced
+     * @throws IllegalArgumentException that names the values there are
+     * @example sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); sear.saveRecordPlot("run.searlog", ["myRoomba.x"], "run.png")
+     */
+    public void saveRecordPlot(String path, List<String> names, String picture) {
+        calls.act(() -> parts.savePlot(path, names, picture));
+    }
+
+    /**
+     * Draws a list of numbers over another as a picture. A unit in brackets stands behind the names of both axes. No simulation has to run.
+     *
+     * @param picture a file whose name ends in .png or .svg; one of that name is replaced
+     * @param xTitle name of the axis to the right
+     * @param xs its numbers
+     * @param yTitle name of the axis upwards
+     * @param ys as many numbers; None leaves a gap
+     * @throws IllegalArgumentException that names the list that has too many, too few or other things than numbers
+     * @example sear.savePlot("run.png", "time (s)", [0, 1, 2], "distance (m)", [1.2, 0.9, 0.7])
+     */
+    public void savePlot(String picture, String xTitle, List<?> xs, String yTitle, List<?> ys) {
+        calls.act(() -> Plots.save(picture, xTitle, xs, Collections.singletonMap(yTitle == null ? "" : yTitle, ys)));
+    }
+
+    /**
+     * The same with several lines; those whose names end in the same unit share an axis.
+     *
+     * @param picture a file whose name ends in .png or .svg; one of that name is replaced
+     * @param xTitle name of the axis to the right
+     * @param xs its numbers
+     * @param lines lists of as many numbers by name, up to 16
+     * @throws IllegalArgumentException that names the list that has too many, too few or other things than numbers
+     * @example sear.savePlot("run.svg", "time (s)", [0, 1, 2], {"left (m)": [1, 2, 2.5], "right (m)": [1, 1.5, 3], "speed (m/s)": [0, 0.3, 0.3]})
+     */
+    public void savePlot(String picture, String xTitle, List<?> xs, Map<String, ?> lines) {
+        calls.act(() -> Plots.save(picture, xTitle, xs, lines));
     }
 
     // ---- ports for other programs (before, while and after a simulation runs) -------------------------------------

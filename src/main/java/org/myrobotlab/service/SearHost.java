@@ -56,6 +56,12 @@ final class SearHost implements Host {
     }
 
     @Override
+    public boolean isReadingHeard() {
+        List<MRLListener> listeners = service.getNotifyList("publishReading");
+        return listeners != null && !listeners.isEmpty();
+    }
+
+    @Override
     public void reading(SensorReading reading) {
         service.invoke("publishReading", reading);
     }

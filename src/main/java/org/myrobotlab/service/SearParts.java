@@ -27,6 +27,7 @@ import org.myrobotlab.service.sear.readings.ScriptActuators;
 import org.myrobotlab.service.sear.readings.ScriptBodies;
 import org.myrobotlab.service.sear.readings.ScriptDriving;
 import org.myrobotlab.service.sear.readings.ScriptReadings;
+import org.myrobotlab.service.sear.records.Plots;
 import org.myrobotlab.service.sear.records.Recording;
 import org.myrobotlab.service.sear.records.Records;
 import org.myrobotlab.service.sear.run.RunSettings;
@@ -164,15 +165,24 @@ final class SearParts {
         return records.frames(path, wording());
     }
 
+    /** Draws values of a record, see {@link Plots}; units are those of the running world's sensors, or else of the project's. */
+    public void savePlot(String path, List<String> names, String picture) throws InterruptedException, IOException {
+        Plots.saveRecord(path, names, picture, ofWorld(Plots::units));
+    }
+
     /** How the sensors of the running world, or else of the project, tell their numbers; nothing where panels are told that there is no world. */
     private Map<String, Function<double[], String>> wording() throws InterruptedException {
-        Map<String, Function<double[], String>> running = control.look((world, session) -> Records.wording(world), null);
+        return ofWorld(Records::wording);
+    }
+
+    private <T> Map<String, T> ofWorld(Function<Simulation, Map<String, T>> question) throws InterruptedException {
+        Map<String, T> running = control.look((world, session) -> question.apply(world), null);
         if (running != null) {
             return running;
         }
         ProjectSwap.hold();
         try (Simulation start = Simulation.load(Projects.folder(), RunSettings.fromSystem().seed)) {
-            return Records.wording(start);
+            return question.apply(start);
         } catch (ProjectException e) {
             return Collections.emptyMap();
         } finally {

@@ -1,6 +1,7 @@
 package org.myrobotlab.embedded;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -36,6 +37,10 @@ public abstract class PublishingService extends NamedService {
 
     @Override
     public void addListener(String topicMethod, String callbackName, String callbackMethod) {
+        if (!ScriptPlace.here().isEmpty() && Arrays.stream(getClass().getMethods()).noneMatch(method -> method.getName().equals(topicMethod))) {
+            String meant = NearestName.member(topicMethod, getClass());
+            error("%s", "publishes no " + topicMethod + (meant.isEmpty() ? "" : ", " + meant));
+        }
         addListener(new MRLListener(topicMethod, callbackName, callbackMethod));
     }
 

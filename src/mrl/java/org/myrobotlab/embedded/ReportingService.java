@@ -36,9 +36,9 @@ public abstract class ReportingService extends MessagedService implements QueueR
         invoke("publishStatus", status);
     }
 
-    /** A text of several lines, as a traceback, begins on a line of its own. */
+    /** A text of several lines, as a traceback, begins on a line of its own; with the line of the script that has called, if one has. */
     private static String spaced(Status status) {
-        return (status.key.indexOf('\n') < 0 ? " " : System.lineSeparator()) + status.key;
+        return (status.key.indexOf('\n') < 0 ? " " : System.lineSeparator()) + status.key + (status.isInfo() ? "" : ScriptPlace.here());
     }
 
     /** Only what is published by these methods stands in the log, too, as in the real one: who broadcasts a status himself, logs it himself. */

@@ -288,8 +288,10 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
             return;
         }
         if (!current.has(msg.method)) {
-            error("%s.%s calls back %s, but the script has no function of that name", CodecUtils.getShortName(msg.sender), msg.sendingMethod,
-                msg.method);
+            String missing = current.missing(CodecUtils.getShortName(msg.sender) + "." + msg.sendingMethod, msg.method);
+            if (callbackErrors.isNew(missing)) {
+                error("%s", missing);
+            }
             return;
         }
         String publisher = "msg_" + CodecUtils.getSafeReferenceName(msg.sender) + "_" + msg.sendingMethod;

@@ -2,6 +2,7 @@ package org.myrobotlab.service;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.TreeSet;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.logging.LoggerFactory;
@@ -78,7 +79,7 @@ public class Roomba extends Service<RoombaConfig> {
         try {
             chosen.connect(port, baud, dataBits, stopBits, parity);
         } catch (IOException | IllegalStateException | IllegalArgumentException e) {
-            error("can't connect: %s", e.getMessage());
+            error("can't connect: %s; there are the ports %s", e.getMessage(), new TreeSet<>(chosen.getPortNames()));
         }
         serial = chosen;
         portName = port;

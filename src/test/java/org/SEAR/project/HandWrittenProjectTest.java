@@ -14,7 +14,9 @@ import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Wheel;
 import org.SEAR.documents.DocBlock;
+import org.SEAR.geometry.Pose;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
@@ -26,12 +28,41 @@ public class HandWrittenProjectTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    @Test
-    public void theRobotOfThePageIsWholeAndStarts() throws Exception {
+    private void robotOfThePage() throws Exception {
         for (String block : DocBlock.of("docs/projects.md", "xml")) {
             String name = block.replaceAll("(?s)<\\w+>\n  <name>([^<]+)</name>.*", "$1");
             project.put((block.startsWith("<Beam>") ? "beams/" : "robot/") + name + ".xml", block);
         }
+    }
+
+    @Test
+    public void theRobotOfThePageStandsLevelAndDrives() throws Exception {
+        robotOfThePage();
+        new Floor("floor", 20, 20);
+        Simulation world = Simulation.load(project.folder(), 1);
+        assertEquals(List.of(), world.snapshot().warnings);
+        steps(world, 60);
+        double[] up = world.getPose("rover").rotate(0, 1, 0);
+        assertTrue("tilted by " + Math.toDegrees(Math.acos(Math.min(1, up[1]))) + " degrees", up[1] > Math.cos(Math.toRadians(0.5)));
+        assertEquals(3.0, (Double) world.read("frontEye").value(), 1e-9);
+        Pose start = world.getPose("rover");
+        world.post(DriveCommand.wheels(0, 0.3, 0.3));
+        steps(world, 240);
+        assertEquals(0.3 * 4, world.getPose("rover").z - start.z, 0.05);
+        assertEquals(0, world.getPose("rover").x - start.x, 0.02);
+        assertTrue(world.getPose("rover").rotate(0, 1, 0)[1] > Math.cos(Math.toRadians(2)));
+        assertEquals(List.of(), world.snapshot().warnings);
+    }
+
+    private static void steps(Simulation world, int count) {
+        for (int i = 0; i < count; i++) {
+            world.step();
+        }
+    }
+
+    @Test
+    public void theRobotOfThePageIsWholeAndStarts() throws Exception {
+        robotOfThePage();
         Simulation world = Simulation.load(project.folder(), 1);
         world.step();
         assertEquals(List.of("frontEye"), world.getSensorNames());

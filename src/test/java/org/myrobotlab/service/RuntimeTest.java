@@ -149,7 +149,8 @@ public class RuntimeTest {
         refused(Runtime.start("a", Bare.class.getName()),
             "can't start a as RuntimeTest$Bare: class com.jme3.math.Vector3f is missing: a library is not on the class path");
         refused(Runtime.start("a/b", "Serial"), "can't start a/b as Serial: a service's name is a word without \"/\"");
-        refused(Runtime.start("a"), "can't start a: its type is not given, and there is no configuration file of that name");
+        refused(Runtime.start("a"), "can't start a: its type is not given, and there is no configuration file of that name:"
+            + " Runtime.start(\"name\", \"a\") has a name and a type");
         assertEquals(1, Runtime.getServices().size());
     }
 

@@ -190,8 +190,9 @@ public final class RoombaFirmware implements SerialDevice, CommandReader.Listene
             return;
         }
         if (!opcode.isAllowed(model, mode)) {
-            if (mode != OiMode.OFF) {
-                context.warn("mode " + opcode, "command " + opcode.getCode() + " (" + opcode + ") is not obeyed in mode " + mode + ": ignored");
+            if (mode != OiMode.OFF || opcode == Opcode.DRIVE || opcode == Opcode.DRIVE_DIRECT) {
+                context.warn("mode " + opcode, "command " + opcode.getCode() + " (" + opcode + ") is not obeyed in mode " + mode + ": ignored; "
+                    + "128 (START) and 131 (SAFE) or 132 (FULL), in MyRobotLab roomba.startup(), come first");
             }
             return;
         }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
@@ -21,6 +22,8 @@ public final class StartPoses {
     private static final int MOST_TOLD = 20;
     /** Pairs that start inside one another; with more a step takes seconds. */
     private static final int MOST_PAIRS = 50_000;
+    /** So many of the things in which one starts are named. */
+    private static final int MOST_OBSTACLES = 3;
     /** Rounds of lifting: what is lifted out of one thing may be inside the next. */
     private static final int ROUNDS = 16;
     private static final int HALVINGS = 24;
@@ -33,9 +36,11 @@ public final class StartPoses {
         List<Body> fixed = bodies.stream().filter(Body::isFixed).collect(Collectors.toList());
         for (Body body : bodies) {
             if (!body.isFixed()) {
+                String inside = obstacles(body, fixed).map(obstacle -> obstacle.name).limit(MOST_OBSTACLES).collect(Collectors.joining(" and "));
                 double lifted = liftOut(body, fixed);
                 if (lifted > 0) {
-                    warnings.add(String.format(Locale.ROOT, "%s started inside something fixed; it was lifted by %.3f m", body.name, lifted));
+                    warnings.add(String.format(Locale.ROOT, "%s started inside something fixed, %s; it was lifted by %.3f m: move(x, y, z) with y"
+                        + " %.3f, or another x or z, starts it outside", body.name, inside, lifted, body.getStart().y));
                 }
             }
         }
@@ -149,6 +154,13 @@ public final class StartPoses {
             }
         }
         return false;
+    }
+
+    private static Stream<Body> obstacles(Body body, List<Body> others) {
+        Overlap mine = new Overlap(body);
+        Aabb box = mine.bounds(body.getStart());
+        return others.stream().filter(other -> box.overlaps(new Overlap(other).bounds(other.getPose()))
+            && mine.overlaps(body.getStart(), new Overlap(other), other.getPose(), ALLOWED));
     }
 
     private static boolean liftOnce(Body body, List<Body> others) {

@@ -1,5 +1,6 @@
 package org.myrobotlab.service.link;
 
+import org.SEAR.grammar.ScriptLine;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.framework.Status;
 import org.slf4j.Logger;
@@ -15,12 +16,12 @@ public final class ServiceWarnings {
     }
 
     /**
-     * Publishes a warning status of a service, and writes it to the log.
+     * Publishes a warning status of a service, with the script's line if one is calling, and writes it to the log.
      *
      * @param format as of {@link String#format}
      */
     public static void publish(Service<?> service, String format, Object... args) {
-        Status status = Status.warn(format, args);
+        Status status = Status.warn("%s", ScriptLine.added(String.format(format, args), ScriptLine.here()));
         status.name = service.getName();
         log.warn("{}: {}", status.name, status.detail);
         service.broadcastStatus(status);

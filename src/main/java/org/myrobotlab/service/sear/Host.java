@@ -20,6 +20,11 @@ public interface Host {
     /** The user has closed the simulator window. */
     void windowClosed();
 
+    /** Whether somebody listens to readings that are published. */
+    default boolean isReadingHeard() {
+        return false;
+    }
+
     /** Publishes a reading. */
     void reading(SensorReading reading);
 

@@ -107,6 +107,7 @@ public final class PythonEngine {
     }
 
     private ScriptResult run(byte[] code, String fileName) {
+        SourceLine.remember(fileName, code);
         last = guarded(() -> interpreter.execfile(new ByteArrayInputStream(PythonSource.withEncoding(code)), fileName));
         return last;
     }
@@ -135,6 +136,13 @@ public final class PythonEngine {
         return result;
     }
 
+    /** Something called a function back that the script does not have. */
+    public String missing(String publisher, String function) {
+        callFailed = true;
+        return publisher + " calls back " + function + ", but the script has no function of that name"
+            + DidYouMean.function(function, interpreter.getLocals());
+    }
+
     /** Whether a function that was called has raised. */
     public boolean hasCallFailed() {
         return callFailed;
@@ -150,7 +158,7 @@ public final class PythonEngine {
         if (finishing) {
             return ScriptResult.GOOD;
         }
-        ScriptResult result = guarded(() -> {
+        ScriptResult result = guarded(function, () -> {
             StringBuilder call = new StringBuilder(function).append('(');
             for (int i = 0; i < arguments.length; i++) {
                 String variable = publisher + "_p" + i;
@@ -177,13 +185,18 @@ public final class PythonEngine {
     }
 
     private ScriptResult guarded(Runnable work) {
+        return guarded(null, work);
+    }
+
+    /** @param function that is called back; null if none is */
+    private ScriptResult guarded(String function, Runnable work) {
         Run run = enter();
         try {
             work.run();
             return ScriptResult.GOOD;
         } catch (PyException e) {
             OutOfMemory.tell(e);
-            return run.isStopped ? ScriptResult.STOPPED : run.ended(e);
+            return run.isStopped ? ScriptResult.STOPPED : run.ended(e, function == null ? null : interpreter.get(function));
         } catch (StackOverflowError e) {
             return ScriptResult.failed("RuntimeError: maximum recursion depth exceeded");
         } finally {
@@ -317,10 +330,10 @@ public final class PythonEngine {
         private volatile boolean hasRaised;
         private int depth;
 
-        ScriptResult ended(PyException e) {
+        ScriptResult ended(PyException e, PyObject calledBack) {
             hasRaised = true;
             try {
-                return ScriptResult.of(e);
+                return ScriptResult.of(e, calledBack);
             } finally {
                 hasRaised = false;
             }

@@ -4,11 +4,15 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /** Counts errors of callbacks, so that one that comes with each scan is told once and hides nothing else. Any thread. */
 public final class RepeatedErrors {
     /** Errors that are known; more are told each time. */
     private static final int MOST = 1000;
+
+    private static final String PLACE = "  File ";
 
     private final Map<String, Integer> counts = new LinkedHashMap<>();
 
@@ -20,12 +24,24 @@ public final class RepeatedErrors {
         return counts.merge(traceback, 1, Integer::sum) == 1;
     }
 
+    /** The place where it was raised and what was said: the rest has been told. */
+    private static String shortened(String traceback) {
+        String[] lines = traceback.split("\n");
+        int place = -1;
+        for (int i = 0; i < lines.length; i++) {
+            place = lines[i].startsWith(PLACE) ? i : place;
+        }
+        int from = place;
+        return IntStream.range(0, lines.length).filter(i -> i == from || i > from && !lines[i].startsWith("    ")).mapToObj(i -> lines[i])
+            .collect(Collectors.joining("\n"));
+    }
+
     /** What came more than once, a sentence each; forgets all errors. */
     public synchronized List<String> take() {
         List<String> sentences = new ArrayList<>();
         counts.forEach((traceback, count) -> {
             if (count > 1) {
-                sentences.add("this error came " + count + " times:\n" + traceback);
+                sentences.add("this error came " + count + " times:\n" + shortened(traceback));
             }
         });
         counts.clear();

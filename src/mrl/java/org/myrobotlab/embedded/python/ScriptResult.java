@@ -17,9 +17,6 @@ public final class ScriptResult {
     /** It was broken off. */
     static final ScriptResult STOPPED = new ScriptResult(1, null, true);
 
-    private static final Pattern F_STRING = Pattern.compile("(?i)\\bf[r]?[\"']");
-    private static final Pattern PRINT = Pattern.compile("\\bprint\\s*\\(");
-    private static final String OLD_PYTHON = "\nscripts are Python 2.7 (Jython)";
     /** A Java exception's class, as Jython writes it. */
     private static final Pattern TWICE = Pattern.compile("^([\\w.$]+): \\1: ");
 
@@ -37,27 +34,15 @@ public final class ScriptResult {
         return new ScriptResult(1, traceback, false);
     }
 
-    static ScriptResult of(PyException e) {
+    /** @param calledBack the function that was called back; null if none was */
+    static ScriptResult of(PyException e, PyObject calledBack) {
         if (e.match(Py.SystemExit)) {
             return exit(e);
         }
         e.normalize();
         String message = e.value.__str__().toString().trim();
         String headline = message.contains("\n") ? message.substring(0, message.indexOf('\n')) + "\n" : "";
-        return new ScriptResult(1, headline + traceback(e) + hint(e) + DidYouMean.line(e), false);
-    }
-
-    /** What today's Python writes and this one does not read. */
-    private static String hint(PyException e) {
-        PyObject line = e.match(Py.SyntaxError) ? e.value.__findattr__("text") : null;
-        if (line == null) {
-            return "";
-        }
-        if (F_STRING.matcher(line.toString()).find()) {
-            return OLD_PYTHON + ", which has no f-strings: write \"%d m\" % metres";
-        }
-        return PRINT.matcher(line.toString()).find()
-            ? OLD_PYTHON + ": write print \"a\", b, or begin the script with from __future__ import print_function" : "";
+        return new ScriptResult(1, headline + traceback(e) + (calledBack == null ? "" : CalledBack.hint(e, calledBack)) + ScriptHints.of(e), false);
     }
 
     /** As Python ends: sys.exit(n) with n, sys.exit() with 0, sys.exit(text) with 1 and the text. */

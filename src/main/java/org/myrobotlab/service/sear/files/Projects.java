@@ -156,7 +156,8 @@ public final class Projects {
         Path meant = !Files.exists(file) && Files.isRegularFile(ended) ? ended : file;
         ExampleBundles.with(meant, bundle -> {
             if (!Files.isRegularFile(bundle) && !Files.isDirectory(bundle)) {
-                throw new IOException("there is no file or folder " + bundle.toAbsolutePath());
+                throw new IOException("there is no file or folder " + bundle.toAbsolutePath() + "; the examples are "
+                    + String.join(", ", examples()));
             }
             return Bundle.load(bundle, folder(), new PercentProgress("loading", meant, host::progress));
         });

@@ -21,11 +21,15 @@ public final class Publisher {
     private static final long LOOK_MILLIS = 10;
     private static final long STATE_MILLIS = 100;
     private static final double HIGHEST_RATE = 60;
+    /** So long a listener may hear nothing, simulated s. */
+    private static final double PATIENCE = 2;
 
     private final SimulationControl control;
     private final ScriptReadings readings;
     private final Host host;
     private volatile String lastFailure = "";
+    private volatile boolean started;
+    private volatile boolean silenceTold;
     private final Map<String, Subscription> subscriptions = new ConcurrentSkipListMap<>();
     private final ScheduledExecutorService timer = Executors.newSingleThreadScheduledExecutor(work -> {
         Thread thread = new Thread(work, "SEAR publisher");
@@ -58,6 +62,15 @@ public final class Publisher {
         }), STATE_MILLIS, STATE_MILLIS, TimeUnit.MILLISECONDS);
     }
 
+    /** Who listens and has not said to what waits in vain. */
+    private void lookForSilence(SimulationSession session) {
+        if (session != null && session.time() > PATIENCE && host.isReadingHeard()) {
+            silenceTold = true;
+            host.warn("something listens to publishReading, and no reading is published: sear.startPublishing(sensor, readings a second) begins;"
+                + " there are the sensors " + String.join(", ", readings.names()));
+        }
+    }
+
     private void guarded(Runnable work) {
         try {
             work.run();
@@ -76,6 +89,7 @@ public final class Publisher {
             throw new IllegalArgumentException("rate is " + rate + ", legal: above 0 to " + HIGHEST_RATE + " readings a second");
         }
         readings.check(sensor);
+        started = true;
         subscriptions.put(sensor, new Subscription(1 / rate));
     }
 
@@ -100,6 +114,9 @@ public final class Publisher {
      * @param published run after each
      */
     public void publishDue(SleepingThreads.Work published) throws InterruptedException {
+        if (subscriptions.isEmpty() && !started && !silenceTold) {
+            lookForSilence(control.sessionOrNull());
+        }
         SimulationSession session = subscriptions.isEmpty() ? null : control.sessionOrNull();
         if (session == null) {
             return;

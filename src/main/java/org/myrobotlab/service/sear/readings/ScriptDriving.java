@@ -25,20 +25,21 @@ public final class ScriptDriving {
     /** @param speed m/s, + forward */
     public void straight(String robot, double speed) throws InterruptedException {
         check("driveStraight: speed", speed, MOST_SPEED, "m/s");
-        give(robot, false, (number, driven) -> DriveCommand.wheels(number, speed, speed));
+        give(robot, speed != 0, false, (number, driven) -> DriveCommand.wheels(number, speed, speed));
     }
 
     /** @param degrees a second, + to the left */
     public void spin(String robot, double degrees) throws InterruptedException {
         check("spin: speed", degrees, MOST_SPIN, "degrees a second");
-        give(robot, true, (number, driven) -> DriveCommand.circle(number, Math.toRadians(degrees) * driven.getHardware().getWheelBase() / 2, 0));
+        give(robot, degrees != 0, true, (number, driven) ->
+            DriveCommand.circle(number, Math.toRadians(degrees) * driven.getHardware().getWheelBase() / 2, 0));
     }
 
     /** @param left m/s over ground, + forward, likewise right */
     public void wheels(String robot, double left, double right) throws InterruptedException {
         check("setWheelSpeeds: left", left, MOST_SPEED, "m/s");
         check("setWheelSpeeds: right", right, MOST_SPEED, "m/s");
-        give(robot, false, (number, driven) -> DriveCommand.wheels(number, left, right));
+        give(robot, left != 0 || right != 0, false, (number, driven) -> DriveCommand.wheels(number, left, right));
     }
 
     /**
@@ -52,7 +53,7 @@ public final class ScriptDriving {
         if (Double.isNaN(radius)) {
             throw new IllegalArgumentException("drive: radius is " + radius + ", legal: metres, + to the left, 0 or infinity");
         }
-        give(robot, false, (number, driven) -> DriveCommand.circle(number, speed, radius));
+        give(robot, speed != 0, false, (number, driven) -> DriveCommand.circle(number, speed, radius));
     }
 
     /** @param degrees of a wheel in the middle, + to the left */
@@ -70,7 +71,7 @@ public final class ScriptDriving {
         }
     }
 
-    private void give(String robot, boolean twoSides, BiFunction<Integer, Robot, DriveCommand> command) throws InterruptedException {
+    private void give(String robot, boolean moves, boolean twoSides, BiFunction<Integer, Robot, DriveCommand> command) throws InterruptedException {
         control.session().scriptDrives();
         control.session().ask(world -> {
             Robot driven = ScriptReadings.robot(world, robot);
@@ -85,5 +86,6 @@ public final class ScriptDriving {
             world.post(command.apply(world.getRobots().indexOf(driven), driven));
             return true;
         });
+        control.session().scriptDrives(moves);
     }
 }

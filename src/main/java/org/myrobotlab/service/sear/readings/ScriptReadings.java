@@ -73,8 +73,8 @@ public final class ScriptReadings {
             Sensor<?> sensor = world.getSensor(name);
             SearObject object = sensor.getParameters();
             if (!type.isInstance(object)) {
-                throw new IllegalArgumentException("sensor " + name + " is a " + object.getClass().getSimpleName() + ", not a "
-                    + type.getSimpleName() + "; there are " + describe(world));
+                throw new IllegalArgumentException("sensor " + name + " is a " + object.getClass().getSimpleName() + ", not a"
+                    + (type.getSimpleName().matches("[AEIOU].*") ? "n " : " ") + type.getSimpleName() + "; there are " + describe(world));
             }
             return world.read(name).value();
         });

@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
+import org.SEAR.grammar.ScriptLine;
 import org.myrobotlab.service.sear.Host;
 
 /**
@@ -27,7 +28,7 @@ final class ClockTrap {
     /** So long a script may be busy while time stands still. */
     private static final long LOOP_NANOS = TimeUnit.SECONDS.toNanos(2);
     /** A loop is found in the same few lines each time; a script that has much to do is not. */
-    private static final int LOOP_LINES = 4;
+    private static final int LOOP_LINES = 12;
     private static final int LOOP_LOOKS = 10;
 
     private final Host host;
@@ -51,11 +52,13 @@ final class ClockTrap {
             return;
         }
         Map<Thread, StackTraceElement[]> stacks = still ? Thread.getAllStackTraces() : Map.of();
-        boolean sleeping = stacks.values().stream().anyMatch(ClockTrap::isSleepOfScript);
+        Thread sleeper = stacks.entrySet().stream().filter(entry -> isSleepOfScript(entry.getValue())).map(Map.Entry::getKey).findFirst()
+            .orElse(null);
+        boolean sleeping = sleeper != null;
         if (sleeping && suspected) {
             told = true;
-            host.warn("the script waits by the computer's clock, while simulated time stands still" + REMEDY
-                + "in sleep, time.sleep, roomba.sleep, goForward(mm) or spin(degrees)");
+            host.warn(ScriptLine.added("the script waits by the computer's clock, while simulated time stands still" + REMEDY
+                + "in sleep, time.sleep, roomba.sleep, goForward(mm) or spin(degrees)", ScriptLine.of(sleeper)));
         }
         suspected = sleeping;
         lookForLoop(stacks);
@@ -90,7 +93,8 @@ final class ClockTrap {
                 return null;
             }
             if (script != null && (call != null || entry.getKey().getState() == Thread.State.RUNNABLE)) {
-                found = "line " + script.getLineNumber() + " of " + script.getFileName();
+                String line = ScriptLine.of(entry.getKey());
+                found = line.isEmpty() ? "line " + script.getLineNumber() + " of " + script.getFileName() : line;
             }
         }
         return found;

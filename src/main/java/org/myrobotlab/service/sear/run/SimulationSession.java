@@ -198,6 +198,7 @@ public final class SimulationSession {
             return;
         }
         stopped = true;
+        warnings.tellOfNoTime(time());
         try {
             window.close();
         } finally {
@@ -243,12 +244,7 @@ public final class SimulationSession {
 
     /** The line whose device end has a Serial service of that name; null if there is none. */
     UartLine lineOf(String serviceName) {
-        for (UartLine line : lines) {
-            if (line.getServiceName().equals(serviceName)) {
-                return line;
-            }
-        }
-        return null;
+        return lines.stream().filter(line -> line.getServiceName().equals(serviceName)).findFirst().orElse(null);
     }
 
     /**
@@ -284,8 +280,14 @@ public final class SimulationSession {
 
     /** A script has told a robot to move: for a while the window's keys leave it alone. */
     public void scriptDrives() {
+        scriptDrives(false);
+    }
+
+    /** @param moves whether its order has set the robot going */
+    public void scriptDrives(boolean moves) {
         lastDriven = System.nanoTime();
         driven = true;
+        warnings.ordered(moves ? time() : Double.NEGATIVE_INFINITY);
     }
 
     private boolean isScriptDriving() {

@@ -145,7 +145,8 @@ final class UartLine implements OutsideLine {
             String text;
             synchronized (repeats) {
                 text = repeats.count("baud", line.getObjectType() + " " + line.getObjectName() + " talks at " + line.getDeviceBaud()
-                    + " baud, but port " + user.getName() + " was set to " + baud + ": they won't understand each other");
+                    + " baud, but port " + user.getName() + " was set to " + baud + ": they won't understand each other; legal: "
+                    + line.getDeviceBaud() + " where the program opens the port");
             }
             if (text != null) {
                 host.warn(text);

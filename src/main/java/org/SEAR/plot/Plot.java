@@ -1,0 +1,90 @@
+package org.SEAR.plot;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * Lines over one axis. Those of one unit share a box with an axis of its own; the boxes stand one below the other. One thread.
+ */
+public final class Plot {
+    /** Lines that a plot has at most. */
+    public static final int MOST_LINES = 16;
+
+    private final String xTitle;
+    private final double[] places;
+    private final Map<String, List<Line>> boxes = new LinkedHashMap<>();
+    private int count;
+
+    /**
+     * One without lines.
+     *
+     * @param xTitle what stands below the axis, with its unit
+     * @param places where on the axis the values of its lines are
+     */
+    public Plot(String xTitle, double[] places) {
+        this.xTitle = xTitle;
+        this.places = places.clone();
+    }
+
+    /**
+     * Adds a line.
+     *
+     * @param unit of its values; empty for none
+     * @param values not a number where there is none
+     * @throws IllegalArgumentException if it has more or fewer values than the axis, or there are too many lines
+     */
+    public void add(String name, String unit, double[] values) {
+        if (values.length != places.length) {
+            throw new IllegalArgumentException("\"" + name + "\" has " + values.length + " values, and \"" + xTitle + "\" has " + places.length
+                + ", legal: as many");
+        }
+        if (++count > MOST_LINES) {
+            throw new IllegalArgumentException("more than " + MOST_LINES + " lines, legal: up to " + MOST_LINES);
+        }
+        boxes.computeIfAbsent(unit, none -> new ArrayList<>()).add(new Line(name, unit, values.clone()));
+    }
+
+    /**
+     * Draws it into a file.
+     *
+     * @param file of the ending .png or .svg; one of that name is replaced
+     * @throws IllegalArgumentException for another ending, or if there is nothing to draw
+     * @throws IOException if it can't be written
+     */
+    public void save(Path file) throws IOException {
+        String name = file.getFileName() == null ? "" : file.getFileName().toString().toLowerCase(Locale.ROOT);
+        if (!name.endsWith(".png") && !name.endsWith(".svg")) {
+            throw new IllegalArgumentException("the picture is " + file + ", legal: a name that ends in .png or .svg");
+        }
+        double[] shown = Arrays.stream(places).filter(Double::isFinite).sorted().toArray();
+        boolean hasValues = boxes.values().stream().flatMap(List::stream).anyMatch(line -> Arrays.stream(line.values).anyMatch(Double::isFinite));
+        if (shown.length == 0 || !hasValues) {
+            throw new IllegalArgumentException("there is nothing to draw: no number over \"" + xTitle + "\"; lists are filled in a loop, as with"
+                + " times.append(sear.getTime())");
+        }
+        Path folder = file.toAbsolutePath().getParent();
+        if (folder != null && !Files.isDirectory(folder)) {
+            throw new IOException(file + " can't be written, there is no folder " + folder + ": make it first");
+        }
+        PlotDrawing drawing = new PlotDrawing(xTitle, places, new Axis(shown[0], shown[shown.length - 1], false), new ArrayList<>(boxes.values()));
+        drawing.on(name.endsWith(".svg") ? new SvgCanvas(PlotDrawing.WIDTH, drawing.height()) : png(drawing)).save(file);
+    }
+
+    /** A Java without fonts, as one of a server may be, draws no letters. */
+    private static Canvas png(PlotDrawing drawing) throws IOException {
+        try {
+            PngCanvas canvas = new PngCanvas(PlotDrawing.WIDTH, drawing.height());
+            canvas.text("", 0, 0, Canvas.Anchor.LEFT, PlotDrawing.SIZE);
+            return canvas;
+        } catch (LinkageError | RuntimeException e) {
+            throw new IOException("this computer's Java has no fonts for a PNG (" + e + "): save it with the ending .svg", e);
+        }
+    }
+}

@@ -1,0 +1,80 @@
+package org.SEAR.plot;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+
+/** A PNG file, with the fonts that the computer has. One thread. */
+final class PngCanvas implements Canvas {
+    private final BufferedImage picture;
+    private final Graphics2D graphics;
+
+    PngCanvas(int width, int height) {
+        picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        graphics = picture.createGraphics();
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        graphics.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        graphics.setColor(Color.WHITE);
+        graphics.fillRect(0, 0, width, height);
+    }
+
+    private void pen(String color, double width) {
+        graphics.setColor(Color.decode(color));
+        graphics.setStroke(new BasicStroke((float) width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND));
+    }
+
+    @Override
+    public void line(double x1, double y1, double x2, double y2, String color, double width) {
+        pen(color, width);
+        graphics.draw(new Line2D.Double(x1, y1, x2, y2));
+    }
+
+    @Override
+    public void polyline(double[] x, double[] y, int count, String color, double width) {
+        pen(color, width);
+        Path2D path = new Path2D.Double();
+        path.moveTo(x[0], y[0]);
+        for (int i = 1; i < count; i++) {
+            path.lineTo(x[i], y[i]);
+        }
+        graphics.draw(path);
+    }
+
+    @Override
+    public void text(String text, double x, double y, Anchor anchor, int size) {
+        graphics.setColor(Color.BLACK);
+        graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, size));
+        double width = graphics.getFontMetrics().stringWidth(text);
+        double left = anchor == Anchor.LEFT ? x : anchor == Anchor.RIGHT ? x - width : x - width / 2;
+        graphics.drawString(text, (float) left, (float) y);
+    }
+
+    @Override
+    public void upwards(String text, double x, double y, int size) {
+        AffineTransform before = graphics.getTransform();
+        graphics.translate(x, y);
+        graphics.rotate(-Math.PI / 2);
+        text(text, 0, 0, Anchor.MIDDLE, size);
+        graphics.setTransform(before);
+    }
+
+    @Override
+    public void save(Path file) throws IOException {
+        graphics.dispose();
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        ImageIO.write(picture, "png", bytes);
+        Files.write(file, bytes.toByteArray());
+    }
+}

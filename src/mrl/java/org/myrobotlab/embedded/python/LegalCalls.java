@@ -1,0 +1,109 @@
+package org.myrobotlab.embedded.python;
+
+import java.lang.reflect.Executable;
+import java.lang.reflect.Method;
+import java.lang.reflect.Modifier;
+import java.lang.reflect.Parameter;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** How a constructor or method of a Java class is called that a script has called otherwise. Any thread. */
+final class LegalCalls {
+    private static final Pattern REFUSED = Pattern.compile("^([\\w.$]+)\\(\\): (?:expected .* args?; got (\\d+)"
+        + "|(\\d+)\\w\\w arg can't be coerced to (.+))$");
+    private static final int MOST = 12;
+    private static final Map<String, String> WORDS = words();
+
+    private LegalCalls() {
+    }
+
+    private static Map<String, String> words() {
+        Map<String, String> words = new LinkedHashMap<>();
+        words.put("double", "a number, without quotation marks");
+        words.put("float", words.get("double"));
+        words.put("int", "a whole number, without quotation marks");
+        words.put("long", words.get("int"));
+        words.put("String", "a text in quotation marks");
+        words.put("boolean", "True or False");
+        return words;
+    }
+
+    /**
+     * For what Jython says of arguments that don't fit: the calls that there are.
+     *
+     * @param line the script's, as far as it is known
+     * @return lines to be added; empty if it says something else
+     */
+    static String lines(String message, String line, Scope scope) {
+        Matcher refused = REFUSED.matcher(message);
+        if (!refused.find()) {
+            return "";
+        }
+        String name = refused.group(1);
+        Set<String> calls = name.contains(".") ? constructors(name) : methods(name, line, scope);
+        if (calls.isEmpty()) {
+            return "";
+        }
+        StringBuilder hint = new StringBuilder();
+        if (refused.group(3) != null) {
+            hint.append("\nargument ").append(refused.group(3)).append(" has to be ").append(word(refused.group(4)));
+        } else if (line.matches(".*\\b" + Pattern.quote(name.substring(name.lastIndexOf('.') + 1)) + "\\(.*\\b\\w+\\s*=[^=].*")) {
+            hint.append("\nvalues come in this order, without their names before them");
+        }
+        return hint.append("\nlegal: ").append(calls.stream().limit(MOST).collect(Collectors.joining("\n       "))).toString();
+    }
+
+    private static String word(String types) {
+        return Arrays.stream(types.split(", ")).map(type -> WORDS.getOrDefault(type, "a " + type.substring(type.lastIndexOf('.') + 1))).distinct()
+            .collect(Collectors.joining(", or "));
+    }
+
+    private static Set<String> constructors(String type) {
+        try {
+            Class<?> made = Class.forName(type);
+            return sorted(Arrays.stream(made.getConstructors()).filter(maker -> maker.getParameterCount() > 0), made.getSimpleName());
+        } catch (ClassNotFoundException | LinkageError e) {
+            return Set.of();
+        }
+    }
+
+    /** Of the objects that the line names; if it is not known, of all that the script has. */
+    private static Set<String> methods(String name, String line, Scope scope) {
+        Matcher called = Pattern.compile("(\\w+)\\." + Pattern.quote(name) + "\\(").matcher(line);
+        Set<String> owners = new TreeSet<>();
+        while (called.find()) {
+            owners.add(called.group(1));
+        }
+        owners.retainAll(scope.names());
+        Set<String> calls = new LinkedHashSet<>();
+        for (String owner : owners.isEmpty() ? scope.names() : owners) {
+            Class<?> type = scope.typeOf(owner);
+            if (type != null) {
+                calls.addAll(sorted(Arrays.stream(type.getMethods()).filter(method -> method.getName().equals(name)), owner + "." + name));
+            }
+        }
+        return calls;
+    }
+
+    private static Set<String> sorted(Stream<? extends Executable> all, String name) {
+        return all.filter(one -> Modifier.isPublic(one.getModifiers()) && !(one instanceof Method && ((Method) one).isBridge()))
+            .map(one -> name + Arrays.stream(one.getParameters()).map(LegalCalls::nameOf).collect(Collectors.joining(", ", "(", ")")))
+            .sorted(Comparator.comparing(String::length).thenComparing(Comparator.naturalOrder()))
+            .collect(Collectors.toCollection(LinkedHashSet::new));
+    }
+
+    /** As the pages write it: newMass is mass. */
+    private static String nameOf(Parameter parameter) {
+        String name = parameter.getName().replaceAll("^new([A-Z])", "$1");
+        return name.length() > 1 && Character.isUpperCase(name.charAt(1)) ? name : Character.toLowerCase(name.charAt(0)) + name.substring(1);
+    }
+}

@@ -1,0 +1,49 @@
+package org.myrobotlab.embedded.python;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import org.python.core.PyException;
+import org.python.core.PyTraceback;
+
+/** The text of the line at which a script has failed. Any thread. */
+final class SourceLine {
+    /** The last code that was run without a file, by the name that stands in tracebacks. */
+    private static final Map<String, List<String>> RUN = new ConcurrentHashMap<>();
+
+    private SourceLine() {
+    }
+
+    /** Code is run under a name. */
+    static void remember(String name, byte[] code) {
+        RUN.put(name, List.of(new String(code, StandardCharsets.UTF_8).split("\\R", -1)));
+    }
+
+    /** The innermost line of the error; empty if it is not known. */
+    static String of(PyException e) {
+        PyTraceback last = e.traceback;
+        while (last != null && last.tb_next instanceof PyTraceback) {
+            last = (PyTraceback) last.tb_next;
+        }
+        if (last == null || last.tb_frame.f_code == null) {
+            return "";
+        }
+        String file = last.tb_frame.f_code.co_filename;
+        List<String> lines = RUN.getOrDefault(file, List.of());
+        try {
+            if (lines.isEmpty()) {
+                Path path = Paths.get(file);
+                lines = Files.isRegularFile(path) ? Files.readAllLines(path, StandardCharsets.UTF_8) : lines;
+            }
+        } catch (IOException | RuntimeException unreadable) {
+            return ""; // a name that is no path, or a file in another encoding: hints do without it
+        }
+        int number = last.tb_lineno;
+        return number >= 1 && number <= lines.size() ? lines.get(number - 1).trim() : "";
+    }
+}

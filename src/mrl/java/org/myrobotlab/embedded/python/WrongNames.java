@@ -1,0 +1,142 @@
+package org.myrobotlab.embedded.python;
+
+import java.io.IOException;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** What a script meant by a name that it can't import, or that it has not imported. Any thread. */
+final class WrongNames {
+    private static final String SERVICES = "org.myrobotlab.service";
+    private static final String OBJECTS = "org.SEAR.POJOs";
+    private static final String IMPORT = "from " + OBJECTS + " import ";
+    private static final Pattern NO_MODULE = Pattern.compile("No module named (\\w+)");
+    private static final Pattern NOTHING_IN_IT = Pattern.compile("cannot import name (\\w+)");
+    /** Packages that people know of a Python with parts in C. */
+    private static final Set<String> NOT_IN_JYTHON = Set.of("numpy", "scipy", "pandas", "matplotlib", "cv2", "serial", "pylab", "tkinter",
+        "requests");
+    /** What people call things of SEAR. */
+    private static final Map<String, String> OTHER_WORDS = otherWords();
+
+    private WrongNames() {
+    }
+
+    private static Map<String, String> otherWords() {
+        Map<String, String> words = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
+        for (String sensor : new String[] {"Sonar", "Ultrasonic", "UltrasonicSensor", "Infrared", "Ping", "DistanceSensor", "RangeSensor", "Radar"}) {
+            words.put(sensor, "Distance");
+        }
+        for (String box : new String[] {"Wall", "Cube", "Block", "Crate", "Obstacle"}) {
+            words.put(box, "Box");
+        }
+        words.put("Ball", "Sphere");
+        words.put("Ground", "Floor");
+        words.put("Plane", "Floor");
+        words.put("Robot", "SEARrobot");
+        words.put("Rover", "Robots");
+        words.put("Create", "Robots");
+        words.put("Gyro", "Gyroscope");
+        words.put("Accel", "Accelerometer");
+        words.put("Light", "Led");
+        words.put("Scanner", "LIDAR");
+        words.put("Laser", "LIDAR");
+        words.put("Sensor", "Distance");
+        return words;
+    }
+
+    /**
+     * For an import that has failed.
+     *
+     * @param line the script's, as far as it is known
+     * @return lines to be added; empty if it failed for another reason
+     */
+    static String imported(String message, String line) {
+        Matcher module = NO_MODULE.matcher(message);
+        Matcher name = NOTHING_IN_IT.matcher(message);
+        if (name.find()) {
+            return objectsOf(name.group(1));
+        }
+        if (!module.find()) {
+            return "";
+        }
+        String wanted = module.group(1);
+        if (NOT_IN_JYTHON.contains(wanted)) {
+            return "\nscripts are Python 2.7 (Jython), which takes no packages with parts in C: there is no " + wanted
+                + "; sear.savePlot(...) draws pictures, and a program in Python 3 can call SEAR (docs/python3.md)";
+        }
+        if (line.contains("org.")) {
+            return "\ndid you mean " + IMPORT + "*?";
+        }
+        String service = known(SERVICES, wanted);
+        String object = known(OBJECTS, wanted);
+        if (service != null && !line.matches(".*from .*import [A-Z].*")) {
+            return "\n" + service + " is a service of MyRobotLab and no module: write " + start(service) + " instead of the import";
+        }
+        return service != null || object != null ? "\nobjects are imported so: " + IMPORT + "*" : objectsOf(wanted);
+    }
+
+    private static String objectsOf(String wanted) {
+        String meant = meant(wanted);
+        return meant == null ? "" : "\nSEAR has no " + wanted + "; did you mean " + IMPORT + meant + "?";
+    }
+
+    /**
+     * For a name that a script uses and has not imported.
+     *
+     * @return a line to be added; empty if there is nothing like it
+     */
+    static String used(String wanted) {
+        String service = exactly(SERVICES, wanted);
+        if (exactly(OBJECTS, wanted) != null) {
+            return "\nit has to be imported first: " + IMPORT + wanted + (service == null ? "" : "; or, for the service, " + start(wanted));
+        }
+        if (service != null) {
+            return "\nservices are started so: " + start(wanted);
+        }
+        String meant = OTHER_WORDS.get(wanted);
+        return meant == null || !Character.isUpperCase(wanted.charAt(0)) ? "" : "\nSEAR has no " + wanted + "; did you mean " + IMPORT + meant + "?";
+    }
+
+    /**
+     * For a service's class that was called as an object's, or to make a service.
+     *
+     * @return a line to be added; empty for any other class
+     */
+    static String made(String message) {
+        Matcher made = Pattern.compile("^org\\.myrobotlab\\.service\\.(\\w+)\\(\\): ").matcher(message);
+        if (!made.find()) {
+            return "";
+        }
+        String name = made.group(1);
+        return exactly(OBJECTS, name) == null ? "\nservices are started so: " + start(name)
+            : "\n" + name + " is the service's class here, since a service of that type was started: " + IMPORT + name
+                + " behind that line means the object again";
+    }
+
+    private static String start(String service) {
+        String name = service.toLowerCase(Locale.ROOT);
+        return name + " = Runtime.start(\"" + name + "\", \"" + service + "\")";
+    }
+
+    /** The object that was meant by a name of another spelling, or by another word. */
+    private static String meant(String wanted) {
+        String known = known(OBJECTS, wanted);
+        return known != null ? known : OTHER_WORDS.get(wanted);
+    }
+
+    private static String exactly(String where, String wanted) {
+        String known = known(where, wanted);
+        return wanted.equals(known) ? known : null;
+    }
+
+    private static String known(String where, String wanted) {
+        try {
+            return PackageClasses.of(where, WrongNames.class.getClassLoader()).stream().filter(wanted::equalsIgnoreCase).findFirst().orElse(null);
+        } catch (IOException e) {
+            return null;
+        }
+    }
+}

@@ -1,0 +1,119 @@
+package org.SEAR.cli;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import org.SEAR.SearProcess;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TemporaryFolder;
+
+/**
+ * The mistakes that beginners make, {@code mistakes.txt}: each ends in a message that names the line, the thing and what to do. The file has for each
+ * a title, the script, the exit status (or {@code endless}), and what has to stand in its output, a line each.
+ */
+public class MistakesTest {
+    private static final int LEAST = 42;
+    private static final long PATIENCE_MINUTES = 10;
+    /** Seconds of processor time from the start of MyRobotLab to its end: a busy machine does not make them more. */
+    private static final double MOST_SECONDS = 3;
+
+    @Rule
+    public final TemporaryFolder temporary = new TemporaryFolder();
+
+    /** One of them. */
+    private static final class Mistake {
+        private final String title;
+        private final StringBuilder script = new StringBuilder();
+        private String status = "";
+        private final List<String> words = new ArrayList<>();
+
+        Mistake(String title) {
+            this.title = title;
+        }
+    }
+
+    private static List<Mistake> mistakes() throws IOException {
+        List<Mistake> all = new ArrayList<>();
+        try (InputStream in = MistakesTest.class.getResourceAsStream("mistakes.txt")) {
+            boolean answer = false;
+            for (String line : new String(in.readAllBytes(), StandardCharsets.UTF_8).split("\n")) {
+                Mistake last = all.isEmpty() ? null : all.get(all.size() - 1);
+                if (line.startsWith("== ")) {
+                    all.add(new Mistake(line.substring(3)));
+                    answer = false;
+                } else if (line.startsWith("=> ")) {
+                    last.status = line.substring(3);
+                    answer = true;
+                } else if (answer && !line.isEmpty()) {
+                    last.words.add(line);
+                } else if (last != null && !answer) {
+                    last.script.append(line).append('\n');
+                }
+            }
+        }
+        return all;
+    }
+
+    private static void lay(Path folder, Mistake mistake) throws IOException {
+        Files.createDirectories(folder);
+        Files.writeString(folder.resolve("script.py"), mistake.script.toString());
+        if (mistake.status.equals("endless")) {
+            Files.writeString(folder.resolve("message.txt"), mistake.words.get(0));
+        }
+    }
+
+    private void run(Path folder) throws IOException, InterruptedException {
+        List<String> command = SearProcess.java(System.getProperty("java.class.path"), new String[] {"-Xmx512m"});
+        command.addAll(List.of(MistakesRun.class.getName(), folder.toString()));
+        Path output = temporary.newFile().toPath();
+        Process process = new ProcessBuilder(command).directory(temporary.newFolder()).redirectErrorStream(true)
+            .redirectOutput(output.toFile()).start();
+        try {
+            assertTrue("the scripts have not ended:\n" + Files.readString(output), process.waitFor(PATIENCE_MINUTES, TimeUnit.MINUTES));
+            assertEquals(Files.readString(output), 0, process.exitValue());
+        } finally {
+            process.destroyForcibly();
+        }
+    }
+
+    @Test
+    public void eachEndsInAMessageWithLineThingAndRemedy() throws Exception {
+        Path root = temporary.newFolder().toPath().toRealPath();
+        Map<Path, Mistake> laid = new LinkedHashMap<>();
+        for (Mistake mistake : mistakes()) {
+            Path folder = root.resolve(String.format("%03d", laid.size()));
+            lay(folder, mistake);
+            laid.put(folder, mistake);
+        }
+        assertTrue("only " + laid.size(), laid.size() >= LEAST);
+        run(root);
+        List<String> wrong = new ArrayList<>();
+        for (Map.Entry<Path, Mistake> entry : laid.entrySet()) {
+            look(entry.getKey(), entry.getValue(), wrong);
+        }
+        assertEquals("", String.join("\n\n", wrong));
+    }
+
+    private static void look(Path folder, Mistake mistake, List<String> wrong) throws IOException {
+        String seen = Files.readString(folder.resolve("output.txt")).replace(folder + "/", "");
+        String status = Files.readString(folder.resolve("status.txt"));
+        double seconds = Double.parseDouble(Files.readString(folder.resolve("seconds.txt")));
+        List<String> missing = new ArrayList<>(mistake.words);
+        missing.removeIf(seen::contains);
+        boolean ends = mistake.status.equals("endless") || mistake.status.equals(status);
+        if (!missing.isEmpty() || !ends || seconds > MOST_SECONDS || mistake.words.isEmpty()) {
+            wrong.add(mistake.title + ": exit status " + status + ", " + seconds + " s, without " + missing + ":\n" + seen);
+        }
+    }
+}

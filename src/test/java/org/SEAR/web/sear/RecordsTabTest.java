@@ -14,6 +14,7 @@ import org.junit.ClassRule;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TestRule;
+import org.openqa.selenium.WebElement;
 
 /** Plots, records and the script of the project in the SEAR tab. */
 public class RecordsTabTest {
@@ -93,6 +94,55 @@ public class RecordsTabTest {
         browser.until("played to its end", () -> tab.isTrue("!replay.shown.playing && replay.shown.index === replay.shown.times.length - 1"));
         browser.click(".sear-end-replay");
         browser.until("what is now", () -> tab.isTrue("replay.shown === null && world.shown().robots[0].pose[2] < 0.1"));
+    }
+
+    @Test
+    public void aReplaySaysSoAndEndsAsSoonAsItsUserTurnsToWhatIsNow() {
+        TABS.robotLab().run(WORLD + "\n" + RUNS);
+        browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
+        browser.click(".sear-plots");
+        replay();
+        browser.click(".sear-back-to-now");
+        assertEnded("the button");
+        browser.click(".sear-replay");
+        browser.seeText(".sear-badge", "Replay of run3.searlog");
+        browser.click(".sear-build");
+        assertEnded("Build");
+        browser.click(".sear-build");
+        browser.click(".sear-replay");
+        browser.seeText(".sear-badge", "Replay of run3.searlog");
+        browser.click(".sear-plots");
+        assertEnded("folding the plots");
+        browser.click(".sear-plots");
+        browser.click(".sear-replay");
+        browser.seeText(".sear-badge", "Replay of run3.searlog");
+        tab.start();
+        assertEnded("Start");
+        browser.until("this run is plotted", () -> tab.isTrue("plot.source === ''"));
+        browser.click(".sear-stop");
+        tab.waitForStatus("no simulation runs");
+        replay();
+        tab.openExample("maze");
+        assertEnded("an example");
+        browser.until("the maze", () -> tab.isTrue("world.shown().objects.length > 5"));
+        replay();
+        browser.type(".sear-path", "examples/office.sear");
+        browser.click(".sear-load");
+        assertEnded("Open");
+        browser.until("the office", () -> tab.isTrue("world.shown().robots[0].name === 'office Roomba'"));
+        replay();
+        browser.click(".sear-new");
+        assertEnded("New");
+    }
+
+    private void replay() {
+        browser.choose(".sear-source", "run3.searlog");
+        browser.seeText(".sear-badge", "Replay of run3.searlog");
+    }
+
+    private void assertEnded(String how) {
+        browser.until(how + " ends the replay", () -> tab.isTrue("replay.shown === null && world.instead === null"));
+        browser.until(how + " takes the words away", () -> browser.all(".sear-badge").stream().noneMatch(WebElement::isDisplayed));
     }
 
     private void slideTo(String end) {

@@ -51,6 +51,8 @@ export function makePlot(panel, world, records, replay, layout) {
         if (plot.open) {
             msg.send('getRecords')
             nameValues()
+        } else {
+            replay.end()
         }
     })
     function nameValues() {
@@ -63,12 +65,24 @@ export function makePlot(panel, world, records, replay, layout) {
         plot.names = []
         replay.end()
         showAll()
-        if (plot.source) {
-            awaited.frames = plot.source
-            msg.send('getRecordFrames', plot.source)
-        }
+        plot.replay()
         nameValues()
         fetch()
+    }
+    /** Shows the record in the views, from its beginning. */
+    plot.replay = function() {
+        awaited.frames = plot.source || null
+        if (plot.source) {
+            msg.send('getRecordFrames', plot.source)
+        }
+    }
+    /** What is now is plotted and shown, no record. */
+    plot.showNow = function() {
+        replay.end()
+        if (plot.source) {
+            plot.source = ''
+            plot.chooseSource()
+        }
     }
     plot.addLine = function() {
         var name = plot.add

@@ -1,5 +1,6 @@
 // The SEAR panel as a whole: its parts, each of which knows only those before it, and what they hear of the service.
 import '../shared/style.js'
+import {makeBadge} from '../records/badge.js'
 import {makeBuilding} from '../build/building.js'
 import {makeEdits} from '../build/edits.js'
 import {makeGround} from '../world/ground.js'
@@ -47,10 +48,16 @@ export function open(controller, $scope, $timeout, $interval) {
     var layout = makeLayout(panel, messages)
     var records = makeRecords(panel, messages)
     var replay = makeReplay(panel, messages, world, picture)
+    var badge = makeBadge(panel, replay)
     var plot = makePlot(panel, world, records, replay, layout)
     var project = makeProject(panel, messages, problems)
     var script = makeScript(panel, messages, project)
     var run = makeRun(panel, messages, world, problems, view, edits, picture)
+
+    // a replay ends when its user turns to what is now
+    project.left.hear(plot.showNow)
+    run.begun.hear(plot.showNow)
+    $scope.$watch(() => view.building, building => building && replay.end())
 
     function onState(service) {
         $scope.service = service
@@ -77,7 +84,7 @@ export function open(controller, $scope, $timeout, $interval) {
     var first = null
     function listen() {
         if (panel.element('view')) {
-            [pointed, building, project].forEach(function(part) {
+            [pointed, building, project, badge].forEach(function(part) {
                 part.listen()
             })
             picture.repaint()

@@ -1,4 +1,5 @@
 // Opening, saving, uploading and downloading projects in the SEAR panel.
+import {makeEvent} from '../shared/event.js'
 import {recallJson, remember} from '../shared/page.js'
 import * as words from '../shared/words.js'
 
@@ -21,6 +22,7 @@ export function makeProject(panel, messages, problems) {
         folder: 'SEARproject',  // into which that is copied
         question: null,         // a file that is to be overwritten: path, and free, a name that is not taken
         transfer: null,
+        left: makeEvent(),      // the user wants another project
         recent: recallJson(RECENT) || []
     }
 
@@ -30,6 +32,7 @@ export function makeProject(panel, messages, problems) {
     }
     project.open = function(path) {
         problems.forget()
+        project.left.tell()
         project.path = path
         addRecent(path)
         asked.load = path
@@ -45,6 +48,7 @@ export function makeProject(panel, messages, problems) {
     }
     project.startAnew = function() {
         asked.anew = true
+        project.left.tell()
         msg.send('newProject')
     }
 
@@ -79,6 +83,7 @@ export function makeProject(panel, messages, problems) {
     }
     project.runScript = function() {
         messages.say('info', 'running ' + project.script)
+        project.left.tell()
         msg.send('runExampleScript', project.script)
     }
     project.copyTemplate = function() {
@@ -94,6 +99,7 @@ export function makeProject(panel, messages, problems) {
             var text = reader.result.substring(reader.result.indexOf(',') + 1)
             var parts = Math.max(1, Math.ceil(text.length / CHUNK))
             problems.forget()
+            project.left.tell()
             for (var i = 0; i < parts; i++) {
                 msg.send('uploadProject', file.name, i, parts, text.substring(i * CHUNK, (i + 1) * CHUNK))
             }

@@ -1,4 +1,5 @@
 // The run of the simulation in the SEAR panel: start, stop, speed, driving.
+import {makeEvent} from '../shared/event.js'
 import {find} from '../world/pointing.js'
 
 var SPEED = 0.2             // m/s of the drive buttons, MyRobotLab's Roomba default
@@ -15,12 +16,14 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
     var driving = false         // whether a test drive is to begin as soon as the simulation runs
     var run = {
         pending: null,          // what the service has been told to do and has not done yet: starting or stopping
+        begun: makeEvent(),     // this page has it start
         speed: '1'
     }
 
     run.start = function() {
         problems.forget()
         run.pending = 'starting'
+        run.begun.tell()
         msg.send('startSimulation')
     }
     run.stop = function() {

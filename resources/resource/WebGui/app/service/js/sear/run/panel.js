@@ -2,8 +2,10 @@
 import '../shared/style.js'
 import {makeBadge} from '../records/badge.js'
 import {makeBuilding} from '../build/building.js'
+import {makeDriving} from './driving.js'
 import {makeEdits} from '../build/edits.js'
 import {makeGround} from '../world/ground.js'
+import {makeHand} from './hand.js'
 import {makeInspector} from '../build/inspector.js'
 import {makeLayout} from '../shared/layout.js'
 import {makeMessages} from '../shared/messages.js'
@@ -19,13 +21,15 @@ import {makeRecords} from '../records/records.js'
 import {makeReplay} from '../records/replay.js'
 import {makeRun} from './run.js'
 import {makeScript} from './script.js'
+import {makeShare} from './share.js'
+import {makeVideo} from './video.js'
 import {makeView} from '../scene/view.js'
 import {makeWorld} from '../world/world.js'
 import {count} from '../shared/words.js'
 
 var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'checkProject', 'getBundle',
     'getTerrain', 'getLooks', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate', 'startSimulation', 'stopSimulation',
-    'publishEdit', 'getProjectObject', 'getScript', 'recordRun', 'endRecord', 'getRecords', 'getRecordFrames', 'getRecordValues']
+    'publishEdit', 'getProjectObject', 'getScript', 'getExampleScript', 'recordRun', 'endRecord', 'getRecords', 'getRecordFrames', 'getRecordValues']
 var ASKED = ['getExamples', 'getExampleScripts', 'getGrammar', 'getEdits']
 var LOOK_MILLIS = 1000      // how often a page that shows the project asks whether that has changed
 var LISTEN_MILLIS = 100     // how often a panel looks whether the page has its view
@@ -53,11 +57,15 @@ export function open(controller, $scope, $timeout, $interval) {
     var project = makeProject(panel, messages, problems)
     var script = makeScript(panel, messages, project)
     var run = makeRun(panel, messages, world, problems, view, edits, picture)
+    var driving = makeDriving(panel, world, view, edits, run, picture)
+    var hand = makeHand(panel, world, view, pointer)
+    var video = makeVideo(panel, messages, view, picture)
+    var share = makeShare(panel, messages, replay, ground)
 
     // a replay ends when its user turns to what is now
     project.left.hear(plot.showNow)
     run.begun.hear(plot.showNow)
-    $scope.$watch(() => view.building, building => building && replay.end())
+    $scope.$watch(() => view.building, begun => begun && replay.end())
 
     function onState(service) {
         $scope.service = service
@@ -77,14 +85,14 @@ export function open(controller, $scope, $timeout, $interval) {
         }
     }
     function key(event) {
-        return building.key(event) || view.key(event) || run.key(event)
+        return driving.key(event) || building.key(event) || view.key(event) || run.key(event)
     }
 
     // ---- the page --------------------------------------------------------------------------------------------------------------------------
     var first = null
     function listen() {
         if (panel.element('view')) {
-            [pointed, building, project, badge].forEach(function(part) {
+            [hand, pointed, building, project, badge, driving].forEach(function(part) {
                 part.listen()
             })
             picture.repaint()
@@ -100,9 +108,13 @@ export function open(controller, $scope, $timeout, $interval) {
     })
 
     var parts = {messages, world, problems, ground, view, pointed, edits, inspector, palette, building, layout, records, replay, plot, project,
-        script, run}
+        script, run, video, share}
     angular.extend($scope, parts, {key})
-    panel.hear(TOPICS, ASKED, angular.extend.apply(angular, [{onState, onStatus}].concat(Object.values(parts).map(part => part.handlers))))
+    function onLooks(sent) {
+        view.handlers.onLooks(sent)
+        share.take(sent)
+    }
+    panel.hear(TOPICS, ASKED, angular.extend.apply(angular, [{onState, onStatus}].concat(Object.values(parts).map(part => part.handlers), {onLooks})))
     if ($scope.service) {
         onState($scope.service)
     }

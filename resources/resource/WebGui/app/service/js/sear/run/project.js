@@ -11,6 +11,7 @@ var MOST_RECENT = 8
 /** Of one panel. */
 export function makeProject(panel, messages, problems) {
     var msg = panel.msg
+    var given = {}              // scripts that this page has given to MyRobotLab's tab of python
     var asked = {}              // paths that this page wants saved and opened
     var project = {
         path: NEW,
@@ -82,9 +83,33 @@ export function makeProject(panel, messages, problems) {
         return script.replace(/\.py$/, '').replace(/_/g, ' ')
     }
     project.runScript = function() {
-        messages.say('info', 'running ' + project.script)
+        var script = project.script
+        messages.say('info', 'running ' + script + ', whose text is in the tab of python, to be changed and run again')
         project.left.tell()
-        msg.send('runExampleScript', project.script)
+        msg.send('runExampleScript', script)
+        asked.script = script
+        msg.send('getExampleScript', script)
+    }
+    function onScript(code) {
+        var script = asked.script
+        asked.script = null
+        if (!script) {
+            return              // another page runs one
+        }
+        var opened = /\bloadProject\(\s*["']([^"']+)/.exec(code)
+        if (opened) {
+            project.path = words.fileName(opened[1])
+            addRecent(opened[1])
+        }
+        show({file: script, code: code})
+    }
+    /** Gives a script to the tab of python, once: what its user makes of it stays. */
+    function show(script) {
+        var told = panel.scope.$root.$broadcast('python.show', script)
+        if (!told.defaultPrevented && !given[script.file]) {
+            msg.sendTo('python', 'addScript', script.file, script.code)
+        }
+        given[script.file] = true
     }
     project.copyTemplate = function() {
         msg.send('copyTemplate', project.template, project.folder)
@@ -166,6 +191,7 @@ export function makeProject(panel, messages, problems) {
             project.scripts = names || []
             project.script = project.script || project.scripts[0]
         },
+        onExampleScript: onScript,
         onUploaded: function(text) {
             project.transfer = null
             if (asked.upload) {

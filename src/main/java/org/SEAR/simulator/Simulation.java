@@ -3,7 +3,6 @@ package org.SEAR.simulator;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -26,6 +25,7 @@ import org.SEAR.robot.Robot;
 import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.simulator.orders.BodyOrder;
+import org.SEAR.simulator.orders.Hand;
 
 /**
  * A running world: physics, robots, sensors and devices, advanced in steps of 1/60 s.
@@ -61,6 +61,7 @@ public final class Simulation implements AutoCloseable {
     private int part;
     private final RunOrigin origin;
     private RunTap tap;
+    private final Consumer<BodyOrder> pulls = order -> tell(who -> who.order(order));
     /** What comes after a step while its outputs still belong to it. */
     private final List<Consumer<RunTap>> late = new ArrayList<>();
     private boolean delivering;
@@ -76,7 +77,7 @@ public final class Simulation implements AutoCloseable {
         actuators = new Actuators(world.getRobots());
         deviceWarnings = warnings.list();
         observer = new SnapshotRecorder(world, instruments, warnings);
-        robots = Collections.unmodifiableList(new ArrayList<Robot>(world.getRobots()));
+        robots = List.copyOf(world.getRobots());
         start();
     }
 
@@ -99,11 +100,7 @@ public final class Simulation implements AutoCloseable {
         return of(project, seed, EPOCH);
     }
 
-    /**
-     * Builds the world of a project.
-     *
-     * @param epochMillis UTC of simulated time 0, milliseconds since 1970
-     */
+    /** Builds the world of a project. Simulated time 0 is at that UTC, milliseconds since 1970. */
     public static Simulation of(Project project, long seed, long epochMillis) throws ProjectException {
         return new Simulation(project, seed, epochMillis, true);
     }
@@ -132,7 +129,7 @@ public final class Simulation implements AutoCloseable {
         thread = Thread.currentThread();
         obey();
         instruments.accept(getDeviceTime());
-        world.step();
+        world.step(pulls);
         step++;
         part = 0;
         world.observe(step);
@@ -488,11 +485,7 @@ public final class Simulation implements AutoCloseable {
         snapshot = observer.look(step);
     }
 
-    /**
-     * Snapshots carry fresh readings and status lines every so many steps. Simulation thread.
-     *
-     * @param steps 1 or more, default 2
-     */
+    /** Snapshots carry fresh readings and status lines every so many steps, 1 or more, by default 2. Simulation thread. */
     void setDisplayInterval(int steps) {
         observer.setInterval(steps);
     }
@@ -516,6 +509,11 @@ public final class Simulation implements AutoCloseable {
     public void order(BodyOrder order) {
         world.order(order);
         tell(who -> who.order(order));
+    }
+
+    /** Has a hand pull a thing or a robot from the next step on, until it lets go; throws as {@link #order(BodyOrder)} does. Simulation thread. */
+    public void hold(Hand hand, String name) {
+        world.hold(hand, name);
     }
 
     /**

@@ -35,6 +35,7 @@ import org.SEAR.robot.surface.SurfaceColors;
 import org.SEAR.sensors.Earth;
 import org.SEAR.simulator.orders.BodyOrder;
 import org.SEAR.simulator.orders.BodyOrders;
+import org.SEAR.simulator.orders.Hand;
 
 /** The things of a project: environment and robots in physics and before the beams. Simulation thread. */
 final class World implements PhysicsWorld.Touches {
@@ -218,6 +219,11 @@ final class World implements PhysicsWorld.Touches {
         orders.obey(order, moves.body(order.name));
     }
 
+    /** See {@link Simulation#hold}. */
+    void hold(Hand hand, String name) {
+        orders.hold(hand, moves.body(name));
+    }
+
     Moves getMoves() {
         return moves;
     }
@@ -231,12 +237,16 @@ final class World implements PhysicsWorld.Touches {
         return environment;
     }
 
-    /** The physics of a step: wheels find their ground, jbullet moves the bodies, wheels turn, beams' geometry follows. */
-    void step() {
+    /**
+     * The physics of a step: wheels find their ground, jbullet moves the bodies, wheels turn, beams' geometry follows.
+     *
+     * @param told hears what hands do in it
+     */
+    void step(Consumer<BodyOrder> told) {
         for (int i = 0; i < robots.size(); i++) {
             robots.get(i).prepare();
         }
-        orders.act();
+        orders.act(told);
         physics.step();
         fallen.look();
         boolean moved = false;

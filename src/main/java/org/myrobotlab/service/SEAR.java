@@ -14,6 +14,7 @@ import org.myrobotlab.service.link.PanelFiles;
 import org.myrobotlab.service.sear.SensorReading;
 import org.myrobotlab.service.sear.files.Edits;
 import org.myrobotlab.service.sear.files.ExampleScripts;
+import org.myrobotlab.service.sear.files.ScriptCalls;
 import org.myrobotlab.service.sear.panel.Preview;
 import org.myrobotlab.service.sear.records.Plots;
 import org.myrobotlab.service.sear.records.Recording;
@@ -499,6 +500,16 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      */
     public void setSpin(String name, double x, double y, double z) {
         calls.act(() -> parts.bodies().spin(name, x, y, z));
+    }
+
+    /** A panel's mouse holds a thing or robot and pulls it, see {@code ScriptBodies}: metres from where it was taken. */
+    public void hold(String name, List<?> way) {
+        calls.act(() -> parts.bodies().hold(name, way));
+    }
+
+    /** And lets go. */
+    public void letGo(String name) {
+        calls.act(() -> parts.bodies().letGo(name));
     }
 
     // ---- reading (a simulation must run) ---------------------------------------------------------------------------
@@ -1186,6 +1197,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     /** Paths of example projects, for panels. */
     public List<String> getExamples() {
         return calls.attempt(() -> parts.projects().examples());
+    }
+
+    /** What scripts can call, for panels with an editor: type, name, parameters and doc of each call. */
+    public List<Map<String, String>> getScriptCalls() {
+        return calls.attempt(ScriptCalls::list);
     }
 
     /** Has the service named python run an example script, as the tab of that does; returns at once. */

@@ -22,6 +22,7 @@ import org.SEAR.project.ProjectRule;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.orders.BodyOrder;
 import org.SEAR.simulator.orders.BodyOrder.Kind;
+import org.SEAR.simulator.orders.Hand;
 import org.junit.Rule;
 import org.junit.Test;
 
@@ -88,6 +89,27 @@ public class PushesInRecordsTest {
         assertTrue(result.toString(), result.same && result.whole);
         change(-3000);
         assertFalse("another push, the same bytes", again().same);
+    }
+
+    @Test
+    public void whatAHandHasPulledIsPulledAgain() throws Exception {
+        new Floor("floor", 40, 40);
+        SEARrobot car = Robots.car("car");
+        GPS gps = new GPS("gps", 33.6, 182.5, -80.8);
+        gps.setPorts("/dev/gpsUart", "/dev/gpsUser");
+        car.addComponent(gps);
+        try (Simulation world = Simulation.of(Project.read(project.folder()), 7)) {
+            Recorder recorder = Recorder.begin(world, file(), Recorder.LIMIT, said -> { });
+            Hand hand = new Hand("car", () -> 0);
+            hand.moveTo(FORCE, 2, 5);
+            world.hold(hand, "car");
+            run(world, 100);
+            hand.letGo();
+            run(world, 100);
+            recorder.end();
+        }
+        Rerun.Result result = again();
+        assertTrue(result.toString(), result.same && result.whole);
     }
 
     @Test

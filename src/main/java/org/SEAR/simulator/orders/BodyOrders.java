@@ -1,7 +1,10 @@
 package org.SEAR.simulator.orders;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.geometry.TimeStep;
@@ -10,6 +13,7 @@ import org.SEAR.physics.Body;
 /** Gives bodies the velocities with which they start, and what they are told while the world runs. Simulation thread. */
 public final class BodyOrders {
     private final Pushes pushes = new Pushes();
+    private final Map<Hand, Body> hands = new LinkedHashMap<>();
     private final List<Body> launched = new ArrayList<>();
     private final List<Shape> shapes = new ArrayList<>();
     private final double[] v = new double[6];
@@ -39,12 +43,7 @@ public final class BodyOrders {
      * @throws IllegalArgumentException if it can't be moved
      */
     public void obey(BodyOrder order, Body body) {
-        if (body == null) {
-            throw new IllegalArgumentException("nothing that can be moved is named \"" + order.name + "\", legal: a thing with a mass, or a robot");
-        }
-        if (body.isFixed()) {
-            throw new IllegalArgumentException(order.name + " is fixed (mass 0) and can't be moved so, legal: a thing with a mass, or a robot");
-        }
+        check(order.name, body);
         if (order.kind == BodyOrder.Kind.PUSH) {
             checkStrength(order, body);
             pushes.add(body, order);
@@ -58,6 +57,26 @@ public final class BodyOrders {
         }
     }
 
+    private static void check(String name, Body body) {
+        if (body == null) {
+            throw new IllegalArgumentException("nothing that can be moved is named \"" + name + "\", legal: a thing with a mass, or a robot");
+        }
+        if (body.isFixed()) {
+            throw new IllegalArgumentException(name + " is fixed (mass 0) and can't be moved so, legal: a thing with a mass, or a robot");
+        }
+    }
+
+    /**
+     * Has a hand hold something from the next step on, until it lets go.
+     *
+     * @param body of its name; null if there is none
+     * @throws IllegalArgumentException if it can't be moved
+     */
+    public void hold(Hand hand, Body body) {
+        check(hand.getName(), body);
+        hands.put(hand, body);
+    }
+
     private static void checkStrength(BodyOrder order, Body body) {
         double force = Math.sqrt(order.x * order.x + order.y * order.y + order.z * order.z);
         double most = BodyOrder.FASTEST * body.mass / TimeStep.SECONDS;
@@ -67,13 +86,31 @@ public final class BodyOrders {
         }
     }
 
-    /** Before the physics of a step. */
-    public void act() {
+    /**
+     * Before the physics of a step.
+     *
+     * @param told hears what hands do in it
+     */
+    public void act(Consumer<BodyOrder> told) {
+        if (!hands.isEmpty()) {
+            hands.entrySet().removeIf(held -> !pull(held.getKey(), held.getValue(), told));
+        }
         pushes.act();
+    }
+
+    /** @return false once it has let go */
+    private boolean pull(Hand hand, Body body, Consumer<BodyOrder> told) {
+        BodyOrder order = hand.pull(body);
+        if (order != null) {
+            obey(order, body);
+            told.accept(order);
+        }
+        return order != null;
     }
 
     /** A body was put elsewhere, at rest. */
     public void forget(Body body) {
         pushes.forget(body);
+        hands.values().removeIf(held -> held == body);
     }
 }

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.stream.Stream;
 import org.SEAR.web.Browser;
 import org.SEAR.web.MyRobotLab;
+import org.SEAR.web.PythonTab;
 import org.SEAR.web.SearTab;
 import org.SEAR.web.Tabs;
 import org.junit.BeforeClass;
@@ -17,7 +18,6 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TestRule;
 import org.openqa.selenium.Keys;
-import org.openqa.selenium.WebElement;
 
 /** The examples that drive are offered in both tabs, by a click. */
 public class DrivingExamplesInTheTabsTest {
@@ -46,6 +46,8 @@ public class DrivingExamplesInTheTabsTest {
     public void theSearTabRunsOneAndShowsTheRobotDrive() {
         tab.stopAll();
         robotLab.call("sear", "setLockStep", true);
+        browser.script("localStorage.removeItem('python.draft.python')");
+        TABS.open("sear");
         browser.until("the list of examples", () -> browser.texts(".sear-script option").contains("obstacle avoidance"));
         browser.choose(".sear-script", "obstacle avoidance");
         browser.click(".sear-run-script");
@@ -55,6 +57,11 @@ public class DrivingExamplesInTheTabsTest {
             tab.number("world.running.robots[0].pose[2]") - 1.8) < 0.2);
         assertTrue("no other is begun while one drives", !browser.see(".sear-run-script").isEnabled());
         tab.stopAll();
+        assertEquals("the project is called as what the script has opened", "office.sear", browser.see(".sear-path").getAttribute("value"));
+        browser.click("#tab-python");
+        assertTrue("the script is there to be changed", new PythonTab(browser).text().startsWith("# "));
+        assertEquals("obstacle_avoidance.py", browser.see(".python-file").getAttribute("value"));
+        browser.click("#tab-sear");
     }
 
     @Test
@@ -62,17 +69,17 @@ public class DrivingExamplesInTheTabsTest {
         TABS.open("python");
         browser.until("the list of examples", () -> browser.texts(".python-example option").contains("maze_solver.py"));
         browser.choose(".python-example", "maze_solver.py");
-        WebElement editor = browser.see(".python-code");
-        browser.until("the script", () -> editor.getAttribute("value").startsWith("# Finds the way through the maze"));
+        PythonTab python = new PythonTab(browser);
+        browser.until("the script", () -> python.text().startsWith("# Finds the way through the maze"));
         assertEquals("maze_solver.py", browser.see(".python-file").getAttribute("value"));
-        editor.sendKeys(Keys.chord(Keys.CONTROL, Keys.END), "# mine");
+        python.type(Keys.chord(Keys.CONTROL, Keys.END), "# mine");
         browser.choose(".python-example", "wall_follower.py");
         browser.seeText(".python-question", "The text below is not saved.");
         browser.click(".python-cancel");
-        assertTrue(editor.getAttribute("value").endsWith("# mine"));
+        assertTrue(python.text().endsWith("# mine"));
         browser.choose(".python-example", "wall_follower.py");
         browser.click(".python-go");
-        browser.until("the other script", () -> editor.getAttribute("value").startsWith("# Follows the wall"));
+        browser.until("the other script", () -> python.text().startsWith("# Follows the wall"));
         assertTrue("nothing is written to the disk", Files.notExists(robotLab.file("wall_follower.py")));
     }
 }

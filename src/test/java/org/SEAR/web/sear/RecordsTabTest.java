@@ -1,11 +1,16 @@
 package org.SEAR.web.sear;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
+import javax.imageio.ImageIO;
 import org.SEAR.web.Browser;
 import org.SEAR.web.SearTab;
 import org.SEAR.web.Tabs;
@@ -14,6 +19,8 @@ import org.junit.ClassRule;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TestRule;
+import org.openqa.selenium.WebElement;
+import org.openqa.selenium.interactions.Actions;
 
 /** Plots, records and the script of the project in the SEAR tab. */
 public class RecordsTabTest {
@@ -68,17 +75,26 @@ public class RecordsTabTest {
         browser.until("the record", () -> tab.isTrue("replay.shown !== null && plot.names.length > 5"));
         assertEquals("at its start", 0, tab.number("world.shown().robots[0].pose[2]"), 0.01);
         browser.choose(".sear-other", "run1.searlog");
+        browser.until("speed and first sensor by themselves", () -> tab.isTrue("plot.lines.join() === 'roomba.speed,ping'"));
+        browser.click("[aria-label='Plot roomba.speed no more']");
         browser.choose(".sear-add", "roomba.z");
-        browser.choose(".sear-add", "ping");
-        browser.until("four lines", () -> tab.isTrue("plot.chart() && plot.chart().lines.length == 4"));
-        assertEquals(0.6, plot("lines[0].values[plot.chart().lines[0].values.length - 1]"), 0.03);
-        assertEquals(0.2, plot("lines[1].values[plot.chart().lines[1].values.length - 1]"), 0.02);
-        assertEquals(2, plot("scale.to"), 0.05);
+        browser.choose(".sear-add", "roomba.speed");
+        browser.until("six lines", () -> tab.isTrue("plot.chart() && plot.chart().lines.length == 6"));
+        assertEquals(0.6, plot("lines[2].values[plot.chart().lines[2].values.length - 1]"), 0.03);
+        assertEquals(0.2, plot("lines[3].values[plot.chart().lines[3].values.length - 1]"), 0.02);
+        browser.until("all of it is drawn", () -> tab.isTrue("plot.chart().seen() !== null"));
+        assertEquals(2, plot("seen()[1]"), 0.05);
+        assertEquals("an axis for each unit, with title and unit", List.of("simulated time (s)", "length (m)", "roomba.speed (m/s)"),
+            browser.script("var chart = angular.element(document.querySelector('.sear-main')).scope().plot.chart();"
+                + "return chart.plot.axes.map(axis => axis.label)"));
+        assertTrue("the other record in broken lines",
+            tab.isTrue("!plot.chart().plot.series[1].dash && plot.chart().plot.series[2].dash.length === 2"));
+        assertRangesAreChosenByMouse();
         slideTo("max");
         browser.until("the robot at its end", () -> tab.number("world.shown().robots[0].pose[2]") > 0.55);
         browser.seeText(".sear-note", "run3.searlog at 2.00 s of 2.00 s");
         browser.seeText(".sear-readings-of", "run3.searlog at 2.00 s");
-        double read = plot("lines[2].values[plot.chart().lines[2].values.length - 1]");
+        double read = plot("lines[0].values[plot.chart().lines[0].values.length - 1]");
         browser.seeText("[data-sensor='ping'] .sear-reading", String.format(Locale.ROOT, "%.3f", read));
         browser.seeText("[data-sensor='touch'] .sear-reading", "not pressed");
         browser.seeText("[data-sensor='scanner'] .sear-reading", "nearest ");
@@ -87,12 +103,119 @@ public class RecordsTabTest {
         browser.seeText("[data-led='lamp']", "lamp: 0 %");
         browser.click(".sear-csv");
         String csv = Files.readString(browser.download("plot.csv"));
-        assertTrue(csv, csv.startsWith("time (s) run3.searlog,roomba.z run3.searlog,"));
+        assertTrue(csv, csv.startsWith("time (s) run3.searlog,ping (m) run3.searlog,"));
+        browser.click(".sear-png");
+        BufferedImage picture = ImageIO.read(browser.download("plot.png").toFile());
+        assertTrue("as wide as the plot, with its lines' names", picture.getWidth() > 600 && picture.getHeight() > 250);
         browser.choose(".sear-replay-speed", "50 \u00d7");
         browser.click(".sear-play");
         browser.until("played to its end", () -> tab.isTrue("!replay.shown.playing && replay.shown.index === replay.shown.times.length - 1"));
         browser.click(".sear-end-replay");
         browser.until("what is now", () -> tab.isTrue("replay.shown === null && world.shown().robots[0].pose[2] < 0.1"));
+    }
+
+    @Test
+    public void aReplaySaysSoAndEndsAsSoonAsItsUserTurnsToWhatIsNow() {
+        TABS.robotLab().run(WORLD + "\n" + RUNS);
+        browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
+        browser.click(".sear-plots");
+        replay();
+        browser.click(".sear-back-to-now");
+        assertEnded("the button");
+        browser.click(".sear-replay");
+        browser.seeText(".sear-badge", "Replay of run3.searlog");
+        browser.click(".sear-build");
+        assertEnded("Build");
+        browser.click(".sear-build");
+        browser.click(".sear-replay");
+        browser.seeText(".sear-badge", "Replay of run3.searlog");
+        browser.click(".sear-plots");
+        assertEnded("folding the plots");
+        browser.click(".sear-plots");
+        browser.click(".sear-replay");
+        browser.seeText(".sear-badge", "Replay of run3.searlog");
+        tab.start();
+        assertEnded("Start");
+        browser.until("this run is plotted", () -> tab.isTrue("plot.source === ''"));
+        browser.click(".sear-stop");
+        tab.waitForStatus("no simulation runs");
+        replay();
+        tab.openExample("maze");
+        assertEnded("an example");
+        browser.until("the maze", () -> tab.isTrue("world.shown().objects.length > 5"));
+        replay();
+        browser.type(".sear-path", "examples/office.sear");
+        browser.click(".sear-load");
+        assertEnded("Open");
+        browser.until("the office", () -> tab.isTrue("world.shown().robots[0].name === 'office Roomba'"));
+        replay();
+        browser.click(".sear-new");
+        assertEnded("New");
+    }
+
+    private void replay() {
+        browser.choose(".sear-source", "run3.searlog");
+        browser.seeText(".sear-badge", "Replay of run3.searlog");
+    }
+
+    private void assertEnded(String how) {
+        browser.until(how + " ends the replay", () -> tab.isTrue("replay.shown === null && world.instead === null"));
+        browser.until(how + " takes the words away", () -> browser.all(".sear-badge").stream().noneMatch(WebElement::isDisplayed));
+    }
+
+    @Test
+    public void aRecordIsSharedAsOnePageThatPlaysItWithoutSearAndFilmed() throws IOException {
+        TABS.robotLab().run(WORLD + "\n" + RUNS);
+        browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
+        browser.click(".sear-plots");
+        assertFalse("there is nothing to share", browser.see(".sear-share").isEnabled());
+        replay();
+        film();
+        browser.script("angular.element(document.querySelector('.sear-main')).scope().replay.shown.world.objects[0].note = 'x'.repeat(24e6)");
+        browser.click(".sear-share");
+        browser.seeText(".sear-main .alert-danger", "MB, legal: at most 24 MB");
+        browser.script("delete angular.element(document.querySelector('.sear-main')).scope().replay.shown.world.objects[0].note");
+        browser.click(".sear-share");
+        Path page = browser.download("run3.html");
+        Path film = browser.download("sear.webm");
+        browser.driver().get(film.toUri().toString());
+        browser.until("a film that can be seen",
+            () -> Boolean.TRUE.equals(browser.script("return document.querySelector('video').videoWidth > 300")));
+        browser.driver().get(page.toUri().toString());
+        double[] start = {inPlayer("robots[0].shown[2]")};
+        browser.until("the robot drives on its own", () -> inPlayer("robots[0].shown[2]") > 0.5);
+        assertEquals("from its start", 0, start[0], 0.3);
+        assertEquals("in the shapes and pictures that it had", Boolean.TRUE, browser.script("return player.scene.objects.concat("
+            + "player.scene.robots[0].parts).every(item => item.dressed) && Object.keys(player.scene.looks.textures).length > 1"));
+        browser.until("its lamp is lit", () -> inPlayer("robots[0].lights[0].bulb.material.color.r") > 0.9);
+        browser.script("var slider = document.getElementById('slider'); slider.value = 0; slider.oninput()");
+        browser.until("back at its start", () -> inPlayer("robots[0].shown[2]") < 0.01);
+        browser.click("#play");
+        browser.seeText("#play", "Pause");
+        assertEquals("nothing is fetched", 0L,
+            browser.script("return performance.getEntriesByType('resource').filter(one => /^http/.test(one.name)).length"));
+    }
+
+    private double inPlayer(String expression) {
+        return ((Number) browser.value(expression, () -> browser.script("return typeof player === 'undefined' || !player.scene.robots[0].shown ? null"
+            + " : player.scene." + expression))).doubleValue();
+    }
+
+    private void film() {
+        browser.click(".sear-video");
+        browser.until("it films", () -> tab.isTrue("video.running"));
+        browser.click(".sear-play");
+        browser.until("a second of it", () -> tab.number("replay.time()") > 1);
+        browser.click(".sear-video");
+        browser.seeText(".sear-main .alert-info", "the video is saved as sear.webm");
+    }
+
+    private void assertRangesAreChosenByMouse() {
+        WebElement over = browser.see(".sear-plot .u-over");
+        new Actions(browser.driver()).moveToElement(over).clickAndHold().moveByOffset(100, 0).moveByOffset(50, 0).release().perform();
+        browser.until("a part of it", () -> tab.isTrue("plot.chart().seen()[0] > 0.9 && plot.chart().seen()[1] < 1.6"));
+        new Actions(browser.driver()).doubleClick(browser.see(".sear-plot .u-over")).perform();
+        browser.until("all again", () -> tab.isTrue("plot.chart().range === null && plot.chart().seen()[0] < 0.1"));
     }
 
     private void slideTo(String end) {
@@ -105,15 +228,16 @@ public class RecordsTabTest {
     public void theRunIsPlottedWhileItGoesOnAndRecordedByAButton() {
         TABS.robotLab().run(WORLD);
         browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
+        browser.click(".sear-plots");
+        browser.seeText(".sear-plot-hint", "Start the simulation, or choose a record");
         browser.click(".sear-record");
         browser.until("a record is asked for", () -> tab.isTrue("service.recorded"));
         tab.start();
-        browser.click(".sear-plots");
-        browser.choose(".sear-add", "ping");
-        browser.until("points", () -> tab.isTrue("plot.chart() && plot.chart().lines.length == 1 && plot.chart().lines[0].values.length > 5"));
+        browser.until("no hint", () -> browser.all(".sear-plot-hint").stream().noneMatch(WebElement::isDisplayed));
+        browser.until("points", () -> tab.isTrue("plot.chart() && plot.chart().lines.length == 2 && plot.chart().lines[1].values.length > 5"));
         browser.click(".sear-forward");
-        browser.until("it comes nearer", () -> tab.isTrue("plot.chart().lines[0].values[plot.chart().lines[0].values.length - 1]"
-            + " < plot.chart().lines[0].values[3] - 0.05"));
+        browser.until("it comes nearer", () -> tab.isTrue("plot.chart().lines[1].values[plot.chart().lines[1].values.length - 1]"
+            + " < plot.chart().lines[1].values[3] - 0.05"));
         browser.click(".sear-pause-plot");
         browser.until("held", () -> tab.isTrue("plot.paused !== null"));
         browser.click(".sear-stop");

@@ -10,13 +10,13 @@ import java.nio.file.Files;
 import java.util.List;
 import org.SEAR.web.Browser;
 import org.SEAR.web.MyRobotLab;
+import org.SEAR.web.PythonTab;
 import org.SEAR.web.Tabs;
 import org.junit.ClassRule;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TestRule;
 import org.openqa.selenium.Keys;
-import org.openqa.selenium.WebElement;
 
 /** The Python tab and the Serial tab of the embedded MyRobotLab, with a simulated Roomba at the other end. */
 public class ScriptsAndPortsTest {
@@ -27,11 +27,10 @@ public class ScriptsAndPortsTest {
     public final TestRule page = TABS.page("python");
     private final Browser browser = TABS.browser();
     private final MyRobotLab robotLab = TABS.robotLab();
+    private final PythonTab python = new PythonTab(browser);
 
     private void code(String text) {
-        WebElement editor = browser.see(".python-code");
-        editor.sendKeys(Keys.chord(Keys.CONTROL, "a"), Keys.DELETE);
-        editor.sendKeys(text);
+        python.replace(text);
     }
 
     // ---- Python --------------------------------------------------------------------------------------------------------
@@ -44,7 +43,7 @@ public class ScriptsAndPortsTest {
         browser.seeText(".mrl-console", "I have rightEZ0");
         browser.seeText(".python-status", "ready");
         code("print 6 * 7");
-        browser.see(".python-code").sendKeys(Keys.chord(Keys.CONTROL, Keys.ENTER));
+        python.type(Keys.chord(Keys.CONTROL, Keys.ENTER));
         browser.seeText(".mrl-console", "42");
     }
 
@@ -59,6 +58,34 @@ public class ScriptsAndPortsTest {
         assertFalse(browser.text("footer").contains("NameError"));
         browser.click("#tab-sear");
         browser.seeText("#shell-statuses", "NameError");
+        browser.click("#tab-python");
+        assertEquals("the wrong line is marked", List.of("2"), browser.value("a mark", () -> {
+            List<String> marked = browser.texts(".ace_gutter-cell.ace_error");
+            return marked.isEmpty() ? null : marked;
+        }));
+        python.type(" ");
+        browser.until("no longer, once something is typed", () -> browser.all(".ace_gutter-cell.ace_error").isEmpty());
+    }
+
+    @Test
+    public void whatAServiceCanDoIsOfferedWhileItIsTyped() {
+        code("");
+        python.type("if True:", Keys.ENTER, "sear.");
+        browser.until("the calls of the page scripting.md", () -> isOffered("drive(speed, radius)"));
+        python.type("simSl");
+        browser.until("one is left", () -> browser.all(".ace_autocomplete .ace_line").size() == 1 && isOffered("simSleep(seconds)"));
+        python.type(Keys.ENTER);
+        python.type("0.25");
+        browser.until("typed over its parameter, and indented", () -> python.text().equals("if True:\n    sear.simSleep(0.25)"));
+        code("eyes = Runtime.start('eyes', 'LIDAR')\n");
+        python.type("eyes.single");
+        browser.until("of a variable of the script, too", () -> isOffered("singleScan()"));
+        python.type(Keys.ESCAPE);
+    }
+
+    /** What was typed of a call stands in a part of its line. */
+    private boolean isOffered(String call) {
+        return browser.texts(".ace_autocomplete .ace_line").stream().anyMatch(line -> line.replace("\n", "").contains(call));
     }
 
     @Test
@@ -79,14 +106,15 @@ public class ScriptsAndPortsTest {
         browser.type(".python-file", "mine.py");
         code("");
         browser.click(".python-open");
-        browser.until("the script", () -> text.equals(browser.see(".python-code").getAttribute("value")));
-        assertEquals("# comment", browser.texts(".py-c").get(0));
-        assertEquals(List.of("if", "True", "print"), browser.texts(".py-k"));
-        assertEquals(List.of("\"text\""), browser.texts(".py-s"));
-        assertEquals(List.of("12"), browser.texts(".py-n"));
-        browser.see(".python-code").sendKeys(Keys.chord(Keys.CONTROL, Keys.END), "\n", Keys.TAB, "x = 1");
+        browser.until("the script", () -> text.equals(python.text()));
+        browser.seeText(".python-code .ace_comment", "# comment");
+        assertEquals(List.of("if", "print"), browser.texts(".python-code .ace_keyword").subList(0, 2));
+        assertEquals(List.of("\"text\""), browser.texts(".python-code .ace_string"));
+        assertEquals(List.of("12"), browser.texts(".python-code .ace_numeric"));
+        assertEquals(List.of("1", "2", "3"), browser.texts(".python-code .ace_gutter-cell"));
+        python.type(Keys.chord(Keys.CONTROL, Keys.END), "\n", "x = 1", "\n", Keys.TAB, "# deeper");
         browser.click(".python-save");
-        browser.until("the saved script", () -> read("mine.py").endsWith("12\n    x = 1"));
+        browser.until("the saved script", () -> read("mine.py").endsWith("12\n    x = 1\n        # deeper"));
         browser.until("it in the list of scripts", () -> browser.all(".mrl-python datalist option").stream()
             .anyMatch(option -> "mine.py".equals(option.getAttribute("value"))));
     }
@@ -98,13 +126,13 @@ public class ScriptsAndPortsTest {
         browser.until("the text is kept", () -> String.valueOf(browser.script("return localStorage.getItem('python.draft.python')"))
             .contains("not saved yet"));
         TABS.open("python");
-        assertEquals("print 'not saved yet'", browser.see(".python-code").getAttribute("value"));
+        assertEquals("print 'not saved yet'", python.text());
         browser.type(".python-file", "mispelt.py");
         browser.click(".python-open");
         browser.seeText(".python-question", "The text below is not saved.");
         browser.click(".python-go");
         browser.seeText(".python-problem", "mispelt.py can't be opened: there is no such file");
-        assertEquals("print 'not saved yet'", browser.see(".python-code").getAttribute("value"));
+        assertEquals("print 'not saved yet'", python.text());
         browser.type(".python-file", "no/such/folder/x.py");
         browser.click(".python-save");
         browser.click(".python-go");
@@ -124,7 +152,7 @@ public class ScriptsAndPortsTest {
         browser.click(".python-save");
         browser.click(".python-go");
         browser.until("the new text", () -> read("foreign.py").equals("print 'mine'"));
-        browser.see(".python-code").sendKeys(Keys.chord(Keys.CONTROL, Keys.END), "  # more");
+        python.type(Keys.chord(Keys.CONTROL, Keys.END), "  # more");
         browser.click(".python-save");
         browser.until("its own text is overwritten without a question", () -> read("foreign.py").endsWith("# more"));
     }

@@ -173,6 +173,88 @@ public class SearTabTest {
         browser.until("reset", () -> tab.time() < before);
     }
 
+    private void key(Keys key, boolean down) {
+        Actions actions = new Actions(browser.driver());
+        (down ? actions.keyDown(key) : actions.keyUp(key)).perform();
+    }
+
+    private void untilItStands() {
+        browser.until("it stands", () -> tab.number("world.running.robots[0].speed") == 0
+            && Math.abs(tab.number("world.running.robots[0].turnRate")) < 0.001);
+    }
+
+    @Test
+    public void keysThatAreHeldDriveAndStopWhenTheyAreLetGoAsAGamepadDoes() {
+        tab.openExample("maze");
+        tab.start();
+        WebElement view = browser.see(".sear-view");
+        new Actions(browser.driver()).moveToElement(view, 0, 0).click().keyDown("w").perform();
+        browser.until("forward", () -> tab.number("world.running.robots[0].speed") > 0.15);
+        new Actions(browser.driver()).keyDown("a").perform();
+        browser.until("an arc to the left", () -> tab.number("world.running.robots[0].turnRate") > 0.1
+            && tab.number("world.running.robots[0].speed") > 0.1);
+        new Actions(browser.driver()).keyUp("w").keyUp("a").perform();
+        untilItStands();
+        key(Keys.ARROW_DOWN, true);
+        browser.until("backward", () -> tab.number("world.running.robots[0].speed") < -0.15);
+        key(Keys.ARROW_DOWN, false);
+        untilItStands();
+        key(Keys.ARROW_RIGHT, true);
+        browser.until("to the right", () -> tab.number("world.running.robots[0].turnRate") < -0.1);
+        browser.script("window.dispatchEvent(new Event('blur'))");
+        untilItStands();
+        key(Keys.ARROW_RIGHT, false);
+        browser.script("var cross = []; for (var i = 0; i < 17; i++) { cross.push({pressed: false}) }"
+            + "window.pad = {axes: [0, -1], buttons: cross};"
+            + "Object.defineProperty(navigator, 'getGamepads', {configurable: true, value: function() { return [null, window.pad] }})");
+        browser.until("the stick's speed", () -> tab.number("world.running.robots[0].speed") > 0.3);
+        browser.script("window.pad.axes = [0.1, 0.05]");
+        untilItStands();
+        browser.script("window.pad.buttons[14].pressed = true");
+        browser.until("the cross, to the left", () -> tab.number("world.running.robots[0].turnRate") > 0.1);
+        browser.script("window.pad.buttons[14].pressed = false");
+        untilItStands();
+        browser.script("delete navigator.getGamepads");
+    }
+
+    @Test
+    public void withShiftTheMousePullsWhatIsLooseAndLetsItGo() {
+        robotLab.run("from org.SEAR.POJOs import Box, Floor\nsear.newProject()\nFloor('floor', 10, 10)\n"
+            + "Box('crate', 0.5, 0.5, 0.5, 2).move(1, 0.25, -1)\nBox('wall', 0.5, 0.5, 0.5, 0).move(-1, 0.25, -1)\n");
+        browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().objects.length == 3"));
+        assertFalse("there is nothing to drive", tab.isTrue("run.whyNoDrive() === ''"));
+        tab.start();
+        String crate = "(world.running.objects | filter:{name: 'crate'})[0].pose";
+        dragWithShift(1, -1, 1, 1, () -> browser.until("pulled to the east", () -> tab.number(crate + "[2]") > 0.7
+            && browser.all(".sear-spring").stream().anyMatch(WebElement::isDisplayed)));
+        browser.until("the spring is gone", () -> browser.all(".sear-spring").stream().noneMatch(WebElement::isDisplayed));
+        browser.until("it rests", () -> robotLab.call("sear", "getPose", "crate").get(1).asDouble() < 0.26);
+        double x = tab.number("view.x");
+        dragWithShift(-1, -1, 0, -1, () -> browser.until("what is fixed stays, and the view moves", () -> tab.number("view.x") < x - 0.5));
+        browser.click(".sear-fit");
+        dragWithShift(1, tab.number(crate + "[2]"), 1, -1, () -> {
+            browser.until("pulled to the west", () -> tab.number(crate + "[2]") < 0);
+            TABS.open("sear");
+        });
+        browser.until("the page that went away holds it no longer", () -> robotLab.call("sear", "getPose", "crate").get(1).asDouble() < 0.26);
+    }
+
+    private void dragWithShift(double x, double z, double toX, double toZ, Runnable meanwhile) {
+        WebElement view = browser.see(".sear-view");
+        double[] from = tab.toScreen(x, z);
+        double[] to = tab.toScreen(toX, toZ);
+        int width = view.getSize().width / 2;
+        int height = view.getSize().height / 2;
+        new Actions(browser.driver()).keyDown(Keys.SHIFT).moveToElement(view, (int) from[0] - width, (int) from[1] - height).clickAndHold()
+            .moveByOffset((int) (to[0] - from[0]) / 2, (int) (to[1] - from[1]) / 2)
+            .moveByOffset((int) (to[0] - from[0]) / 2, (int) (to[1] - from[1]) / 2).perform();
+        try {
+            meanwhile.run();
+        } finally {
+            new Actions(browser.driver()).release().keyUp(Keys.SHIFT).perform();
+        }
+    }
+
     @Test
     public void aDoubleClickStartsAndStopsOnceAndNothingIsComplainedAbout() {
         tab.openExample("maze");

@@ -1,32 +1,13 @@
 // Plots in the SEAR panel: values over time, live and from records.
-import {Chart, colors, csv, valueAt} from './chart.js'
-import {frame, rotate} from '../shared/geometry.js'
-import {whenPageChanges} from '../shared/page.js'
-import {saveText} from '../shared/words.js'
+import {Curves, colors} from './curves.js'
+import {csv, valueAt} from './table.js'
+import {firstOf, unitOf, valuesOf} from './values.js'
+import {oncePerPicture, whenPageChanges} from '../shared/page.js'
+import {saveBlob, saveText} from '../shared/words.js'
 
 var MOST_SAMPLES = 6000     // live ones; ten minutes
 var MOST_NAMES = 300        // values of a live world
 var MOST_LINES = 16
-
-/** All values of a world by their names. */
-function valuesOf(world) {
-    var values = {}
-    world.robots.forEach(function(robot) {
-        var ahead = rotate(frame(robot.pose), [0, 0, 1])
-        values[robot.name + '.x'] = robot.pose[0]
-        values[robot.name + '.y'] = robot.pose[1]
-        values[robot.name + '.z'] = robot.pose[2]
-        values[robot.name + '.heading'] = Math.atan2(ahead[2], ahead[0]) * 180 / Math.PI
-        values[robot.name + '.speed'] = robot.speed
-        values[robot.name + '.turnRate'] = robot.turnRate
-    })
-    world.sensors.forEach(function(sensor) {
-        sensor.names.forEach(function(name, i) {
-            values[sensor.name + name] = sensor.numbers[i]
-        })
-    })
-    return values
-}
 
 /** Of one panel. */
 export function makePlot(panel, world, records, replay, layout) {
@@ -35,6 +16,7 @@ export function makePlot(panel, world, records, replay, layout) {
     var live = {times: [], values: {}, last: -1}
     var fetched = {}            // values of records: by path and name, {times, values}
     var awaited = {}
+    var touched = false         // whether the user has said what to plot
     var plot = {
         source: '',             // path of the record that is plotted; empty for the running simulation
         other: '',              // path of a second one
@@ -42,6 +24,7 @@ export function makePlot(panel, world, records, replay, layout) {
         open: false,            // whether that part is open
         paused: null,           // the live samples as they were when the plot was paused
         lines: [],              // names that are plotted
+        hint: '',               // what to do where nothing is seen
         names: []               // names that there are
     }
 
@@ -51,27 +34,51 @@ export function makePlot(panel, world, records, replay, layout) {
         if (plot.open) {
             msg.send('getRecords')
             nameValues()
+        } else {
+            replay.end()
         }
     })
     function nameValues() {
-        var running = plot.source ? null : world.running
-        if (running) {
-            plot.names = Object.keys(valuesOf(running)).slice(0, MOST_NAMES)
+        var now = plot.source ? null : world.now()
+        if (now) {
+            plot.names = Object.keys(valuesOf(now)).slice(0, MOST_NAMES)
+            begin()
+        }
+    }
+    /** As long as its user has not chosen, it shows what most want to see. */
+    function begin() {
+        var first = touched ? [] : firstOf(world.now(), plot.names)
+        if (first.length) {
+            plot.lines = first
+            fetch()
         }
     }
     plot.chooseSource = function() {
         plot.names = []
         replay.end()
         showAll()
-        if (plot.source) {
-            awaited.frames = plot.source
-            msg.send('getRecordFrames', plot.source)
-        }
+        plot.replay()
         nameValues()
         fetch()
     }
+    /** Shows the record in the views, from its beginning. */
+    plot.replay = function() {
+        awaited.frames = plot.source || null
+        if (plot.source) {
+            msg.send('getRecordFrames', plot.source)
+        }
+    }
+    /** What is now is plotted and shown, no record. */
+    plot.showNow = function() {
+        replay.end()
+        if (plot.source) {
+            plot.source = ''
+            plot.chooseSource()
+        }
+    }
     plot.addLine = function() {
         var name = plot.add
+        touched = true
         if (name && plot.lines.indexOf(name) < 0 && plot.lines.length < MOST_LINES) {
             plot.lines.push(name)
         }
@@ -79,6 +86,7 @@ export function makePlot(panel, world, records, replay, layout) {
         fetch()
     }
     plot.removeLine = function(name) {
+        touched = true
         plot.lines = plot.lines.filter(other => other !== name)
         draw()
     }
@@ -106,6 +114,7 @@ export function makePlot(panel, world, records, replay, layout) {
         }
         if (state.time < live.last || !live.times.length) {     // another run
             live = {times: [], values: {}, last: -1}
+            plot.names = plot.source ? plot.names : []
         }
         live.last = state.time
         var values = valuesOf(state)
@@ -137,14 +146,15 @@ export function makePlot(panel, world, records, replay, layout) {
         var shown = []
         plot.lines.forEach(function(name, i) {
             var color = colors[i % colors.length]
+            var unit = unitOf(name, world.now())
             if (!plot.source) {
                 var from = plot.paused || live
-                shown.push({name: name, times: from.times, values: from.values[name] || [], color: color})
+                shown.push({name: name, unit: unit, times: from.times, values: from.values[name] || [], color: color})
             }
             [plot.source, plot.other].forEach(function(path, k) {
                 var data = path && fetched[path + '\n' + name]
                 if (data && (k === 0 || path !== plot.source)) {
-                    shown.push({name: name, source: path, times: data.times, values: data.values, color: color, dashed: k === 1})
+                    shown.push({name: name, unit: unit, source: path, times: data.times, values: data.values, color: color, dashed: k === 1})
                 }
             })
         })
@@ -166,24 +176,33 @@ export function makePlot(panel, world, records, replay, layout) {
         }).join(' / ')
     }
     function draw() {
-        var canvas = panel.element('plot')
-        if (!canvas || !canvas.clientWidth) {
+        var box = panel.element('plot')
+        if (!box || !box.clientWidth || !box.clientHeight) {
             return
         }
-        if (!chart || chart.canvas !== canvas) {
-            chart = new Chart(canvas, function(time) {
+        if (!chart || chart.box !== box) {
+            var range = chart && chart.range
+            chart = new Curves(box, function(time) {
                 pointed = time
-                draw()
-                panel.scope.$applyAsync()
+                redraw()
             })
+            chart.range = range
         }
-        chart.marked = timeMarked()
-        chart.draw(linesToDraw())
+        chart.draw(linesToDraw(), timeMarked())
+        plot.hint = hint()
+    }
+    var redraw = oncePerPicture(function() {
+        draw()
+        panel.scope.$applyAsync()
+    })
+    /** What to do where nothing is seen. */
+    function hint() {
+        return !plot.lines.length ? 'Nothing is plotted: choose a value above'
+            : !chart.isEmpty() ? '' : plot.source || world.running ? 'No values yet' : 'Start the simulation, or choose a record, to see values over time'
     }
     plot.zoom = function(factor) {
         if (chart) {
             chart.zoom(factor)
-            draw()
         }
     }
     function showAll() {
@@ -198,9 +217,15 @@ export function makePlot(panel, world, records, replay, layout) {
     plot.save = function() {
         saveText('plot.csv', csv(linesToDraw()))
     }
+    plot.savePicture = function() {
+        draw()
+        chart.picture(layout.dark ? '#1e1e1e' : '#ffffff').toBlob(function(blob) {
+            saveBlob('plot.png', blob)
+        })
+    }
     panel.scope.$watch(function() {
-        var canvas = plot.open && panel.element('plot')
-        return canvas ? canvas.clientWidth + ' ' + canvas.clientHeight : ''
+        var box = plot.open && panel.element('plot')
+        return box ? box.clientWidth + ' ' + box.clientHeight : ''
     }, draw)
     /** What draws it, for tests; null before it was seen. */
     plot.chart = function() {
@@ -209,6 +234,10 @@ export function makePlot(panel, world, records, replay, layout) {
 
     world.told.hear(sample)
     replay.moved.hear(draw)
+    world.previewed.hear(function() {
+        nameValues()
+        draw()
+    })
     whenPageChanges(panel.scope, draw)
     records.ended.hear(function() {
         fetched = {}
@@ -219,6 +248,7 @@ export function makePlot(panel, world, records, replay, layout) {
             if (sent && sent.path === awaited.frames && sent.path === plot.source) {
                 awaited.frames = null
                 plot.names = sent.names
+                begin()
                 replay.show(sent)
             }
         },

@@ -102,9 +102,11 @@ export function makeReplay(panel, messages, world, picture) {
         window.requestAnimationFrame(playOn)
     }
     replay.end = function() {
-        replay.shown = null
-        world.showInstead(null)
-        replay.moved.tell()
+        if (replay.shown) {
+            replay.shown = null
+            world.showInstead(null)
+            replay.moved.tell()
+        }
     }
 
     panel.scope.$on('$destroy', function() {

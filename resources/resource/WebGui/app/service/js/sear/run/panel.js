@@ -1,8 +1,11 @@
 // The SEAR panel as a whole: its parts, each of which knows only those before it, and what they hear of the service.
 import '../shared/style.js'
+import {makeBadge} from '../records/badge.js'
 import {makeBuilding} from '../build/building.js'
+import {makeDriving} from './driving.js'
 import {makeEdits} from '../build/edits.js'
 import {makeGround} from '../world/ground.js'
+import {makeHand} from './hand.js'
 import {makeInspector} from '../build/inspector.js'
 import {makeLayout} from '../shared/layout.js'
 import {makeMessages} from '../shared/messages.js'
@@ -18,6 +21,8 @@ import {makeRecords} from '../records/records.js'
 import {makeReplay} from '../records/replay.js'
 import {makeRun} from './run.js'
 import {makeScript} from './script.js'
+import {makeShare} from './share.js'
+import {makeVideo} from './video.js'
 import {makeView} from '../scene/view.js'
 import {makeWelcome} from './welcome.js'
 import {makeWorld} from '../world/world.js'
@@ -25,7 +30,7 @@ import {count} from '../shared/words.js'
 
 var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'checkProject', 'getBundle',
     'getTerrain', 'getLooks', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate', 'startSimulation', 'stopSimulation',
-    'publishEdit', 'getProjectObject', 'getScript', 'recordRun', 'endRecord', 'getRecords', 'getRecordFrames', 'getRecordValues']
+    'publishEdit', 'getProjectObject', 'getScript', 'getExampleScript', 'recordRun', 'endRecord', 'getRecords', 'getRecordFrames', 'getRecordValues']
 var ASKED = ['getExamples', 'getExampleScripts', 'getGrammar', 'getEdits']
 var LOOK_MILLIS = 1000      // how often a page that shows the project asks whether that has changed
 var SETTLED_MILLIS = 12000  // how long the line of status has what was only told
@@ -49,11 +54,21 @@ export function open(controller, $scope, $timeout, $interval) {
     var layout = makeLayout(panel, messages)
     var records = makeRecords(panel, messages)
     var replay = makeReplay(panel, messages, world, picture)
+    var badge = makeBadge(panel, replay)
     var plot = makePlot(panel, world, records, replay, layout)
     var project = makeProject(panel, messages, problems, view)
     var welcome = makeWelcome(world, view, palette, project)
     var script = makeScript(panel, messages, project)
     var run = makeRun(panel, messages, world, problems, view, edits, picture)
+    var driving = makeDriving(panel, world, view, edits, run, picture)
+    var hand = makeHand(panel, world, view, pointer)
+    var video = makeVideo(panel, messages, view, picture)
+    var share = makeShare(panel, messages, replay, ground)
+
+    // a replay ends when its user turns to what is now
+    project.left.hear(plot.showNow)
+    run.begun.hear(plot.showNow)
+    $scope.$watch(() => view.building, begun => begun && replay.end())
 
     function onState(service) {
         $scope.service = service
@@ -73,14 +88,14 @@ export function open(controller, $scope, $timeout, $interval) {
         }
     }
     function key(event) {
-        return building.key(event) || view.key(event) || run.key(event)
+        return driving.key(event) || building.key(event) || view.key(event) || run.key(event)
     }
 
     // ---- the page --------------------------------------------------------------------------------------------------------------------------
     var first = null
     function listen() {
         if (panel.element('view')) {
-            [pointed, building, project].forEach(function(part) {
+            [hand, pointed, building, project, badge, driving].forEach(function(part) {
                 part.listen()
             })
             picture.repaint()
@@ -103,9 +118,13 @@ export function open(controller, $scope, $timeout, $interval) {
     })
 
     var parts = {messages, world, problems, ground, view, pointed, edits, inspector, palette, building, layout, records, replay, plot, project,
-        script, run, welcome}
+        script, run, video, share, welcome}
     angular.extend($scope, parts, {key})
-    panel.hear(TOPICS, ASKED, angular.extend.apply(angular, [{onState, onStatus}].concat(Object.values(parts).map(part => part.handlers))))
+    function onLooks(sent) {
+        view.handlers.onLooks(sent)
+        share.take(sent)
+    }
+    panel.hear(TOPICS, ASKED, angular.extend.apply(angular, [{onState, onStatus}].concat(Object.values(parts).map(part => part.handlers), {onLooks})))
     if ($scope.service) {
         onState($scope.service)
     }

@@ -1,4 +1,5 @@
 // Opening, saving, uploading and downloading projects in the SEAR panel.
+import {makeEvent} from '../shared/event.js'
 import {recallJson, remember} from '../shared/page.js'
 import * as words from '../shared/words.js'
 
@@ -10,6 +11,7 @@ var MOST_RECENT = 8
 /** Of one panel. */
 export function makeProject(panel, messages, problems, view) {
     var msg = panel.msg
+    var given = {}              // scripts that this page has given to MyRobotLab's tab of python
     var asked = {}              // paths that this page wants saved and opened
     var project = {
         path: NEW,
@@ -21,6 +23,7 @@ export function makeProject(panel, messages, problems, view) {
         folder: 'SEARproject',  // into which that is copied
         question: null,         // a file that is to be overwritten: path, and free, a name that is not taken
         transfer: null,
+        left: makeEvent(),      // the user wants another project
         recent: recallJson(RECENT) || []
     }
 
@@ -30,6 +33,7 @@ export function makeProject(panel, messages, problems, view) {
     }
     project.open = function(path) {
         problems.forget()
+        project.left.tell()
         project.path = path
         addRecent(path)
         asked.load = path
@@ -46,6 +50,7 @@ export function makeProject(panel, messages, problems, view) {
     }
     project.startAnew = function() {
         asked.anew = true
+        project.left.tell()
         msg.send('newProject')
     }
 
@@ -79,9 +84,34 @@ export function makeProject(panel, messages, problems, view) {
         return script.replace(/\.py$/, '').replace(/_/g, ' ')
     }
     project.runScript = function() {
+        var script = project.script
         view.fit()
-        messages.say('info', 'running ' + project.script)
-        msg.send('runExampleScript', project.script)
+        messages.say('info', 'running ' + script + ', whose text is in the tab of python, to be changed and run again')
+        project.left.tell()
+        msg.send('runExampleScript', script)
+        asked.script = script
+        msg.send('getExampleScript', script)
+    }
+    function onScript(code) {
+        var script = asked.script
+        asked.script = null
+        if (!script) {
+            return              // another page runs one
+        }
+        var opened = /\bloadProject\(\s*["']([^"']+)/.exec(code)
+        if (opened) {
+            project.path = words.fileName(opened[1])
+            addRecent(opened[1])
+        }
+        show({file: script, code: code})
+    }
+    /** Gives a script to the tab of python, once: what its user makes of it stays. */
+    function show(script) {
+        var told = panel.scope.$root.$broadcast('python.show', script)
+        if (!told.defaultPrevented && !given[script.file]) {
+            msg.sendTo('python', 'addScript', script.file, script.code)
+        }
+        given[script.file] = true
     }
     project.copyTemplate = function() {
         msg.send('copyTemplate', project.template, project.folder)
@@ -96,6 +126,7 @@ export function makeProject(panel, messages, problems, view) {
             var text = reader.result.substring(reader.result.indexOf(',') + 1)
             var parts = Math.max(1, Math.ceil(text.length / CHUNK))
             problems.forget()
+            project.left.tell()
             for (var i = 0; i < parts; i++) {
                 msg.send('uploadProject', file.name, i, parts, text.substring(i * CHUNK, (i + 1) * CHUNK))
             }
@@ -164,6 +195,7 @@ export function makeProject(panel, messages, problems, view) {
             project.scripts = names || []
             project.script = project.script || project.scripts[0]
         },
+        onExampleScript: onScript,
         onUploaded: function(text) {
             view.fit()
             project.transfer = null

@@ -1,4 +1,5 @@
 // The run of the simulation in the SEAR panel: start, stop, speed, driving.
+import {makeEvent} from '../shared/event.js'
 import {find} from '../world/pointing.js'
 
 var SPEED = 0.2             // m/s of the drive buttons, MyRobotLab's Roomba default
@@ -15,12 +16,15 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
     var driving = false         // whether a test drive is to begin as soon as the simulation runs
     var run = {
         pending: null,          // what the service has been told to do and has not done yet: starting or stopping
+        testing: false,         // whether a test drive goes on
+        begun: makeEvent(),     // this page has it start
         speed: '1'
     }
 
     run.start = function() {
         problems.forget()
         run.pending = 'starting'
+        run.begun.tell()
         msg.send('startSimulation')
     }
     run.stop = function() {
@@ -60,27 +64,40 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
     }
 
     // ---- the test drive --------------------------------------------------------------------------------------------------------------------
+    /** Robots of a world that have something to drive. */
+    run.drivers = function(seen) {
+        return seen ? seen.robots.filter(robot => robot.drives) : []
+    }
+    /** Why there is nothing to drive; empty if there is. */
+    run.whyNoDrive = function() {
+        var seen = world.now()
+        return panel.isSimulating() || run.drivers(seen).length ? '' : !seen || !seen.robots.length
+            ? 'there is no robot to drive: choose one in the palette and click on the ground'
+            : seen.robots.map(robot => robot.name).join(', ') + ' has no driven wheels: put a Wheel of type 1 on it, or a whole robot on the ground'
+    }
     /** Starts, or ends, a simulation in which the keys drive the robot that is selected, else the one that is driven anyway. */
     run.testDrive = function() {
-        var seen = world.shown()
+        var seen = world.now()
         if (panel.isSimulating()) {
             run.stop()
-        } else if (!seen || !seen.robots.length) {
-            messages.say('error', 'there is no robot to drive: choose one in the palette and click on the ground')
+        } else if (run.whyNoDrive()) {
+            messages.say('error', run.whyNoDrive())
         } else {
             var found = find(seen, edits.selected)
             var robot = found && (found.robot || found.object)
-            view.driveRobot(robot && robot.parts ? robot.name : view.robot || seen.robots[0].name)
+            view.driveRobot(robot && robot.parts ? robot.name : view.robot || run.drivers(seen)[0].name)
             driving = true
+            run.testing = true
             run.start()
         }
     }
     panel.scope.$watch(panel.isSimulating, function(simulating) {
         if (simulating && driving) {
             picture.canvas().focus()
-            messages.say('info', 'drive ' + view.robot + ': U forward, J back, H left, K right, ; halt, Enter back to the start')
+            messages.say('info', 'drive ' + view.robot + ': W or arrow up forward, S back, A left, D right, Enter back to the start')
         }
         driving = driving && !simulating && Boolean(run.pending)
+        run.testing = run.testing && (simulating || driving)
     })
 
     // ---- what the service tells ------------------------------------------------------------------------------------------------------------

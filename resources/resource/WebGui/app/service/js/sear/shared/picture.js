@@ -1,9 +1,11 @@
+import {makeEvent} from './event.js'
 import {oncePerPicture} from './page.js'
 
 /** The picture of the world, for those below the view: they ask for it, and the view draws it. */
 export function makePicture($scope) {
     var view = null             // canvas(): the one that is shown, draw()
-    return {
+    var picture = {
+        painted: makeEvent(),   // it was drawn just now
         drawnBy: function(one) {
             view = one
         },
@@ -16,7 +18,9 @@ export function makePicture($scope) {
         /** Draws with the browser's next picture, however much changes until then. */
         repaint: oncePerPicture(function() {
             view.draw()
+            picture.painted.tell()
             $scope.$applyAsync()
         })
     }
+    return picture
 }

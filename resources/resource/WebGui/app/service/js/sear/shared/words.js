@@ -20,7 +20,7 @@ export function saveFile(name, parts) {
 export function saveText(name, text) {
     saveBlob(name, new Blob([text], {type: 'text/plain'}))
 }
-function saveBlob(name, blob) {
+export function saveBlob(name, blob) {
     var link = document.createElement('a')
     link.href = window.URL.createObjectURL(blob)
     link.download = name

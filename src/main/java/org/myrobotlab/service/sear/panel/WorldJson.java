@@ -117,6 +117,7 @@ final class WorldJson {
         if (object instanceof Shape) {
             looks.add(thing, (Shape) object, world);
             thing.color = ((Shape) object).getColor();
+            thing.loose = ((Shape) object).getMass() > 0;
             thing.colored = ((Shape) object).hasColor();
         }
         if (object instanceof Model) {
@@ -130,6 +131,7 @@ final class WorldJson {
     private void addFixed(WorldState.Mover mover, Robot robot, Simulation world) {
         mover.name = robot.getObject().getName();
         mover.radius = rounded(robot.getHardware().getBodyRadius(), FINE);
+        mover.drives = robot.getHardware().getWheelRadius() > 0;
         mover.path = new ArrayList<>(paths.get(mover.name));
         mover.parts = parts(world, robot);
         mover.leds = mover.lights == null ? null : lamps(robot);

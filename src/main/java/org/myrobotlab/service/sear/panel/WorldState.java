@@ -33,6 +33,8 @@ class WorldState extends JsonForm {
         String color;
         /** Whether the colour is its own, not its kind's. */
         Boolean colored;
+        /** Whether it has a mass, and so can be moved. */
+        Boolean loose;
         /** Of a model: whether it is ground. */
         Boolean terrain;
         /** Of a terrain: its stamp, see {@link TerrainMap}. */
@@ -61,6 +63,8 @@ class WorldState extends JsonForm {
         double[][] turnedLeds;
         String name;
         Double radius;
+        /** Whether it has driven wheels. */
+        Boolean drives;
         /** Where it was, {x, z}. */
         List<double[]> path;
         List<Thing> parts;

@@ -1,14 +1,19 @@
 package org.myrobotlab.service.sear.readings;
 
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import org.SEAR.POJOs.Workbench;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.simulator.orders.BodyOrder;
+import org.SEAR.simulator.orders.Hand;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
 /** Velocities and pushes of things and robots by call; each is obeyed between two steps, before the call returns. Any thread. */
 public final class ScriptBodies implements Workbench.Acts {
     private final SimulationControl control;
+    /** By the name of what they hold. */
+    private final Map<String, Hand> hands = new ConcurrentHashMap<>();
 
     public ScriptBodies(SimulationControl control) {
         this.control = control;
@@ -21,11 +26,48 @@ public final class ScriptBodies implements Workbench.Acts {
      * @param seconds simulated, above 0
      */
     public void push(String name, List<?> force, double seconds) throws InterruptedException {
-        if (force == null || force.size() != 3 || !force.stream().allMatch(Number.class::isInstance)) {
-            throw new IllegalArgumentException("push: force is " + force + ", legal: three numbers, [x, y, z] in N along the world's axes");
-        }
-        double[] n = force.stream().mapToDouble(one -> ((Number) one).doubleValue()).toArray();
+        double[] n = numbers("push: force", force, "N");
         order(BodyOrder.Kind.PUSH, name, n[0], n[1], n[2], seconds);
+    }
+
+    private static double[] numbers(String what, List<?> list, String unit) {
+        if (list == null || list.size() != 3 || !list.stream().allMatch(Number.class::isInstance)) {
+            throw new IllegalArgumentException(what + " is " + list + ", legal: three numbers, [x, y, z] in " + unit + " along the world's axes");
+        }
+        return list.stream().mapToDouble(one -> ((Number) one).doubleValue()).toArray();
+    }
+
+    /**
+     * Pulls a thing or robot by a spring, as a hand does that holds it; it lets go when this is not called again within 1.5 s, or by {@link #letGo}.
+     *
+     * @param way where to, metres from where it was at the first call: three numbers
+     */
+    public void hold(String name, List<?> way) throws InterruptedException {
+        double[] to = numbers("hold: way", way, "metres");
+        if (!Double.isFinite(to[0] + to[1] + to[2])) {
+            throw new IllegalArgumentException("hold: way is " + way + ", legal: three finite numbers");
+        }
+        String held = ScriptText.of(name);
+        Hand hand = hands.get(held);
+        if (hand != null && hand.isHolding()) {
+            hand.moveTo(to[0], to[1], to[2]);
+        } else {
+            Hand fresh = new Hand(held, System::nanoTime);
+            fresh.moveTo(to[0], to[1], to[2]);
+            control.session().ask(world -> {
+                world.hold(fresh, held);
+                return true;
+            });
+            hands.put(held, fresh);
+        }
+    }
+
+    /** Nobody holds a thing or robot any more. */
+    public void letGo(String name) {
+        Hand hand = hands.remove(ScriptText.of(name));
+        if (hand != null) {
+            hand.letGo();
+        }
     }
 
     /** @param x m/s along the world's x, likewise y and z */

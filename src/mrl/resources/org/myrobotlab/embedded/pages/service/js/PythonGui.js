@@ -1,15 +1,12 @@
 // Panel of the Python service: an editor, run and stop, and what the script prints.
-angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$scope', '$timeout', 'mrl', function($scope, $timeout, mrl) {
+angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$scope', '$timeout', 'mrl', 'editors', function($scope, $timeout, mrl, editors) {
     var msg = this.msg
     var MOST_LINES = 2000
-    var KEYWORDS = '\\b(?:and|as|assert|break|class|continue|def|del|elif|else|except|exec|finally|for|from|global|if|import|in|is|lambda|not|or|pass'
-        + '|print|raise|return|try|while|with|yield|None|True|False)\\b'
-    var TOKENS = new RegExp('(#[^\\n]*)|("""[\\s\\S]*?(?:"""|$)|\'\'\'[\\s\\S]*?(?:\'\'\'|$)|"(?:\\\\.|[^"\\\\\\n])*"?|\'(?:\\\\.|[^\'\\\\\\n])*\'?)|('
-        + KEYWORDS + ')|(\\b\\d[\\w.]*)', 'g')
-    var CLASSES = ['py-c', 'py-s', 'py-k', 'py-n']
-
     var DRAFT = 'python.draft.' + msg.name
     var KEEP_MILLIS = 300
+    var TYPED = /([A-Za-z_]\w*)\.\w*$/      // a call of a service, as far as it is typed
+    var LINE = /File "<script>", line (\d+)/g
+    var editor = null           // ace's, once that is there
 
     $scope.form = {file: 'script.py', code: 'print "Hello from", python.name\n'}
     $scope.question = null      // what Open or Save would lose: text, and go, what to do all the same
@@ -34,6 +31,7 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
         case 'onStdError':
             lastError = data
             print(data, 'err')
+            markLine(data)
             break
         case 'onStatus':
             onStatus(data.key || data.detail, data.level)
@@ -119,8 +117,7 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
     function read(file) {
         call('openScript', [file]).then(function(script) {
             if (settle(file, script, ' can\'t be opened: there is no such file')) {
-                $scope.form.code = kept = script.code
-                $scope.colour()
+                show(script.code)
             }
         })
     }
@@ -154,12 +151,26 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
     }
     function showExample(name) {
         mrl.sendBlocking(offering, 'getExampleScript', name).then(function(code) {
-            $scope.form.file = name
-            $scope.form.code = kept = code
-            $scope.problem = ''
-            $scope.colour()
+            showScript({file: name, code: code})
         })
     }
+    function showScript(script) {
+        $scope.form.file = script.file
+        $scope.problem = ''
+        show(script.code)
+    }
+    /** Another panel has a script to show here: unsaved text is not lost for it. */
+    $scope.$on('python.show', function(event, script) {
+        event.preventDefault()      // so that it knows
+        if (script.code === $scope.form.code) {
+            return
+        }
+        if ($scope.isUnsaved()) {
+            ask('The text below is not saved.', 'Show ' + script.file + ' all the same', showScript, script)
+        } else {
+            showScript(script)
+        }
+    })
 
     /** @return a promise of the script as the service has it then; undefined if it could not be done */
     function call(method, data) {
@@ -206,59 +217,122 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
         $scope.lines = []
     }
 
-    // ---- the editor: a see-through text field over the same text in colours ----------------------------------------------------------------
-    function escaped(text) {
-        return text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;')
-    }
-
-    function coloured(code) {
-        var html = ''
-        var at = 0
-        code.replace(TOKENS, function(token) {
-            var groups = Array.prototype.slice.call(arguments, 1, 1 + CLASSES.length)
-            var index = arguments[1 + CLASSES.length]
-            var kind = CLASSES[groups.findIndex(function(group) {
-                return group !== undefined
-            })]
-            html += escaped(code.substring(at, index)) + '<span class="' + kind + '">' + escaped(token) + '</span>'
-            at = index + token.length
-        })
-        return html + escaped(code.substring(at)) + '\n'
-    }
-
-    $scope.colour = function() {
+    // ---- the editor ------------------------------------------------------------------------------------------------------------------------
+    /** @param code that is in a file or an example: nothing of it is lost with the page */
+    function show(code) {
+        $scope.form.code = kept = code
+        if (editor) {
+            editor.session.setValue(code)
+        }
         keep()
-        var picture = document.getElementById('python-colours-' + msg.name)
-        if (picture) {
-            picture.innerHTML = coloured($scope.form.code || '')
-            scroll()
+    }
+    /** Marks the line that an error is of, until something is typed. */
+    function markLine(traceback) {
+        var lines = traceback.match(LINE)
+        var row = lines ? Number(/\d+/.exec(lines.pop())[0]) - 1 : -1
+        if (editor && row >= 0 && row < editor.session.getLength()) {
+            editor.session.setAnnotations([{row: row, column: 0, type: 'error', text: traceback.trim().split('\n').pop()}])
+            editor.scrollToLine(row, true)
         }
     }
 
-    function scroll() {
-        var text = document.getElementById('python-code-' + msg.name)
-        var picture = document.getElementById('python-colours-' + msg.name)
-        picture.scrollTop = text.scrollTop
-        picture.scrollLeft = text.scrollLeft
+    function edit(ace) {
+        var element = document.getElementById('python-code-' + msg.name)
+        if (!element) {
+            return
+        }
+        editor = ace.edit(element, {mode: 'ace/mode/python', fontSize: 13, tabSize: 4, useSoftTabs: true, showPrintMargin: false, useWorker: false,
+            behavioursEnabled: false, enableKeyboardAccessibility: true, enableBasicAutocompletion: [{getCompletions: complete}]})
+        editor.textInput.getElement().setAttribute('aria-label', 'Code; Ctrl+Enter runs it')
+        editor.session.setValue($scope.form.code)
+        editor.session.on('change', function() {
+            $scope.form.code = editor.getValue()
+            editor.session.clearAnnotations()
+            keep()
+            $scope.$applyAsync()
+        })
+        editor.commands.addCommand({name: 'run', bindKey: {win: 'Ctrl-Enter', mac: 'Ctrl-Enter|Command-Enter'}, exec: $scope.run})
+        editor.commands.on('afterExec', function(done) {
+            if (done.command.name === 'insertstring' && done.args === '.' && TYPED.test(beforeCursor())) {
+                editor.execCommand('startAutocomplete')
+            }
+        })
+        var dark = window.matchMedia('(prefers-color-scheme: dark)')
+        var size = new window.ResizeObserver(function() {
+            editor.resize()
+        })
+        function setTheme() {
+            editor.setTheme(dark.matches ? 'ace/theme/github_dark' : 'ace/theme/github_light_default')
+        }
+        setTheme()
+        dark.addEventListener('change', setTheme)
+        size.observe(element)
+        $scope.$on('$destroy', function() {
+            dark.removeEventListener('change', setTheme)
+            size.disconnect()
+            editor.destroy()
+        })
+    }
+    function beforeCursor() {
+        var at = editor.getCursorPosition()
+        return editor.session.getLine(at.row).substring(0, at.column)
     }
 
-    $scope.key = function(event) {
-        var text = event.target
-        if (event.key === 'Enter' && event.ctrlKey) {
-            event.preventDefault()
-            $scope.run()
-        } else if (event.key === 'Tab' && !event.shiftKey && !event.ctrlKey) {
-            event.preventDefault()
-            var at = text.selectionStart
-            text.setRangeText('    ', at, text.selectionEnd, 'end')
-            $scope.form.code = text.value
-            $scope.colour()
+    // ---- what can be typed: of services that say it, else of all their methods --------------------------------------------------------------
+    var calls = []              // {type, name, parameters, doc} of services' types
+    function askForCalls() {
+        var service = mrl.getServices().filter(function(one) {
+            return one.methods && one.methods.indexOf('getScriptCalls') >= 0
+        })[0]
+        if (service && !calls.length) {
+            mrl.sendBlocking(service.name, 'getScriptCalls').then(function(answer) {
+                calls = answer || []
+            })
         }
+    }
+    /** The type of a variable: of a service, or of one that the text starts under another name. */
+    function typeOf(variable) {
+        var service = mrl.getServices().filter(function(one) {
+            return one.name.replace(/\W/g, '_') === variable
+        })[0]
+        var started = new RegExp('\\b' + variable + '\\s*=\\s*Runtime\\.(?:start|createAndStart)\\([^,]*,\\s*["\'](\\w+)').exec($scope.form.code)
+        return started ? started[1] : service ? service.simpleName : null
+    }
+    function methodsOf(type) {
+        var service = mrl.getServices().filter(function(one) {
+            return one.simpleName === type
+        })[0]
+        return service && service.methods || []
+    }
+    function complete(asking, session, position, prefix, callback) {
+        var typed = TYPED.exec(beforeCursor())
+        var type = typed && typeOf(typed[1])
+        var listed = calls.filter(function(one) {
+            return one.type === type
+        })
+        if (!typed) {
+            callback(null, mrl.getServices().map(function(service) {
+                return {value: service.name.replace(/\W/g, '_'), meta: service.simpleName}
+            }))
+        } else if (listed.length) {
+            callback(null, listed.map(function(one) {
+                return {caption: one.name + '(' + one.parameters + ')', snippet: snippet(one), value: one.name, meta: type, docText: one.doc}
+            }))
+        } else {
+            callback(null, methodsOf(type).map(function(name) {
+                return {caption: name, value: name + '(', meta: type}
+            }))
+        }
+    }
+    /** What is put in: the parameters are chosen one after another, to be typed over. */
+    function snippet(one) {
+        return one.name + '(' + (one.parameters ? one.parameters.split(', ').map(function(name, i) {
+            return '${' + (i + 1) + ':' + name + '}'
+        }).join(', ') : '') + ')'
     }
 
     $timeout(function() {
-        document.getElementById('python-code-' + msg.name).addEventListener('scroll', scroll)
-        $scope.colour()
+        editors().then(edit)
     })
 
     msg.subscribe('publishStdOut')
@@ -268,5 +342,32 @@ angular.module('mrlapp.service.PythonGui', []).controller('PythonGuiCtrl', ['$sc
     msg.subscribe(this)
     msg.send('getScriptList')
     askForExamples()
-    $scope.$on('mrl.services', askForExamples)
+    askForCalls()
+    $scope.$on('mrl.services', function() {
+        askForExamples()
+        askForCalls()
+    })
+}]).factory('editors', ['$q', function($q) {
+    var loaded = null
+
+    function load(file) {
+        var done = $q.defer()
+        var script = document.createElement('script')
+        script.src = 'ace/' + file
+        script.onload = done.resolve
+        script.onerror = done.reject
+        document.head.appendChild(script)
+        return done.promise
+    }
+    /** A promise of ace, which is loaded when the first of these panels is there. */
+    return function() {
+        loaded = loaded || load('ace.js').then(function() {
+            return load('ext-language_tools.js')
+        }).then(function() {
+            window.ace.config.set('basePath', 'ace')
+            window.ace.require('ace/ext/language_tools')
+            return window.ace
+        })
+        return loaded
+    }
 }])

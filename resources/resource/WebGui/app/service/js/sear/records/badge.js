@@ -1,0 +1,41 @@
+// What stands at the top of the view of the SEAR panel while that shows a record, with the way back to what is now.
+
+/** Of one panel. */
+export function makeBadge(panel, replay) {
+    var element = null
+    var words = null
+    var badge = {}
+
+    function make(parent) {
+        var back = document.createElement('button')
+        words = document.createElement('span')
+        element = document.createElement('div')
+        words.setAttribute('role', 'status')
+        back.type = 'button'
+        back.className = 'btn btn-primary btn-xs sear-back-to-now'
+        back.textContent = 'Back to now'
+        back.addEventListener('click', function() {
+            replay.end()
+            panel.scope.$applyAsync()
+        })
+        element.className = 'sear-badge'
+        element.append(words, back)
+        parent.append(element)
+    }
+    function show() {
+        if (element) {
+            element.hidden = !replay.shown
+            var text = replay.shown ? 'Replay of ' + replay.shown.path : ''
+            if (words.textContent !== text) {
+                words.textContent = text
+            }
+        }
+    }
+    /** Once the views are there. */
+    badge.listen = function() {
+        make(panel.element('view').parentElement)
+        show()
+    }
+    replay.moved.hear(show)
+    return badge
+}

@@ -1,0 +1,202 @@
+// Lines over time in the SEAR panel, drawn by uPlot: drag over a range to see only that, the wheel zooms, a double click shows all.
+import uPlot from '../lib/uPlot.esm.js'
+import {isNumber} from './table.js'
+import {titleOf} from './values.js'
+
+export var colors = ['#337ab7', '#d9534f', '#3c9a3c', '#e08e0b', '#8e5bb5', '#1ba39c', '#b8860b', '#c2185b']
+var FONT = '12px system-ui, sans-serif'
+var MARK = '#d9534f'
+var DRAG = 4                // pixels that are no click
+var PAPER = 14              // pixels around a picture that is saved
+
+var style = document.createElement('link')
+style.rel = 'stylesheet'
+style.href = new URL('../lib/uPlot.min.css', import.meta.url)
+document.head.appendChild(style)
+
+/** @param box an element to draw in @param changed is called when another range is to be seen, and with the time below the pointer, null for none */
+export function Curves(box, changed) {
+    this.box = box
+    this.changed = changed
+    this.range = null           // [from, to] that the user has chosen, seconds; null for all
+    this.lines = []             // {name, unit, times, values, dashed, color, source}
+    this.marked = null          // a time that is marked
+    this.plot = null
+    this.kind = ''              // what it was made for: lines of other values only change its numbers
+}
+
+/** Whether there is a number to be drawn. */
+Curves.prototype.isEmpty = function() {
+    return !this.lines.some(line => line.values.some(isNumber))
+}
+/** Seconds that are seen: [from, to]; null without anything. */
+Curves.prototype.seen = function() {
+    var x = this.plot && this.plot.scales.x
+    return x && isNumber(x.min) ? [x.min, x.max] : null
+}
+
+Curves.prototype.draw = function(lines, marked) {
+    this.lines = lines
+    this.marked = marked
+    this.ink = window.getComputedStyle(this.box).color
+    var kind = JSON.stringify([this.ink].concat(lines.map(line => [line.name, line.source, line.unit, line.color])))
+    if (this.plot && this.kind !== kind) {
+        this.plot.destroy()
+        this.plot = null
+    }
+    this.kind = kind
+    var data = this.data()
+    if (!this.plot) {
+        this.plot = new uPlot(this.options(), data, this.box)
+        this.listen(this.plot.over)
+    } else {
+        this.resize()
+        this.plot.setData(data)
+    }
+}
+Curves.prototype.resize = function() {
+    var size = this.size()
+    if (this.plot && (this.plot.width !== size.width || this.plot.height !== size.height)) {
+        this.plot.setSize(size)
+    }
+}
+Curves.prototype.size = function() {
+    return {width: this.box.clientWidth, height: this.box.clientHeight}
+}
+
+/** Lines of the same times share them; null is a gap, where others have points it is none. */
+Curves.prototype.data = function() {
+    var tables = []
+    this.lines.forEach(function(line) {
+        var table = tables.filter(one => one[0] === line.times)[0]
+        if (!table) {
+            table = [line.times]
+            tables.push(table)
+        }
+        table.push(line.times.map((time, i) => isNumber(line.values[i]) ? line.values[i] : null))
+    })
+    var columns = {}
+    var at = 1
+    var joined = tables.length > 1 ? uPlot.join(tables) : tables[0] || [[]]
+    tables.forEach(function(table) {
+        columns[tables.indexOf(table)] = at
+        at += table.length - 1
+    })
+    return [joined[0]].concat(this.lines.map(function(line) {
+        var table = tables.findIndex(one => one[0] === line.times)
+        return joined[columns[table]++]
+    }))
+}
+
+// ---- what it looks like ----------------------------------------------------------------------------------------------------------------
+Curves.prototype.options = function() {
+    var self = this
+    var units = this.lines.map(line => line.unit).filter((unit, i, all) => all.indexOf(unit) === i)
+    var scales = {x: {time: false, range: (u, from, to) => self.rangeOf(from, to)}}
+    function axis(more) {
+        return angular.extend({stroke: self.ink, font: FONT, labelFont: FONT, labelSize: 18, grid: {stroke: 'rgba(128, 128, 128, 0.25)', width: 1},
+            ticks: {stroke: 'rgba(128, 128, 128, 0.4)', width: 1, size: 5}}, more)
+    }
+    var axes = [axis({label: 'simulated time (s)', size: 32})]
+    units.forEach(function(unit, i) {
+        var names = self.lines.filter(line => line.unit === unit).map(line => line.name).filter((name, k, all) => all.indexOf(name) === k)
+        scales['in ' + unit] = {range: (u, low, high) => limits(low, high)}
+        axes.push(axis({scale: 'in ' + unit, label: titleOf(names, unit), side: i === 0 ? 3 : 1, size: 58,
+            grid: {show: i === 0, stroke: 'rgba(128, 128, 128, 0.25)', width: 1}}))
+    })
+    return angular.extend(this.size(), {
+        legend: {show: false},
+        scales: scales,
+        axes: axes,
+        series: [{}].concat(this.lines.map(line => ({label: line.name, scale: 'in ' + line.unit, stroke: line.color, width: 1.5,
+            dash: line.dashed ? [6, 4] : undefined, points: {show: false}}))),
+        cursor: {y: false, points: {show: false}, drag: {x: true, y: false, setScale: false, dist: DRAG},
+            bind: {dblclick: () => () => self.look(null)}},
+        hooks: {draw: [u => self.mark(u)], setSelect: [u => self.select(u)],
+            setCursor: [u => self.changed(u.cursor.left >= 0 ? u.posToVal(u.cursor.left, 'x') : null)]}
+    })
+}
+Curves.prototype.rangeOf = function(from, to) {
+    return this.range || (isNumber(from) && isNumber(to) ? [from, Math.max(to, from + 1e-3)] : [0, 1])
+}
+function limits(low, high) {
+    if (!isNumber(low) || !isNumber(high)) {
+        return [0, 1]
+    }
+    var edge = (high - low) * 0.05 || Math.abs(high) * 0.05 || 0.5
+    return [low - edge, high + edge]
+}
+Curves.prototype.mark = function(u) {
+    if (isNumber(this.marked)) {
+        var x = u.valToPos(this.marked, 'x', true)
+        u.ctx.save()
+        u.ctx.beginPath()
+        u.ctx.rect(u.bbox.left, u.bbox.top, u.bbox.width, u.bbox.height)
+        u.ctx.clip()
+        u.ctx.fillStyle = MARK
+        u.ctx.fillRect(x, u.bbox.top, window.devicePixelRatio || 1, u.bbox.height)
+        u.ctx.restore()
+    }
+}
+
+// ---- the range -------------------------------------------------------------------------------------------------------------------------
+/** @param range seconds, null for all */
+Curves.prototype.look = function(range) {
+    this.range = range
+    this.changed(null)
+}
+Curves.prototype.select = function(u) {
+    var from = u.select.left
+    var width = u.select.width
+    if (width > DRAG) {
+        var range = [u.posToVal(from, 'x'), u.posToVal(from + width, 'x')]
+        u.setSelect({left: 0, top: 0, width: 0, height: 0}, false)
+        this.look(range)
+    }
+}
+/** @param about a time that stays where it is; the middle without */
+Curves.prototype.zoom = function(factor, about) {
+    var now = this.seen()
+    if (now) {
+        var middle = isNumber(about) ? about : (now[0] + now[1]) / 2
+        this.look([middle - (middle - now[0]) * factor, middle + (now[1] - middle) * factor])
+    }
+}
+Curves.prototype.listen = function(over) {
+    var self = this
+    over.addEventListener('wheel', function(event) {
+        self.zoom(event.deltaY < 0 ? 0.8 : 1.25, self.plot.posToVal(event.offsetX, 'x'))
+        event.preventDefault()
+    }, {passive: false})
+}
+
+// ---- the picture -----------------------------------------------------------------------------------------------------------------------
+/** A picture of it, with what its lines are, on paper of a colour. @return a canvas */
+Curves.prototype.picture = function(paper) {
+    var drawn = this.plot.ctx.canvas
+    var ratio = drawn.width / this.plot.width
+    var row = 18 * ratio
+    var edge = PAPER * ratio
+    var canvas = document.createElement('canvas')
+    canvas.width = drawn.width + 2 * edge
+    canvas.height = drawn.height + this.lines.length * row + 3 * edge
+    var pen = canvas.getContext('2d')
+    pen.fillStyle = paper
+    pen.fillRect(0, 0, canvas.width, canvas.height)
+    pen.font = Math.round(12 * ratio) + 'px system-ui, sans-serif'
+    pen.textBaseline = 'middle'
+    this.lines.forEach(function(line, i) {
+        var y = edge + (i + 0.5) * row
+        pen.strokeStyle = line.color
+        pen.lineWidth = 2 * ratio
+        pen.setLineDash(line.dashed ? [6 * ratio, 4 * ratio] : [])
+        pen.beginPath()
+        pen.moveTo(edge, y)
+        pen.lineTo(edge + 30 * ratio, y)
+        pen.stroke()
+        pen.fillStyle = this.ink
+        pen.fillText(line.name + (line.unit ? ' (' + line.unit + ')' : '') + (line.source ? ', ' + line.source : ''), edge + 38 * ratio, y)
+    }, this)
+    pen.drawImage(drawn, edge, 2 * edge + this.lines.length * row)
+    return canvas
+}

@@ -1,0 +1,47 @@
+// Lines over time as numbers: a line's value at a time, and lines as a table.
+
+/** Where in ordered times one would stand. */
+function indexOf(times, time) {
+    var low = 0
+    var high = times.length
+    while (low < high) {
+        var middle = (low + high) >> 1
+        if (times[middle] < time) {
+            low = middle + 1
+        } else {
+            high = middle
+        }
+    }
+    return low
+}
+
+export function isNumber(value) {
+    return typeof value === 'number' && isFinite(value)
+}
+
+/** A line's value at a time: that of its last point before; undefined if it has none there. */
+export function valueAt(line, time) {
+    var i = indexOf(line.times, time + 1e-9) - 1
+    return i < 0 ? undefined : line.values[i]
+}
+
+/** Lines as a table: for each, a column of times and one of values; lines of the same times share the first. */
+export function csv(lines) {
+    var columns = []
+    lines.forEach(function(line) {
+        if (!columns.length || columns.times !== line.times) {
+            columns.push({name: 'time (s)' + (line.source ? ' ' + line.source : ''), values: line.times})
+        }
+        columns.times = line.times
+        columns.push({name: line.name + (line.unit ? ' (' + line.unit + ')' : '') + (line.source ? ' ' + line.source : ''), values: line.values})
+    })
+    var rows = [columns.map(column => /[",\n]/.test(column.name) ? '"' + column.name.replace(/"/g, '""') + '"' : column.name).join(',')]
+    var count = Math.max.apply(null, columns.map(column => column.values.length).concat(0))
+    function cell(column) {
+        return isNumber(column.values[rows.length - 1]) ? column.values[rows.length - 1] : ''
+    }
+    while (rows.length <= count) {
+        rows.push(columns.map(cell).join(','))
+    }
+    return rows.join('\n') + '\n'
+}

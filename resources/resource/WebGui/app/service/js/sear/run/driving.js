@@ -1,0 +1,113 @@
+// Driving in the SEAR panel by keys that are held, WASD and the arrows, and by a gamepad: what is let go stops.
+var SPEED = 0.2             // m/s of the keys, as of the buttons
+var FASTEST = 0.4           // m/s of a gamepad's stick at its end
+var RADIUS = 0.3            // metres of the narrowest arc while it drives on
+var DEAD = 0.15             // how far a stick has to leave its middle
+var LOOK_MILLIS = 50        // how often a gamepad is looked at
+var KEYS = {w: [1, 0], s: [-1, 0], a: [0, 1], d: [0, -1], arrowup: [1, 0], arrowdown: [-1, 0], arrowleft: [0, 1], arrowright: [0, -1]}
+var PAD = {12: [1, 0], 13: [-1, 0], 14: [0, 1], 15: [0, -1]}    // the buttons of its cross
+
+function sum(ways) {
+    return ways.reduce((a, b) => [a[0] + b[0], a[1] + b[1]], [0, 0]).map(value => Math.max(-1, Math.min(1, value)))
+}
+/** How far a gamepad says to go: [forward, left], -1 to 1. */
+function wayOf(pad) {
+    var stick = [pad.axes[1], pad.axes[0]].map(value => Math.abs(value) > DEAD ? -Math.round(20 * value) / 20 : 0)
+    return sum([stick].concat(Object.keys(PAD).filter(i => pad.buttons[i] && pad.buttons[i].pressed).map(i => PAD[i])))
+}
+
+/** Of one panel. */
+export function makeDriving(panel, world, view, edits, run, picture) {
+    var held = {}               // keys that are down, by what they say
+    var padded = false          // whether a gamepad has said something that it has not taken back
+    var looking = null
+    var last = ''
+    var driving = {}
+
+    /** @param way how far forward and to the left, -1 to 1 */
+    function go(way, most) {
+        var speed = way[0] * most
+        var call = speed === 0 && way[1] === 0 ? ['driveStraight', 0] : way[1] === 0 ? ['driveStraight', speed]
+            : speed === 0 ? ['drive', way[1] * most, 0] : ['drive', speed, RADIUS / way[1]]
+        if (last !== String(call)) {
+            last = String(call)
+            panel.msg.send.apply(panel.msg, call.slice(0, 1).concat(view.robot || [], call.slice(1)))
+        }
+    }
+    function canDrive() {
+        return panel.isSimulating() && run.drivers(world.running).length > 0
+    }
+    function goOn() {
+        go(sum(Object.keys(held).map(key => KEYS[key])), SPEED)
+    }
+    function letGo() {
+        if (Object.keys(held).length || padded) {
+            held = {}
+            padded = false
+            go([0, 0], 0)
+        }
+    }
+
+    // ---- keys --------------------------------------------------------------------------------------------------------------------------
+    /** Arrows move what is selected while one builds, but for a test drive. */
+    function isBuilding(key) {
+        return key.length > 1 && view.building && edits.selected && !run.testing
+    }
+    /** @return whether it was a key that drives */
+    driving.key = function(event) {
+        var key = (event.key || '').toLowerCase()
+        if (!KEYS[key] || !canDrive() || isBuilding(key) || event.ctrlKey || event.altKey || event.metaKey || event.shiftKey) {
+            return false
+        }
+        event.preventDefault()
+        if (!held[key]) {
+            if (!Object.keys(held).length) {
+                last = ''       // something else may have driven meanwhile
+            }
+            held[key] = true
+            goOn()
+        }
+        return true
+    }
+    function up(event) {
+        var key = (event.key || '').toLowerCase()
+        if (held[key]) {
+            delete held[key]
+            goOn()
+        }
+    }
+
+    // ---- gamepads ----------------------------------------------------------------------------------------------------------------------
+    function look() {
+        if (!canDrive() || !picture.width() || document.hidden || !navigator.getGamepads) {
+            return
+        }
+        var way = sum([].filter.call(navigator.getGamepads(), Boolean).map(wayOf))
+        var moved = way[0] !== 0 || way[1] !== 0
+        if (moved || padded) {
+            if (!padded) {
+                last = ''
+            }
+            padded = moved
+            go(way, FASTEST)
+        }
+    }
+
+    /** Once the views are there. */
+    driving.listen = function() {
+        var leaving = ['blur', 'beforeunload']
+        window.addEventListener('keyup', up, true)
+        leaving.forEach(name => window.addEventListener(name, letGo))
+        looking = window.setInterval(look, LOOK_MILLIS)
+        panel.scope.$on('$destroy', function() {
+            window.removeEventListener('keyup', up, true)
+            leaving.forEach(name => window.removeEventListener(name, letGo))
+            window.clearInterval(looking)
+        })
+    }
+    panel.scope.$watch(panel.isSimulating, function() {
+        held = {}
+        padded = false
+    })
+    return driving
+}

@@ -45,6 +45,9 @@ public class ReadmeTest {
             if (command.contains("first.py")) {
                 assertTrue(output, output.contains("181 beams, the nearest at "));
                 assertTrue(output, output.contains("driven 1.0"));
+                if (command.contains("--speed max")) {
+                    assertEquals("what README says that it prints", DocBlock.of("README.md", "text").get(0), output);
+                }
                 scripts++;
             }
         }

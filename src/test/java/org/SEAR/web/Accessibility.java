@@ -1,6 +1,11 @@
 package org.SEAR.web;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
+import org.junit.Assert;
 
 /** What keeps people from using a panel: controls without name, names used twice, text that stands out too little from its background. */
 public final class Accessibility {
@@ -50,6 +55,15 @@ public final class Accessibility {
         "})",
         "return found");
 
+    /** What axe-core calls serious or worse: its rule, and where. */
+    private static final String AXE = String.join("\n",
+        "var done = arguments[arguments.length - 1]",
+        "axe.run(document.querySelector(arguments[0]), {resultTypes: ['violations']}).then(function(results) {",
+        "    done(results.violations.filter(function(one) { return one.impact === 'serious' || one.impact === 'critical' }).map(function(one) {",
+        "        return one.id + ': ' + one.nodes.map(function(node) { return node.html.substring(0, 150) }).join(', ')",
+        "    }))",
+        "})");
+
     private Accessibility() {
     }
 
@@ -64,9 +78,23 @@ public final class Accessibility {
             try {
                 // colours change gradually
                 browser.until("a panel that can be read", () -> isTheme(browser, theme) && problems(browser, panel).isEmpty());
+                Assert.assertEquals("axe-core, in the " + theme + " theme", List.of(), faults(browser, panel));
             } catch (AssertionError e) {
-                throw new AssertionError("in the " + theme + " theme: " + problems(browser, panel), e);
+                throw new AssertionError("in the " + theme + " theme: " + problems(browser, panel) + "; " + e.getMessage(), e);
             }
+        }
+    }
+
+    private static List<?> faults(Browser browser, String panel) {
+        browser.script("if (!window.axe) { " + axe() + " }");
+        return (List<?>) browser.driver().executeAsyncScript(AXE, panel);
+    }
+
+    private static String axe() {
+        try (InputStream in = Accessibility.class.getResourceAsStream("/axe.min.js")) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 

@@ -48,7 +48,7 @@ public class BuildingTest {
     private static final String SENSORS = String.join("\n",
         "robot.addComponent(Compass('compass1'))",
         "lidar = LIDAR('lidar1')",
-        "lidar.move(0, 0.1, 0.1)",
+        "lidar.move(0, 0.0365, 0.1)",
         "robot.addComponent(lidar)",
         "eye = Distance('eye', 'PING)))')",
         "eye.move(0.1, 0.0365, 0)",

@@ -37,6 +37,18 @@ final class TilePictures {
         "cone.move(-0.3, 0.2, 0.8)",
         "cone.setColor('gold')");
 
+    private static final String FIRST = String.join("\n",
+        "from org.SEAR.POJOs import Box, Distance, Floor, Robots",
+        "sear.newProject()",
+        "Floor('floor', 6, 6)",
+        "robot = Robots.rover('rover')",
+        "eye = Distance('eye', 'ultrasonic')",
+        "eye.move(0, 0.045, 0)",
+        "eye.rotate(-20, 0, 0)",
+        "robot.addComponent(eye)",
+        "wall = Box('wall', 0.8, 0.1, 0.25)",
+        "wall.move(0, 0.125, 1)");
+
     private TilePictures() {
     }
 
@@ -63,6 +75,9 @@ final class TilePictures {
             browser.until("what is built", () -> browser.number(SearTab.ROOT, "world.shown() ? world.shown().objects.length : 0") > 4);
             browser.script("angular.element(document.querySelector('.sear-main')).scope().view.build(true)");
             take(browser, "build");
+            robotLab.run(FIRST);
+            browser.until("a rover with an eye", () -> browser.number(SearTab.ROOT, "world.shown() ? world.shown().sensors.length : 0") == 1);
+            take(browser, "tour");
         }
     }
 

@@ -5,11 +5,11 @@ import {find} from '../world/pointing.js'
 var PARTS = ['component', 'wheel']              // of a robot: other edits see to them
 // Which parameters stand together, by their names, in the order in which the groups are shown; the others are in the group OWN.
 var GROUPS = [
-    ['Size', /^(length|width|height|radius|thickness|scale|scale[XYZ]|size)$/],
-    ['Place', /^([xyz]|r[xyz]|onGround|above)$/],
+    ['Size', /^(length|width|height|radius|scale[XYZ]|size)$/],
+    ['Place', /^([xyz]|r[xyz]|onGround)$/],
     ['Settings', null],
-    ['Look', /^(color|texture|textureScale|picture|opacity|shininess)/],
-    ['Physics', /^(mass|friction|rollingFriction|bounce|restitution|damping|inertia|centre|center)/],
+    ['Look', /^(color|image|imageSize)$/],
+    ['Physics', /^(mass|friction|rollingFriction|restitution|(velocity|spin)[XYZ])$/],
     ['Earth', /^place[A-Z]/]
 ]
 var OWN = 'Settings'

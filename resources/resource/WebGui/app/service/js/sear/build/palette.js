@@ -1,6 +1,7 @@
 // The palette of the SEAR panel: everything that can be made, and where a click in the view puts it.
 import {mounted, tilted, withGround} from './mounting.js'
 import {plain} from './places.js'
+import * as pointing from '../world/pointing.js'
 import * as symbols from './symbols.js'
 
 var GRID = 0.05             // metres between the places that things snap to
@@ -153,9 +154,15 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
         set.y = plain(point[1])
         set.z = plain(palette.snapped(point[2], free))
     }
-    /** For those who use no mouse: where the view looks at. */
+    /** For those who use no mouse: where the view looks at; a part of a robot in the middle of its top. */
     palette.placeInTheMiddle = function() {
-        palette.place(pointer.middle(), false)
+        var middle = pointer.middle()
+        palette.place(palette.isForRobots() ? onTop(middle.robot || view.robot) || middle : middle, false)
+    }
+    function onTop(name) {
+        var robot = world.shown().robots.filter(one => one.name === name)[0]
+        var top = robot && pointing.onMap(world.shown(), robot.pose[0], robot.pose[2])
+        return top && top.robot === name ? top : null
     }
     // ---- from the palette into the view ------------------------------------------------------------------------------------------------
     function grab(event) {

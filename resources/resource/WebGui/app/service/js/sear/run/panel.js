@@ -22,6 +22,7 @@ import {makeReplay} from '../records/replay.js'
 import {makeRun} from './run.js'
 import {makeScript} from './script.js'
 import {makeShare} from './share.js'
+import {makeTour} from './tour.js'
 import {makeVideo} from './video.js'
 import {makeView} from '../scene/view.js'
 import {makeWelcome} from './welcome.js'
@@ -57,8 +58,9 @@ export function open(controller, $scope, $timeout, $interval) {
     var badge = makeBadge(panel, replay)
     var plot = makePlot(panel, world, records, replay, layout)
     var project = makeProject(panel, messages, problems, view)
-    var welcome = makeWelcome(world, view, palette, project)
     var script = makeScript(panel, messages, project)
+    var tour = makeTour(panel, world, view, palette, script, layout)
+    var welcome = makeWelcome(world, view, palette, project, tour)
     var run = makeRun(panel, messages, world, problems, view, edits, picture)
     var driving = makeDriving(panel, world, view, edits, run, picture)
     var hand = makeHand(panel, world, view, pointer)
@@ -118,7 +120,7 @@ export function open(controller, $scope, $timeout, $interval) {
     })
 
     var parts = {messages, world, problems, ground, view, pointed, edits, inspector, palette, building, layout, records, replay, plot, project,
-        script, run, video, share, welcome}
+        script, run, video, share, tour, welcome}
     angular.extend($scope, parts, {key})
     function onLooks(sent) {
         view.handlers.onLooks(sent)

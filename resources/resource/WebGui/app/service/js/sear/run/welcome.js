@@ -1,6 +1,7 @@
 // What the SEAR panel shows in place of an empty view: pictures of what one can begin with.
 
 var TILES = '../tiles/'
+var TOUR = {name: 'tour', title: 'First robot', text: 'A tour of ten minutes: build a rover with an eye, and drive it.', picture: 'tour.jpg', first: true}
 var MINE = {name: 'build', title: 'Build my own', text: 'An empty ground, and a palette of things, robots and sensors.', picture: 'build.jpg'}
 // By the name of an example: its title, and what one sees there.
 var EXAMPLES = {
@@ -17,7 +18,7 @@ var EXAMPLES = {
 var BY_HEART = Object.keys(EXAMPLES)
 
 /** Of one panel. */
-export function makeWelcome(world, view, palette, project) {
+export function makeWelcome(world, view, palette, project, tour) {
     var tiles = []
     var made = null             // the examples that these are of
     var welcome = {}
@@ -40,11 +41,11 @@ export function makeWelcome(world, view, palette, project) {
         var known = EXAMPLES[name] || [name, '']
         return {name: name, title: known[0], text: known[1], picture: known[1] ? picture(name + '.jpg') : '', open: () => project.open(path)}
     }
-    /** One for each example, and one to build without any. */
+    /** The tour, one to build without any example, and one for each example. */
     welcome.tiles = function() {
         if (made !== project.examples) {
             made = project.examples
-            tiles = [angular.extend({}, MINE, {picture: picture(MINE.picture), open: palette.build})]
+            tiles = [angular.extend({}, TOUR, {picture: picture(TOUR.picture), open: tour.start}), angular.extend({}, MINE, {picture: picture(MINE.picture), open: palette.build})]
                 .concat(made.slice().sort((a, b) => rank(a) - rank(b)).map(tileOf))
         }
         return tiles

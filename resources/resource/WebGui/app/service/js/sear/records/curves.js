@@ -48,7 +48,7 @@ Curves.prototype.draw = function(lines, marked) {
     var data = this.data()
     if (!this.plot) {
         this.plot = new uPlot(this.options(), data, this.box)
-        this.plot.ctx.canvas.setAttribute('aria-hidden', 'true')     // what it shows is named around it
+        this.plot.ctx.canvas.setAttribute('aria-label', 'Lines of ' + (lines.map(line => line.name).join(', ') || 'nothing'))
         this.listen(this.plot.over)
     } else {
         this.resize()

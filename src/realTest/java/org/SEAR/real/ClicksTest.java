@@ -73,7 +73,8 @@ public class ClicksTest extends InPage {
         page.browser.choose(".sear-add", "office Roomba.x");
         page.browser.click(".sear-forward");
         page.await("half a metre", "world.running.robots[0].pose[0] > " + (before + 0.5));
-        page.await("a line", "plot.chart() && plot.chart().lines.length == 1 && plot.chart().lines[0].values.length > 5");
+        page.await("its line beside those of the speed and a sensor", "plot.lines.indexOf('office Roomba.x') === 2 && plot.chart().plot"
+            + " && plot.chart().lines.length == 3 && plot.chart().lines[2].values.length > 5");
         page.browser.click(".sear-halt");
         page.await("the robot stands", "world.running.robots[0].speed == 0");
         page.browser.click(".sear-stop");
@@ -84,6 +85,8 @@ public class ClicksTest extends InPage {
         page.browser.click(".sear-play");
         page.await("played to its end", "!replay.shown.playing && replay.shown.index === replay.shown.times.length - 1");
         assertTrue("it shows where the robot was", page.number("world.shown().robots[0].pose[0]") > before + 0.5);
+        page.browser.click(".sear-share");
+        assertTrue("a page with three.js in it", Files.size(page.browser.download("run.html")) > 500_000);
         page.browser.click(".sear-end-replay");
         page.await("what is now", "replay.shown === null");
         Files.delete(mrl.folder().resolve("run.searlog"));

@@ -6,6 +6,7 @@ import static org.junit.Assert.assertTrue;
 import java.util.List;
 import java.util.Map;
 import org.junit.Test;
+import org.openqa.selenium.WebElement;
 
 /** SEAR's panels in MyRobotLab's own page: what they look like at four widths. */
 public class PanelsTest extends InPage {
@@ -57,6 +58,24 @@ public class PanelsTest extends InPage {
         for (String css : controls) {
             assertTrue(css + " is wide enough", page.browser.see(css).getSize().getWidth() >= NARROWEST);
         }
+    }
+
+    @Test
+    public void anExampleThatDrivesIsRunAndItsTextIsInTheTabOfPython() throws Exception {
+        page.open(mrl, "sear");
+        page.await("a layout", "layout.room !== undefined");
+        if (page.isTrue("layout.isFolded('scripts')")) {
+            page.browser.click(".sear-fold-scripts");
+        }
+        page.browser.choose(".sear-script", "obstacle avoidance");
+        page.browser.click(".sear-run-script");
+        page.await("a running simulation", "world.running !== null && view.fitted");
+        page.await("the project's name", "project.path === 'office.sear'");
+        page.browser.click(".sear-stop");
+        page.show("python");
+        page.browser.until("a tab with its text", () -> page.browser.all(".nav-tabs a").stream()
+            .filter(tab -> tab.getText().trim().startsWith("obstacle_avoidance.py")).peek(WebElement::click).count() == 1);
+        page.browser.seeText(".tab-pane.active .ace_content", "loadProject");
     }
 
     /** MyRobotLab's page is always light. */

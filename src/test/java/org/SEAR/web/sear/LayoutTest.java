@@ -29,11 +29,12 @@ public class LayoutTest {
         "    var tallest = Math.max.apply(null, [].map.call(row.children, function(e) { return e.getBoundingClientRect().height }))",
         "    return row.getClientRects().length && row.getBoundingClientRect().height > tallest * 1.6",
         "}).map(function(row) { return row.textContent.trim().replace(/\\s+/g, ' ').substring(0, 60) })");
-    /** What stands out of its panel to the right, and lists that hide a part of themselves. */
+    /** What stands out of its panel to the right, but for what scrolls in an editor, and lists that hide a part of themselves. */
     private static final String CUT = String.join("\n",
         "var panel = document.querySelector(arguments[0]), right = panel.getBoundingClientRect().right + 1, cut = []",
         "panel.querySelectorAll('*').forEach(function(e) {",
-        "    if (e.getClientRects().length && e.getBoundingClientRect().right > right && !e.closest('svg, .sear-file, .sear-log')) {",
+        "    if (e.getClientRects().length && e.getBoundingClientRect().right > right && !e.closest('svg, .sear-file, .sear-log')",
+        "        && !e.parentElement.closest('.ace_editor')) {",
         "        cut.push(e.outerHTML.substring(0, 100))",
         "    }",
         "})",

@@ -48,6 +48,7 @@ Curves.prototype.draw = function(lines, marked) {
     var data = this.data()
     if (!this.plot) {
         this.plot = new uPlot(this.options(), data, this.box)
+        this.plot.ctx.canvas.setAttribute('aria-label', 'Lines of ' + (lines.map(line => line.name).join(', ') || 'nothing'))
         this.listen(this.plot.over)
     } else {
         this.resize()
@@ -94,10 +95,10 @@ Curves.prototype.options = function() {
     var units = this.lines.map(line => line.unit).filter((unit, i, all) => all.indexOf(unit) === i)
     var scales = {x: {time: false, range: (u, from, to) => self.rangeOf(from, to)}}
     function axis(more) {
-        return angular.extend({stroke: self.ink, font: FONT, labelFont: FONT, labelSize: 18, grid: {stroke: 'rgba(128, 128, 128, 0.25)', width: 1},
+        return angular.extend({stroke: self.ink, font: FONT, labelFont: FONT, labelSize: 16, labelGap: 0, grid: {stroke: 'rgba(128, 128, 128, 0.25)', width: 1},
             ticks: {stroke: 'rgba(128, 128, 128, 0.4)', width: 1, size: 5}}, more)
     }
-    var axes = [axis({label: 'simulated time (s)', size: 32})]
+    var axes = [axis({label: 'simulated time (s)', size: 26})]
     units.forEach(function(unit, i) {
         var names = self.lines.filter(line => line.unit === unit).map(line => line.name).filter((name, k, all) => all.indexOf(name) === k)
         scales['in ' + unit] = {range: (u, low, high) => limits(low, high)}

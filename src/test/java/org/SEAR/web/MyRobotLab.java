@@ -241,7 +241,7 @@ public final class MyRobotLab implements AutoCloseable {
         deleteFolder(folder);
     }
 
-    static void deleteFolder(Path folder) {
+    public static void deleteFolder(Path folder) {
         try (Stream<Path> files = Files.walk(folder)) {
             List<Path> deepestFirst = files.sorted(Comparator.reverseOrder()).collect(Collectors.toList());
             for (Path file : deepestFirst) {

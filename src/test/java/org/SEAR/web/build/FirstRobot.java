@@ -28,8 +28,8 @@ import org.openqa.selenium.interactions.Actions;
  * &lt;!-- ground X Z --> &lt;!-- restart --> &lt;!-- picture NAME -->
  * </pre>
  */
-public final class FirstRobot {
-    private static final Pattern STEP = Pattern.compile("<!-- (\\w+) ?(.*?) -->|^`{3}(\\w+)\\n(.*?)^`{3}", Pattern.DOTALL | Pattern.MULTILINE);
+public final class FirstRobot implements AutoCloseable {
+    private static final Pattern STEP = Pattern.compile("<!-- (\\w+)(?: (.*?))? -->|^`{3}(\\w+)\\n(.*?)^`{3}", Pattern.DOTALL | Pattern.MULTILINE);
     private static final Pattern ADDRESS = Pattern.compile("http://localhost:\\d+/");
     private static final long PATIENCE_SECONDS = 240;
     private static final long LOOK_MILLIS = 100;
@@ -58,16 +58,12 @@ public final class FirstRobot {
         String page = Files.readString(Paths.get(System.getProperty("sear.root", "."), "docs/first-robot.md"));
         Matcher step = STEP.matcher(page);
         int steps = 0;
-        try {
-            for (; step.find(); steps++) {
-                if (step.group(3) == null) {
-                    act(step.group(1), step.group(2));
-                } else {
-                    run(step.group(3), step.group(4));
-                }
+        for (; step.find(); steps++) {
+            if (step.group(3) == null) {
+                act(step.group(1), step.group(2) == null ? "" : step.group(2));
+            } else {
+                run(step.group(3), step.group(4));
             }
-        } finally {
-            end();
         }
         return steps;
     }
@@ -115,8 +111,14 @@ public final class FirstRobot {
     }
 
     private void end() throws InterruptedException {
+        browser.driver().get("about:blank");
+        close();
+    }
+
+    /** Ends the {@code sear} of the page. */
+    @Override
+    public void close() throws InterruptedException {
         if (sear != null) {
-            browser.driver().get("about:blank");
             sear.destroy();
             sear.waitFor();
         }

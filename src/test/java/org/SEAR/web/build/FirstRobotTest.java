@@ -5,6 +5,7 @@ import static org.junit.Assert.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
 import org.SEAR.web.Browser;
@@ -20,13 +21,23 @@ public class FirstRobotTest {
     @Rule
     public TemporaryFolder folder = new TemporaryFolder();
 
+    private static int walk(FirstRobot tutorial, Browser browser) throws Exception {
+        try {
+            return tutorial.walk();
+        } catch (AssertionError e) {
+            browser.picture(Paths.get(System.getProperty("sear.root", "."), "build/reports/web/FirstRobotTest.png"));
+            throw e;
+        }
+    }
+
     @Test
     public void theTutorialEndsWithADrivingRobot() throws Exception {
         Path here = folder.getRoot().toPath().toRealPath();
         List<String> pictures = new ArrayList<>();
-        try (Browser browser = new Browser(1280, 800)) {
-            FirstRobot tutorial = new FirstRobot(browser, here, (shown, name) -> pictures.add(name));
-            assertTrue(tutorial.walk() >= LEAST_STEPS);
+        try (Browser browser = new Browser(1280, 800);
+                FirstRobot tutorial = new FirstRobot(browser, here, (shown, name) -> pictures.add(name))) {
+            int steps = walk(tutorial, browser);
+            assertTrue(steps + " steps", steps >= LEAST_STEPS);
             assertEquals(2, tutorial.printed.size());
             for (String[] printed : tutorial.printed) {
                 assertEquals(printed[0], printed[1]);

@@ -1,11 +1,15 @@
 package org.SEAR.web.pictures;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.List;
 import org.SEAR.web.Browser;
+import org.SEAR.web.build.FirstRobot;
 import org.SEAR.web.MyRobotLab;
 import org.SEAR.web.SearTab;
 import org.openqa.selenium.Dimension;
@@ -28,8 +32,8 @@ public final class TabPictures {
     }
 
     /**
-     * @param arguments the folder for the pictures and, if not all are wanted, some of {@code tabs}, {@code terrain-tab}, {@code building} and
-     *     {@code tiles}
+     * @param arguments the folder for the pictures and, if not all are wanted, some of {@code tabs}, {@code terrain-tab}, {@code building},
+     *     {@code tiles} and {@code first}
      */
     public static void main(String[] arguments) throws Exception {
         Path folder = Paths.get(arguments[0]);
@@ -46,7 +50,27 @@ public final class TabPictures {
         if (wanted.isEmpty() || wanted.contains("tiles")) {
             TilePictures.take();
         }
+        if (wanted.isEmpty() || wanted.contains("first")) {
+            first(folder);
+        }
         System.exit(0);
+    }
+
+    /** Those of the tutorial, whose script draws the third itself. */
+    private static void first(Path folder) throws Exception {
+        Path here = Files.createTempDirectory("sear-first");
+        try (Browser browser = new Browser(WIDTH, 800); FirstRobot tutorial = new FirstRobot(browser, here, (shown, name) -> {
+            try {
+                shown.picture(folder.resolve(name + ".png"));
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        })) {
+            tutorial.walk();
+            Files.copy(here.resolve("first.png"), folder.resolve("first-3.png"), StandardCopyOption.REPLACE_EXISTING);
+        } finally {
+            MyRobotLab.deleteFolder(here);
+        }
     }
 
     /** The tabs of a robot that drives. */

@@ -95,8 +95,8 @@ Curves.prototype.options = function() {
     var units = this.lines.map(line => line.unit).filter((unit, i, all) => all.indexOf(unit) === i)
     var scales = {x: {time: false, range: (u, from, to) => self.rangeOf(from, to)}}
     function axis(more) {
-        return angular.extend({stroke: self.ink, font: FONT, labelFont: FONT, labelSize: 16, labelGap: 0, grid: {stroke: 'rgba(128, 128, 128, 0.25)', width: 1},
-            ticks: {stroke: 'rgba(128, 128, 128, 0.4)', width: 1, size: 5}}, more)
+        return angular.extend({stroke: self.ink, font: FONT, labelFont: FONT, labelSize: 16, labelGap: 0,
+            grid: {stroke: 'rgba(128, 128, 128, 0.25)', width: 1}, ticks: {stroke: 'rgba(128, 128, 128, 0.4)', width: 1, size: 5}}, more)
     }
     var axes = [axis({label: 'simulated time (s)', size: 26})]
     units.forEach(function(unit, i) {

@@ -50,21 +50,24 @@ function bundle(name, made) {
 }
 
 function page(title, three, modules, run) {
-    return '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>'
+    return '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        + '<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>'
         + escaped(title) + '</title>\n<style>\n:root { color-scheme: light dark; }\n'
         + 'html, body { height: 100%; margin: 0; font: 14px system-ui, sans-serif; }\nbody { display: flex; flex-direction: column; }\n'
         + '#view { flex: 1 1 0; min-height: 0; width: 100%; touch-action: none; }\n'
         + '#bar { display: flex; flex-wrap: wrap; align-items: center; gap: 6px 10px; padding: 8px 12px; }\n'
         + '#slider { flex: 1 1 160px; }\n#time { font-variant-numeric: tabular-nums; }\n#bar button { min-width: 5em; }\n</style>\n</head>\n<body>\n'
         + '<canvas id="view" role="img" aria-label="' + escaped(title).replace(/"/g, '&quot;') + '"></canvas>\n<div id="bar">\n'
-        + '<button id="play" type="button">Play</button>\n<input id="slider" type="range" min="0" value="0" aria-label="Time">\n<span id="time"></span>\n'
+        + '<button id="play" type="button">Play</button>\n'
+        + '<input id="slider" type="range" min="0" value="0" aria-label="Time">\n<span id="time"></span>\n'
         + '<select id="speed" aria-label="Speed"><option value="0.25">¼ ×</option><option value="1" selected>real time</option>'
         + '<option value="4">4 ×</option><option value="20">20 ×</option></select>\n'
         + '<label><input id="follow" type="checkbox"> follow</label>\n<strong>' + escaped(title) + '</strong>\n</div>\n'
         + '<p id="failed" role="alert" hidden>This browser has no WebGL, which the animation needs.</p>\n'
         + '<script>' + safe(three) + '</script>\n<script id="run" type="application/json">' + json(run) + '</script>\n<script>\n'
         + 'var angular = {forEach: function(list, each, self) { (list || []).forEach(each, self) }}\nvar modules = {}\n' + safe(modules)
-        + '\nvar player\ntry {\n  player = modules[\'' + PLAYER + '\'].play(JSON.parse(document.getElementById(\'run\').textContent))\n} catch (e) {\n'
+        + '\nvar player\ntry {\n'
+        + '  player = modules[\'' + PLAYER + '\'].play(JSON.parse(document.getElementById(\'run\').textContent))\n} catch (e) {\n'
         + '  document.getElementById(\'failed\').hidden = false\n  throw e\n}\n</script>\n</body>\n</html>\n'
 }
 
@@ -152,7 +155,8 @@ export function makeShare(panel, messages, replay, ground) {
                     + ' MB; share a shorter record, or one of a world with fewer and simpler models')
             }
             saveText(title + '.html', text)
-            messages.say('info', 'the run is saved as ' + title + '.html, ' + (text.length / 1e6).toFixed(1) + ' MB: it opens in any browser, without SEAR')
+            messages.say('info', 'the run is saved as ' + title + '.html, ' + (text.length / 1e6).toFixed(1)
+                + ' MB: it opens in any browser, without SEAR')
         })
     }
     /** A world without what this page has noted in it. */

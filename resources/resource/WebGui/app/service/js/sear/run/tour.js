@@ -1,5 +1,5 @@
-// The tour of the SEAR panel: from an empty ground to a robot that sees and drives, each step as soon as its user has done it. By driver.js, which the
-// build puts into lib. docs/first-robot.md is the same in words.
+// The tour of the SEAR panel: from an empty ground to a robot that sees and drives, each step as soon as its user has done it. By driver.js, which
+// the build puts into lib. docs/first-robot.md is the same in words.
 import {driver} from '../lib/driver.js'
 
 var OPENS_MILLIS = 2000     // how long a step waits for the part of the page that it points at
@@ -24,24 +24,36 @@ function stepsOf(panel, world, palette, script, layout) {
     var hasSensor = () => now().sensors.length > 0
     var hasBox = () => now().objects.some(object => object.type === 'Box')
     return [
-        {at: '.sear-palette', title: 'Choose a robot', text: 'All that can be made is here. Click <b>Rover</b>: two driven wheels and a caster.',
+        {at: '.sear-palette', title: 'Choose a robot',
+            text: 'All that can be made is here. Click <b>Rover</b>: two driven wheels and a caster.',
             done: () => isArmed('rover') || hasRobot()},
-        {at: '.sear-canvas', title: 'Put it on the ground', text: 'Click on the ground near the middle. It gets a floor to stand on.', done: hasRobot},
-        {at: '.sear-palette', title: 'Give it an eye', text: 'Click <b>Distance sensor</b>, below <i>Sensors</i>.', done: () => isArmed('Distance') || hasSensor()},
-        {at: '.sear-canvas', title: 'Mount it', text: 'Click on the rover, or on <b>Put it in the middle</b>. It looks ahead, and a little up, over the floor.',
-            done: hasSensor},
-        {at: '.sear-palette', title: 'An obstacle', text: 'Click <b>Box</b>, the first of all.', done: () => isArmed('Box') || hasBox()},
-        {at: '.sear-canvas', title: 'In its way', text: 'Click on the ground about a metre ahead of the rover. It looks along the blue axis, to the east.',
+        {at: '.sear-canvas', title: 'Put it on the ground',
+            text: 'Click on the ground near the middle. It gets a floor to stand on.', done: hasRobot},
+        {at: '.sear-palette', title: 'Give it an eye',
+            text: 'Click <b>Distance sensor</b>, below <i>Sensors</i>.', done: () => isArmed('Distance') || hasSensor()},
+        {at: '.sear-canvas', title: 'Mount it',
+            text: 'Click on the rover, or on <b>Put it in the middle</b>. It looks ahead, and a little up, over the floor.', done: hasSensor},
+        {at: '.sear-palette', title: 'An obstacle',
+            text: 'Click <b>Box</b>, the first of all.', done: () => isArmed('Box') || hasBox()},
+        {at: '.sear-canvas', title: 'In its way',
+            text: 'Click on the ground about a metre ahead of the rover. It looks along the blue axis, to the east.',
             done: hasBox},
-        {at: '.sear-making', title: 'Start', text: 'Click <b>Test drive</b>: the simulation starts, and the keys are the rover\'s.', done: panel.isSimulating},
-        {at: '.sear-body', title: 'Drive', text: 'Hold <b>W</b> or the arrow up, or click an arrow below the view. <i>Readings</i>, at the right, has what the eye sees.',
+        {at: '.sear-making', title: 'Start',
+            text: 'Click <b>Test drive</b>: the simulation starts, and the keys are the rover\'s.', done: panel.isSimulating},
+        {at: '.sear-driving', title: 'Drive',
+            text: 'Hold <b>W</b> or the arrow up, or click an arrow below the view. <i>Readings</i>, at the right, has what the eye sees.',
             done: hasMoved},
-        {at: '.sear-drawers', title: 'See what it did', text: 'Click <b>Plots</b>: the rover\'s speed and what its eye sees, over time.', done: () => !layout.isFolded('plots')},
-        {at: '.sear-bar', title: 'Stop', text: 'Click the red button. What you have built stays.', done: () => !panel.isSimulating()},
-        {at: '.sear-drawers', title: 'It is a script, too', text: 'Click <b>Scripts</b>.', done: () => !layout.isFolded('scripts')},
-        {at: '.sear-scripts', title: 'It is a script, too', text: 'Click <b>Show as Python</b>: these lines make the same robot. A script can drive it as well: '
+        {at: '.sear-drawers', title: 'See what it did',
+            text: 'Click <b>Plots</b>: the rover\'s speed and what its eye sees, over time.', done: () => !layout.isFolded('plots')},
+        {at: '.sear-bar', title: 'Stop',
+            text: 'Click the red button. What you have built stays.', done: () => !panel.isSimulating()},
+        {at: '.sear-drawers', title: 'It is a script, too',
+            text: 'Click <b>Scripts</b>.', done: () => !layout.isFolded('scripts')},
+        {at: '.sear-scripts', title: 'It is a script, too',
+            text: 'Click <b>Show as Python</b>: these lines make the same robot. A script can drive it as well: '
             + 'docs/first-robot.md goes on there.', done: () => script.shown !== null},
-        {at: '.sear-scripts', title: 'That is your first robot', text: '<b>Save</b>, below the project\'s name, makes one file of it.'}
+        {at: '.sear-scripts', title: 'That is your first robot',
+            text: '<b>Save</b>, below the project\'s name, makes one file of it.'}
     ]
 }
 

@@ -1,7 +1,8 @@
 // What the SEAR panel shows in place of an empty view: pictures of what one can begin with.
 
 var TILES = '../tiles/'
-var TOUR = {name: 'tour', title: 'First robot', text: 'A tour of ten minutes: build a rover with an eye, and drive it.', picture: 'tour.jpg', first: true}
+var TOUR = {name: 'tour', title: 'First robot', text: 'A tour of ten minutes: build a rover with an eye, and drive it.', picture: 'tour.jpg',
+    first: true}
 var MINE = {name: 'build', title: 'Build my own', text: 'An empty ground, and a palette of things, robots and sensors.', picture: 'build.jpg'}
 // By the name of an example: its title, and what one sees there.
 var EXAMPLES = {
@@ -41,11 +42,14 @@ export function makeWelcome(world, view, palette, project, tour) {
         var known = EXAMPLES[name] || [name, '']
         return {name: name, title: known[0], text: known[1], picture: known[1] ? picture(name + '.jpg') : '', open: () => project.open(path)}
     }
+    function ownTile(tile, open) {
+        return angular.extend({}, tile, {picture: picture(tile.picture), open: open})
+    }
     /** The tour, one to build without any example, and one for each example. */
     welcome.tiles = function() {
         if (made !== project.examples) {
             made = project.examples
-            tiles = [angular.extend({}, TOUR, {picture: picture(TOUR.picture), open: tour.start}), angular.extend({}, MINE, {picture: picture(MINE.picture), open: palette.build})]
+            tiles = [ownTile(TOUR, tour.start), ownTile(MINE, palette.build)]
                 .concat(made.slice().sort((a, b) => rank(a) - rank(b)).map(tileOf))
         }
         return tiles

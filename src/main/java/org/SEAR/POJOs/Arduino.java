@@ -153,7 +153,9 @@ public class Arduino extends SearObject implements SerialObject {
     private SearObject find(String part) {
         Map<String, SEARrobot> robots = new LinkedHashMap<>();
         for (SEARrobot robot : robot() != null ? List.of(robot()) : Workbenches.ALL.made(SEARrobot.class)) {
-            robots.put(robot.getName(), robot);    // a later one of that name has replaced it
+            if (robot.isInProject()) {
+                robots.put(robot.getName(), robot);    // a later one of that name has replaced it
+            }
         }
         List<SearObject> found = new ArrayList<>();
         List<String> names = new ArrayList<>();

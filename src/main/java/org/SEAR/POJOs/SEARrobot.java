@@ -318,6 +318,15 @@ public class SEARrobot extends PlacedObject {
         return Collections.unmodifiableList(components);
     }
 
+    /** Whether the project that is open now has its file. */
+    boolean isInProject() {
+        try {
+            return Stores.get().replaces(getName());
+        } catch (IOException e) {
+            throw new UncheckedIOException("the project can't be read: " + e.getMessage(), e);
+        }
+    }
+
     /**
      * A component or wheel by its name, for example a motor of a ready robot.
      *

@@ -1,9 +1,12 @@
 package org.SEAR.robot;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.OpenInterfaceBody;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
@@ -21,6 +24,10 @@ public final class StartChecks {
 
     /** A wheel that is less to a side is in the middle, metres. */
     private static final double MIDDLE = 1e-3;
+    /** Motors that speed a robot up by less, m/s^2, are taken for a mistake. */
+    private static final double WEAK = 0.02;
+    /** A speed at which a small robot is seen to move, m/s. */
+    private static final double SLOW = 0.1;
     /** A robot that stands tilted by more is told, degrees: no more than springs give way. */
     private static final double LEVEL = 2;
     /** So many times as stiff as what just holds. */
@@ -43,6 +50,7 @@ public final class StartChecks {
         checkDimensions(robot, warnings);
         checkSides(robot.getObject(), warnings);
         checkLevel(robot, warnings);
+        checkMotors(robot, warnings);
         if (robot.getStability().isCritical()) {
             warnings.add("robot " + name + " " + robot.getStability().getWords());
         }
@@ -82,6 +90,32 @@ public final class StartChecks {
                 lengthwise ? ahead > 0 ? "back" : "front" : aside > 0 ? "right" : "left", robot.getObject().getWheels().stream()
                 .map(wheel -> String.format(Locale.ROOT, "%s to y %.3f m", wheel.getName(), wheel.getY() - wheel.getRadius() * wheel.getScaleY()))
                 .collect(Collectors.joining(", "))));
+        }
+    }
+
+    /** Motors that are so weak that nobody would see the robot start. */
+    private static void checkMotors(RobotModel robot, List<String> warnings) {
+        SEARrobot object = robot.getObject();
+        double force = 0;
+        Motor weakest = null;
+        Set<String> turned = new HashSet<>();
+        for (SearObject part : object.getComponents()) {
+            if (part instanceof Motor && !((Motor) part).getWheelNames().isEmpty()) {
+                Motor motor = (Motor) part;
+                turned.addAll(motor.getWheelNames());
+                String first = motor.getWheelNames().get(0);
+                double radius = object.getWheels().stream().filter(wheel -> wheel.getName().equals(first)).mapToDouble(Wheel::getRadius).findFirst()
+                    .orElse(Double.POSITIVE_INFINITY);
+                force += motor.getStallTorque() * motor.getGearRatio() / radius;
+                weakest = weakest == null || motor.getStallTorque() < weakest.getStallTorque() ? motor : weakest;
+            }
+        }
+        double mass = robot.getBody().mass;
+        boolean byMotorsOnly = object.getWheels().stream().allMatch(wheel -> !wheel.isDriven() || turned.contains(wheel.getName()));
+        if (weakest != null && byMotorsOnly && force < WEAK * mass) {
+            warnings.add(String.format(Locale.ROOT, "robot %s weighs %s kg, and its motors push it with %.2g N in all, so that it needs %.0f s to"
+                + " reach 0.1 m/s: stallTorque of %s is %s N m, and gearRatio makes more of it", object.getName(), Parameter.format(mass), force,
+                Math.ceil(SLOW * mass / force), weakest.getName(), Parameter.format(weakest.getStallTorque())));
         }
     }
 

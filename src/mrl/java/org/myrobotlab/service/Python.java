@@ -24,6 +24,7 @@ import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Platform;
 import org.myrobotlab.framework.Registration;
 import org.myrobotlab.framework.Service;
+import org.myrobotlab.framework.Status;
 import org.myrobotlab.framework.interfaces.MessageListener;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.logging.LoggerFactory;
@@ -96,12 +97,21 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         PythonEngine fresh = new PythonEngine(getName(), new ConsoleStream(System.out, text -> invoke("publishStdOut", text)),
             new ConsoleStream(System.err, text -> invoke("publishStdError", text)));
         fresh.run(IMPORTS);
+        fresh.setWarned(this::caution);
         fresh.set("Platform", Platform.class);
         fresh.set("Runtime", Runtime.class);
         fresh.set("Service", Service.class);
         Runtime.getServices().forEach(service -> introduce(service, fresh));
         engine = fresh; // whole, since others may have it run a script from now on
         Runtime.getServices().forEach(service -> introduce(service, fresh)); // those that came meanwhile
+    }
+
+    /** A warning that is none to stop for: {@code warn} publishes an error. */
+    private void caution(String text) {
+        Status status = Status.warn("%s", text);
+        status.name = getName();
+        log.warn("{}: {}", getName(), text);
+        broadcastStatus(status);
     }
 
     /** A class for its type, and a variable of its name. */

@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Properties;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import org.myrobotlab.embedded.OutOfMemory;
 import org.python.core.CompileMode;
 import org.python.core.CompilerFlags;
@@ -44,6 +45,7 @@ public final class PythonEngine {
     private final PythonInterpreter interpreter;
     private volatile ScriptResult last = ScriptResult.GOOD;
     private volatile List<String> arguments = List.of();
+    private volatile Consumer<String> warned = text -> { };
     private volatile boolean callFailed;
     private volatile boolean finishing;
     private final Map<Thread, Run> running = new HashMap<>();
@@ -108,8 +110,15 @@ public final class PythonEngine {
 
     private ScriptResult run(byte[] code, String fileName) {
         SourceLine.remember(fileName, code);
-        last = guarded(() -> interpreter.execfile(new ByteArrayInputStream(PythonSource.withEncoding(code)), fileName));
+        byte[] source = PythonSource.withEncoding(code);
+        SilentMistakes.in(source, fileName).forEach(warned);
+        last = guarded(() -> interpreter.execfile(new ByteArrayInputStream(source), fileName));
         return last;
+    }
+
+    /** @param listener takes what a script hardly means, before it is run */
+    public void setWarned(Consumer<String> listener) {
+        warned = listener;
     }
 
     /** How the last script ended. */

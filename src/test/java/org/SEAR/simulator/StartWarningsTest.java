@@ -1,0 +1,125 @@
+package org.SEAR.simulator;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.util.List;
+import java.util.function.Function;
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Motor;
+import org.SEAR.POJOs.Robots;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.Wheel;
+import org.SEAR.project.ProjectRule;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** What is legal but hardly meant is told at the start, and nothing else is. */
+public class StartWarningsTest {
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    private List<String> warnings() throws Exception {
+        try (Simulation world = Simulation.load(project.folder(), 1)) {
+            return world.snapshot().warnings;
+        }
+    }
+
+    private void assertTold(String... words) throws Exception {
+        List<String> told = warnings();
+        assertEquals(told.toString(), 1, told.size());
+        for (String word : words) {
+            assertTrue(told.toString(), told.get(0).contains(word));
+        }
+    }
+
+    /** A robot whose springs are its maker's, and which stands on three wheels. */
+    private static SEARrobot threeWheels(double leftY, double rightY, double casterY) {
+        SEARrobot robot = new SEARrobot("robot");
+        robot.addComponent(new Dynamics("drive", 2, 1000, 0.5, 0.5, 10000, 0.02, 0, 0.15, 0, 0, 0, 0));
+        robot.addComponent(new Box("body", 0.2, 0.1, 0.3, 1));
+        robot.addWheel(new Wheel("left", 0.05, 0.03, 1, 0.12, leftY, 0.1));
+        robot.addWheel(new Wheel("right", 0.05, 0.03, 1, -0.12, rightY, 0.1));
+        robot.addWheel(new Wheel("caster", 0.05, 0.02, 0, 0, casterY, -0.15));
+        return robot;
+    }
+
+    @Test
+    public void readyRobotsAreNotWarnedOf() throws Exception {
+        new Floor("floor", 20, 20);
+        double z = 0;
+        for (Function<String, SEARrobot> maker : List.<Function<String, SEARrobot>>of(Robots::rover, Robots::fourWheeled, Robots::car, Robots::create,
+            Robots::create2, Robots::roomba400)) {
+            maker.apply("robot" + (int) z).move(0, 0, z++);
+        }
+        assertEquals(List.of(), warnings());
+    }
+
+    @Test
+    public void aRobotThatStandsTiltedIsToldWhichWay() throws Exception {
+        new Floor("floor", 20, 20);
+        threeWheels(0, 0, 0.03);
+        assertTold("robot robot stands tilted by 7 degrees, with its front up", "caster to y -0.020 m", "should be the same for all");
+    }
+
+    @Test
+    public void tiltedBackwardsAndToTheSide() throws Exception {
+        new Floor("floor", 20, 20);
+        threeWheels(0, 0, -0.03);
+        assertTold("stands tilted by 7 degrees, with its back up");
+        threeWheels(-0.02, 0.02, 0);
+        assertTrue(warnings().toString(), warnings().toString().contains("stands tilted by 9 degrees, with its left up"));
+        threeWheels(0, 0, 0.005);
+        assertEquals(List.of(), warnings());
+    }
+
+    @Test
+    public void drivenWheelsOnOneSideOnly() throws Exception {
+        new Floor("floor", 20, 20);
+        SEARrobot robot = new SEARrobot("robot");
+        robot.addComponent(new Dynamics("drive", 2, 0, 0.2, 0, 0, 0, 0));
+        robot.addWheel(new Wheel("front", 0.05, 0.03, 1, -0.12, 0, 0.1));
+        robot.addWheel(new Wheel("back", 0.05, 0.03, 1, -0.12, 0, -0.1));
+        robot.addWheel(new Wheel("caster", 0.05, 0.02, 0, 0.12, 0, 0));
+        assertTold("robot robot has all its driven wheels on the right (front, x -0.12 m)", "wheel.move(0.12, 0, 0.1) puts one on the other side");
+    }
+
+    @Test
+    public void centimetresForMetres() throws Exception {
+        new Floor("floor", 20, 20);
+        new Box("near", 1, 1, 1).move(0, 0.5, 55);
+        assertEquals(List.of(), warnings());
+        new Box("wall", 1, 1, 1).move(150, 0.5, 0);
+        assertTold("wall starts 140 m beside the ground, at x 150, z 0", "it is x 1.50, z 0");
+        new Box("wall", 400, 1, 10).move(0, 0.5, 0);
+        assertTold("wall is 400 m large, and the ground only 20 m", "divide them by 100");
+        new Box("wall", 1, 1, 1, 1).move(0, 90, 0);
+        assertTold("wall starts 90 m above the ground and will fall: lengths are metres");
+    }
+
+    @Test
+    public void whatIsBesideNoGroundIsNotTold() throws Exception {
+        new Box("wall", 1, 1, 1).move(150, 0.5, 0);
+        assertEquals(List.of(), warnings());
+    }
+
+    @Test
+    public void weakMotors() throws Exception {
+        new Floor("floor", 20, 20);
+        SEARrobot rover = threeWheels(0, 0, 0);
+        rover.addComponent(new Motor("leftMotor", rover.getWheels().get(0), 0.0005, 20));
+        rover.addComponent(new Motor("rightMotor", rover.getWheels().get(1), 0.0005, 20));
+        assertTold("robot robot weighs 2 kg, and its motors push it with 0.020 N in all, so that it needs 10 s to reach 0.1 m/s",
+            "stallTorque of leftMotor is 0.0005 N m");
+    }
+
+    @Test
+    public void whatARobotStartsInIsNamed() throws Exception {
+        new Floor("floor", 20, 20);
+        new Box("wall", 1, 1, 1).move(0, 0.5, 0);
+        Robots.rover("rover");
+        assertTold("rover started inside something fixed, wall; it was lifted by", "or another x or z, starts it outside");
+    }
+}

@@ -1,8 +1,10 @@
 package org.myrobotlab.service;
 
 import java.util.concurrent.Callable;
+import org.SEAR.grammar.ScriptLine;
 import org.SEAR.project.problems.FileReasons;
 import org.SEAR.project.problems.ProjectException;
+import org.myrobotlab.framework.Status;
 
 /**
  * How a SEAR service answers calls: what goes wrong is published as an error status and thrown, as IllegalArgumentException for values and
@@ -34,21 +36,32 @@ final class SearCalls {
             }
             return work.call();
         } catch (IllegalArgumentException e) {
-            service.error("%s", FileReasons.of(e));
+            publish(FileReasons.of(e));
             throw e;
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new IllegalStateException("the script was stopped while it waited", e);
         } catch (LinkageError e) {
-            service.error("%s", missing(e));
+            publish(missing(e));
             throw new IllegalStateException(missing(e), e);
         } catch (Exception e) {
             if (e instanceof ProjectException) {
                 service.invoke("publishProblems", ((ProjectException) e).getProblems());
             }
-            service.error("%s", FileReasons.of(e));
+            publish(FileReasons.of(e));
             throw e instanceof IllegalStateException ? (IllegalStateException) e : new IllegalStateException(FileReasons.of(e), e);
         }
+    }
+
+    /** A script that calls is told by what is thrown: for it the log needs no second line. */
+    private void publish(String error) {
+        if (ScriptLine.here().isEmpty()) {
+            service.error("%s", error);
+            return;
+        }
+        Status status = Status.error("%s", error);
+        status.name = service.getName();
+        service.broadcastStatus(status);
     }
 
     static String missing(LinkageError e) {

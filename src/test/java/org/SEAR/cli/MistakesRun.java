@@ -64,16 +64,27 @@ public final class MistakesRun {
         if (Files.exists(message)) {
             String wanted = Files.readString(message);
             long end = System.nanoTime() + PATIENCE;
-            while (script.isAlive() && !seen.toString(StandardCharsets.UTF_8).contains(wanted) && System.nanoTime() < end) {
+            while (script.isAlive() && !text(seen, folder).contains(wanted) && System.nanoTime() < end) {
                 script.join(LOOK_MILLIS);
             }
-            PythonEngine.of("python").interrupt();
+            while (script.isAlive()) {    // it may not have begun yet
+                PythonEngine engine = PythonEngine.of("python");
+                if (engine != null) {
+                    engine.interrupt();
+                }
+                script.join(LOOK_MILLIS);
+            }
         }
         script.join();
         double seconds = (processorNanos() - before) / (double) TimeUnit.SECONDS.toNanos(1);
-        Files.writeString(folder.resolve("output.txt"), seen.toString(StandardCharsets.UTF_8));
+        Files.writeString(folder.resolve("output.txt"), text(seen, folder));
         Files.writeString(folder.resolve("status.txt"), String.valueOf(status[0]));
         Files.writeString(folder.resolve("seconds.txt"), String.valueOf(seconds));
+    }
+
+    /** As one sees it who is in the script's folder. */
+    private static String text(ByteArrayOutputStream seen, Path folder) {
+        return seen.toString(StandardCharsets.UTF_8).replace(folder + "/", "");
     }
 
     private static long processorNanos() {

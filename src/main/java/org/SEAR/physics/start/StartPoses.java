@@ -36,11 +36,13 @@ public final class StartPoses {
         List<Body> fixed = bodies.stream().filter(Body::isFixed).collect(Collectors.toList());
         for (Body body : bodies) {
             if (!body.isFixed()) {
-                String inside = obstacles(body, fixed).map(obstacle -> obstacle.name).limit(MOST_OBSTACLES).collect(Collectors.joining(" and "));
+                Pose before = body.getStart();
                 double lifted = liftOut(body, fixed);
                 if (lifted > 0) {
+                    String inside = obstacles(body, before, fixed).map(obstacle -> obstacle.name).limit(MOST_OBSTACLES)
+                        .collect(Collectors.joining(" and "));
                     warnings.add(String.format(Locale.ROOT, "%s started inside something fixed, %s; it was lifted by %.3f m: move(x, y, z) with y"
-                        + " %.3f, or another x or z, starts it outside", body.name, inside, lifted, body.getStart().y));
+                        + " greater by so much, or another x or z, starts it outside", body.name, inside, lifted));
                 }
             }
         }
@@ -156,11 +158,12 @@ public final class StartPoses {
         return false;
     }
 
-    private static Stream<Body> obstacles(Body body, List<Body> others) {
+    /** In which of the others a body is at a pose. */
+    private static Stream<Body> obstacles(Body body, Pose at, List<Body> others) {
         Overlap mine = new Overlap(body);
-        Aabb box = mine.bounds(body.getStart());
+        Aabb box = mine.bounds(at);
         return others.stream().filter(other -> box.overlaps(new Overlap(other).bounds(other.getPose()))
-            && mine.overlaps(body.getStart(), new Overlap(other), other.getPose(), ALLOWED));
+            && mine.overlaps(at, new Overlap(other), other.getPose(), ALLOWED));
     }
 
     private static boolean liftOnce(Body body, List<Body> others) {

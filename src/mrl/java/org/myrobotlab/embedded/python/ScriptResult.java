@@ -62,6 +62,11 @@ public final class ScriptResult {
         e.normalize();
         Py.displayException(e.type, e.value, e.traceback, file);
         file.flush();
+        String message = e.value.__str__().toString();
+        if (message.contains("\n") && e.value.__tojava__(Throwable.class) instanceof Throwable) {
+            return bytes.toString(StandardCharsets.UTF_8).lines().takeWhile(line -> line.startsWith("Traceback") || line.startsWith("  "))
+                .collect(Collectors.joining("\n")) + "\n" + message;
+        }
         return bytes.toString(StandardCharsets.UTF_8).lines().filter(line -> !line.startsWith("\tat ") && !line.startsWith("\t... "))
             .distinct().map(line -> TWICE.matcher(line).replaceFirst("$1: ")).collect(Collectors.joining("\n"));
     }

@@ -1,4 +1,5 @@
-// The mouse as a hand in the SEAR panel: with the shift key it takes what is loose in a running world and pulls it by a spring, which the service holds.
+// The mouse as a hand in the SEAR panel: with the shift key it takes what is loose in a running world and pulls it by a spring, which the service
+// holds.
 import * as geometry from '../shared/geometry.js'
 import {find, local, onPlane, ray} from '../world/pointing.js'
 

@@ -129,7 +129,7 @@ export function play(run) {
         event.preventDefault()
         repaint()
     }, {passive: false})
-    window.onresize = repaint
+    window.addEventListener('resize', repaint)
 
     seek(0)
     var area = geometry.area(geometry.shapesOf(world))

@@ -6,6 +6,7 @@ import {titleOf} from './values.js'
 export var colors = ['#337ab7', '#d9534f', '#3c9a3c', '#e08e0b', '#8e5bb5', '#1ba39c', '#b8860b', '#c2185b']
 var FONT = '12px system-ui, sans-serif'
 var MARK = '#d9534f'
+var GRID = 'rgba(128, 128, 128, 0.25)'
 var DRAG = 4                // pixels that are no click
 var PAPER = 14              // pixels around a picture that is saved
 
@@ -95,15 +96,15 @@ Curves.prototype.options = function() {
     var units = this.lines.map(line => line.unit).filter((unit, i, all) => all.indexOf(unit) === i)
     var scales = {x: {time: false, range: (u, from, to) => self.rangeOf(from, to)}}
     function axis(more) {
-        return angular.extend({stroke: self.ink, font: FONT, labelFont: FONT, labelSize: 16, labelGap: 0,
-            grid: {stroke: 'rgba(128, 128, 128, 0.25)', width: 1}, ticks: {stroke: 'rgba(128, 128, 128, 0.4)', width: 1, size: 5}}, more)
+        return angular.extend({stroke: self.ink, font: FONT, labelFont: FONT, labelSize: 16, labelGap: 0, grid: {stroke: GRID, width: 1},
+            ticks: {stroke: 'rgba(128, 128, 128, 0.4)', width: 1, size: 5}}, more)
     }
     var axes = [axis({label: 'simulated time (s)', size: 26})]
     units.forEach(function(unit, i) {
         var names = self.lines.filter(line => line.unit === unit).map(line => line.name).filter((name, k, all) => all.indexOf(name) === k)
         scales['in ' + unit] = {range: (u, low, high) => limits(low, high)}
-        axes.push(axis({scale: 'in ' + unit, label: titleOf(names, unit), side: i === 0 ? 3 : 1, size: 58,
-            grid: {show: i === 0, stroke: 'rgba(128, 128, 128, 0.25)', width: 1}}))
+        axes.push(axis({scale: 'in ' + unit, label: titleOf(names, unit), side: i === 0 ? 3 : 1, size: 58, space: 22,
+            grid: {show: i === 0, stroke: GRID, width: 1}}))
     })
     return angular.extend(this.size(), {
         legend: {show: false},

@@ -197,8 +197,10 @@ export function makePlot(panel, world, records, replay, layout) {
     })
     /** What to do where nothing is seen. */
     function hint() {
-        return !plot.lines.length ? 'Nothing is plotted: choose a value above'
-            : !chart.isEmpty() ? '' : plot.source || world.running ? 'No values yet'
+        if (plot.lines.length && !chart.isEmpty()) {
+            return ''
+        }
+        return !plot.lines.length ? 'Nothing is plotted: choose a value above' : plot.source || world.running ? 'No values yet'
             : 'Start the simulation, or choose a record, to see values over time'
     }
     plot.zoom = function(factor) {

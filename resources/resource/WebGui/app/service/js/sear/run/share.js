@@ -25,7 +25,7 @@ function json(what) {
     return JSON.stringify(what).replace(/</g, '\\u003c')
 }
 function escaped(text) {
-    return text.replace(/&/g, '&amp;').replace(/</g, '&lt;')
+    return text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/"/g, '&quot;')
 }
 
 /** A module and all that it imports, each as the function that it becomes, in order. @param made names of those that are there */
@@ -49,26 +49,9 @@ function bundle(name, made) {
     })
 }
 
-function page(title, three, modules, run) {
-    return '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        + '<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>'
-        + escaped(title) + '</title>\n<style>\n:root { color-scheme: light dark; }\n'
-        + 'html, body { height: 100%; margin: 0; font: 14px system-ui, sans-serif; }\nbody { display: flex; flex-direction: column; }\n'
-        + '#view { flex: 1 1 0; min-height: 0; width: 100%; touch-action: none; }\n'
-        + '#bar { display: flex; flex-wrap: wrap; align-items: center; gap: 6px 10px; padding: 8px 12px; }\n'
-        + '#slider { flex: 1 1 160px; }\n#time { font-variant-numeric: tabular-nums; }\n#bar button { min-width: 5em; }\n</style>\n</head>\n<body>\n'
-        + '<canvas id="view" role="img" aria-label="' + escaped(title).replace(/"/g, '&quot;') + '"></canvas>\n<div id="bar">\n'
-        + '<button id="play" type="button">Play</button>\n'
-        + '<input id="slider" type="range" min="0" value="0" aria-label="Time">\n<span id="time"></span>\n'
-        + '<select id="speed" aria-label="Speed"><option value="0.25">¼ ×</option><option value="1" selected>real time</option>'
-        + '<option value="4">4 ×</option><option value="20">20 ×</option></select>\n'
-        + '<label><input id="follow" type="checkbox"> follow</label>\n<strong>' + escaped(title) + '</strong>\n</div>\n'
-        + '<p id="failed" role="alert" hidden>This browser has no WebGL, which the animation needs.</p>\n'
-        + '<script>' + safe(three) + '</script>\n<script id="run" type="application/json">' + json(run) + '</script>\n<script>\n'
-        + 'var angular = {forEach: function(list, each, self) { (list || []).forEach(each, self) }}\nvar modules = {}\n' + safe(modules)
-        + '\nvar player\ntry {\n'
-        + '  player = modules[\'' + PLAYER + '\'].play(JSON.parse(document.getElementById(\'run\').textContent))\n} catch (e) {\n'
-        + '  document.getElementById(\'failed\').hidden = false\n  throw e\n}\n</script>\n</body>\n</html>\n'
+/** @param form of the page, see player.html @param parts by the name of a place in it */
+function page(form, parts) {
+    return form.replace(/@(\w+)@/g, (all, name) => parts[name])
 }
 
 /** Of one panel. */
@@ -148,15 +131,16 @@ export function makeShare(panel, messages, replay, ground) {
         var run = {title: title, looks: looks, terrain: share.terrain && share.terrain.sent, world: plain(record.world),
             record: {times: record.times, robots: record.robots, objects: record.objects, robotPoses: record.robotPoses,
                 objectPoses: record.objectPoses, speeds: record.speeds, lights: record.lights, brightness: record.brightness}}
-        return Promise.all([textOf(source.src), bundle(PLAYER, [])]).then(function(parts) {
-            var text = page(title, parts[0], parts[1], run)
+        var form = new URL('player.html', import.meta.url)
+        return Promise.all([textOf(form), textOf(source.src), bundle(PLAYER, [])]).then(function(parts) {
+            var text = page(parts[0], {title: escaped(title), three: safe(parts[1]), modules: safe(parts[2]), run: json(run)})
+            var size = (text.length / 1e6).toFixed(1) + ' MB'
             if (text.length > MOST) {
-                throw new Error('the file would have ' + (text.length / 1e6).toFixed(1) + ' MB, legal: at most ' + MOST / 1e6
+                throw new Error('the file would have ' + size + ', legal: at most ' + MOST / 1e6
                     + ' MB; share a shorter record, or one of a world with fewer and simpler models')
             }
             saveText(title + '.html', text)
-            messages.say('info', 'the run is saved as ' + title + '.html, ' + (text.length / 1e6).toFixed(1)
-                + ' MB: it opens in any browser, without SEAR')
+            messages.say('info', 'the run is saved as ' + title + '.html, ' + size + ': it opens in any browser, without SEAR')
         })
     }
     /** A world without what this page has noted in it. */

@@ -29,7 +29,8 @@ import org.openqa.selenium.interactions.Actions;
  * </pre>
  */
 public final class FirstRobot implements AutoCloseable {
-    private static final Pattern STEP = Pattern.compile("<!-- (\\w+)(?: (.*?))? -->|^`{3}(\\w+)\\n(.*?)^`{3}", Pattern.DOTALL | Pattern.MULTILINE);
+    private static final Pattern STEP = Pattern.compile("<!-- (\\w+)(?: ((?:(?!-->).)*?))? -->|^`{3}(\\w+)\\n(.*?)^`{3}",
+        Pattern.DOTALL | Pattern.MULTILINE);
     private static final Pattern ADDRESS = Pattern.compile("http://localhost:\\d+/");
     private static final long PATIENCE_SECONDS = 240;
     private static final long LOOK_MILLIS = 100;
@@ -110,17 +111,17 @@ public final class FirstRobot implements AutoCloseable {
         await("world.preview !== null && edits.grammar !== null");
     }
 
-    private void end() throws InterruptedException {
+    private void end() {
         browser.driver().get("about:blank");
         close();
     }
 
     /** Ends the {@code sear} of the page. */
     @Override
-    public void close() throws InterruptedException {
+    public void close() {
         if (sear != null) {
             sear.destroy();
-            sear.waitFor();
+            sear.onExit().join();
         }
         sear = null;
     }

@@ -60,7 +60,7 @@ final class BuildingPictures {
         film = new Film(browser);
         film.shoot(LOOK);
         if (!tab.isTrue("view.building")) {
-            film.click(".sear-build");
+            film.click("[data-tile='build']");
             browser.see(".sear-palette");
         }
         place("Floor", 0, 0, 0, "floor1");
@@ -77,7 +77,7 @@ final class BuildingPictures {
         film.type("[data-field='color'] .form-control", "orange");
         browser.until("its colour", () -> tab.isTrue("edits.object.values.color == 'orange'"));
         settle();
-        film.drag(inSpace(0.3, 0.4, 1.3), inSpace(-0.6, 0.4, 1.6));
+        film.drag(inSpace(0.3, 0.15, 1.3), inSpace(-0.6, 0.15, 1.6));
         browser.until("its place", () -> tab.isTrue("edits.object.values.z != '1.3'"));
         film.shoot(LOOK);
         place("Cylinder", 1.2, 0, 0.5, "cylinder1");

@@ -502,12 +502,25 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         calls.act(() -> parts.bodies().spin(name, x, y, z));
     }
 
-    /** A panel's mouse holds a thing or robot and pulls it, see {@code ScriptBodies}: metres from where it was taken. */
+    /**
+     * Pulls a thing or a robot by a spring, as the mouse does in SEAR's tab: with at most five times its weight. It lets go when this is not called
+     * again within 1.5 s of the clock, or by {@link #letGo}.
+     *
+     * @param name of a thing with a mass, or of a robot
+     * @param way {@code [x, y, z]} where to, metres along the world's axes from where it was at the first call
+     * @throws IllegalArgumentException if nothing of that name can move
+     * @example sear.hold("crate 1", [0, 0.5, 0])
+     */
     public void hold(String name, List<?> way) {
         calls.act(() -> parts.bodies().hold(name, way));
     }
 
-    /** And lets go. */
+    /**
+     * Lets go what {@link #hold} holds; of what is not held nothing happens.
+     *
+     * @param name of the thing or robot
+     * @example sear.letGo("crate 1")
+     */
     public void letGo(String name) {
         calls.act(() -> parts.bodies().letGo(name));
     }

@@ -19,6 +19,7 @@ import org.SEAR.cli.SearCommandTest;
 import org.SEAR.cli.install.DistributionTest;
 import org.SEAR.project.HandWrittenProjectTest;
 import org.SEAR.project.ObjectDocsTest;
+import org.SEAR.web.build.FirstRobotTest;
 import org.SEAR.web.PanelsPageTest;
 import org.junit.Rule;
 import org.junit.Test;
@@ -42,11 +43,15 @@ public class CodeOfTheDocsTest {
     private static final Map<String, Class<?>> RUN_BY = new TreeMap<>(Map.ofEntries(
         entry("README.md python", ReadmeTest.class),
         entry("README.md sh build/install/sear/bin/sear", ReadmeTest.class),
+        entry("README.md text", ReadmeTest.class),
         entry("docs/add-a-sensor.md java", AddASensorTest.class),
         entry("docs/add-a-sensor.md python", AddASensorTest.class),
         entry("docs/add-a-sensor.md sh ", AddASensorTest.class),
         entry("docs/add-a-sensor.md text", AddASensorTest.class),
         entry("docs/embedded-and-real.md sh java -cp", DistributionTest.class),
+        entry("docs/first-robot.md python", FirstRobotTest.class),
+        entry("docs/first-robot.md sh sear", FirstRobotTest.class),
+        entry("docs/first-robot.md text", FirstRobotTest.class),
         entry("docs/install.md sh bin/sear install", DistributionTest.class),
         entry("docs/objects.md text", ObjectDocsTest.class),
         entry("docs/objects.md xml", ObjectDocsTest.class),

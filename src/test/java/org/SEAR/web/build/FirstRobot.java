@@ -37,6 +37,8 @@ public final class FirstRobot implements AutoCloseable {
 
     /** What a command has printed, after what the page says that it prints. */
     public final List<String[]> printed = new ArrayList<>();
+    /** How many commands, scripts and outputs of the page were run or compared. */
+    public int blocks;
     private final Browser browser;
     private final Path folder;
     private final BiConsumer<Browser, String> taken;
@@ -70,6 +72,7 @@ public final class FirstRobot implements AutoCloseable {
     }
 
     private void run(String language, String text) throws IOException, InterruptedException {
+        blocks++;
         if (language.equals("python")) {
             Files.writeString(folder.resolve("first.py"), text);
         } else if (language.equals("text")) {

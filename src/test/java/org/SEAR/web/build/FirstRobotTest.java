@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
+import org.SEAR.documents.DocBlock;
 import org.SEAR.web.Browser;
 import org.junit.Rule;
 import org.junit.Test;
@@ -38,6 +39,7 @@ public class FirstRobotTest {
                 FirstRobot tutorial = new FirstRobot(browser, here, (shown, name) -> pictures.add(name))) {
             int steps = walk(tutorial, browser);
             assertTrue(steps + " steps", steps >= LEAST_STEPS);
+            assertEquals("each block of the page", DocBlock.of("docs/first-robot.md").size(), tutorial.blocks);
             assertEquals(2, tutorial.printed.size());
             for (String[] printed : tutorial.printed) {
                 assertEquals(printed[0], printed[1]);

@@ -52,17 +52,16 @@ final class BuildingPictures {
     }
 
     private void build() throws IOException {
-        browser.see("mrl-panel[name='sear'] > *");
+        browser.see(SearTab.ROOT);
         browser.until("the panel", () -> tab.isTrue("service && world.preview !== null && edits.grammar !== null"));
-        browser.click(".sear-space");
-        browser.until("the view in space", () -> tab.isTrue("view.scene() !== null"));
-        browser.scope(SearTab.ROOT, "view.zoom(1.4)");
         film = new Film(browser);
         film.shoot(LOOK);
-        if (!tab.isTrue("view.building")) {
-            film.click("[data-tile='build']");
-            browser.see(".sear-palette");
-        }
+        film.click("[data-tile='build']");
+        browser.see(".sear-palette");
+        browser.click(".sear-space");
+        browser.until("the view in space", () -> tab.isTrue("view.scene() !== null && view.fitted"));
+        browser.scope(SearTab.ROOT, "view.zoom(0.8)");
+        film.shoot(LOOK);
         place("Floor", 0, 0, 0, "floor1");
         String template = (String) browser.script("var all = angular.element(document.querySelector('.sear-main')).scope().edits.grammar.templates;"
             + "return all.filter(function(one) { return /rover/i.test(one) })[0] || all[all.length - 1]");
@@ -77,7 +76,7 @@ final class BuildingPictures {
         film.type("[data-field='color'] .form-control", "orange");
         browser.until("its colour", () -> tab.isTrue("edits.object.values.color == 'orange'"));
         settle();
-        film.drag(inSpace(0.3, 0.15, 1.3), inSpace(-0.6, 0.15, 1.6));
+        film.drag(inSpace(0.175, 0.06, 1.26), inSpace(-0.7, 0.06, 1.6));
         browser.until("its place", () -> tab.isTrue("edits.object.values.z != '1.3'"));
         film.shoot(LOOK);
         place("Cylinder", 1.2, 0, 0.5, "cylinder1");

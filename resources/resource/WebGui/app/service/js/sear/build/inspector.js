@@ -33,7 +33,9 @@ export function makeInspector(panel, world, edits) {
             var found = GROUPS.filter(group => group[1] && group[1].test(row.p.name))[0]
             return found ? found[0] : OWN
         }
-        return GROUPS.map(group => ({name: group[0], rows: rows.filter(row => nameOf(row) === group[0])})).filter(group => group.rows.length)
+        var isScale = row => /^scale/.test(row.p.name) ? 1 : 0      // which few use
+        return GROUPS.map(group => ({name: group[0], rows: rows.filter(row => nameOf(row) === group[0]).sort((a, b) => isScale(a) - isScale(b))}))
+            .filter(group => group.rows.length)
     }
     /** Text of a value, entries of a list of them. */
     function same(a, b) {

@@ -10,6 +10,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.SEAR.Slow;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
@@ -31,7 +32,12 @@ public class PackagePagesTest {
             said.put(name, said(Files.readString(SOURCES.resolve(name.replace('.', '/')).resolve("package-info.java"))));
             used.put(name, graph.direct(name));
         }
-        used.forEach((name, packages) -> assertEquals("after \"Uses\" in package-info.java of " + name, packages, said.get(name)));
+        assertEquals("after \"Uses\" in package-info.java", lines(used), lines(said));
+    }
+
+    /** A package a line, so that a difference shows all that are wrong. */
+    private static String lines(SortedMap<String, SortedSet<String>> packages) {
+        return packages.entrySet().stream().map(Object::toString).collect(Collectors.joining("\n"));
     }
 
     @Test

@@ -46,7 +46,7 @@ public class ReadmeTest {
                 assertTrue(output, output.contains("181 beams, the nearest at "));
                 assertTrue(output, output.contains("driven 1.0"));
                 if (command.contains("--speed max")) {
-                    assertTrue("what README says that it prints, but for the address: " + output, output.endsWith(DocBlock.of("README.md", "text").get(0)));
+                    assertTrue("what README says that it prints: " + output, output.endsWith(DocBlock.of("README.md", "text").get(0)));
                 }
                 scripts++;
             }

@@ -96,8 +96,8 @@ public class ClicksTest extends InPage {
     public void aThingIsBuiltTakenBackSavedBesideAForeignFileAndOverItAndUploaded() throws Exception {
         page.open(mrl, "sear");
         page.await("an empty project", "world.preview !== null && edits.grammar !== null && world.shown() && !world.shown().objects.length");
+        page.browser.click("[data-tile='build']");
         page.browser.click(".sear-map");
-        page.browser.click(".sear-build");
         page.browser.click(".sear-palette [data-make='Box']");
         page.await("a box to place", "palette.armed && palette.armed.name == 'Box'");
         WebElement view = page.browser.see(".sear-view");

@@ -247,6 +247,55 @@ public class BuildingTest {
         browser.until("a sensor of the list", () -> tab.isTrue("edits.object && edits.object.robot == 'create2'"));
     }
 
+    @Test
+    public void thePaletteIsSearchedAndOneTabStopWithArrowKeys() {
+        build(".sear-map");
+        List<String> groups = browser.texts(".sear-palette .sear-title");
+        assertEquals(List.of("THINGS", "ROBOTS", "DRIVES", "SENSORS", "BOARDS"), groups);
+        assertEquals(1, browser.all(".sear-make[tabindex='0']").size());
+        WebElement first = browser.see(".sear-make[tabindex='0']");
+        assertEquals("Box", first.getAttribute("data-make"));
+        first.sendKeys(Keys.ARROW_DOWN);
+        WebElement second = browser.driver().switchTo().activeElement();
+        assertEquals("Cylinder", second.getAttribute("data-make"));
+        assertEquals("0", second.getAttribute("tabindex"));
+        second.sendKeys(Keys.END);
+        assertEquals("the last one", browser.all(".sear-make").size() - 1, browser.all(".sear-make").indexOf(
+            browser.driver().switchTo().activeElement()));
+        browser.type(".sear-sought", "laser");
+        browser.until("what is looked for", () -> browser.texts(".sear-make").equals(List.of("Laser scanner")));
+        browser.type(".sear-sought", "xyz");
+        browser.seeText(".sear-palette", "Nothing is called so.");
+    }
+
+    @Test
+    public void theInspectorHasGroupsAChooserOfColoursAndBoxesForTrueAndFalse() {
+        make(9, 0, THINGS);
+        buildOnTheMap();
+        onMap(-2, -2).click().perform();
+        waitForSelected("box4");
+        assertEquals(List.of("SIZE", "PLACE", "SETTINGS", "LOOK", "PHYSICS", "EARTH"), browser.texts(".sear-group > .sear-title"));
+        browser.seeText(".sear-about", "A box: length along x");
+        browser.script("arguments[0].value = '#00ff80'; arguments[0].dispatchEvent(new Event('change'))", browser.see(".sear-color"));
+        browser.until("its colour", () -> tab.isTrue("edits.object && edits.object.values.color == '#00ff80'"));
+        WebElement seen = browser.see("[data-field='visibleToSensors'] input[type=checkbox]");
+        assertTrue("as without a value", seen.isSelected());
+        browser.script("arguments[0].scrollIntoView()", seen);
+        seen.click();
+        browser.until("it is not seen", () -> tab.isTrue("edits.object && edits.object.values.visibleToSensors == 'false'"));
+    }
+
+    @Test
+    public void keysThatTurnAddUpHoweverFastTheyArePressed() {
+        make(9, 0, THINGS);
+        buildOnTheMap();
+        onMap(-2, -2).click().perform();
+        waitForSelected("box4");
+        browser.see(".sear-view").sendKeys("[[[[", "]");
+        browser.until("three turns", () -> tab.isTrue("edits.object && edits.object.values.ry == '45'"));
+        undoAll();
+    }
+
     /** Handles of 0.25 m of box4 in the south-west. */
     private WebElement boxWithHandles() throws IOException {
         make(9, 1, THINGS, ROBOT);
@@ -443,6 +492,7 @@ public class BuildingTest {
         browser.click(".sear-test-drive");
         browser.until("the drive", () -> tab.isTrue("service.simulating && world.running !== null"));
         browser.until("keys for the view", () -> view.equals(browser.driver().switchTo().activeElement()));
+        assertTrue("the view goes with it", tab.isTrue("view.follow"));
         view.sendKeys("u");
         browser.until("it drives", () -> tab.number("world.shown().robots[0].pose[2]") > 0.2);
         view.sendKeys(";", Keys.ESCAPE);
@@ -458,7 +508,7 @@ public class BuildingTest {
         assertEquals("it stands on the ground", 0, tab.number("1 * edits.object.values.y"), 0.001);
         browser.until("in the running world", () -> Math.abs(tab.number("world.running.robots[0].pose[2]") - put) < 0.01);
         browser.click(".sear-test-drive");
-        browser.until("no simulation", () -> tab.isTrue("service && !service.simulating"));
+        browser.until("no simulation, and a view as before", () -> tab.isTrue("service && !service.simulating && !view.follow"));
         TABS.robotLab().run("sear.edit({'do': 'add', 'type': 'Box', 'name': 'mast', 'to': 'rover1', 'set': {'length': 0.04, 'width': 0.04,"
             + " 'height': 0.3, 'y': 0.2, 'z': -0.05, 'mass': 3}})");
         browser.seeText(".sear-balance .sear-wrong", "Warning: centre of mass at");

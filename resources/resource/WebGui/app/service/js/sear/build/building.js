@@ -88,6 +88,8 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
         held = {object: edits.selected, pose: pose}
         picture.repaint()
     }
+    /** Whether something is held that is not where it was; the view does not follow it meanwhile. */
+    building.isBusy = () => drag !== null || held !== null
     /** Comes before the views are drawn. */
     building.hold = function() {
         var selected = held && pointing.find(world.shown(), held.object)

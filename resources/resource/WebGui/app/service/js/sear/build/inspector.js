@@ -188,6 +188,11 @@ export function makeInspector(panel, world, edits) {
         row.entries.splice(row.entries.indexOf(entry), 1)
         inspector.setRow(row)
     }
+    /** What the selected thing is, of a sensor also where it looks: ahead, or at the floor. */
+    inspector.about = function() {
+        var type = edits.object && edits.typeOf(edits.object.type)
+        return type ? type.doc.charAt(0).toUpperCase() + type.doc.slice(1) + '.' : ''
+    }
     /** What it means, what is legal and what it is without a value. */
     inspector.docOf = function(parameter) {
         return parameter.doc + '. Legal: ' + parameter.legal + (parameter['default'] ? '. Default: ' + parameter['default'] : '') + '.'

@@ -14,6 +14,7 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
     var msg = panel.msg
     var known = 1               // the speed that the simulation has
     var driving = false         // whether a test drive is to begin as soon as the simulation runs
+    var followed = null         // whether the view has followed before the test drive; null without one
     var run = {
         pending: null,          // what the service has been told to do and has not done yet: starting or stopping
         testing: false,         // whether a test drive goes on
@@ -88,6 +89,8 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
             view.driveRobot(robot && robot.parts ? robot.name : view.robot || run.drivers(seen)[0].name)
             driving = true
             run.testing = true
+            followed = view.follow
+            view.follow = true
             run.start()
         }
     }
@@ -98,6 +101,10 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
         }
         driving = driving && !simulating && Boolean(run.pending)
         run.testing = run.testing && (simulating || driving)
+        if (followed !== null && !run.testing) {
+            view.follow = followed
+            followed = null
+        }
     })
 
     // ---- what the service tells ------------------------------------------------------------------------------------------------------------

@@ -65,6 +65,7 @@ export function makeTour(panel, world, view, palette, script, layout) {
 
     function show() {
         return driver({
+            animate: false,                     // a step that is done is followed at once, and what is clicked meanwhile counts
             allowKeyboardControl: false,        // the arrow keys drive
             overlayOpacity: 0.35,
             stagePadding: 4,

@@ -93,7 +93,7 @@ export function makeView(panel, messages, world, ground, picture) {
     view.driveRobot = function(name) {
         view.robot = name
     }
-    /** @param drawn hold() comes before the world is drawn, decorate(scene, world) and decorateMap(canvas) after it */
+    /** @param drawn hold() comes before the world is drawn, decorate(scene, world) and decorateMap(canvas) after it; isBusy(): it is dragged */
     view.overlaidBy = function(drawn) {
         overlay = drawn
     }
@@ -151,7 +151,7 @@ export function makeView(panel, messages, world, ground, picture) {
     }
 
     function followed(seen) {
-        return view.follow && seen.robots.length ? Math.max(0, seen.robots.findIndex(isChosen)) : -1
+        return view.follow && !overlay.isBusy() && seen.robots.length ? Math.max(0, seen.robots.findIndex(isChosen)) : -1
     }
 
     function drawMap(shown, seen) {

@@ -109,4 +109,5 @@ if os.environ.get("SEAR_TERMINAL") and not keep:
         pass  # nobody sits at that terminal
 if not keep:
     sear.stopSimulation()
-print "Done. Next: docs/first-robot.md leads in fifteen minutes to a robot of your own; sear without a script opens a page with examples."
+print "Next: docs/first-robot.md leads in fifteen minutes to a robot of your own; sear without a script opens a page with examples."
+print "Done."

@@ -84,6 +84,10 @@ public class PanelsTest extends InPage {
         page.browser.setTheme("dark");
         try {
             page.open(mrl, "sear");
+            page.await("the project", "world.preview !== null");
+            if (page.isTrue("welcome.isShown()")) {
+                page.browser.click("[data-tile='build']");
+            }
             page.browser.seeText(".sear-note", "Not running");
             assertEquals("#fff around black words", "rgb(255, 255, 255)", page.browser.script(
                 "return getComputedStyle(document.querySelector('.sear-note')).textShadow.match(/rgb[^)]*\\)/)[0]"));

@@ -170,6 +170,25 @@ final class Server extends ExternalResource {
         if (kind != first) {
             throw new IOException("no frame " + first + ", but " + kind + " " + length);
         }
+        return data(in, length);
+    }
+
+    /** The same of a frame that is no text: those that the server sends by itself may come before it. */
+    static byte[] nextControl(InputStream in, int first) throws IOException {
+        int kind = in.read();
+        int length = in.read();
+        while (kind == 0x81) {
+            data(in, length);
+            kind = in.read();
+            length = in.read();
+        }
+        if (kind != first) {
+            throw new IOException("no frame " + first + ", but " + kind + " " + length);
+        }
+        return data(in, length);
+    }
+
+    private static byte[] data(InputStream in, int length) throws IOException {
         long size = length;
         if (length >= 126) {
             size = 0;

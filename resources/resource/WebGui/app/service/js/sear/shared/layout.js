@@ -3,7 +3,8 @@ import {isLight} from './geometry.js'
 import {recallJson, remember} from './page.js'
 
 var FOLDS = 'sear.folds'    // where the browser remembers what its user has folded and opened
-var WIDE = 900              // pixels from which on there are three columns
+var WORDY = 1080            // pixels from which on the drawers have words beside their icons
+var WIDE = 900              // and from which on there are three columns
 var MEDIUM = 720            // and two; below, all stands below each other, and the page scrolls
 var BELOW = ['project', 'plots', 'messages', 'scripts']    // what stands above or below the view, and what nobody needs at first
 var SLACK = 24              // more than a scroll bar that comes or goes
@@ -56,6 +57,7 @@ export function makeLayout(panel, messages) {
     var chosen = angular.isObject(folds) ? folds : {}   // by the name of a part: whether its user has folded it
     var layout = {
         room: null,             // 'wide', 'medium' or 'narrow'
+        crowded: false,         // whether there is no room for the drawers' words
         dark: false             // the page: it may be light where its user prefers dark ones
     }
     layout.room = roomOf(window.innerWidth)
@@ -84,12 +86,13 @@ export function makeLayout(panel, messages) {
             return ''
         }
         layout.room = roomOf(whole.clientWidth)
+        layout.crowded = whole.clientWidth < WORDY
         var height = layout.room === 'narrow' ? '' : Math.max(LEAST, roomFor(whole)) + 'px'
         if (whole.style.height !== height) {
             whole.style.height = height
         }
         layout.dark = isLight(window.getComputedStyle(whole).color)
-        return layout.room + ' ' + height + ' ' + layout.dark
+        return layout.room + ' ' + layout.crowded + ' ' + height + ' ' + layout.dark
     }
     panel.scope.$watch(measure)
     return layout

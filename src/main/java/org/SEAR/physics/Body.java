@@ -371,16 +371,6 @@ public final class Body {
         robot = true;
     }
 
-    /**
-     * Changes its velocities at once.
-     *
-     * @param impulse {x, y, z}, Ns, world frame
-     * @param at the point of the body where it acts, world frame
-     */
-    public void push(double[] impulse, double[] at) {
-        solver.push(impulse[0], impulse[1], impulse[2], at[0] - solver.place.x, at[1] - solver.place.y, at[2] - solver.place.z);
-    }
-
     /** Gives it these velocities at once and wakes it: of its centre of mass, m/s, and of its turning, rad/s, world frame. */
     public void setVelocities(double vx, double vy, double vz, double wx, double wy, double wz) {
         double[] v = solver.v;
@@ -428,6 +418,16 @@ public final class Body {
     /** Whether it does not sleep. */
     public boolean isActive() {
         return rigid.isActive();
+    }
+
+    /** What constraints change, if they do in this step; else null. */
+    public SolverBody solver() {
+        return isSolved() ? solver : null;
+    }
+
+    /** Whether it is far in another thing, or was just now. */
+    public boolean isDeep() {
+        return solver.isDeep();
     }
 
     /** Whether contacts and gravity move it in this step. */

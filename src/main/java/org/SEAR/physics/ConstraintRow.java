@@ -1,8 +1,8 @@
 package org.SEAR.physics;
 
 /**
- * One direction in which an impulse acts on a rigid body at a point: a row of the constraint matrix. Velocities are {vx, vy, vz, wx, wy, wz} of the
- * centre of mass, world frame. Simulation thread.
+ * One direction in which an impulse acts on a rigid body at a point, and its reverse on another that moves, if there is one: a row of the constraint
+ * matrix. Velocities are {vx, vy, vz, wx, wy, wz} of the centre of mass, world frame. Simulation thread.
  */
 public final class ConstraintRow {
     private double lx;
@@ -15,6 +15,11 @@ public final class ConstraintRow {
     private double iy;
     private double iz;
     private double inverseMass;
+    private final double[] arm = new double[3];
+    private final double[] turn = new double[3];
+    /** Velocities of the other body; null if that does not move. */
+    private double[] others;
+    private double othersInverseMass;
     /** Change of the speed along the row for an impulse of 1 Ns, 1/kg. */
     public double mobility;
     /** Impulse of this step so far, Ns. */
@@ -25,8 +30,9 @@ public final class ConstraintRow {
      *
      * @param dx unit direction, likewise dy and dz
      * @param x where the impulse acts, metres, likewise y and z; all in the world frame
+     * @param other takes the reverse impulse; null if that does not move
      */
-    public void set(double dx, double dy, double dz, double x, double y, double z, SolverBody body) {
+    public void set(double dx, double dy, double dz, double x, double y, double z, SolverBody body, SolverBody other) {
         double rx = x - body.place.x;
         double ry = y - body.place.y;
         double rz = z - body.place.z;
@@ -41,14 +47,32 @@ public final class ConstraintRow {
         iz = body.i02 * ax + body.i12 * ay + body.i22 * az;
         inverseMass = body.inverseMass;
         mobility = inverseMass + ax * ix + ay * iy + az * iz;
+        others = null;
+        if (other != null) {
+            join(x - other.place.x, y - other.place.y, z - other.place.z, other);
+        }
     }
 
-    /** Speed of the point along the direction, m/s. */
+    private void join(double rx, double ry, double rz, SolverBody other) {
+        others = other.v;
+        othersInverseMass = other.inverseMass;
+        arm[0] = ry * lz - rz * ly;
+        arm[1] = rz * lx - rx * lz;
+        arm[2] = rx * ly - ry * lx;
+        turn[0] = other.i00 * arm[0] + other.i01 * arm[1] + other.i02 * arm[2];
+        turn[1] = other.i01 * arm[0] + other.i11 * arm[1] + other.i12 * arm[2];
+        turn[2] = other.i02 * arm[0] + other.i12 * arm[1] + other.i22 * arm[2];
+        mobility += othersInverseMass + arm[0] * turn[0] + arm[1] * turn[1] + arm[2] * turn[2];
+    }
+
+    /** Speed of the point along the direction, as the other body sees it, m/s. */
     public double speed(double[] v) {
-        return lx * v[0] + ly * v[1] + lz * v[2] + ax * v[3] + ay * v[4] + az * v[5];
+        double speed = lx * v[0] + ly * v[1] + lz * v[2] + ax * v[3] + ay * v[4] + az * v[5];
+        return others == null ? speed : speed - lx * others[0] - ly * others[1] - lz * others[2] - arm[0] * others[3] - arm[1] * others[4]
+            - arm[2] * others[5];
     }
 
-    /** Changes the velocities by an impulse. */
+    /** Changes the velocities by an impulse, and those of the other body by its reverse. */
     public void push(double[] v, double newtonSeconds) {
         double linear = newtonSeconds * inverseMass;
         v[0] += lx * linear;
@@ -57,6 +81,15 @@ public final class ConstraintRow {
         v[3] += ix * newtonSeconds;
         v[4] += iy * newtonSeconds;
         v[5] += iz * newtonSeconds;
+        if (others != null) {
+            linear = newtonSeconds * othersInverseMass;
+            others[0] -= lx * linear;
+            others[1] -= ly * linear;
+            others[2] -= lz * linear;
+            others[3] -= turn[0] * newtonSeconds;
+            others[4] -= turn[1] * newtonSeconds;
+            others[5] -= turn[2] * newtonSeconds;
+        }
     }
 
     /** Adds to the impulse within limits and changes the velocities accordingly. */
@@ -64,17 +97,5 @@ public final class ConstraintRow {
         double sum = Math.max(least, Math.min(most, impulse + change));
         push(v, sum - impulse);
         impulse = sum;
-    }
-
-    public double dx() {
-        return lx;
-    }
-
-    public double dy() {
-        return ly;
-    }
-
-    public double dz() {
-        return lz;
     }
 }

@@ -54,6 +54,9 @@ final class IslandSolver {
     private final double gravity;
     /** Whether it is one thing without wheels that does not roll, on or before what is fixed: no impulse has to find its way. */
     private boolean alone;
+    /** Inverse masses of what pushes each other, 1/kg. */
+    private double lightest;
+    private double heaviest;
     private long passes;
     private int rounds;
 
@@ -139,17 +142,20 @@ final class IslandSolver {
     }
 
     private int substeps(double seconds) {
-        double lightest = 0;
-        double heaviest = Double.POSITIVE_INFINITY;
+        lightest = 0;
+        heaviest = Double.POSITIVE_INFINITY;
         int points = 0;
         for (int i = 0; i < pairs.size(); i++) {
             PairContacts pair = pairs.get(i);
             points += pair.points();
-            if (pair.points() > 0 && pair.getA().isSolved() && pair.getB().isSolved()) {
-                double one = pair.getA().getSolver().inverseMass;
-                double other = pair.getB().getSolver().inverseMass;
-                lightest = Math.max(lightest, Math.max(one, other));
-                heaviest = Math.min(heaviest, Math.min(one, other));
+            if (pair.points() > 0) {
+                weigh(pair.getA(), pair.getB());
+            }
+        }
+        for (int i = 0; i < drives.size(); i++) {
+            List<Body> pushed = drives.get(i).drive.pushed();
+            for (int k = 0; k < pushed.size(); k++) {
+                weigh(drives.get(i).body, pushed.get(k));
             }
         }
         double ratio = lightest > 0 ? lightest / heaviest : 1;
@@ -162,6 +168,15 @@ final class IslandSolver {
         double needed = Math.max(least, Math.max(PASSES_EACH * height, PASSES_RATIO * ratio));
         rounds = (int) Math.max(1, Math.min(needed, (double) MOST_PASSES_WORK / Math.max(1, points * substeps)));
         return substeps;
+    }
+
+    private void weigh(Body a, Body b) {
+        if (a.isSolved() && b.isSolved()) {
+            double one = a.getSolver().inverseMass;
+            double other = b.getSolver().inverseMass;
+            lightest = Math.max(lightest, Math.max(one, other));
+            heaviest = Math.min(heaviest, Math.min(one, other));
+        }
     }
 
     /** Substeps for what is alone: the slower it comes, the fewer. */

@@ -4,8 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Parts the bodies that move into islands: those that touch each other, directly or by others, are solved together and sleep together. What is fixed
- * joins nothing. A union-find structure (Tarjan 1975) over the pairs gives the islands, in the order of their first bodies. Simulation thread.
+ * Parts the bodies that move into islands: those that touch each other, or that wheels of the other push, directly or by others, are solved together
+ * and sleep together. What is fixed joins nothing. A union-find structure (Tarjan 1975) over the pairs gives the islands, in the order of their first
+ * bodies. Simulation thread.
  */
 final class Islands {
     private int[] parent = {};
@@ -42,6 +43,9 @@ final class Islands {
                 join(pair.getA().number, pair.getB().number);
             }
         }
+        for (int i = 0; i < drives.size(); i++) {
+            join(drives.get(i).body, drives.get(i).drive.pushed());
+        }
         count = 0;
         for (int i = 0; i < bodies.size(); i++) {
             Body body = bodies.get(i);
@@ -75,6 +79,14 @@ final class Islands {
             ofRoot[root] = island;
         }
         return ofRoot[root];
+    }
+
+    private void join(Body robot, List<Body> others) {
+        for (int i = 0; i < others.size() && robot.isSolved(); i++) {
+            if (others.get(i).isSolved()) {
+                join(robot.number, others.get(i).number);
+            }
+        }
     }
 
     /** The lesser number leads, so that the order of islands is that of their first bodies. */

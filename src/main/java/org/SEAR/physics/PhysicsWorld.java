@@ -43,6 +43,9 @@ public final class PhysicsWorld {
 
     /** Constraints that a robot's wheels put on its body; they are solved together with the contacts. */
     public interface Drive {
+        /** What can move of what the wheels stand on and press against. */
+        List<Body> pushed();
+
         /** Makes the rows of a substep; what is known of their impulses may already act (warm starting). */
         void prepare(SolverBody body);
 

@@ -131,9 +131,20 @@ public final class SolverBody {
         nz = z;
     }
 
+    /** Says that a wheel pushes it. */
+    public void hold() {
+        pressed = true;
+        oneNormal = false;
+    }
+
     /** Says that it is far in another. */
     void setDeep() {
         deep = DEEP_FOR;
+    }
+
+    /** Whether it is far in another, or was just now. */
+    boolean isDeep() {
+        return deep > 0;
     }
 
     /** What is far in others does not become fast by being moved out of them. */
@@ -292,19 +303,6 @@ public final class SolverBody {
         double rz = z - (place.z - moved[2]);
         return nx * moved[0] + ny * moved[1] + nz * moved[2] + (ry * nz - rz * ny) * moved[3] + (rz * nx - rx * nz) * moved[4]
             + (rx * ny - ry * nx) * moved[5];
-    }
-
-    /**
-     * Changes its velocities.
-     *
-     * @param px impulse, Ns, world frame, likewise py and pz
-     * @param rx where it acts, from the centre of mass, metres, world frame, likewise ry and rz
-     */
-    void push(double px, double py, double pz, double rx, double ry, double rz) {
-        v[0] += px * inverseMass;
-        v[1] += py * inverseMass;
-        v[2] += pz * inverseMass;
-        twist(ry * pz - rz * py, rz * px - rx * pz, rx * py - ry * px);
     }
 
     /**

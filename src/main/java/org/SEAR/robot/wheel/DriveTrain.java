@@ -35,11 +35,11 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     private final int owner;
     private final double frontAxle;
     private final double[] mounts;
+    private final List<Body> pushed = new ArrayList<>();
     private final double[] v = new double[6];
     private final Vec3 ahead = new Vec3();
     private final Vec3 up = new Vec3();
     private final Vec3 sideways = new Vec3();
-    private final double[] impulse = new double[3];
     private final double[] point = new double[3];
 
     /**
@@ -150,10 +150,13 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         double coasting = Math.abs(speed) > LEAST_SPEED ? speed : 0;
         boolean carried = false;
         boolean free = body.isFree();
+        pushed.clear();
         for (int i = 0; i < wheels.size(); i++) {
             RaycastWheel wheel = wheels.get(i);
             wheel.look(scenes, pose, owner, up, ahead, coasting);
             carried |= wheel.isGrounded();
+            push(wheel.getGround());
+            push(wheel.getObstacle().body());
             free &= wheel.getObstacle().body() == null;
         }
         for (int i = 0; i < geared.size(); i++) {
@@ -173,6 +176,17 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         }
     }
 
+    private void push(Body other) {
+        if (other != null && !other.isFixed() && !pushed.contains(other)) {
+            pushed.add(other);
+        }
+    }
+
+    @Override
+    public List<Body> pushed() {
+        return pushed;
+    }
+
     @Override
     public void prepare(SolverBody solver) {
         for (int i = 0; i < wheels.size(); i++) {
@@ -187,12 +201,11 @@ public final class DriveTrain implements PhysicsWorld.Drive {
         }
     }
 
-    /** Turns the wheels and pushes the ground, and what stands in the way, after the physics' step. */
+    /** Turns the wheels, after the physics' step. */
     public void roll() {
         for (int i = 0; i < wheels.size(); i++) {
             wheels.get(i).roll();
             wheels.get(i).trail(body, point);
-            wheels.get(i).react(impulse, point);
         }
     }
 

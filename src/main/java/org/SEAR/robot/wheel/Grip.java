@@ -27,8 +27,6 @@ final class Grip {
     private double sideShare = 1;
     private double scrubbing;
     private double scrub;
-    private double groundForward;
-    private double groundSide;
     private double rolling;
     private double sliding;
     private double most;
@@ -85,10 +83,8 @@ final class Grip {
     void prepare(GroundContact ground, Vec3 driving, boolean held, SolverBody body) {
         way.set(driving).flatten(ground.normal).normalize();
         left.cross(ground.normal, way);
-        forward.set(way.x, way.y, way.z, ground.point.x, ground.point.y, ground.point.z, body);
-        side.set(left.x, left.y, left.z, ground.point.x, ground.point.y, ground.point.z, body);
-        groundForward = ground.speed(way.x, way.y, way.z);
-        groundSide = ground.speed(left.x, left.y, left.z);
+        forward.set(way.x, way.y, way.z, ground.point.x, ground.point.y, ground.point.z, body, ground.carrier());
+        side.set(left.x, left.y, left.z, ground.point.x, ground.point.y, ground.point.z, body, ground.carrier());
         scrub = scrubbing > 0 ? 1 / (scrubbing * body.seconds()) : 0;
         holds = held;
         if (holds) {
@@ -135,7 +131,7 @@ final class Grip {
     }
 
     private double sliding(double[] v) {
-        return side.speed(v) - groundSide;
+        return side.speed(v);
     }
 
     /** Both together are within a circle; those of a wheel that scrubs are each within its own limit. */
@@ -166,7 +162,7 @@ final class Grip {
 
     /** How fast the wheel rolls over the ground, m/s. */
     double rolling(double[] v) {
-        return forward.speed(v) - groundForward;
+        return forward.speed(v);
     }
 
     /** The same as the last pass has left it. */
@@ -187,10 +183,5 @@ final class Grip {
     /** The impulse along the way in which it drives, Ns. */
     double driving() {
         return forward.impulse;
-    }
-
-    /** Takes the impulse that it gave to the wheel from another, Ns. */
-    void takeFrom(Vec3 impulse) {
-        impulse.add(-forward.impulse, way).add(-side.impulse, left);
     }
 }

@@ -8,19 +8,24 @@ import org.SEAR.raycast.Hit;
 
 /** Where one wheel meets the ground: found by one ray a step along its suspension, and followed from substep to substep. Simulation thread. */
 final class GroundContact {
-    /** Ground that leans more than this (cosine of the angle to the suspension) is a wall and carries no wheel. */
+    /**
+     * Ground that leans more than this (cosine of the angle to the suspension) is a wall and carries no wheel. Nor does what is above it: the wheels
+     * of a robot that lies on its back meet the ground from below.
+     */
     private static final double STEEPEST = 0.35;
+    /**
+     * A wheel that is in something that moves by more than this share of its diameter does not stand on it, nor does any on what is far in something:
+     * first they come apart as bodies do.
+     */
+    private static final double DEEPEST = 0.25;
 
     /** Of the ground, world frame. */
     final Vec3 normal = new Vec3();
     final Vec3 point = new Vec3();
-    private final Vec3 velocity = new Vec3();
-    private final double[] moving = new double[3];
     private final Hit hit = new Hit();
     private Body under;
     private boolean touches;
     private double seen;
-    private double elapsed;
     private double gap;
 
     /**
@@ -39,10 +44,15 @@ final class GroundContact {
         if (lean < 0) {
             normal.scale(-1);
         }
-        touches = distance < wheel + rest && Math.abs(lean) > STEEPEST;
         seen = distance - wheel;
-        elapsed = 0;
-        under = touches ? scenes.body(hit.shape) : null;
+        boolean carries = distance < wheel + rest && Math.abs(lean) > STEEPEST && normal.y > 0;
+        under = carries ? scenes.body(hit.shape) : null;
+        touches = under != null && (under.isFixed() || seen > -DEEPEST * wheel && !under.isDeep());
+        if (touches) {
+            under.wake();
+        } else {
+            under = null;
+        }
         point.set(from).add(-distance, up);
     }
 
@@ -53,18 +63,17 @@ final class GroundContact {
 
     /** Takes over where the wheel and the ground are now. */
     void prepare(SolverBody body) {
-        velocity.set(0, 0, 0);
-        if (!under.isFixed()) {
-            under.velocityAt(point.x, point.y, point.z, moving);
-            velocity.set(moving);
+        gap = seen + body.travel(normal.x, normal.y, normal.z, point.x, point.y, point.z);
+        SolverBody carrier = carrier();
+        if (carrier != null) {
+            carrier.hold();
+            gap -= carrier.travel(normal.x, normal.y, normal.z, point.x, point.y, point.z);
         }
-        gap = seen + body.travel(normal.x, normal.y, normal.z, point.x, point.y, point.z) - elapsed * velocity.dot(normal);
-        elapsed += body.seconds();
     }
 
-    /** How fast the ground moves along a direction, m/s. */
-    double speed(double dx, double dy, double dz) {
-        return velocity.x * dx + velocity.y * dy + velocity.z * dz;
+    /** What it stands on, if that moves; else null. */
+    SolverBody carrier() {
+        return under.solver();
     }
 
     /** Whether the wheel is on the ground. */

@@ -1,5 +1,6 @@
 package org.SEAR.robot.wheel;
 
+import org.SEAR.geometry.TimeStep;
 import org.SEAR.geometry.Vec3;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.ConstraintRow;
@@ -24,21 +25,20 @@ public final class Obstacle {
     private static final double CORRECTION = 12;
     /** How much later than its guard the wheel itself stops at something high, metres: the guard feels it, and the wheel stops at a step. */
     private static final double BEHIND_GUARD = 1e-3;
+    /** What sleeps wakes when it is nearer than this and than the wheel comes in so many steps, metres. */
+    private static final double AT_HAND = 2e-3;
+    private static final int STEPS_AHEAD = 2;
 
     /** Of its surface, towards the wheel, world frame. */
     public final Vec3 normal = new Vec3();
     /** Of the wheel, where it meets it, world frame. */
     public final Vec3 point = new Vec3();
-    private final Vec3 velocity = new Vec3();
-    private final double[] moving = new double[3];
     private final ConstraintRow block = new ConstraintRow();
     private final ConstraintRow slide = new ConstraintRow();
     private final Hit hit = new Hit();
     private Body body;
     private double seen;
-    private double elapsed;
     private double allowed;
-    private double yielding;
     /** Impulse of this step so far, but for the present substep, Ns. */
     private double given;
 
@@ -47,17 +47,17 @@ public final class Obstacle {
      *
      * @param from the wheel's centre, world frame
      * @param way in which the wheel rolls
-     * @param sign 1 forward, -1 backwards, 0 if it stands
+     * @param speed with which it does or is to, m/s, + forward, 0 if it stands
      * @param owner whose parts are none
      */
-    void look(Scenes scenes, Vec3 from, Vec3 way, double sign, double radius, int owner) {
+    void look(Scenes scenes, Vec3 from, Vec3 way, double speed, double radius, int owner) {
         body = null;
         given = 0;
-        elapsed = 0;
         block.impulse = 0;
-        if (sign == 0) {
+        if (speed == 0) {
             return;
         }
+        double sign = Math.signum(speed);
         double range = 2 * radius;
         double distance = scenes.ground.cast(from.x, from.y, from.z, sign * way.x, sign * way.y, sign * way.z, range, owner, hit);
         normal.set(hit.nx, hit.ny, hit.nz);
@@ -66,10 +66,12 @@ public final class Obstacle {
             return;
         }
         body = scenes.body(hit.shape);
-        yielding = body.isFixed() ? 0 : 1 / body.mass;
         double reach = GUARD * radius - BEHIND_GUARD;
         seen = distance * facing - reach;
         point.set(from).add(-reach, normal);
+        if (seen < AT_HAND + STEPS_AHEAD * TimeStep.SECONDS * Math.abs(speed)) {
+            body.wake();
+        }
     }
 
     void prepare(SolverBody robot) {
@@ -77,18 +79,19 @@ public final class Obstacle {
             return;
         }
         given += block.impulse;
-        block.set(normal.x, normal.y, normal.z, point.x, point.y, point.z, robot);
+        SolverBody other = body.solver();
+        block.set(normal.x, normal.y, normal.z, point.x, point.y, point.z, robot, other);
         block.impulse = 0;
         double level = Math.max(Math.hypot(normal.x, normal.z), LEAST_LEVEL);
-        slide.set(normal.z / level, 0, -normal.x / level, point.x, point.y, point.z, robot);
+        slide.set(normal.z / level, 0, -normal.x / level, point.x, point.y, point.z, robot, other);
         slide.impulse = 0;
-        velocity.set(0, 0, 0);
-        if (!body.isFixed()) {
-            body.velocityAt(point.x, point.y, point.z, moving);
-            velocity.set(moving);
+        double room = seen + robot.travel(normal.x, normal.y, normal.z, point.x, point.y, point.z);
+        if (other != null) {
+            room -= other.travel(normal.x, normal.y, normal.z, point.x, point.y, point.z);
+            if (room < 0) {
+                other.hold();
+            }
         }
-        double room = seen + robot.travel(normal.x, normal.y, normal.z, point.x, point.y, point.z) - elapsed * velocity.dot(normal);
-        elapsed += robot.seconds();
         allowed = room > 0 ? -room / robot.seconds() : -CORRECTION * room;
     }
 
@@ -97,11 +100,9 @@ public final class Obstacle {
         if (body == null) {
             return;
         }
-        double apart = block.speed(v) - velocity.dot(normal) + yielding * (given + block.impulse);
-        block.add(v, (allowed - apart) / (block.mobility + yielding), 0, Double.POSITIVE_INFINITY);
+        block.add(v, (allowed - block.speed(v)) / block.mobility, 0, Double.POSITIVE_INFINITY);
         double hold = TREAD * block.impulse;
-        double along = slide.speed(v) - (velocity.x * slide.dx() + velocity.y * slide.dy() + velocity.z * slide.dz());
-        slide.add(v, -along / slide.mobility, -hold, hold);
+        slide.add(v, -slide.speed(v) / slide.mobility, -hold, hold);
     }
 
     /** What stands there; null if nothing does. */
@@ -112,24 +113,5 @@ public final class Obstacle {
     /** Whether the wheel presses against it. */
     public boolean isPressed() {
         return body != null && given + block.impulse > 0;
-    }
-
-    /**
-     * Gives what can move its push, after a step.
-     *
-     * @param impulse room for three numbers, likewise {@code at}
-     */
-    void push(double[] impulse, double[] at) {
-        if (isPressed() && !body.isFixed()) {
-            double sum = given + block.impulse;
-            impulse[0] = -normal.x * sum;
-            impulse[1] = -normal.y * sum;
-            impulse[2] = -normal.z * sum;
-            at[0] = point.x;
-            at[1] = point.y;
-            at[2] = point.z;
-            body.wake();
-            body.push(impulse, at);
-        }
     }
 }

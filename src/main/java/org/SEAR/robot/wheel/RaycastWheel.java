@@ -30,7 +30,6 @@ public final class RaycastWheel {
     /** Null if nothing drives it. */
     private WheelMotor motor;
     private final Vec3 from = new Vec3();
-    private final Vec3 push = new Vec3();
     private double told;
     private double length;
     private double angle;
@@ -110,7 +109,7 @@ public final class RaycastWheel {
             grip.release();
         }
         from.transform(body, centreX(), y - length, centreZ());
-        obstacle.look(scenes, from, swivel == null ? ahead : swivel.rolling(), Math.signum(told != 0 ? told : coasting), radius, owner);
+        obstacle.look(scenes, from, swivel == null ? ahead : swivel.rolling(), told != 0 ? told : coasting, radius, owner);
     }
 
     /**
@@ -152,8 +151,6 @@ public final class RaycastWheel {
         double speed = grounded && !grip.holds() ? grip.rolling() : 0;
         if (grounded) {
             grip.feel(radius, pending);
-            push.add(-suspension.impulse(), ground.normal);
-            grip.takeFrom(push);
         }
         if (motor != null) {
             double impulse = grounded ? grip.driving() : 0;
@@ -174,25 +171,6 @@ public final class RaycastWheel {
         }
         rolled = 0;
         seconds = 0;
-    }
-
-    /**
-     * Gives what it stands on and what it meets, if they can move, what it takes to carry and to stop the wheel. After a step.
-     *
-     * @param impulse room for three numbers, likewise {@code at}
-     */
-    void react(double[] impulse, double[] at) {
-        if (ground.touches() && !ground.under().isFixed()) {
-            impulse[0] = push.x;
-            impulse[1] = push.y;
-            impulse[2] = push.z;
-            at[0] = ground.point.x;
-            at[1] = ground.point.y;
-            at[2] = ground.point.z;
-            ground.under().push(impulse, at);
-        }
-        push.set(0, 0, 0);
-        obstacle.push(impulse, at);
     }
 
     /**

@@ -11,7 +11,6 @@ final class Suspension {
     private final Spring of;
     private final ConstraintRow spring = new ConstraintRow();
     private final ConstraintRow stop = new ConstraintRow();
-    private double groundUp;
     private double softness;
     private double bias;
     private double allowed;
@@ -34,8 +33,7 @@ final class Suspension {
         seconds = body.seconds();
         aim(spring, ground, body, before);
         aim(stop, ground, body, before);
-        groundUp = ground.speed(ground.normal.x, ground.normal.y, ground.normal.z);
-        double damping = spring.speed(body.v) - groundUp < 0 ? of.compressing : of.releasing;
+        double damping = spring.speed(body.v) < 0 ? of.compressing : of.releasing;
         double soft = damping + seconds * of.stiffness;
         double gap = ground.gap();
         softness = soft > 0 ? 1 / (seconds * soft) : 0;
@@ -47,17 +45,17 @@ final class Suspension {
     }
 
     private void aim(ConstraintRow row, GroundContact ground, SolverBody body, double before) {
-        row.set(ground.normal.x, ground.normal.y, ground.normal.z, ground.point.x, ground.point.y, ground.point.z, body);
+        row.set(ground.normal.x, ground.normal.y, ground.normal.z, ground.point.x, ground.point.y, ground.point.z, body, ground.carrier());
         row.impulse *= before > 0 ? seconds / before : 0;
     }
 
     /** @param v velocities of the centre of mass, changed */
     void solve(double[] v) {
         if (softness > 0) {
-            double error = spring.speed(v) - groundUp - bias + softness * spring.impulse;
+            double error = spring.speed(v) - bias + softness * spring.impulse;
             spring.add(v, -error / (spring.mobility + softness), 0, mostImpulse);
         }
-        stop.add(v, -(stop.speed(v) - groundUp - allowed) / stop.mobility, 0, Double.POSITIVE_INFINITY);
+        stop.add(v, -(stop.speed(v) - allowed) / stop.mobility, 0, Double.POSITIVE_INFINITY);
     }
 
     /** Impulse with which the ground carries the wheel, Ns. */

@@ -120,8 +120,8 @@ public class HeightsUnderfootTest {
             plate.move(-2.2, 5, 0.4);
             plate.rotate(20, 30, 10);
             GroundWorld world = world(new TerrainSolid(field), ball, plate);
-            world.bodies.get(0).push(new double[] {0.3 * speed * 0.1, -speed * 0.1, 0}, new double[] {0.7, 5, 1.1});
-            world.bodies.get(1).push(new double[] {0, -speed, 0.2 * speed}, new double[] {-2.2, 5, 0.4});
+            world.bodies.get(0).setVelocities(0.3 * speed, -speed, 0, 0, 0, 0);
+            world.bodies.get(1).setVelocities(0, -speed, 0.2 * speed, 0, 0, 0);
             for (int i = 0; i < 60; i++) {
                 world.run(1.0 / 60);
                 world.bodies.forEach(body -> {

@@ -1,0 +1,147 @@
+package org.SEAR.simulator.vehicles;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.util.List;
+import java.util.function.Function;
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Robots;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.geometry.Pose;
+import org.SEAR.physics.Body;
+import org.SEAR.project.ProjectRule;
+import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.Worlds;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** What wheels stand on takes what they give, at once: neither is thrown, however light it is, and momentum stays. */
+public class WheelsOnThingsTest {
+    private static final double THICK = 0.02;
+    private static final double STILL = 1e-4;
+    private static final int STEPS = 600;
+    private static final List<Function<String, SEARrobot>> READY = List.of(Robots::rover, Robots::car, Robots::fourWheeled, Robots::create);
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    @Test
+    public void aRobotStandsOnABoardOfAnyMass() throws Exception {
+        double[] masses = {0.01, 0.1, 1, 100};
+        new Floor("floor", 20, 20);
+        for (int i = 0; i < masses.length; i++) {
+            new Box("board" + i, 0.5, 0.5, THICK, masses[i]).move(2 * i, THICK / 2, 0);
+            Robots.rover("rover" + i).move(2 * i, THICK, 0);
+        }
+        Robots.rover("onFloor").move(-2, 0, 0);
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 5);
+        double height = Worlds.body(simulation, "onFloor").getPose().y + THICK;
+        for (int i = 0; i < masses.length; i++) {
+            assertStands(masses[i] + " kg: robot", Worlds.body(simulation, "rover" + i).getPose(), 2 * i, height);
+            assertStands(masses[i] + " kg: board", Worlds.body(simulation, "board" + i).getPose(), 2 * i, THICK / 2);
+        }
+    }
+
+    private static void assertStands(String what, Pose pose, double x, double y) {
+        assertEquals(what, x, pose.x, STILL);
+        assertEquals(what, y, pose.y, STILL);
+        assertEquals(what, 0, pose.z, STILL);
+    }
+
+    /** On ice the board goes back as the robot goes forward. */
+    @Test
+    public void aBoardOnIceGoesBackUnderTheWheels() throws Exception {
+        Floor ice = new Floor("floor", 40, 40);
+        ice.setFriction(0);
+        new Box("board", 1, 6, THICK, 4).move(0, THICK / 2, 0);
+        Robots.rover("rover").move(0, THICK, 0);
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 1);
+        simulation.getRobots().get(0).drive(0.4, Double.POSITIVE_INFINITY);
+        Worlds.run(simulation, 2);
+        double robot = momentum(Worlds.body(simulation, "rover"));
+        double board = momentum(Worlds.body(simulation, "board"));
+        assertTrue("the robot drives: " + robot + " Ns", robot > 0.2);
+        assertEquals("what one has the other has backwards", -robot, board, 0.01 * robot);
+    }
+
+    private static double momentum(Body body) {
+        double[] v = new double[6];
+        body.velocities(v);
+        return body.mass * v[2];
+    }
+
+    /** As they do who are made without a place: both are at the origin. */
+    @Test
+    public void twoRobotsAtOneSpotComeApartSlowly() throws Exception {
+        new Floor("floor", 60, 60);
+        int pairs = 0;
+        for (Function<String, SEARrobot> one : READY) {
+            for (Function<String, SEARrobot> other : READY) {
+                one.apply("a" + pairs).move(3 * pairs - 24, 0, 0);
+                other.apply("b" + pairs).move(3 * pairs - 24, 0, 0);
+                pairs++;
+            }
+        }
+        Simulation simulation = Worlds.start(project);
+        double[] v = new double[6];
+        for (int step = 0; step < STEPS; step++) {
+            simulation.step();
+            for (int i = 0; i < 2 * pairs; i++) {
+                String name = (i % 2 == 0 ? "a" : "b") + i / 2;
+                Body robot = Worlds.body(simulation, name);
+                robot.velocities(v);
+                assertTrue(name + " is thrown: " + Math.hypot(Math.hypot(v[0], v[1]), v[2]) + " m/s", Math.hypot(Math.hypot(v[0], v[1]), v[2]) < 5);
+                assertTrue(name + " has sunk to " + lowest(robot) + " m in step " + step, lowest(robot) > (step < STEPS - 1 ? -0.04 : -1e-3));
+            }
+        }
+    }
+
+    /** Wheels that point up carried what lay on its back, from below the floor: it crept, fell through it or was thrown. */
+    @Test
+    public void whatLiesOnItsBackLiesStill() throws Exception {
+        new Floor("floor", 160, 60);
+        int count = 3 * READY.size();
+        for (int i = 0; i < count; i++) {
+            double high = 0.3 + 0.06 * i;
+            new Box("edge" + i, 0.4, 0.1, high, 0).move(4 * i - 24, high / 2, 0);
+            READY.get(i % READY.size()).apply("robot" + i).move(4 * i - 24, high + 0.05, 0.07 + 0.003 * i);
+        }
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 10);
+        Pose[] before = poses(simulation, count);
+        Worlds.run(simulation, 5);
+        int turned = 0;
+        for (int i = 0; i < count; i++) {
+            Body robot = Worlds.body(simulation, "robot" + i);
+            Pose now = robot.getPose();
+            assertEquals("robot" + i, 0, Math.hypot(Math.hypot(now.x - before[i].x, now.y - before[i].y), now.z - before[i].z), STILL);
+            assertTrue("robot" + i + " has sunk to " + lowest(robot) + " m", lowest(robot) > -5e-4);
+            turned += now.rotate(0, 1, 0)[1] < -0.99 ? 1 : 0;
+        }
+        assertTrue("only " + turned + " of " + count + " lie on their backs", turned >= 6);
+    }
+
+    /** The height of the lowest point of all its parts, metres. */
+    private static double lowest(Body body) {
+        double lowest = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < body.solids.size(); i++) {
+            Pose pose = body.getPose().times(body.places[i]);
+            double[] down = pose.rotateBack(0, -1, 0);
+            double[] point = body.solids.get(i).farthest(down[0], down[1], down[2]);
+            lowest = Math.min(lowest, pose.transform(point[0], point[1], point[2])[1]);
+        }
+        return lowest;
+    }
+
+    private static Pose[] poses(Simulation simulation, int count) {
+        Pose[] poses = new Pose[count];
+        for (int i = 0; i < count; i++) {
+            poses[i] = Worlds.body(simulation, "robot" + i).getPose();
+        }
+        return poses;
+    }
+}

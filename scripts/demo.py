@@ -1,6 +1,5 @@
 # The demo: builds a small world and a Roomba with a LIDAR, sonar, GPS and compass out of objects, drives it over the Roomba protocol, scans over the
 # SICK LMS200 protocol, and prints what it reads. Run it with "./gradlew run" or "sear scripts/demo.py".
-import os
 from java.lang import System
 from org.SEAR.POJOs import Box, Compass, Cone, Cylinder, Distance, Floor, GPS, LIDAR, Robots
 
@@ -96,18 +95,24 @@ for (what, command, seconds) in (("Forward", roomba.goForward, 3), ("Turning lef
     sear.simSleep(0.5)
     report(what + " for " + str(seconds) + " s")
 
-# With a terminal the simulation goes on until Enter, with --keep until Ctrl+C; its tabs show it meanwhile.
+# With --keep the simulation goes on until Ctrl+C. Else it goes on while a browser shows it, and at a terminal until Enter, so that one can be opened.
+RELOAD_SECONDS = 5      # a page that comes back within these was loaded again
+try:
+    from org.myrobotlab.embedded.web import OpenPages
+except ImportError:
+    OpenPages = None    # a real MyRobotLab goes on by itself
 keep = System.getProperty("sear.keep") == "true"
-if keep or os.environ.get("SEAR_TERMINAL"):
-    page = Runtime.getService("webgui")
-    where = "; see its tabs at http://localhost:%d" % page.getPort() if page is not None else ""
-    print "The simulation goes on%s. %s ends it." % (where, "Ctrl+C" if keep else "Enter")
-if os.environ.get("SEAR_TERMINAL") and not keep:
-    try:
-        raw_input()
-    except EOFError:
-        pass  # nobody sits at that terminal
+terminal = System.getenv("SEAR_TERMINAL") is not None
+page = Runtime.getService("webgui")
+where = " at http://localhost:%d" % page.getPort() if page is not None else ""
+if keep or terminal:
+    print "The simulation goes on%s. %s ends it%s." % ("; see its tabs" + where if where else "", "Ctrl+C" if keep else "Enter",
+        ", and so does closing the last of them" if where and not keep else "")
+elif OpenPages is not None and OpenPages.count() > 0:
+    print "The simulation goes on while a browser has its tabs open%s. Ctrl+C ends it, too." % where
 if not keep:
+    if OpenPages is not None:
+        OpenPages.stay(terminal, RELOAD_SECONDS)
     sear.stopSimulation()
 print "Next: docs/first-robot.md leads in fifteen minutes to a robot of your own; sear without a script opens a page with examples."
 print "Done."

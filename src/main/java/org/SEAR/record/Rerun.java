@@ -31,11 +31,13 @@ public final class Rerun implements RunRecord.Visitor {
     private final MessageDigest[] recorded;
     private final MessageDigest[] again;
     private final long[] counts;
+    private final Consumer<Simulation> watcher;
     private long steps;
 
-    private Rerun(RunRecord record, Simulation world) {
+    private Rerun(RunRecord record, Simulation world, Consumer<Simulation> watcher) {
         this.record = record;
         this.world = world;
+        this.watcher = watcher;
         recorded = digests(world.getLines().size());
         again = digests(world.getLines().size());
         counts = new long[recorded.length];
@@ -72,6 +74,17 @@ public final class Rerun implements RunRecord.Visitor {
      * @throws IOException if the record can't be run again: it is of another project or did not begin at the start
      */
     public static Result of(RunRecord record, Project project) throws IOException, ProjectException {
+        return of(record, project, world -> { });
+    }
+
+    /**
+     * Runs a record's commands.
+     *
+     * @param project that was recorded
+     * @param watcher sees the world before the first step and after each
+     * @throws IOException if the record can't be run again: it is of another project or did not begin at the start
+     */
+    public static Result of(RunRecord record, Project project, Consumer<Simulation> watcher) throws IOException, ProjectException {
         RecordHeader header = record.getHeader();
         if (header.firstStep != 0) {
             throw new RecordException(record.getPath() + " begins at step " + header.firstStep
@@ -85,7 +98,7 @@ public final class Rerun implements RunRecord.Visitor {
             if (world.getLines().size() != header.lines.size()) {
                 throw new RecordException(record.getPath() + " has " + header.lines.size() + " ports, the project has " + world.getLines().size());
             }
-            return new Rerun(record, world).run();
+            return new Rerun(record, world, watcher).run();
         }
     }
 
@@ -103,6 +116,7 @@ public final class Rerun implements RunRecord.Visitor {
 
     private Result run() throws IOException {
         world.setTap(new Listener());
+        watcher.accept(world);
         boolean whole = record.read(this);
         boolean same = true;
         Map<String, String> ports = new LinkedHashMap<>();
@@ -119,6 +133,7 @@ public final class Rerun implements RunRecord.Visitor {
         obey();
         world.step();
         steps++;
+        watcher.accept(world);
     }
 
     @Override

@@ -5,27 +5,29 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /** A list of things that come in order, of which at most so many are kept, evenly: all, every second, every fourth ... One thread. */
-final class Thinned<T> {
+public final class Thinned<T> {
     private final int most;
     private final List<T> kept = new ArrayList<>();
     private long each = 1;
     private long seen;
 
     /** @param most 2 or more */
-    Thinned(int most) {
+    public Thinned(int most) {
         this.most = Math.max(2, most);
     }
 
     /** Whether the next one is to be added; otherwise {@link #pass} it. */
-    boolean isNextKept() {
+    public boolean isNextKept() {
         return seen % each == 0;
     }
 
-    void pass() {
+    /** Leaves the next one out. */
+    public void pass() {
         seen++;
     }
 
-    void add(T one) {
+    /** Adds the next one. */
+    public void add(T one) {
         if (kept.size() == most) {
             for (int i = kept.size() - 1; i > 0; i--) {
                 if (i % 2 != 0) {
@@ -44,7 +46,8 @@ final class Thinned<T> {
         return kept.get(index);
     }
 
-    Stream<T> stream() {
+    /** Those that are kept. */
+    public Stream<T> stream() {
         return kept.stream();
     }
 }

@@ -1180,6 +1180,11 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         return calls.attempt(() -> parts.recordFrames(path));
     }
 
+    /** How things turned and what sensors saw in a record, for panels that share it; the form stands at {@code Motion}. */
+    public Map<String, Object> getRecordMotion(String path) {
+        return calls.attempt(() -> parts.recordMotion(path));
+    }
+
     /** Tells panels why a project could not be started or loaded. */
     public List<Problem> publishProblems(List<Problem> problems) {
         return problems;

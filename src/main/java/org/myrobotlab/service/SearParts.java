@@ -19,6 +19,7 @@ import org.myrobotlab.service.sear.files.Edits;
 import org.myrobotlab.service.sear.files.Projects;
 import org.myrobotlab.service.sear.lockstep.Fence;
 import org.myrobotlab.service.sear.lockstep.FencePass;
+import org.myrobotlab.service.sear.panel.Motion;
 import org.myrobotlab.service.sear.panel.Preview;
 import org.myrobotlab.service.sear.panel.TerrainMap;
 import org.myrobotlab.service.sear.panel.WorldFeed;
@@ -163,6 +164,11 @@ final class SearParts {
     /** Where everything was over time in a record, as {@link Records#frames} has it. */
     public Map<String, Object> recordFrames(String path) throws InterruptedException, IOException {
         return records.frames(path, wording());
+    }
+
+    /** How things turned, and what sensors saw in a record, as {@link Motion#of} has it. */
+    public Map<String, Object> recordMotion(String path) throws IOException {
+        return Motion.of(path, Records.open(path), control.getFolder());
     }
 
     /** Draws values of a record, see {@link Plots}; units are those of the running world's sensors, or else of the project's. */

@@ -68,8 +68,9 @@ public class ClicksTest extends InPage {
         page.await("a record is asked for", "service.recorded");
         page.browser.click(".sear-start");
         page.await("a running simulation", "world.running !== null && view.fitted");
-        double before = page.number("world.running.robots[0].pose[0]");
         page.browser.click(".sear-plots");
+        driveByHeldKeysAndFilm();
+        double before = page.number("world.running.robots[0].pose[0]");
         page.browser.choose(".sear-add", "office Roomba.x");
         page.browser.click(".sear-forward");
         page.await("half a metre", "world.running.robots[0].pose[0] > " + (before + 0.5));
@@ -86,10 +87,30 @@ public class ClicksTest extends InPage {
         page.await("played to its end", "!replay.shown.playing && replay.shown.index === replay.shown.times.length - 1");
         assertTrue("it shows where the robot was", page.number("world.shown().robots[0].pose[0]") > before + 0.5);
         page.browser.click(".sear-share");
-        assertTrue("a page with three.js in it", Files.size(page.browser.download("run.html")) > 500_000);
+        String shared = Files.readString(page.browser.download("run.html"));
+        assertTrue("a page with three.js in it", shared.length() > 500_000);
+        assertTrue("and with the beams of the run", shared.contains("\"motion\":{\"path\":\"run.searlog\"") && shared.contains("\"ranges\":[\""));
         page.browser.click(".sear-end-replay");
         page.await("what is now", "replay.shown === null");
         Files.delete(mrl.folder().resolve("run.searlog"));
+    }
+
+    /** There and back. */
+    private void driveByHeldKeysAndFilm() throws IOException {
+        page.browser.click(".sear-video");
+        page.await("it films", "video.running");
+        WebElement view = page.browser.see(".sear-view");
+        new Actions(page.browser.driver()).moveToElement(view).click().keyDown("w").perform();
+        page.await("forward", "world.running.robots[0].speed > 0.15");
+        new Actions(page.browser.driver()).keyUp("w").perform();
+        page.await("the robot stands", "world.running.robots[0].speed == 0");
+        new Actions(page.browser.driver()).keyDown(Keys.ARROW_DOWN).perform();
+        page.await("backward", "world.running.robots[0].speed < -0.15");
+        new Actions(page.browser.driver()).keyUp(Keys.ARROW_DOWN).perform();
+        page.await("the robot stands again", "world.running.robots[0].speed == 0");
+        page.browser.click(".sear-video");
+        assertTrue("a film", Files.size(page.browser.download("sear.webm")) > 1000);
+        Files.delete(page.browser.downloads().resolve("sear.webm"));
     }
 
     @Test

@@ -58,6 +58,7 @@ public final class Hub {
             return;
         }
         clients.add(client);
+        OpenPages.come();
         channel.addCloseTask(closed -> forget(client));
         client.send(services());
         channel.getReceiveSetter().set(new AbstractReceiveListener() {
@@ -137,7 +138,9 @@ public final class Hub {
     }
 
     private synchronized void forget(Client client) {
-        clients.remove(client);
+        if (clients.remove(client)) {
+            OpenPages.go();
+        }
         Runtime.getServices().forEach(service -> client.topicsOf(service.getName()).forEach(topic -> leave(service, topic)));
     }
 

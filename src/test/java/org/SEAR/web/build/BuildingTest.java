@@ -5,6 +5,7 @@ import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Paths;
 import java.util.List;
 import java.util.Locale;
@@ -245,6 +246,35 @@ public class BuildingTest {
         waitForSelected("create2");
         browser.click(".sear-tree button[ng-click*='sensor']");
         browser.until("a sensor of the list", () -> tab.isTrue("edits.object && edits.object.robot == 'create2'"));
+    }
+
+    /** Cells of the file in which nothing is drawn, or what another has, too, among those that are needed. */
+    private static final String PICTURES = String.join("\n", "var done = arguments[0], kinds = angular.element(document.querySelector('.sear-main'))"
+        + ".scope().palette.groups().flatMap(group => group.kinds)", "var image = new Image()", "image.onload = () => {",
+        "    var pen = Object.assign(document.createElement('canvas'), {width: image.width, height: image.height}).getContext('2d')",
+        "    pen.drawImage(image, 0, 0)",
+        "    var seen = {}, wrong = []",
+        "    kinds.forEach(kind => {",
+        "        var at = kind.style['background-position'].split(' ').map(parseFloat)",
+        "        var size = kind.style['background-size'].split(' ').map(parseFloat)",
+        "        var cell = [100 * image.width / size[0], 100 * image.height / size[1]]",
+        "        var data = pen.getImageData(Math.round(at[0] / 100 * (image.width - cell[0])), Math.round(at[1] / 100 * (image.height - cell[1])),",
+        "            cell[0], cell[1]).data",
+        "        var drawn = data.filter((value, i) => i % 4 === 3 && value > 128).length / cell[0] / cell[1]",
+        "        if (cell[0] !== cell[1] || drawn < 0.05 || drawn > 0.9 || seen[at]) {",
+        "            wrong.push(kind.make + ' ' + cell + ' ' + drawn)",
+        "        }", "        seen[at] = true", "    })", "    done(kinds.length + ' pictures ' + wrong.join())", "}",
+        "image.src = kinds[0].style['background-image'].slice(5, -2)");
+
+    @Test
+    public void eachThingOfThePaletteHasAPictureOfItsOwnThatTheViewHasDrawn() throws Exception {
+        build(".sear-map");
+        int count = browser.all(".sear-make .sear-symbol").size();
+        assertTrue(String.valueOf(count), count >= 30);
+        browser.until("pictures", () -> browser.all(".sear-symbol").get(0).getCssValue("background-image").contains("palette.png"));
+        assertEquals(count + " pictures ", browser.driver().executeAsyncScript(PICTURES));
+        long bytes = Files.size(Paths.get(System.getProperty("sear.root", "."), "resources/resource/WebGui/app/service/js/sear/tiles/palette.png"));
+        assertTrue(String.valueOf(bytes), bytes < 150_000);
     }
 
     @Test

@@ -33,7 +33,7 @@ public final class TabPictures {
 
     /**
      * @param arguments the folder for the pictures and, if not all are wanted, some of {@code tabs}, {@code terrain-tab}, {@code building},
-     *     {@code tiles} and {@code first}
+     *     {@code tiles}, {@code palette} and {@code first}
      */
     public static void main(String[] arguments) throws Exception {
         Path folder = Paths.get(arguments[0]);
@@ -49,6 +49,9 @@ public final class TabPictures {
         }
         if (wanted.isEmpty() || wanted.contains("tiles")) {
             TilePictures.take();
+        }
+        if (wanted.isEmpty() || wanted.contains("palette")) {
+            PalettePictures.take();
         }
         if (wanted.isEmpty() || wanted.contains("first")) {
             first(folder);

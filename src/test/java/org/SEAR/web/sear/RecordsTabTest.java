@@ -19,6 +19,7 @@ import org.junit.ClassRule;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TestRule;
+import org.openqa.selenium.By;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.interactions.Actions;
 
@@ -185,6 +186,7 @@ public class RecordsTabTest {
         browser.until("the robot drives on its own", () -> inPlayer("robots[0].shown[2]") > 0.5);
         assertEquals("in the shapes and pictures that it had", Boolean.TRUE, browser.script("return player.scene.objects.concat("
             + "player.scene.robots[0].parts).every(item => item.dressed) && Object.keys(player.scene.looks.textures).length > 1"));
+        assertBeamsAndWheels();
         browser.until("its lamp is lit", () -> inPlayer("robots[0].lights[0].bulb.material.color.r") > 0.9);
         browser.script("var slider = document.getElementById('slider'); slider.value = 0; slider.oninput()");
         browser.until("back at its start", () -> inPlayer("robots[0].shown[2]") < 0.01);
@@ -192,6 +194,36 @@ public class RecordsTabTest {
         browser.until("it drives again", () -> inPlayer("robots[0].shown[2]") > 0.3);
         assertEquals("nothing is fetched", 0L,
             browser.script("return performance.getEntriesByType('resource').filter(one => /^http/.test(one.name)).length"));
+        TABS.open("sear");
+    }
+
+    /** As the live view shows them. */
+    private void assertBeamsAndWheels() {
+        browser.until("its wheels turn", () -> inPlayer("robots[0].parts.filter(part => part.source.type === 'Wheel' && part.shown"
+            + " && Math.abs(part.shown[3]) > 0.01).length") > 1);
+        String scanner = "sensors.filter(one => one.source.name.endsWith('scanner'))[0].";
+        browser.until("a beam ends on the wall", () ->
+            Math.abs(inPlayer(scanner + "source.ranges[90]") + inPlayer(scanner + "source.pose[2]") - 2.9) < 0.03);
+        assertTrue("with the others it is a fan", inPlayer(scanner + "fan.geometry.attributes.position.array.length") == 9 * 180);
+        browser.until("the laser's spot is on it",
+            () -> Math.abs(inPlayer("sensors.filter(one => one.source.name.endsWith('ping'))[0].hit.position.z") - 2.9) < 0.01);
+        assertEquals(1, inPlayer(scanner + "holder.visible ? 1 : 0"), 0);
+        browser.click("#beams");
+        browser.until("no beams", () -> inPlayer("sensors.filter(one => one.holder.visible).length") == 0);
+    }
+
+    @Test
+    public void aRecordOfAProjectThatHasChangedIsSharedWithoutItsBeams() throws IOException {
+        TABS.robotLab().run(WORLD + "\n" + RUNS + "\nBox('another', 1, 1, 1, 0).move(3, 0.5, -3)");
+        browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().objects.length == 3"));
+        browser.click(".sear-plots");
+        browser.choose(".sear-source", "run1.searlog");
+        browser.seeText(".sear-badge", "Replay of run1.searlog");
+        browser.click(".sear-share");
+        browser.seeText(".sear-main .alert-info", "it has no beams, and its wheels don't turn: run1.searlog is of another project");
+        browser.driver().get(browser.download("run1.html").toUri().toString());
+        browser.until("the robot drives", () -> inPlayer("robots[0].shown[2]") > 0.1);
+        assertFalse("there are none to be shown", browser.driver().findElement(By.id("beams")).isDisplayed());
         TABS.open("sear");
     }
 

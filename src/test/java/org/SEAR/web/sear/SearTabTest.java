@@ -83,9 +83,9 @@ public class SearTabTest {
         browser.until("the car drives", () -> tab.number("world.running.robots[0].speed") > 0.1);
         browser.click(".sear-halt");
         browser.until("the car stands", () -> tab.number("world.running.robots[0].speed") == 0);
-        assertFalse(isCircleNamed());
         browser.click(".sear-left");
-        browser.until("the servo is named", this::isCircleNamed);
+        browser.until("its servo steers it to the left", () -> tab.number("world.running.robots[0].turnRate") > 0.1);
+        assertFalse("neither is what it steers to", isCircleNamed());
         browser.click(".sear-stop");
     }
 

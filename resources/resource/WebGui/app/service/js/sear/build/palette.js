@@ -1,8 +1,8 @@
 // The palette of the SEAR panel: everything that can be made, and where a click in the view puts it.
 import {mounted, tilted, withGround} from './mounting.js'
+import * as making from './kinds.js'
 import {plain} from './places.js'
 import * as pointing from '../world/pointing.js'
-import * as symbols from './symbols.js'
 
 var GRID = 0.05             // metres between the places that things snap to
 var STEPS = {ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1}
@@ -31,11 +31,11 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
             return groups
         }
         made = {grammar: edits.grammar, sought: palette.sought}
-        var all = !edits.grammar ? [] : edits.grammar.types.filter(type => type.kind !== 'robot').map(symbols.ofType)
-            .concat(edits.grammar.templates.map(symbols.ofTemplate))
+        var all = !edits.grammar ? [] : edits.grammar.types.filter(type => type.kind !== 'robot').map(making.ofType)
+            .concat(edits.grammar.templates.map(making.ofTemplate))
         var wanted = palette.sought.trim().toLowerCase()
         kinds = all.filter(kind => (kind.word + ' ' + kind.make).toLowerCase().indexOf(wanted) >= 0)
-        groups = symbols.GROUPS.map(name => ({name: name, kinds: kinds.filter(kind => kind.group === name)})).filter(group => group.kinds.length)
+        groups = making.GROUPS.map(name => ({name: name, kinds: kinds.filter(kind => kind.group === name)})).filter(group => group.kinds.length)
         kinds = [].concat.apply([], groups.map(group => group.kinds))
         stop = kinds.indexOf(stop) < 0 ? kinds[0] : stop
         return groups

@@ -1,7 +1,6 @@
 // Driving in the SEAR panel by keys that are held, WASD and the arrows, and by a gamepad: what is let go stops.
 var SPEED = 0.2             // m/s of the keys, as of the buttons
 var FASTEST = 0.4           // m/s of a gamepad's stick at its end
-var RADIUS = 0.3            // metres of the narrowest arc while it drives on
 var DEAD = 0.15             // how far a stick has to leave its middle
 var LOOK_MILLIS = 50        // how often a gamepad is looked at
 var KEYS = {w: [1, 0], s: [-1, 0], a: [0, 1], d: [0, -1], arrowup: [1, 0], arrowdown: [-1, 0], arrowleft: [0, 1], arrowright: [0, -1]}
@@ -21,18 +20,14 @@ export function makeDriving(panel, world, view, edits, run, picture) {
     var held = {}               // keys that are down, by what they say
     var padded = false          // whether a gamepad has said something that it has not taken back
     var looking = null
-    var last = ''
+    var last = []               // the calls of what it was told
     var driving = {}
 
     /** @param way how far forward and to the left, -1 to 1 */
     function go(way, most) {
-        var speed = way[0] * most
-        var call = speed === 0 && way[1] === 0 ? ['driveStraight', 0] : way[1] === 0 ? ['driveStraight', speed]
-            : speed === 0 ? ['drive', way[1] * most, 0] : ['drive', speed, RADIUS / way[1]]
-        if (last !== String(call)) {
-            last = String(call)
-            panel.msg.send.apply(panel.msg, call.slice(0, 1).concat(view.robot || [], call.slice(1)))
-        }
+        var calls = run.orders(way, most)
+        calls.filter((call, i) => String(call) !== String(last[i])).forEach(call => panel.msg.send.apply(panel.msg, call))
+        last = calls
     }
     function canDrive() {
         return panel.isSimulating() && run.drivers(world.running).length > 0
@@ -62,7 +57,7 @@ export function makeDriving(panel, world, view, edits, run, picture) {
         event.preventDefault()
         if (!held[key]) {
             if (!Object.keys(held).length) {
-                last = ''       // something else may have driven meanwhile
+                last = []       // something else may have driven meanwhile
             }
             held[key] = true
             goOn()
@@ -86,7 +81,7 @@ export function makeDriving(panel, world, view, edits, run, picture) {
         var moved = way[0] !== 0 || way[1] !== 0
         if (moved || padded) {
             if (!padded) {
-                last = ''
+                last = []
             }
             padded = moved
             go(way, FASTEST)

@@ -31,7 +31,8 @@ import {count} from '../shared/words.js'
 
 var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'checkProject', 'getBundle',
     'getTerrain', 'getLooks', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate', 'startSimulation', 'stopSimulation',
-    'publishEdit', 'getProjectObject', 'getScript', 'getExampleScript', 'recordRun', 'endRecord', 'getRecords', 'getRecordFrames', 'getRecordValues']
+    'publishEdit', 'getProjectObject', 'getScript', 'getExampleScript', 'recordRun', 'endRecord', 'getRecords', 'getRecordFrames',
+    'getRecordMotion', 'getRecordValues']
 var ASKED = ['getExamples', 'getExampleScripts', 'getGrammar', 'getEdits']
 var LOOK_MILLIS = 1000      // how often a page that shows the project asks whether that has changed
 var SETTLED_MILLIS = 12000  // how long the line of status has what was only told

@@ -1,5 +1,6 @@
 // What a shared run does in its own page, without SEAR: plays its record. See share.js, which writes that page.
 import * as geometry from '../shared/geometry.js'
+import {makeMotion} from './motion.js'
 import {Scene} from '../scene/scene.js'
 import {Terrain} from '../world/terrain.js'
 import {robotsAt} from '../records/frames.js'
@@ -8,7 +9,7 @@ function element(id) {
     return document.getElementById(id)
 }
 
-/** @param run world, record, looks by key, terrain or null, title */
+/** @param run world, record, motion or null, looks by key, terrain or null, title */
 export function play(run) {
     var record = run.record
     var world = run.world
@@ -23,6 +24,7 @@ export function play(run) {
             scene.looks.take(keys.map(key => run.looks[key]).filter(Boolean))
         })
     }, repaint)
+    var motion = run.motion ? makeMotion(run.motion, world) : null
     var terrain = run.terrain ? new Terrain(run.terrain, repaint) : null
 
     function byName(list) {
@@ -47,7 +49,7 @@ export function play(run) {
         if (began) {
             goOn()
         }
-        scene.show(world, terrain, false)
+        scene.show(world, terrain, element('beams').checked)
         scene.draw(-1, element('follow').checked ? 0 : -1, window.matchMedia('(prefers-color-scheme: dark)').matches)
         if (began) {
             repaint()
@@ -63,6 +65,9 @@ export function play(run) {
             }
         })
         world.time = record.times[index]
+        if (motion) {
+            motion.show(world.time)
+        }
         element('slider').value = index
         element('time').textContent = record.times[index].toFixed(2) + ' s of ' + record.times[last].toFixed(2) + ' s'
         repaint()
@@ -112,6 +117,8 @@ export function play(run) {
         }
     }
     element('follow').onchange = repaint
+    element('beams').onchange = repaint
+    element('beams').parentElement.hidden = !world.sensors.length
     element('view').onpointerdown = function(event) {
         grip = {x: event.clientX, y: event.clientY}
         element('view').setPointerCapture(event.pointerId)

@@ -1,11 +1,12 @@
 // The run of the simulation in the SEAR panel: start, stop, speed, driving.
+import {drive, isFixed} from './steering.js'
 import {makeEvent} from '../shared/event.js'
 import {find} from '../world/pointing.js'
 
 var SPEED = 0.2             // m/s of the drive buttons, MyRobotLab's Roomba default
-// The method, and what it is given after the robot's name.
-var DRIVES = {forward: ['driveStraight', SPEED], backward: ['driveStraight', -SPEED], left: ['drive', SPEED, 0], right: ['drive', -SPEED, 0],
-    stop: ['driveStraight', 0]}
+// How far forward and to the left; what is steered can't turn in place.
+var WAYS = {forward: [1, 0], backward: [-1, 0], left: [0, 1], right: [0, -1], stop: [0, 0]}
+var ARCS = {left: [1, 1], right: [1, -1]}
 var KEYS = {h: 'left', k: 'right', u: 'forward', j: 'backward', ';': 'stop', enter: 'reset'}
 
 /** Of one panel. */
@@ -14,6 +15,7 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
     var msg = panel.msg
     var known = 1               // the speed that the simulation has
     var driving = false         // whether a test drive is to begin as soon as the simulation runs
+    var fixed = []              // names of the robots of which this run has said that nothing steers them
     var followed = null         // whether the view has followed before the test drive; null without one
     var run = {
         pending: null,          // what the service has been told to do and has not done yet: starting or stopping
@@ -39,7 +41,7 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
         if (way === 'reset') {
             msg.send('reset')
         } else {
-            msg.send.apply(msg, DRIVES[way].slice(0, 1).concat(view.robot || [], DRIVES[way].slice(1)))
+            run.orders(WAYS[way], SPEED, ARCS[way]).forEach(call => msg.send.apply(msg, call))
         }
     }
     run.key = function(event) {
@@ -65,6 +67,20 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
     }
 
     // ---- the test drive --------------------------------------------------------------------------------------------------------------------
+    /**
+     * Calls that drive the chosen robot, else the first; says so once in a run if nothing steers that.
+     * @param way how far forward and to the left, -1 to 1; @param most m/s at 1; @param arc the way of what can't turn in place, if it is another
+     */
+    run.orders = function(way, most, arc) {
+        var robots = world.running ? world.running.robots : []
+        var robot = robots.filter(one => one.name === view.robot)[0] || robots[0]
+        if (robot && way[1] !== 0 && isFixed(robot) && fixed.indexOf(robot.name) < 0) {
+            fixed.push(robot.name)
+            messages.say('warn', robot.name + ' can\'t be steered: its driven wheels all stand in its middle, and no wheel is steered. Put driven '
+                + 'wheels to its left and right, or give wheels before or behind them a steering angle, or a servo that steers them')
+        }
+        return robot ? drive(robot, robot.steered && arc || way, most) : []
+    }
     /** Robots of a world that have something to drive. */
     run.drivers = function(seen) {
         return seen ? seen.robots.filter(robot => robot.drives) : []
@@ -95,6 +111,7 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
         }
     }
     panel.scope.$watch(panel.isSimulating, function(simulating) {
+        fixed = []
         if (simulating && driving) {
             picture.canvas().focus()
             messages.say('info', 'drive ' + view.robot + ': W or arrow up forward, S back, A left, D right, Enter back to the start')

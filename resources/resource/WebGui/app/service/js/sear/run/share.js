@@ -6,6 +6,7 @@ var MOST = 24e6             // characters of the file
 var PLAYER = 'run/player.js'
 var AT_ONCE = 60            // looks that are asked for together
 var PATIENCE_MILLIS = 30000
+var MOST_SECONDS = 600      // of a record that is run again for its beams and its wheels
 var IMPORT = /^import (.+) from '([^']+)'$/gm
 
 function textOf(url) {
@@ -59,6 +60,8 @@ export function makeShare(panel, messages, replay, ground) {
     var looks = null            // what has come of what is needed, by key; null while nothing is shared
     var missing = null          // keys that have not come
     var since = 0
+    var motion = null           // how wheels turned and what sensors saw, or {why: there is none}; null while that is awaited
+    var waiting = null          // what ends that
     var share = {busy: false}
 
     share.record = function() {
@@ -78,8 +81,29 @@ export function makeShare(panel, messages, replay, ground) {
                 missing['picture ' + one.picture] = true
             }
         })
-        ask()
+        askForMotion()
     }
+    /** The record is run again for what is not in it; where that can't be, it is shared without. */
+    function askForMotion() {
+        var times = share.shown.times
+        motion = null
+        if (times[times.length - 1] - times[0] > MOST_SECONDS) {
+            takeMotion({why: 'the record is longer than ' + MOST_SECONDS / 60 + ' minutes'})
+            return
+        }
+        panel.msg.send('getRecordMotion', share.shown.path)
+        waiting = panel.timeout(function() {
+            takeMotion({why: 'it took too long to run the record again'})
+        }, 2 * PATIENCE_MILLIS)
+    }
+    function takeMotion(sent) {
+        if (share.busy && !motion) {
+            panel.timeout.cancel(waiting)
+            motion = sent
+            ask()
+        }
+    }
+    share.handlers = {onRecordMotion: sent => sent && share.busy && sent.path === share.shown.path && takeMotion(sent)}
     function ask() {
         var keys = Object.keys(missing)
         since = Date.now()
@@ -129,6 +153,7 @@ export function makeShare(panel, messages, replay, ground) {
         var title = fileName(record.path).replace(/\.searlog$/, '')
         var source = Array.from(document.scripts).filter(script => /\/three(\.min)?\.js$/.test(script.src) && script.src.indexOf('widget') < 0)[0]
         var run = {title: title, looks: looks, terrain: share.terrain && share.terrain.sent, world: plain(record.world),
+            motion: motion.frames ? motion : null,
             record: {times: record.times, robots: record.robots, objects: record.objects, robotPoses: record.robotPoses,
                 objectPoses: record.objectPoses, speeds: record.speeds, lights: record.lights, brightness: record.brightness}}
         var form = new URL('player.html', import.meta.url)
@@ -140,7 +165,8 @@ export function makeShare(panel, messages, replay, ground) {
                     + ' MB; share a shorter record, or one of a world with fewer and simpler models')
             }
             saveText(title + '.html', text)
-            messages.say('info', 'the run is saved as ' + title + '.html, ' + size + ': it opens in any browser, without SEAR')
+            messages.say('info', 'the run is saved as ' + title + '.html, ' + size + ': it opens in any browser, without SEAR'
+                + (motion.why ? '; it has no beams, and its wheels don\'t turn: ' + motion.why : ''))
         })
     }
     /** A world without what this page has noted in it. */

@@ -4,8 +4,14 @@ var ROBOT = 'rgba(51, 122, 183, 0.55)'
 var FAR = 1                 // metres; what is farther off and would have been faster than FASTEST did not move: it was put there
 var FASTEST = 60            // m/s
 
-/** A pose [x, y, z, rx, ry, rz] in metres and degrees as [x, y, z, qx, qy, qz, qw], the rotation as jME's Quaternion.fromAngles. */
+/**
+ * A pose [x, y, z, rx, ry, rz] in metres and degrees as the frame [x, y, z, qx, qy, qz, qw], the rotation as jME's Quaternion.fromAngles; a frame
+ * stays as it is.
+ */
 export function frame(pose) {
+    if (pose.length === 7) {
+        return pose
+    }
     var a = [3, 4, 5].map(i => pose[i] * Math.PI / 360)
     var s = a.map(Math.sin)
     var c = a.map(Math.cos)

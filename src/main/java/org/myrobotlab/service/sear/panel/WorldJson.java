@@ -132,6 +132,8 @@ final class WorldJson {
         mover.name = robot.getObject().getName();
         mover.radius = rounded(robot.getHardware().getBodyRadius(), FINE);
         mover.drives = robot.getHardware().getWheelRadius() > 0;
+        mover.turns = robot.getHardware().getWheelBase() > 0;
+        mover.steered = Steered.of(robot.getObject());
         mover.path = new ArrayList<>(paths.get(mover.name));
         mover.parts = parts(world, robot);
         mover.leds = mover.lights == null ? null : lamps(robot);

@@ -65,6 +65,10 @@ class WorldState extends JsonForm {
         Double radius;
         /** Whether it has driven wheels. */
         Boolean drives;
+        /** Whether its driven wheels turn it, by two sides at different speeds. */
+        Boolean turns;
+        /** If it has steered wheels. */
+        Steered steered;
         /** Where it was, {x, z}. */
         List<double[]> path;
         List<Thing> parts;

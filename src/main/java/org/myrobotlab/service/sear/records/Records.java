@@ -58,7 +58,12 @@ public final class Records {
         told = words;
     }
 
-    private static RunRecord open(String path) throws IOException {
+    /**
+     * Opens one.
+     *
+     * @throws IOException that names the path, if it is none
+     */
+    public static RunRecord open(String path) throws IOException {
         if (path == null) {
             throw new IllegalArgumentException("the path is missing (None), legal: the path of a record, such as \"run.searlog\"");
         }

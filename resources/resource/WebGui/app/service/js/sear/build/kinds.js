@@ -1,0 +1,43 @@
+// What the palette says of each kind of thing that can be made: a word, a picture, which the view has drawn, and the group that it is in.
+
+export var GROUPS = ['Things', 'Robots', 'Drives', 'Sensors', 'Boards']
+var BY_KIND = {shape: 'Things', sensor: 'Sensors', part: 'Drives'}
+var BOARDS = ['Arduino', 'Led']
+// The pictures lie in one file, in this order, so many in a row; ./gradlew tabScreenshots -Ppictures=palette takes them.
+var PICTURES = new URL('../tiles/palette.png', import.meta.url)
+export var COLUMNS = 8
+var WORDS = {
+    Box: 'Box', Cylinder: 'Cylinder', Cone: 'Cone', Sphere: 'Sphere', Terrain: 'Terrain', Floor: 'Floor', Model: '3D model',
+    roomba400: 'Roomba 400', create: 'Create', create2: 'Create 2', rover: 'Rover', fourWheeled: 'Four wheels', car: 'Car', Wheel: 'Wheel',
+    Motor: 'Motor', Servo: 'Servo', Dynamics: 'Mass and springs', Distance: 'Distance sensor', LIDAR: 'Laser scanner', GPS: 'GPS receiver',
+    Compass: 'Compass', Accelerometer: 'Accelerometer', Gyroscope: 'Gyroscope', Odometer: 'Odometer', IMU: 'Motion unit (IMU)',
+    LineSensor: 'Line sensor', ColorSensor: 'Colour sensor', Bumper: 'Bumper', Arduino: 'Arduino', Led: 'Light (LED)'
+}
+export var PICTURED = Object.keys(WORDS)
+// For what has none of its own, such as a sensor of a plug-in.
+var OTHER = {Things: 'Box', Robots: 'rover', Drives: 'Motor', Sensors: 'Distance', Boards: 'Arduino'}
+
+/** Where the picture of a kind is, as the style of what shows it. */
+function styleOf(name) {
+    var i = PICTURED.indexOf(name)
+    var rows = Math.ceil(PICTURED.length / COLUMNS)
+    return {'background-image': 'url("' + PICTURES + '")', 'background-size': COLUMNS * 100 + '% ' + rows * 100 + '%',
+        'background-position': i % COLUMNS / (COLUMNS - 1) * 100 + '% ' + Math.floor(i / COLUMNS) / (rows - 1) * 100 + '%'}
+}
+/** Words of a name in camel case, for what is not known here: thermalGrid is "Thermal grid". */
+function words(name) {
+    var apart = name.replace(/([a-z0-9])([A-Z])/g, '$1 $2')
+    return apart.charAt(0).toUpperCase() + apart.slice(1).replace(/ [A-Z](?=[a-z])/g, start => start.toLowerCase())
+}
+function kind(name, group, more) {
+    return Object.assign({make: name, group: group, word: WORDS[name] || words(name), style: styleOf(WORDS[name] ? name : OTHER[group])}, more)
+}
+
+/** Of a type of the grammar. */
+export function ofType(type) {
+    return kind(type.type, BOARDS.indexOf(type.type) < 0 ? BY_KIND[type.kind] : 'Boards', {type: type, doc: type.doc})
+}
+/** Of a whole robot. */
+export function ofTemplate(name) {
+    return kind(name, 'Robots', {template: name, doc: 'a whole robot that drives'})
+}

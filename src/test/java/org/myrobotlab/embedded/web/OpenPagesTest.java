@@ -1,0 +1,125 @@
+package org.myrobotlab.embedded.web;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.PipedInputStream;
+import java.io.PipedOutputStream;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import org.junit.After;
+import org.junit.Test;
+
+/** Who waits for pages to go waits while there is one, through a reload, and at a terminal until Enter. */
+public class OpenPagesTest {
+    private static final int PATIENCE_SECONDS = 60;
+    private static final double FOR_EVER = 1e6;
+    private static final double NO_GRACE = 0.001;
+
+    private Thread waiting;
+
+    @After
+    public void allHaveGone() {
+        while (OpenPages.count() > 0) {
+            OpenPages.go();
+        }
+        if (waiting != null) {
+            waiting.interrupt();
+        }
+    }
+
+    private CompletableFuture<Void> stay(InputStream terminal, double grace) {
+        CompletableFuture<Void> over = new CompletableFuture<>();
+        waiting = new Thread(() -> {
+            try {
+                OpenPages.stay(terminal, grace);
+                over.complete(null);
+            } catch (InterruptedException e) {
+                over.completeExceptionally(e);
+            }
+        });
+        waiting.start();
+        return over;
+    }
+
+    /** Until its thread waits in that way; one that doesn't has ended, or never will. */
+    private void waits(Thread.State how) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (waiting.getState() != how) {
+            assertTrue(waiting.getState().toString(), waiting.isAlive() && System.nanoTime() < end);
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(1));
+        }
+    }
+
+    private static void ends(CompletableFuture<Void> over) throws Exception {
+        over.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+    }
+
+    @Test
+    public void nobodyIsWaitedForWhereNobodyLooks() throws Exception {
+        ends(stay(InputStream.nullInputStream(), FOR_EVER));
+    }
+
+    @Test
+    public void aPageIsWaitedForThroughAReload() throws Exception {
+        OpenPages.come();
+        CompletableFuture<Void> over = stay(InputStream.nullInputStream(), FOR_EVER);
+        waits(Thread.State.WAITING);
+        OpenPages.go();
+        waits(Thread.State.TIMED_WAITING);
+        assertFalse("within the grace", over.isDone());
+        OpenPages.come();
+        waits(Thread.State.WAITING);
+        assertFalse("it came back", over.isDone());
+    }
+
+    @Test
+    public void itEndsWithTheLastPage() throws Exception {
+        OpenPages.come();
+        OpenPages.come();
+        CompletableFuture<Void> over = stay(InputStream.nullInputStream(), NO_GRACE);
+        waits(Thread.State.WAITING);
+        OpenPages.go();
+        waits(Thread.State.WAITING);
+        assertEquals("one looks", 1, OpenPages.count());
+        assertFalse(over.isDone());
+        OpenPages.go();
+        ends(over);
+    }
+
+    @Test
+    public void atATerminalEnterEndsItWhoeverLooks() throws Exception {
+        try (PipedOutputStream keys = new PipedOutputStream(); PipedInputStream terminal = new PipedInputStream(keys)) {
+            OpenPages.come();
+            CompletableFuture<Void> over = stay(terminal, FOR_EVER);
+            waits(Thread.State.WAITING);
+            assertFalse(over.isDone());
+            type(keys, "\n");
+            ends(over);
+        }
+    }
+
+    @Test
+    public void atATerminalAPageMayStillBeOpened() throws Exception {
+        try (PipedOutputStream keys = new PipedOutputStream(); PipedInputStream terminal = new PipedInputStream(keys)) {
+            CompletableFuture<Void> over = stay(terminal, NO_GRACE);
+            waits(Thread.State.WAITING);
+            assertFalse("nobody looks yet", over.isDone());
+            type(keys, "x");
+            OpenPages.come();
+            waits(Thread.State.WAITING);
+            assertFalse(over.isDone());
+            OpenPages.go();
+            ends(over);
+        }
+    }
+
+    private static void type(PipedOutputStream keys, String text) throws IOException {
+        keys.write(text.getBytes());
+        keys.flush();
+    }
+}

@@ -357,11 +357,6 @@ public final class ConvexHull implements ConvexShape {
         return polygon;
     }
 
-    /** x, y, z of each corner, metres. Not to be changed. */
-    public double[] getCorners() {
-        return corners;
-    }
-
     @Override
     public void support(double dx, double dy, double dz, double[] into) {
         int best = 0;

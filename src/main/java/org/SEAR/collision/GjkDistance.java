@@ -11,8 +11,7 @@ package org.SEAR.collision;
  * through each new support point at right angles to the direction proves a distance from below, so the search ends as soon as that and what was
  * found agree, or the sets are proved to be farther apart than anybody asked for.
  *
- * <p>A distance is good to 2e-7 m for shapes of a metre; where the poses come from single precision, as jbullet's do, they limit it to some 1e-7 of
- * the distance from the origin. One pair at a time; not for several threads.
+ * <p>A distance is good to 2e-7 m for shapes of a metre. One pair at a time; not for several threads.
  */
 public final class GjkDistance {
     /** Distances are this good, metres. */
@@ -38,7 +37,6 @@ public final class GjkDistance {
     private final double[] share = new double[4];
     private final double[] v = new double[3];
     private final double[] best = new double[4];
-    private final double[] trial = new double[4];
     private final double[] a = new double[3];
     private final Epa epa = new Epa();
     private int size;
@@ -294,10 +292,18 @@ public final class GjkDistance {
         if (!(t > 0 && t < 1)) {
             return least;
         }
-        clear(trial);
-        trial[i] = 1 - t;
-        trial[j] = t;
-        return take(least);
+        double s = 1 - t;
+        double x = s * p[i][0] + t * p[j][0];
+        double y = s * p[i][1] + t * p[j][1];
+        double z = s * p[i][2] + t * p[j][2];
+        double square = x * x + y * y + z * z;
+        if (!(square < least)) {
+            return least;
+        }
+        clear(best);
+        best[i] = s;
+        best[j] = t;
+        return square;
     }
 
     private double face(int i, int j, int k, double least) {
@@ -318,24 +324,19 @@ public final class GjkDistance {
         if (!(s > 0 && t > 0 && s + t < 1)) {
             return least;
         }
-        clear(trial);
-        trial[i] = 1 - s - t;
-        trial[j] = s;
-        trial[k] = t;
-        return take(least);
-    }
-
-    private double take(double least) {
-        double square = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            a[axis] = trial[0] * p[0][axis] + trial[1] * p[1][axis] + trial[2] * p[2][axis] + trial[3] * p[3][axis];
-            square += a[axis] * a[axis];
+        double r = 1 - s - t;
+        double x = r * p[i][0] + s * p[j][0] + t * p[k][0];
+        double y = r * p[i][1] + s * p[j][1] + t * p[k][1];
+        double z = r * p[i][2] + s * p[j][2] + t * p[k][2];
+        double square = x * x + y * y + z * z;
+        if (!(square < least)) {
+            return least;
         }
-        if (square < least) {
-            System.arraycopy(trial, 0, best, 0, 4);
-            return square;
-        }
-        return least;
+        clear(best);
+        best[i] = r;
+        best[j] = s;
+        best[k] = t;
+        return square;
     }
 
     private static double dot(double[] u, double[] w) {

@@ -10,7 +10,7 @@ package org.SEAR.collision;
 public final class ManifoldClipper {
     /** Surfaces this close already carry each other, metres: a face that rests has all its corners in touch. */
     public static final float SKIN = 5e-4f;
-    /** Surfaces farther apart than this have no contact, metres; jbullet's own limit. */
+    /** Surfaces farther apart than this have no contact, metres. */
     public static final float BREAKING = 0.02f;
     /** A face whose normal has at least this cosine to the direction of the contact is part of it (6 degrees). */
     private static final double ALIGNED = 0.995;

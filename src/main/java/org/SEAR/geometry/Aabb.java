@@ -53,6 +53,16 @@ public final class Aabb {
         return this;
     }
 
+    /** The lower end along an axis, 0 for x to 2 for z. */
+    public double min(int axis) {
+        return axis == 0 ? minX : axis == 1 ? minY : minZ;
+    }
+
+    /** The upper end along an axis. */
+    public double max(int axis) {
+        return axis == 0 ? maxX : axis == 1 ? maxY : maxZ;
+    }
+
     /** Reaches as far as a point. */
     public Aabb add(double x, double y, double z) {
         minX = Math.min(minX, x);

@@ -32,15 +32,15 @@ public final class Placement {
     /**
      * The point (px, py, pz) of the world in the frame.
      *
-     * @param into takes {x, y, z}, metres
+     * @param into takes {x, y, z}, metres, from {@code at} on
      */
-    public void toFrame(double px, double py, double pz, double[] into) {
+    public void toFrame(double px, double py, double pz, double[] into, int at) {
         double dx = px - x;
         double dy = py - y;
         double dz = pz - z;
-        into[0] = m00 * dx + m10 * dy + m20 * dz;
-        into[1] = m01 * dx + m11 * dy + m21 * dz;
-        into[2] = m02 * dx + m12 * dy + m22 * dz;
+        into[at] = m00 * dx + m10 * dy + m20 * dz;
+        into[at + 1] = m01 * dx + m11 * dy + m21 * dz;
+        into[at + 2] = m02 * dx + m12 * dy + m22 * dz;
     }
 
     /** Sets the rotation of a unit quaternion. */

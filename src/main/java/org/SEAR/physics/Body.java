@@ -1,10 +1,6 @@
 package org.SEAR.physics;
 
-import com.bulletphysics.collision.dispatch.CollisionFlags;
-import com.bulletphysics.collision.dispatch.CollisionObject;
-import com.bulletphysics.linearmath.Transform;
 import java.util.List;
-import javax.vecmath.Quat4f;
 import org.SEAR.collision.ConvexShape;
 import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Frame;
@@ -45,16 +41,23 @@ public final class Body {
     private boolean touching;
     private int group;
     private int contacts;
+    private double turned;
+    private double turningSpeed;
     private boolean rolls;
-    private final Aabb room = new Aabb();
     private Symmetry symmetry = Symmetry.NONE;
     /** Where it starts. */
     private Pose start;
     private Pose pose;
-    private final CollisionObject rigid = new CollisionObject();
+    private final Aabb near = new Aabb();
+    private State state = State.ASLEEP;
     private final SolverBody solver = new SolverBody();
     private final Stillness rest = new Stillness();
     private final Frame frame = new Frame();
+
+    /** What is fixed is always asleep. */
+    private enum State {
+        AWAKE, ASLEEP, STOPPED
+    }
 
     /** About which axes it looks the same however it is turned. */
     private enum Symmetry {
@@ -77,7 +80,7 @@ public final class Body {
         this.pose = start;
         placed = new PlacedSolid[places.length];
         for (int i = 0; i < placed.length; i++) {
-            placed[i] = new PlacedSolid(solids.get(i), solids.get(i).collision(mass > 0), mass > 0);
+            placed[i] = new PlacedSolid(solids.get(i), mass > 0);
         }
         if (solids.size() == 1 && mass > 0 && places[0].qw == 1) {
             ConvexShape shape = solids.get(0).convex();
@@ -118,24 +121,18 @@ public final class Body {
         double least = mass * LEAST_INERTIA;
         solver.setMass(mass, Math.max(moments[0], least), Math.max(moments[1], least), Math.max(moments[2], least));
         put(start);
-        rigid.setCollisionShape(placed[0].getShape());
-        rigid.setUserPointer(this);
-        rigid.setCollisionFlags(mass > 0 ? 0 : CollisionFlags.STATIC_OBJECT);
         carried = false;
         group = 0;
-        rigid.forceActivationState(mass > 0 ? CollisionObject.ACTIVE_TAG : CollisionObject.ISLAND_SLEEPING);
+        state = mass > 0 ? State.AWAKE : State.ASLEEP;
     }
 
     private void put(Pose at) {
         double[] centre = at.transform(cx, cy, cz);
         solver.put(centre[0], centre[1], centre[2], at);
         rest.begin(solver);
+        turningSpeed = 0;
         touching = false;
         shapeVersion++;    // contacts that were known are elsewhere
-        Transform transform = new Transform();
-        transform.setRotation(new Quat4f((float) at.qx, (float) at.qy, (float) at.qz, (float) at.qw));
-        transform.origin.set((float) centre[0], (float) centre[1], (float) centre[2]);
-        rigid.setWorldTransform(transform);
     }
 
     /** About the axes through its centre of mass, kg m^2: of one solid its own, of several those of the box around them. */
@@ -170,9 +167,7 @@ public final class Body {
         start = newStart;
         pose = to;
         put(to);
-        if (mass > 0) {
-            rigid.forceActivationState(CollisionObject.ACTIVE_TAG);
-        }
+        state = mass > 0 ? State.AWAKE : State.ASLEEP;
     }
 
     /** Says how far from its centre of mass solids come that are going to move in it, metres. Before the world starts. */
@@ -241,8 +236,24 @@ public final class Body {
         return rolls;
     }
 
-    /** How fast the surface of it moves by turning, at most, m/s; what turns about the axis of its own symmetry does not. */
-    double turningSpeed() {
+    /** A step begins. */
+    void begin() {
+        solver.begin();
+        noteTurningSpeed();
+    }
+
+    /** How fast the surface of it moved by turning when it was looked at last, at most, m/s. */
+    double getTurningSpeed() {
+        return turningSpeed;
+    }
+
+    /** Looks how fast its surface moves by turning. */
+    void noteTurningSpeed() {
+        turningSpeed = turningSpeed();
+    }
+
+    /** What turns about the axis of its own symmetry does not move its surface. */
+    private double turningSpeed() {
         double[] v = solver.v;
         double square = v[3] * v[3] + v[4] * v[4] + v[5] * v[5];
         if (square == 0 || symmetry == Symmetry.BALL) {
@@ -256,14 +267,19 @@ public final class Body {
         return Math.sqrt(square) * reach;
     }
 
+    /** How far its surface has moved by turning so far, at most, metres. */
+    double getTurned() {
+        return turned;
+    }
+
     /**
      * Whether a point of its surface is a corner, which turns with it.
      *
-     * @param at in the frame of its centre of mass, metres
+     * @param x in the frame of its centre of mass, metres, likewise y and z
      */
-    boolean isCorner(int solid, double[] at) {
+    boolean isCorner(int solid, double x, double y, double z) {
         Pose place = places[solid];
-        double[] own = place.rotateBack(at[0] + cx - place.x, at[1] + cy - place.y, at[2] + cz - place.z);
+        double[] own = place.rotateBack(x + cx - place.x, y + cy - place.y, z + cz - place.z);
         return solids.get(solid).convex().isCorner(own[0], own[1], own[2]);
     }
 
@@ -301,8 +317,10 @@ public final class Body {
         return solver;
     }
 
-    /** Takes over where the solver has moved it. */
+    /** Takes over where the solver has moved it in a step. */
     void follow() {
+        double[] moved = solver.moved;
+        turned += symmetry == Symmetry.BALL ? 0 : Math.sqrt(moved[3] * moved[3] + moved[4] * moved[4] + moved[5] * moved[5]) * reach;
         Spin spin = solver.spin();
         double qx = spin.qx();
         double qy = spin.qy();
@@ -329,9 +347,9 @@ public final class Body {
         }
     }
 
-    /** The box that the broad phase knows of it, without its margin. */
-    Aabb getRoom() {
-        return room;
+    /** Where the broad phase expects it within the step; its own. */
+    Aabb getNear() {
+        return near;
     }
 
     /** Widens a box around it by where it may go in a while. */
@@ -339,7 +357,7 @@ public final class Body {
         if (isFixed() || !isActive()) {
             return;
         }
-        box.sweep(solver.v[0] * seconds, solver.v[1] * seconds, solver.v[2] * seconds).grow(turningSpeed() * seconds);
+        box.sweep(solver.v[0] * seconds, solver.v[1] * seconds, solver.v[2] * seconds).grow(turningSpeed * seconds);
     }
 
     /**
@@ -417,7 +435,7 @@ public final class Body {
 
     /** Whether it does not sleep. */
     public boolean isActive() {
-        return rigid.isActive();
+        return state == State.AWAKE;
     }
 
     /** What constraints change, if they do in this step; else null. */
@@ -432,12 +450,12 @@ public final class Body {
 
     /** Whether contacts and gravity move it in this step. */
     boolean isSolved() {
-        return mass > 0 && rigid.isActive();
+        return mass > 0 && state == State.AWAKE;
     }
 
     /** Takes it out of the physics until the world starts anew; it stays where it is. */
     public void stop() {
-        rigid.forceActivationState(CollisionObject.DISABLE_SIMULATION);
+        state = State.STOPPED;
     }
 
     /** The height of its lowest point, world frame, metres. */
@@ -451,15 +469,15 @@ public final class Body {
 
     /** Ends its sleep. */
     public void wake() {
-        if (mass > 0 && rigid.getActivationState() == CollisionObject.ISLAND_SLEEPING) {
-            rigid.forceActivationState(CollisionObject.ACTIVE_TAG);
+        if (canWake()) {
+            state = State.AWAKE;
             rest.begin(solver);
         }
     }
 
     /** Whether it can move but sleeps. */
     boolean canWake() {
-        return mass > 0 && rigid.getActivationState() == CollisionObject.ISLAND_SLEEPING;
+        return mass > 0 && state == State.ASLEEP;
     }
 
     /** Who fell asleep together has the same number; 0 before the first time. */
@@ -471,7 +489,8 @@ public final class Body {
     void sleep(int newGroup) {
         group = newGroup;
         solver.halt();
-        rigid.forceActivationState(CollisionObject.ISLAND_SLEEPING);
+        turningSpeed = 0;
+        state = State.ASLEEP;
     }
 
     /** Whether the robot's motors turn: then it does not sleep. */
@@ -505,10 +524,6 @@ public final class Body {
     public void setStart(Pose newStart) {
         start = newStart;
         pose = newStart;
-    }
-
-    CollisionObject getRigid() {
-        return rigid;
     }
 
     /** Centre of mass in the body's frame: {x, y, z}. */

@@ -1,131 +1,210 @@
 package org.SEAR.physics;
 
-import com.bulletphysics.collision.broadphase.BroadphaseNativeType;
-import com.bulletphysics.collision.broadphase.BroadphasePair;
-import com.bulletphysics.collision.broadphase.BroadphaseProxy;
-import com.bulletphysics.collision.broadphase.Dbvt;
-import com.bulletphysics.collision.broadphase.DbvtAabbMm;
-import com.bulletphysics.collision.broadphase.DbvtBroadphase;
-import com.bulletphysics.collision.broadphase.DbvtProxy;
-import com.bulletphysics.collision.broadphase.Dispatcher;
-import com.bulletphysics.util.ObjectArrayList;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import javax.vecmath.Vector3f;
+import org.SEAR.geometry.Aabb;
+import org.SEAR.geometry.TimeStep;
 
 /**
- * The broad phase: which pairs of bodies may touch. It is jbullet's tree of axis-aligned bounding boxes, into which a box is put anew only when its
- * body has left it; two boxes that overlap are a pair. But only those are looked for whose boxes have changed, with stacks that are kept, and nothing
- * goes over into jbullet's second tree, of what rests: that compares all with all. Simulation thread.
+ * The broad phase: which pairs of bodies may touch within a step. Sweep and prune (Baraff, "Dynamic simulation of non-penetrating rigid bodies",
+ * 1992): boxes are sorted along the axis on which they are spread most, from step to step they nearly are already, and only those that overlap along
+ * it are compared. What a pair knows stays as long as its boxes overlap; pairs are in the order in which they met. Simulation thread.
  */
-final class BroadPhase extends DbvtBroadphase {
-    private static final int PER_CENT = 100;
+final class BroadPhase {
+    /**
+     * By how much boxes are wider than the bodies and where they may go within the step, metres: more than half of what contacts look ahead, for what
+     * is hit goes faster within it.
+     */
+    private static final double MARGIN = 0.01;
+    /** The axis changes when the variance of the boxes' middles along another is so many times as much. */
+    private static final double MORE = 2;
+    /** Numbers of a box. */
+    private static final int ENDS = 5;
 
-    private Dbvt.Node[] left = new Dbvt.Node[64];
-    private Dbvt.Node[] right = new Dbvt.Node[64];
-    private int depth;
-    private final List<BroadphaseProxy> changed = new ArrayList<>();
+    private final NarrowPhase finder;
+    /** Those that can touch something awake, sorted. */
+    private Body[] order = new Body[64];
+    private int size;
+    private double[] lows = new double[64];
+    private double[] ends = new double[64 * ENDS];
+    private int axis;
+    private final double[] sums = new double[3];
+    private final double[] squares = new double[3];
+    private final List<PairContacts> pairs = new ArrayList<>();
+    private final List<PairContacts> unused = new ArrayList<>();
+    private PairContacts[] buckets = new PairContacts[256];
+    private int sweeps;
 
-    @Override
-    public BroadphaseProxy createProxy(Vector3f low, Vector3f high, BroadphaseNativeType type, Object user, short group, short mask,
-            Dispatcher dispatcher, Object more) {
-        BroadphaseProxy proxy = super.createProxy(low, high, type, user, group, mask, dispatcher, more);
-        changed.add(proxy);
-        return proxy;
+    BroadPhase(NarrowPhase finder) {
+        this.finder = finder;
     }
 
-    @Override
-    public void setAabb(BroadphaseProxy proxy, Vector3f low, Vector3f high, Dispatcher dispatcher) {
-        super.setAabb(proxy, low, high, dispatcher);
-        changed.add(proxy);
-    }
-
-    @Override
-    public void destroyProxy(BroadphaseProxy proxy, Dispatcher dispatcher) {
-        super.destroyProxy(proxy, dispatcher);
-        changed.removeIf(one -> one == proxy);
-    }
-
-    @Override
-    public void collide(Dispatcher dispatcher) {
-        Dbvt tree = sets[DYNAMIC_SET];
-        tree.optimizeIncremental(1 + tree.leaves * dupdates / PER_CENT);
-        for (int i = 0; i < changed.size(); i++) {
-            meet(((DbvtProxy) changed.get(i)).leaf, tree.root);
+    void add(Body body) {
+        if (size == order.length) {
+            order = Arrays.copyOf(order, 2 * size);
+            lows = new double[2 * size];
+            ends = new double[2 * size * ENDS];
         }
-        if (!changed.isEmpty()) {
-            forgetParted(dispatcher);
-        }
-        changed.clear();
-        pid++;
+        order[size++] = body;
     }
 
-    /** All pairs of a leaf of one tree and a leaf of another, or of the same one, whose boxes overlap. */
-    private void meet(Dbvt.Node a, Dbvt.Node b) {
-        depth = 0;
-        if (a != null && b != null) {
-            push(a, b);
+    void remove(Body body) {
+        int at = 0;
+        while (order[at] != body) {
+            at++;
         }
-        while (depth > 0) {
-            depth--;
-            Dbvt.Node one = left[depth];
-            Dbvt.Node other = right[depth];
-            if (one == other) {
-                if (one.isinternal()) {
-                    push(one.childs[0], one.childs[0]);
-                    push(one.childs[1], one.childs[1]);
-                    push(one.childs[0], one.childs[1]);
+        size--;
+        System.arraycopy(order, at + 1, order, at, size - at);
+        order[size] = null;
+    }
+
+    /** Finds the pairs of this step, and the contacts of those that are awake. */
+    void find() {
+        sweeps++;
+        chooseAxis();
+        sort();
+        sweep();
+        forgetParted();
+        for (int i = 0; i < pairs.size(); i++) {
+            pairs.get(i).find();
+        }
+    }
+
+    /** Draws the boxes, and looks along which axis they are spread most. */
+    private void chooseAxis() {
+        Arrays.fill(sums, 0);
+        Arrays.fill(squares, 0);
+        for (int i = 0; i < size; i++) {
+            Aabb box = order[i].getNear();
+            order[i].bounds(box);
+            order[i].widen(box, TimeStep.SECONDS);
+            box.grow(MARGIN);
+            if (!order[i].isFixed()) {
+                for (int k = 0; k < 3; k++) {
+                    double middle = box.min(k) + box.max(k);
+                    sums[k] += middle;
+                    squares[k] += middle * middle;
                 }
-            } else if (DbvtAabbMm.Intersect(one.volume, other.volume)) {
-                open(one, other);
+            }
+        }
+        int best = axis;
+        for (int k = 0; k < 3; k++) {
+            best = spread(k) > (best == axis ? MORE : 1) * spread(best) ? k : best;
+        }
+        axis = best;
+    }
+
+    /** Variance, times their number. */
+    private double spread(int along) {
+        return squares[along] - sums[along] * sums[along] / Math.max(1, size);
+    }
+
+    /** Insertion sort. */
+    private void sort() {
+        for (int i = 0; i < size; i++) {
+            Body body = order[i];
+            double low = body.getNear().min(axis);
+            int k = i;
+            while (k > 0 && (lows[k - 1] > low || lows[k - 1] == low && order[k - 1].number > body.number)) {
+                lows[k] = lows[k - 1];
+                order[k] = order[k - 1];
+                k--;
+            }
+            lows[k] = low;
+            order[k] = body;
+        }
+    }
+
+    private void sweep() {
+        int second = (axis + 1) % 3;
+        int third = (axis + 2) % 3;
+        for (int i = 0; i < size; i++) {
+            Aabb box = order[i].getNear();
+            int at = i * ENDS;
+            ends[at] = box.max(axis);
+            ends[at + 1] = box.min(second);
+            ends[at + 2] = box.max(second);
+            ends[at + 3] = box.min(third);
+            ends[at + 4] = box.max(third);
+        }
+        for (int i = 0; i < size; i++) {
+            int at = i * ENDS;
+            for (int k = i + 1; k < size && lows[k] <= ends[at]; k++) {
+                int other = k * ENDS;
+                if (ends[other + 1] <= ends[at + 2] && ends[at + 1] <= ends[other + 2] && ends[other + 3] <= ends[at + 4]
+                    && ends[at + 3] <= ends[other + 4]) {
+                    meet(order[i], order[k]);
+                }
             }
         }
     }
 
-    private void open(Dbvt.Node one, Dbvt.Node other) {
-        if (one.isinternal() && other.isinternal()) {
-            push(one.childs[0], other.childs[0]);
-            push(one.childs[1], other.childs[0]);
-            push(one.childs[0], other.childs[1]);
-            push(one.childs[1], other.childs[1]);
-        } else if (one.isinternal()) {
-            push(one.childs[0], other);
-            push(one.childs[1], other);
-        } else if (other.isinternal()) {
-            push(one, other.childs[0]);
-            push(one, other.childs[1]);
-        } else {
-            DbvtProxy a = (DbvtProxy) one.data;
-            DbvtProxy b = (DbvtProxy) other.data;
-            if (DbvtAabbMm.Intersect(a.aabb, b.aabb)) {
-                paircache.addOverlappingPair(a, b);
+    private void meet(Body one, Body other) {
+        if (one.isFixed() && other.isFixed()) {
+            return;
+        }
+        Body first = one.number < other.number ? one : other;
+        Body second = first == one ? other : one;
+        int bucket = bucket(first, second);
+        PairContacts pair = buckets[bucket];
+        while (pair != null && !pair.isOf(first, second)) {
+            pair = pair.next;
+        }
+        if (pair == null) {
+            pair = unused.isEmpty() ? new PairContacts(finder) : unused.remove(unused.size() - 1);
+            pair.begin(first, second);
+            pair.next = buckets[bucket];
+            buckets[bucket] = pair;
+            pairs.add(pair);
+            if (pairs.size() > buckets.length) {
+                hashAnew();
             }
         }
+        pair.met = sweeps;
     }
 
-    private void push(Dbvt.Node one, Dbvt.Node other) {
-        if (depth == left.length) {
-            left = Arrays.copyOf(left, 2 * depth);
-            right = Arrays.copyOf(right, 2 * depth);
+    private int bucket(Body first, Body second) {
+        int hash = (first.number * 0x9E3779B1 + second.number) * 0x85EBCA6B;
+        return (hash ^ hash >>> 15) & buckets.length - 1;
+    }
+
+    private void hashAnew() {
+        buckets = new PairContacts[4 * buckets.length];
+        for (int i = 0; i < pairs.size(); i++) {
+            PairContacts pair = pairs.get(i);
+            int bucket = bucket(pair.first, pair.second);
+            pair.next = buckets[bucket];
+            buckets[bucket] = pair;
         }
-        left[depth] = one;
-        right[depth++] = other;
     }
 
-    /** Drops the pairs whose boxes have parted. */
-    private void forgetParted(Dispatcher dispatcher) {
-        ObjectArrayList<BroadphasePair> pairs = paircache.getOverlappingPairArray();
-        int i = 0;
-        while (i < pairs.size()) {
-            BroadphasePair pair = pairs.getQuick(i);
-            DbvtProxy a = (DbvtProxy) pair.pProxy0;
-            DbvtProxy b = (DbvtProxy) pair.pProxy1;
-            if (DbvtAabbMm.Intersect(a.aabb, b.aabb)) {
-                i++;
+    private void forgetParted() {
+        int kept = 0;
+        for (int i = 0; i < pairs.size(); i++) {
+            PairContacts pair = pairs.get(i);
+            if (pair.met == sweeps) {
+                pairs.set(kept++, pair);
             } else {
-                paircache.removeOverlappingPair(a, b, dispatcher);
+                unhash(pair);
+                unused.add(pair);
             }
         }
+        for (int i = pairs.size() - 1; i >= kept; i--) {
+            pairs.remove(i);
+        }
+    }
+
+    private void unhash(PairContacts parted) {
+        int bucket = bucket(parted.first, parted.second);
+        if (buckets[bucket] == parted) {
+            buckets[bucket] = parted.next;
+            return;
+        }
+        PairContacts before = buckets[bucket];
+        while (before.next != parted) {
+            before = before.next;
+        }
+        before.next = parted.next;
     }
 }

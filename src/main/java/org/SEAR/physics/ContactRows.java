@@ -190,10 +190,14 @@ final class ContactRows {
                 r[at + STRUCK] = struck ? -1 : 0;
                 for (int i = 0; i < points[slot]; i++) {
                     int point = at + POINTS + i * POINT;
-                    r[point + PairRow.IMPULSE] *= scale;
-                    push(slot, point, r[point + PairRow.IMPULSE]);
+                    if (r[point + PairRow.IMPULSE] != 0) {
+                        r[point + PairRow.IMPULSE] *= scale;
+                        push(slot, point, r[point + PairRow.IMPULSE]);
+                    }
                 }
-                FrictionRows.warmStart(r, at + PATCH, this, slot, scale);
+                if (FrictionRows.holds(r, at + PATCH)) {
+                    FrictionRows.warmStart(r, at + PATCH, this, slot, scale);
+                }
             }
         }
     }

@@ -48,7 +48,9 @@ final class FrictionRows {
         PairRow.turn(r, at + NORMAL, at + TURN_B, of.b, of.massB > 0);
         double yields = PairRow.dot(r, at + NORMAL, at + TURN_A) + PairRow.dot(r, at + NORMAL, at + TURN_B);
         r[at + TURNING_MASS] = yields > 0 ? 1 / yields : 0;
-        System.arraycopy(of.roll, 0, r, at + ROLL, 3);
+        r[at + ROLL] = of.rollX;
+        r[at + ROLL + 1] = of.rollY;
+        r[at + ROLL + 2] = of.rollZ;
         r[at + LEVER] = 0;
         if (of.rolling > 0) {
             prepareRolling(r, at, of, mx, my, mz);
@@ -131,13 +133,18 @@ final class FrictionRows {
         into.fy = r[at + 1] * first + r[at + SECOND + 1] * second;
         into.fz = r[at + 2] * first + r[at + SECOND + 2] * second;
         into.turned = r[at + TURNED];
-        System.arraycopy(r, at + ROLL, into.roll, 0, 3);
+        into.rollX = r[at + ROLL];
+        into.rollY = r[at + ROLL + 1];
+        into.rollZ = r[at + ROLL + 2];
     }
 
     /** Whether it pushes. */
     static boolean holds(double[] r, int at) {
-        return r[at + PairRow.IMPULSE] != 0 || r[at + SECOND + PairRow.IMPULSE] != 0 || r[at + TURNED] != 0 || r[at + ROLL] != 0
-            || r[at + ROLL + 1] != 0 || r[at + ROLL + 2] != 0;
+        return r[at + PairRow.IMPULSE] != 0 || r[at + SECOND + PairRow.IMPULSE] != 0 || r[at + TURNED] != 0 || rolls(r, at);
+    }
+
+    private static boolean rolls(double[] r, int at) {
+        return r[at + ROLL] != 0 || r[at + ROLL + 1] != 0 || r[at + ROLL + 2] != 0;
     }
 
     /** @param scale length of this substep over that of the last */
@@ -152,7 +159,9 @@ final class FrictionRows {
             for (int i = 0; i < 3; i++) {
                 r[at + ROLL + i] *= scale;
             }
-            rows.twist(slot, r[at + ROLL], r[at + ROLL + 1], r[at + ROLL + 2]);
+            if (rolls(r, at)) {
+                rows.twist(slot, r[at + ROLL], r[at + ROLL + 1], r[at + ROLL + 2]);
+            }
         }
     }
 
@@ -177,7 +186,7 @@ final class FrictionRows {
     static void solve(double[] r, int at, ContactRows rows, int slot, double most, double mostTurning, double pressing) {
         double[] p = rows.speedsA(slot);
         double[] q = rows.speedsB(slot);
-        if (r[at + LEVER] > 0) {
+        if (r[at + LEVER] > 0 && (pressing > 0 || rolls(r, at))) {
             solveRolling(r, at, rows, slot, pressing * r[at + LEVER]);
         }
         if (mostTurning > 0 || r[at + TURNED] != 0) {

@@ -29,8 +29,10 @@ final class IslandSolver {
     private static final double MOST_TURN_ALONE = 0.03;
     /** Bodies of an island for which that is paid. */
     private static final int FEW = 4;
-    /** Points times substeps of a step, beyond which there are fewer substeps, but no fewer than {@link #LEAST_SUBSTEPS}. */
+    /** Points, and what searches take, times substeps of a step, beyond which there are fewer substeps, but no fewer than {@link #LEAST_SUBSTEPS}. */
     private static final int MOST_WORK = 24_000;
+    /** What finding the contacts of a pair anew takes, in points. */
+    private static final int SEARCH = 6;
     /** Passes in a substep for each body of the highest stack: what carries must hear of what is on top of it. */
     private static final double PASSES_EACH = 0.3;
     /** Passes in a substep for a ratio of masses of 1: what is heavy on what is light is stopped by little and little. */
@@ -145,9 +147,11 @@ final class IslandSolver {
         lightest = 0;
         heaviest = Double.POSITIVE_INFINITY;
         int points = 0;
+        int searches = 0;
         for (int i = 0; i < pairs.size(); i++) {
             PairContacts pair = pairs.get(i);
             points += pair.points();
+            searches += pair.isSoonStale(seconds / SUBSTEPS) ? 1 : 0;
             if (pair.points() > 0) {
                 weigh(pair.getA(), pair.getB());
             }
@@ -161,7 +165,7 @@ final class IslandSolver {
         double ratio = lightest > 0 ? lightest / heaviest : 1;
         double turning = bodies.size() > FEW ? 0 : fastest() * seconds / (alone ? MOST_TURN_ALONE : MOST_TURN);
         double wanted = Math.max((alone ? substepsAlone(seconds) : SUBSTEPS) * Math.sqrt(Math.max(1, ratio / RATIO)), turning);
-        double paid = Math.max(LEAST_SUBSTEPS, MOST_WORK / Math.max(1, points));
+        double paid = Math.max(LEAST_SUBSTEPS, MOST_WORK / Math.max(1, points + SEARCH * searches));
         int substeps = (int) Math.ceil(Math.min(Math.min(wanted, MOST_SUBSTEPS), paid));
         int height = height();
         int least = height > 1 ? LEAST_PASSES_ON_OTHERS : 1;
@@ -260,6 +264,9 @@ final class IslandSolver {
             }
         }
         stopBeforeMeshes(taken);
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.get(i).noteTurningSpeed();
+        }
         for (int i = 0; i < pairs.size(); i++) {
             pairs.get(i).moved(taken);
         }

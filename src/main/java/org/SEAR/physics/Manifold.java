@@ -1,6 +1,5 @@
 package org.SEAR.physics;
 
-import java.util.Arrays;
 import org.SEAR.physics.solid.Surface;
 
 /**
@@ -9,6 +8,7 @@ import org.SEAR.physics.solid.Surface;
  */
 final class Manifold {
     static final int MOST_POINTS = 4;
+    private static final int OWN = 6;
     /** A point this near to one before is the same, metres. */
     private static final double NEAR = 0.02;
     /** Least cosine of the normals of a manifold and the one before it. */
@@ -24,22 +24,10 @@ final class Manifold {
         double z;
         /** Of both bodies when it was found, metres; negative: so deep they are in each other. */
         double found;
-        /** The same point in the frames of both bodies, by which it is known again. */
-        final double[] inA = new double[3];
-        final double[] inB = new double[3];
         /** Push of the last substep, Ns. */
         double impulse;
         /** Distance of both surfaces here at the end of the last step, metres. */
         double gap;
-
-        /** The square of the distance from another point, in the frame in which both are nearer, m^2. */
-        double square(Point other) {
-            return Math.min(square(inA, other.inA), square(inB, other.inB));
-        }
-
-        private static double square(double[] p, double[] q) {
-            return (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]);
-        }
     }
 
     SolverBody a;
@@ -55,6 +43,8 @@ final class Manifold {
     double nz;
     int count;
     final Point[] points = {new Point(), new Point(), new Point(), new Point()};
+    /** The same points in the frames of both bodies, by which they are known again: {x, y, z} of each in the first, then in the second. */
+    private final double[] own = new double[MOST_POINTS * OWN];
     /** Coefficients of the pair. */
     double friction;
     double restitution;
@@ -81,7 +71,9 @@ final class Manifold {
     /** And against turning about the normal, Nms. */
     double turned;
     /** And against rolling, Nms, world frame. */
-    final double[] roll = new double[3];
+    double rollX;
+    double rollY;
+    double rollZ;
 
     /** Adds the coefficients of both surfaces: friction the product, restitution the greater, rolling friction the sum. */
     void setSurfaces(Surface ofA, Surface ofB) {
@@ -99,15 +91,16 @@ final class Manifold {
      * @param gap to the first body, metres
      */
     void add(double x, double y, double z, double gap) {
-        Point point = points[count++];
+        Point point = points[count];
         point.x = x;
         point.y = y;
         point.z = z;
         point.found = gap;
         point.gap = gap;
         point.impulse = 0;
-        a.place.toFrame(x, y, z, point.inA);
-        b.place.toFrame(x, y, z, point.inB);
+        a.place.toFrame(x, y, z, own, count * OWN);
+        b.place.toFrame(x, y, z, own, count * OWN + 3);
+        count++;
     }
 
     /** Takes over what a manifold of the same solids pushed before: each point what the one next to it did. */
@@ -121,12 +114,14 @@ final class Manifold {
         fy = from.fy;
         fz = from.fz;
         turned = from.turned;
-        System.arraycopy(from.roll, 0, roll, 0, roll.length);
+        rollX = from.rollX;
+        rollY = from.rollY;
+        rollZ = from.rollZ;
         for (int i = 0; i < count; i++) {
             Point nearest = null;
             double least = NEAR * NEAR;
             for (int k = 0; k < from.count; k++) {
-                double square = points[i].square(from.points[k]);
+                double square = Math.min(square(i, from, k, 0), square(i, from, k, 3));
                 if (square < least) {
                     least = square;
                     nearest = from.points[k];
@@ -137,6 +132,16 @@ final class Manifold {
             }
         }
         share(from);
+    }
+
+    /** The square of the distance of a point from one of another manifold in the frame of a body, 0 for the first or 3, m^2. */
+    private double square(int i, Manifold from, int k, int frame) {
+        int at = i * OWN + frame;
+        int other = k * OWN + frame;
+        double x = own[at] - from.own[other];
+        double y = own[at + 1] - from.own[other + 1];
+        double z = own[at + 2] - from.own[other + 2];
+        return x * x + y * y + z * z;
     }
 
     /** What the manifold before pushed where it now has no point is shared by the points that it has. */
@@ -168,7 +173,9 @@ final class Manifold {
         fy = 0;
         fz = 0;
         turned = 0;
-        Arrays.fill(roll, 0);
+        rollX = 0;
+        rollY = 0;
+        rollZ = 0;
     }
 
     /**
@@ -179,16 +186,16 @@ final class Manifold {
     void lookAhead(double ahead) {
         massA = bodyA.isSolved() ? a.inverseMass : 0;
         massB = bodyB.isSolved() ? b.inverseMass : 0;
-        leadA = lead(bodyA, a, solidA, points[0].inA, ahead);
-        leadB = lead(bodyB, b, solidB, points[0].inB, ahead);
+        leadA = lead(bodyA, a, solidA, 0, ahead);
+        leadB = lead(bodyB, b, solidB, 3, ahead);
     }
 
     /**
      * A corner of a body that spins fast goes on a bow: its speed in the middle of the substep counts, when it has turned by half of it. Where
      * something round rolls, the point of contact stays where it is.
      */
-    private static double lead(Body body, SolverBody solver, int solid, double[] point, double ahead) {
-        return solver.turning() * ahead > SPINNING && body.isCorner(solid, point) ? ahead / 2 : 0;
+    private double lead(Body body, SolverBody solver, int solid, int frame, double ahead) {
+        return solver.turning() * ahead > SPINNING && body.isCorner(solid, own[frame], own[frame + 1], own[frame + 2]) ? ahead / 2 : 0;
     }
 
     /** The least distance of its points, metres. */

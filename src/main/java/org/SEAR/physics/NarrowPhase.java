@@ -1,12 +1,5 @@
 package org.SEAR.physics;
 
-import com.bulletphysics.collision.broadphase.BroadphaseNativeType;
-import com.bulletphysics.collision.broadphase.CollisionAlgorithm;
-import com.bulletphysics.collision.broadphase.CollisionAlgorithmConstructionInfo;
-import com.bulletphysics.collision.dispatch.CollisionAlgorithmCreateFunc;
-import com.bulletphysics.collision.dispatch.CollisionObject;
-import com.bulletphysics.collision.dispatch.DefaultCollisionConfiguration;
-import com.bulletphysics.collision.shapes.ConcaveShape;
 import com.bulletphysics.collision.shapes.TriangleCallback;
 import java.util.ArrayList;
 import java.util.List;
@@ -22,10 +15,9 @@ import org.SEAR.geometry.Placement;
 import org.SEAR.physics.solid.Solid;
 
 /**
- * Finds where bodies touch or come near, from the shapes themselves in double precision; jbullet is told to use it for every pair, and finds only
- * the pairs. Simulation thread.
+ * Finds where bodies touch or come near, from the shapes themselves in double precision. Simulation thread.
  */
-final class NarrowPhase extends DefaultCollisionConfiguration {
+final class NarrowPhase {
     /** Normals whose cosine is greater belong to one manifold. */
     private static final double SAME = 0.9998;
     /** A direction that parts two flat things nearly as far as the best one stays, metres: else their contact would change to and fro. */
@@ -61,19 +53,9 @@ final class NarrowPhase extends DefaultCollisionConfiguration {
     private double reach;
     private double margin;
     private boolean near;
+    private double clear;
     private PairContacts current;
     private final double[] guess = {1, 0, 0};
-    private final CollisionAlgorithmCreateFunc maker = new CollisionAlgorithmCreateFunc() {
-        @Override
-        public CollisionAlgorithm createCollisionAlgorithm(CollisionAlgorithmConstructionInfo info, CollisionObject first, CollisionObject second) {
-            return new PairContacts(info, NarrowPhase.this);
-        }
-
-        @Override
-        public void releaseCollisionAlgorithm(CollisionAlgorithm algorithm) {
-            // garbage collection does
-        }
-    };
     private final TriangleCallback triangles = new TriangleCallback() {
         @Override
         public void processTriangle(Vector3f[] corners, int part, int index) {
@@ -88,11 +70,6 @@ final class NarrowPhase extends DefaultCollisionConfiguration {
     NarrowPhase(double seconds, double gravity) {
         this.seconds = seconds;
         gain = gravity * seconds;
-    }
-
-    @Override
-    public CollisionAlgorithmCreateFunc getCollisionAlgorithmCreateFunc(BroadphaseNativeType a, BroadphaseNativeType b) {
-        return maker == null ? super.getCollisionAlgorithmCreateFunc(a, b) : maker;
     }
 
     /** Length of a step, seconds. */
@@ -140,17 +117,26 @@ final class NarrowPhase extends DefaultCollisionConfiguration {
         margin = newMargin;
         reach = Math.max(newMargin, newReach);
         near = false;
+        clear = Double.POSITIVE_INFINITY;
         current = pair;
         PlacedSolid[] ofA = a.place();
         PlacedSolid[] ofB = b.place();
         for (int i = 0; i < ofA.length; i++) {
             for (int k = 0; k < ofB.length; k++) {
-                if (ofA[i].isNear(ofB[k], reach)) {
+                double apart = ofA[i].gap(ofB[k]);
+                if (apart <= reach) {
                     find(pair, ofA[i], i, ofB[k], k);
+                } else {
+                    clear = Math.min(clear, apart);
                 }
             }
         }
         return near;
+    }
+
+    /** How far apart the bodies were at least that did not come as near as that, metres. */
+    double getClear() {
+        return clear;
     }
 
     private void find(PairContacts pair, PlacedSolid a, int solidA, PlacedSolid b, int solidB) {
@@ -163,9 +149,15 @@ final class NarrowPhase extends DefaultCollisionConfiguration {
             b.inFrame(a, reach, box);
             low.set((float) box.minX, (float) box.minY, (float) box.minZ);
             high.set((float) box.maxX, (float) box.maxY, (float) box.maxZ);
-            ((ConcaveShape) b.getShape()).processAllTriangles(triangles, low, high);
-        } else if (!(pair.isSingle() && gjk.gap(a, b, guess) > reach)) {
-            findConvex(pair, a, b, touched);
+            b.getTriangles().find(triangles, low, high);
+            clear = Math.min(clear, reach);
+        } else {
+            double apart = pair.isSingle() ? gjk.gap(a, b, guess) : 0;
+            if (apart <= reach) {
+                findConvex(pair, a, b, touched);
+            } else {
+                clear = Math.min(clear, apart);
+            }
         }
         write(pair, a.solid, solidA, b.solid, solidB);
     }
@@ -209,6 +201,7 @@ final class NarrowPhase extends DefaultCollisionConfiguration {
         double skins = a.solid.convex().skin() + skinOfB;
         if (!gjk.measure(a.core(), coreOfB, reach + 2 * skins, guess[0], guess[1], guess[2])) {
             current.parted(gjk.nx, gjk.ny, gjk.nz);
+            clear = Math.min(clear, gjk.distance - 2 * skins);
             return false;
         }
         gjk.addSkins(a, b, skinOfB);
@@ -220,6 +213,8 @@ final class NarrowPhase extends DefaultCollisionConfiguration {
         if (gjk.distance <= reach) {
             near = true;
             current.approached(gjk.distance, gjk.nx, gjk.ny, gjk.nz);
+        } else {
+            clear = Math.min(clear, gjk.distance);
         }
         return gjk.distance <= margin;
     }
@@ -250,12 +245,12 @@ final class NarrowPhase extends DefaultCollisionConfiguration {
     void stopBefore(Body a, Body b) {
         SolverBody solver = a.getSolver();
         mesh = b.place()[0];
-        mesh.place.toFrame(solver.getFrom()[0], solver.getFrom()[1], solver.getFrom()[2], start);
-        mesh.place.toFrame(solver.place.x, solver.place.y, solver.place.z, end);
+        mesh.place.toFrame(solver.getFrom()[0], solver.getFrom()[1], solver.getFrom()[2], start, 0);
+        mesh.place.toFrame(solver.place.x, solver.place.y, solver.place.z, end, 0);
         low.set((float) Math.min(start[0], end[0]), (float) Math.min(start[1], end[1]), (float) Math.min(start[2], end[2]));
         high.set((float) Math.max(start[0], end[0]), (float) Math.max(start[1], end[1]), (float) Math.max(start[2], end[2]));
         crossing.begin(start, end);
-        ((ConcaveShape) mesh.getShape()).processAllTriangles(crossed, low, high);
+        mesh.getTriangles().find(crossed, low, high);
         if (crossing.getShare() < 1) {
             double[] n = crossing.getNormal();
             Placement at = mesh.place;

@@ -1,20 +1,13 @@
 package org.SEAR.physics;
 
-import com.bulletphysics.collision.broadphase.CollisionAlgorithm;
-import com.bulletphysics.collision.broadphase.CollisionAlgorithmConstructionInfo;
-import com.bulletphysics.collision.broadphase.DispatcherInfo;
-import com.bulletphysics.collision.dispatch.CollisionObject;
-import com.bulletphysics.collision.dispatch.ManifoldResult;
-import com.bulletphysics.collision.narrowphase.PersistentManifold;
-import com.bulletphysics.util.ObjectArrayList;
 import java.util.Arrays;
 
 /**
- * The contacts of two bodies from step to step, where jbullet's broad phase has found that their boxes overlap. They are found anew when the bodies
+ * The contacts of two bodies from step to step, while the broad phase finds that their boxes overlap. They are found anew when the bodies
  * may have moved against each other by more than a tolerance, in a step several times if need be; what pushed at a point pushes on. Simulation
  * thread.
  */
-final class PairContacts extends CollisionAlgorithm {
+final class PairContacts {
     /** Contacts are looked for so far ahead, metres, besides what the bodies may move until they are found anew. */
     private static final double MARGIN = 2e-3;
     /** What is flat may move so far against the other before contacts are found anew, metres. */
@@ -31,6 +24,12 @@ final class PairContacts extends CollisionAlgorithm {
     /** No step has fewer substeps. */
     private static final int LEAST_SUBSTEPS = 4;
 
+    /** In the order of their numbers. */
+    Body first;
+    Body second;
+    /** Another pair in the same bucket of the broad phase, and in which sweep it met last. */
+    PairContacts next;
+    int met;
     private final NarrowPhase finder;
     private Body a;
     private Body b;
@@ -58,26 +57,46 @@ final class PairContacts extends CollisionAlgorithm {
     private double nx = 1;
     private double ny;
     private double nz;
+    /** How far apart they were at least when they did not come near, metres. */
+    private double clear;
+    /** Where the one stood from the other then, world frame, and how far both had turned, metres. */
+    private double fromX;
+    private double fromY;
+    private double fromZ;
+    private double turned;
     /** Where its manifolds are among the rows of its island, at least one. */
     private int[] slots = new int[1];
     private int slotCount;
 
-    PairContacts(CollisionAlgorithmConstructionInfo info, NarrowPhase finder) {
+    PairContacts(NarrowPhase finder) {
         this.finder = finder;
-        init(info);
     }
 
-    @Override
-    public void processCollision(CollisionObject first, CollisionObject second, DispatcherInfo info, ManifoldResult result) {
-        if (a == null) {
-            boolean swapped = ((Body) first.getUserPointer()).isMesh();
-            a = (Body) (swapped ? second : first).getUserPointer();
-            b = (Body) (swapped ? first : second).getUserPointer();
-            boolean rolls = a.canRoll() || b.canRoll();
-            tolerance = rolls ? TOLERANCE_ROUND : TOLERANCE;
-            still = rolls ? 0 : STILL;
-            single = a.solids.size() == 1 && b.solids.size() == 1 && !b.isMesh();
-            flat = single && !rolls;
+    /** Their boxes begin to overlap. */
+    void begin(Body ofFirst, Body ofSecond) {
+        first = ofFirst;
+        second = ofSecond;
+        a = first.isMesh() ? second : first;
+        b = first.isMesh() ? first : second;
+        boolean rolls = a.canRoll() || b.canRoll();
+        tolerance = rolls ? TOLERANCE_ROUND : TOLERANCE;
+        still = rolls ? 0 : STILL;
+        single = a.solids.size() == 1 && b.solids.size() == 1 && !b.isMesh();
+        flat = single && !rolls;
+        count = 0;
+        near = false;
+        known = false;
+        parted(1, 0, 0);
+    }
+
+    boolean isOf(Body one, Body other) {
+        return first == one && second == other;
+    }
+
+    /** A step begins: finds their contacts if one of them is awake. */
+    void find() {
+        if (!a.isSolved() && !b.isSolved()) {
+            return;
         }
         if (finder.isCrowded(a, b)) {
             count = 0;
@@ -87,13 +106,28 @@ final class PairContacts extends CollisionAlgorithm {
         double ahead = finder.stepSeconds();
         fast = speed();
         double speed = fast + finder.stepGain();
-        if (!known || travelled + fast * ahead > still || a.getShapeVersion() + b.getShapeVersion() != version) {
+        double next = ahead / LEAST_SUBSTEPS;
+        boolean same = known && a.getShapeVersion() + b.getShapeVersion() == version;
+        boolean stale = isListed() ? travelled + fast * ahead > still : clear - went() < MARGIN + speed * (ahead + next);
+        if (!same || stale) {
             version = a.getShapeVersion() + b.getShapeVersion();
-            find(speed, ahead, ahead / LEAST_SUBSTEPS);
+            find(speed, ahead, next);
         }
-        if (count > 0 || near) {
+        if (isListed()) {
             finder.list(this);
         }
+    }
+
+    private boolean isListed() {
+        return count > 0 || near;
+    }
+
+    /** How far both have moved against each other at most since they were looked at, metres. */
+    private double went() {
+        double x = a.getSolver().place.x - b.getSolver().place.x - fromX;
+        double y = a.getSolver().place.y - b.getSolver().place.y - fromY;
+        double z = a.getSolver().place.z - b.getSolver().place.z - fromZ;
+        return Math.sqrt(x * x + y * y + z * z) + a.getTurned() + b.getTurned() - turned;
     }
 
     /** How fast any points of both may come together since the last substep, m/s. */
@@ -108,7 +142,7 @@ final class PairContacts extends CollisionAlgorithm {
         double dx = p[0] - q[0];
         double dy = p[1] - q[1];
         double dz = p[2] - q[2];
-        return Math.sqrt(dx * dx + dy * dy + dz * dz) + a.turningSpeed() + b.turningSpeed();
+        return Math.sqrt(dx * dx + dy * dy + dz * dz) + a.getTurningSpeed() + b.getTurningSpeed();
     }
 
     /**
@@ -126,6 +160,11 @@ final class PairContacts extends CollisionAlgorithm {
         apart = Double.POSITIVE_INFINITY;
         reach = Math.max(margin, MARGIN + speed * (ahead + next));
         near = finder.find(this, a, b, margin, reach);
+        clear = finder.getClear();
+        fromX = a.getSolver().place.x - b.getSolver().place.x;
+        fromY = a.getSolver().place.y - b.getSolver().place.y;
+        fromZ = a.getSolver().place.z - b.getSolver().place.z;
+        turned = a.getTurned() + b.getTurned();
         travelled = 0;
         known = true;
     }
@@ -173,11 +212,19 @@ final class PairContacts extends CollisionAlgorithm {
         }
     }
 
+    /** Whether its contacts have to be found anew after a time, as both move now. */
+    boolean isSoonStale(double seconds) {
+        return (fast + finder.stepGain()) * seconds > mostTravel();
+    }
+
     /** How far both may move against each other until contacts have to be found anew: what is apart, until it could touch, metres. */
     private double mostTravel() {
         double free = Math.min(apart, reach) - MARGIN;
+        if (count == 0) {
+            return free;
+        }
         double slip = SLIP / Math.max(a.getSolver().turning(), b.getSolver().turning());
-        return count == 0 ? free : Math.max(free, Math.min(Math.min(tolerance, slip), margin - MARGIN / 2));
+        return Math.max(free, Math.min(Math.min(tolerance, slip), margin - MARGIN / 2));
     }
 
     /** Whether the second body is one. */
@@ -187,6 +234,7 @@ final class PairContacts extends CollisionAlgorithm {
 
     /** What went through a mesh in the substep goes back. */
     void stopBeforeMesh(double seconds) {
+        a.noteTurningSpeed();
         if (a.isSolved() && travelled + speed() * seconds > PASSING * a.getLeast()) {
             finder.stopBefore(a, b);
         }
@@ -296,7 +344,7 @@ final class PairContacts extends CollisionAlgorithm {
     double soon(double seconds) {
         double[] p = a.getSolver().v;
         double[] q = b.getSolver().v;
-        double closing = nx * (q[0] - p[0]) + ny * (q[1] - p[1]) + nz * (q[2] - p[2]) + a.turningSpeed() + b.turningSpeed();
+        double closing = nx * (q[0] - p[0]) + ny * (q[1] - p[1]) + nz * (q[2] - p[2]) + a.getTurningSpeed() + b.getTurningSpeed();
         return apart - Math.max(0, closing) * seconds;
     }
 
@@ -324,20 +372,4 @@ final class PairContacts extends CollisionAlgorithm {
         }
     }
 
-    @Override
-    public float calculateTimeOfImpact(CollisionObject first, CollisionObject second, DispatcherInfo info, ManifoldResult result) {
-        return 1;
-    }
-
-    /** None: jbullet does not solve them. */
-    @Override
-    public void getAllContactManifolds(ObjectArrayList<PersistentManifold> into) {
-        // jbullet has none
-    }
-
-    @Override
-    public void destroy() {
-        count = 0;
-        known = false;
-    }
 }

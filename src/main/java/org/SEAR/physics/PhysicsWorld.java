@@ -9,7 +9,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 
 /**
- * jbullet's world, in which only those bodies are that can touch something awake. A body that is awake has a zone, a box that reaches beyond it;
+ * The world of bodies; looked for are only those that can touch something awake. A body that is awake has a zone, a box that reaches beyond it;
  * while it stays inside, nothing changes; when it leaves its zone, wakes or falls asleep, the zones are drawn anew and bodies enter and leave in
  * the order of their numbers. Simulation thread.
  */
@@ -58,7 +58,7 @@ public final class PhysicsWorld {
     private final List<IslandSolver.WheelDrive> drives = new ArrayList<>();
     private final Islands islands = new Islands();
     private NarrowPhase finder;
-    private SteppedWorld world;
+    private BroadPhase broadPhase;
     private IslandSolver solver;
     private int sleepers;
     private Aabb[] bounds;
@@ -90,7 +90,7 @@ public final class PhysicsWorld {
     /** Everything back to its start, in a new world. */
     public void restart() {
         finder = new NarrowPhase(TimeStep.SECONDS, GRAVITY);
-        world = new SteppedWorld(finder);
+        broadPhase = new BroadPhase(finder);
         solver = new IslandSolver(GRAVITY);
         drives.clear();
         sleepers = 0;
@@ -146,7 +146,7 @@ public final class PhysicsWorld {
 
     private void leave(Body body) {
         inside[body.number] = false;
-        world.remove(body);
+        broadPhase.remove(body);
     }
 
     /** One step of the world; costs nothing while everything sleeps. */
@@ -157,7 +157,7 @@ public final class PhysicsWorld {
             Body body = movable.get(i);
             if (awake[body.number]) {
                 busy = true;
-                body.getSolver().begin();
+                body.begin();
                 redraw |= leavesZone(body.number);
             }
         }
@@ -187,7 +187,7 @@ public final class PhysicsWorld {
             for (int i = 0; i < movable.size(); i++) {
                 movable.get(i).clearContacts();
             }
-            world.performDiscreteCollisionDetection();
+            broadPhase.find();
             complete = true;
             for (int i = 0; i < finder.getPairs().size(); i++) {
                 PairContacts pair = finder.getPairs().get(i);
@@ -214,7 +214,7 @@ public final class PhysicsWorld {
             Body body = movable.get(i);
             if (body == first || group > 0 && body.getGroup() == group) {
                 body.wake();
-                body.getSolver().begin();
+                body.begin();
                 awake[body.number] = true;
                 redraw = true;
             }
@@ -306,7 +306,7 @@ public final class PhysicsWorld {
             if (wanted[i] != inside[i]) {
                 if (wanted[i]) {
                     inside[i] = true;
-                    world.add(bodies.get(i));
+                    broadPhase.add(bodies.get(i));
                 } else {
                     leave(bodies.get(i));
                 }

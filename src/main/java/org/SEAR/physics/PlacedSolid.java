@@ -1,40 +1,37 @@
 package org.SEAR.physics;
 
-import com.bulletphysics.collision.shapes.CollisionShape;
 import org.SEAR.collision.ContactFeature;
 import org.SEAR.collision.Convex;
 import org.SEAR.collision.PlacedConvex;
 import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Placement;
 import org.SEAR.physics.solid.Solid;
+import org.SEAR.physics.solid.TriangleSearch;
 
 /** A solid of a body where it stands now, with the box around it. Simulation thread. */
 final class PlacedSolid implements Convex {
     final Solid solid;
     final Placement place;
     private final PlacedConvex convex = new PlacedConvex();
-    private final CollisionShape shape;
-    private final boolean mesh;
+    private final TriangleSearch triangles;
     /** World frame. */
     final Aabb box = new Aabb();
     private final double[] low = new double[3];
     private final double[] high = new double[3];
 
-    /** @param shape jbullet's, which finds a mesh's triangles */
-    PlacedSolid(Solid solid, CollisionShape shape, boolean moves) {
+    PlacedSolid(Solid solid, boolean moves) {
         this.solid = solid;
-        this.shape = shape;
-        mesh = solid.isMesh() && !moves;
-        place = mesh ? new Placement() : convex.set(solid.convex());
+        triangles = solid.isMesh() && !moves ? solid.triangles() : null;
+        place = isMesh() ? new Placement() : convex.set(solid.convex());
     }
 
     /** Whether its triangles collide. */
     boolean isMesh() {
-        return mesh;
+        return triangles != null;
     }
 
-    CollisionShape getShape() {
-        return shape;
+    TriangleSearch getTriangles() {
+        return triangles;
     }
 
     @Override
@@ -54,18 +51,19 @@ final class PlacedSolid implements Convex {
 
     /** Draws the box anew when the place has changed. */
     void bound() {
-        for (int axis = 0; axis < 3; axis++) {
-            double x = axis == 0 ? place.m00 : axis == 1 ? place.m10 : place.m20;
-            double y = axis == 0 ? place.m01 : axis == 1 ? place.m11 : place.m21;
-            double z = axis == 0 ? place.m02 : axis == 1 ? place.m12 : place.m22;
-            double at = axis == 0 ? place.x : axis == 1 ? place.y : place.z;
-            double half = Math.abs(x) * solid.halfX + Math.abs(y) * solid.halfY + Math.abs(z) * solid.halfZ;
-            box.set(axis, at - half, at + half);
-        }
+        double x = Math.abs(place.m00) * solid.halfX + Math.abs(place.m01) * solid.halfY + Math.abs(place.m02) * solid.halfZ;
+        double y = Math.abs(place.m10) * solid.halfX + Math.abs(place.m11) * solid.halfY + Math.abs(place.m12) * solid.halfZ;
+        double z = Math.abs(place.m20) * solid.halfX + Math.abs(place.m21) * solid.halfY + Math.abs(place.m22) * solid.halfZ;
+        box.set(0, place.x - x, place.x + x).set(1, place.y - y, place.y + y).set(2, place.z - z, place.z + z);
     }
 
-    boolean isNear(PlacedSolid other, double margin) {
-        return box.overlaps(other.box, margin);
+    /** How far apart both boxes are along the axis along which they are farthest apart, metres; negative: they overlap. */
+    double gap(PlacedSolid other) {
+        double most = Double.NEGATIVE_INFINITY;
+        for (int axis = 0; axis < 3; axis++) {
+            most = Math.max(most, Math.max(box.min(axis) - other.box.max(axis), other.box.min(axis) - box.max(axis)));
+        }
+        return most;
     }
 
     /**

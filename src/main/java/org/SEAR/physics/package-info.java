@@ -1,8 +1,7 @@
 /**
- * Bodies, their contacts and what solves them, on jbullet's collision world. Uses {@link org.SEAR.physics.solid}, and what that uses. Simulation
- * thread.
+ * Bodies, their contacts and what solves them. Uses {@link org.SEAR.physics.solid}, and what that uses. Simulation thread.
  *
- * <p>The way of a step ({@link PhysicsWorld#step}): {@code SteppedWorld} (jbullet) finds pairs, {@code NarrowPhase} fills the manifolds of each
+ * <p>The way of a step ({@link PhysicsWorld#step}): {@code BroadPhase} finds pairs, {@code NarrowPhase} fills the manifolds of each
  * {@code PairContacts}, {@code Islands} parts the bodies, {@code IslandSolver} moves each island in substeps by the rows of its manifolds
  * ({@code ContactRows}, {@code FrictionRows}), {@code Impacts} (what bounces) and {@code Spin} (what turns freely), and {@code Stillness} says what
  * may sleep.

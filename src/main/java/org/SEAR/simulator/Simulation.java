@@ -490,7 +490,7 @@ public final class Simulation implements AutoCloseable {
         observer.setInterval(steps);
     }
 
-    /** Whether snapshots carry the contact points of jbullet from now on; default false. Any thread, through {@link #post}. */
+    /** Whether snapshots carry the points of contact from now on; default false. Any thread, through {@link #post}. */
     public void showContacts(boolean on) {
         world.setWantsContacts(on);
     }

@@ -238,7 +238,7 @@ final class World implements PhysicsWorld.Touches {
     }
 
     /**
-     * The physics of a step: wheels find their ground, jbullet moves the bodies, wheels turn, beams' geometry follows.
+     * The physics of a step: wheels find their ground, bodies move, wheels turn, beams' geometry follows.
      *
      * @param told hears what hands do in it
      */
@@ -262,7 +262,9 @@ final class World implements PhysicsWorld.Touches {
             robot.follow(physics.isAwake(robot.getBody()));
         }
         contacts.clear();
-        physics.touches(this);
+        if (wantsContacts || !robots.isEmpty()) {
+            physics.touches(this);
+        }
         scenes.commit();
         if (moved) {
             poses = poses();

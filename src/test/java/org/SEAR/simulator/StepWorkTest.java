@@ -50,7 +50,7 @@ public class StepWorkTest {
         }
     }
 
-    /** Shapes moved and bodies looked at by jbullet in some steps. */
+    /** Shapes moved and bodies looked at by the physics in some steps. */
     private static long[] work(Simulation simulation) {
         BeamScene scene = simulation.getWorld().getRobots().get(0).truth().scene();
         long moves = scene.getMoves();
@@ -77,7 +77,7 @@ public class StepWorkTest {
         assertEquals(FIXED + LOOSE + 1, poses.size());
         long[] measured = work(crowded);
         assertEquals("shapes moved for the beams", expected[0], measured[0]);
-        assertEquals("bodies in jbullet's hands", expected[1], measured[1]);
+        assertEquals("bodies that the physics looks at", expected[1], measured[1]);
         assertSame("poses made anew", poses, crowded.snapshot().environment);
     }
 
@@ -88,7 +88,7 @@ public class StepWorkTest {
         simulation.post(world -> world.getRobots().get(0).drive(0, 0));
         Worlds.run(simulation, 10);
         assertEquals("shapes moved", 0, work(simulation)[0]);
-        assertEquals("bodies in jbullet's hands", 0, work(simulation)[1]);
+        assertEquals("bodies that the physics looks at", 0, work(simulation)[1]);
         allocates("at rest", simulation, 0, 600);
     }
 

@@ -1,20 +1,15 @@
 package org.SEAR.physics.solid;
 
 import com.bulletphysics.collision.shapes.BvhTriangleMeshShape;
-import com.bulletphysics.collision.shapes.CollisionShape;
-import com.bulletphysics.collision.shapes.ConvexHullShape;
 import com.bulletphysics.collision.shapes.TriangleIndexVertexArray;
 import com.bulletphysics.util.ObjectArrayList;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import javax.vecmath.Vector3f;
-import org.SEAR.collision.ConvexHull;
 import org.SEAR.geometry.Triangles;
 
 /** Collision shapes of triangle meshes. */
 final class MeshShapes {
-    /** By how much jbullet's boxes around meshes are larger, metres; contacts come from the triangles themselves. */
-    static final float MARGIN = 5e-4f;
     private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
     private static final int VERTEX_BYTES = 3 * Float.BYTES;
     private static final int TRIANGLE_BYTES = 3 * Integer.BYTES;
@@ -23,7 +18,7 @@ final class MeshShapes {
     }
 
     /** The triangles themselves, for a body that never moves. */
-    static CollisionShape fixed(Triangles mesh, double sx, double sy, double sz) {
+    static BvhTriangleMeshShape fixed(Triangles mesh, double sx, double sy, double sz) {
         double[] scale = {sx, sy, sz};
         ByteBuffer vertices = ByteBuffer.allocateDirect(mesh.vertices.length * Float.BYTES).order(ByteOrder.nativeOrder());
         for (int i = 0; i < mesh.vertices.length; i++) {
@@ -37,21 +32,7 @@ final class MeshShapes {
         indices.rewind();
         TriangleIndexVertexArray array = new TriangleIndexVertexArray(mesh.size(), indices, TRIANGLE_BYTES,
             mesh.vertices.length / 3, vertices, VERTEX_BYTES);
-        BvhTriangleMeshShape shape = new BvhTriangleMeshShape(array, true);
-        shape.setMargin(MARGIN);
-        return shape;
-    }
-
-    /** The convex hull, for a body that moves. */
-    static CollisionShape hull(ConvexHull hull) {
-        double[] points = hull.getCorners();
-        ObjectArrayList<Vector3f> corners = new ObjectArrayList<>();
-        for (int i = 0; i < points.length; i += 3) {
-            corners.add(new Vector3f((float) points[i], (float) points[i + 1], (float) points[i + 2]));
-        }
-        ConvexHullShape shape = new ConvexHullShape(corners);
-        shape.setMargin(MARGIN);
-        return shape;
+        return new BvhTriangleMeshShape(array, true);
     }
 
     /** The outermost corners of the scaled mesh in directions spread evenly over the sphere, each once. */

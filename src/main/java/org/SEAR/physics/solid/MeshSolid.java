@@ -1,6 +1,5 @@
 package org.SEAR.physics.solid;
 
-import com.bulletphysics.collision.shapes.CollisionShape;
 import java.io.IOException;
 import java.util.function.Predicate;
 import org.SEAR.POJOs.Model;
@@ -58,8 +57,8 @@ class MeshSolid extends Solid {
     }
 
     @Override
-    CollisionShape bounds(boolean moving) {
-        return moving ? MeshShapes.hull((ConvexHull) convex()) : MeshShapes.fixed(mesh, scale[0], scale[1], scale[2]);
+    public TriangleSearch triangles() {
+        return MeshShapes.fixed(mesh, scale[0], scale[1], scale[2])::processAllTriangles;
     }
 
     @Override

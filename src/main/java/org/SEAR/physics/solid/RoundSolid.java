@@ -1,8 +1,5 @@
 package org.SEAR.physics.solid;
 
-import com.bulletphysics.collision.shapes.CollisionShape;
-import com.bulletphysics.collision.shapes.ConeShape;
-import com.bulletphysics.collision.shapes.CylinderShape;
 import org.SEAR.POJOs.Cone;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Wheel;
@@ -58,11 +55,6 @@ public final class RoundSolid extends Solid {
     @Override
     protected ConvexShape makeConvex() {
         return cone ? ConvexRound.cone(halfX, halfY) : ConvexRound.cylinder(halfX, halfY);
-    }
-
-    @Override
-    CollisionShape bounds(boolean moving) {
-        return cone ? new ConeShape((float) halfX, (float) (2 * halfY)) : new CylinderShape(half());
     }
 
     @Override

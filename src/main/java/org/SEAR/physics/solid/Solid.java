@@ -1,9 +1,6 @@
 package org.SEAR.physics.solid;
 
-import com.bulletphysics.collision.shapes.BoxShape;
-import com.bulletphysics.collision.shapes.CollisionShape;
 import java.util.function.Predicate;
-import javax.vecmath.Vector3f;
 import org.SEAR.collision.ConvexShape;
 import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Pose;
@@ -15,11 +12,6 @@ import org.SEAR.raycast.BeamScene;
  * lists the shapes that there are.
  */
 public abstract class Solid {
-    /** The collision margin of jbullet, metres, for shapes that are large enough; contacts come from the solids themselves. */
-    private static final float MARGIN = 0.01f;
-    /** Greatest share of the smallest half size that may be margin. */
-    private static final double MARGIN_SHARE = 0.3;
-
     /** Half sizes along x, y and z. */
     public final double halfX;
     public final double halfY;
@@ -62,30 +54,12 @@ public abstract class Solid {
         return points;
     }
 
-    /**
-     * A new collision shape, by whose bounds jbullet looks for pairs; where they touch {@link #convex} or the mesh says.
-     *
-     * @param moving whether the body it is for can move: a mesh then becomes its convex hull
-     */
-    public final CollisionShape collision(boolean moving) {
-        CollisionShape shape = bounds(moving);
-        if (!isMesh()) {
-            shape.setMargin((float) Math.min(MARGIN, MARGIN_SHARE * Math.min(halfX, Math.min(halfY, halfZ))));
-        }
-        shape.setUserPointer(this);
-        return shape;
+    /** A new search for its triangles, for a body that never moves. */
+    public TriangleSearch triangles() {
+        throw new UnsupportedOperationException("only a mesh has triangles");
     }
 
-    /** The shape whose bounds jbullet looks at: the box around it. */
-    CollisionShape bounds(boolean moving) {
-        return new BoxShape(half());
-    }
-
-    final Vector3f half() {
-        return new Vector3f((float) halfX, (float) halfY, (float) halfZ);
-    }
-
-    /** What of it collides: a mesh counts as its convex hull. */
+    /** What of it collides: a mesh that moves counts as its convex hull. */
     public final ConvexShape convex() {
         if (convex == null) {
             convex = makeConvex();

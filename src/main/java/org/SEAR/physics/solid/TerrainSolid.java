@@ -1,6 +1,5 @@
 package org.SEAR.physics.solid;
 
-import com.bulletphysics.collision.shapes.CollisionShape;
 import java.util.function.Predicate;
 import org.SEAR.collision.ConvexHull;
 import org.SEAR.collision.ConvexShape;
@@ -49,8 +48,8 @@ public final class TerrainSolid extends Solid {
     }
 
     @Override
-    CollisionShape bounds(boolean moving) {
-        return new HeightFieldShape(heights);
+    public TriangleSearch triangles() {
+        return new HeightTriangles(heights);
     }
 
     /** Null: it is drawn by its heights. */

@@ -59,6 +59,23 @@ public class LaunchTest {
         }
     }
 
+    /** So slow that contacts need not be found anew in each step while something touches. */
+    @Test
+    public void whatCreepsIsStoppedByWhatStandsThere() throws Exception {
+        new Floor("floor", 20, 20).setFriction(0);
+        new Box("wall", 0.3, 0.3, 0.3).move(0, 0.15, 0);
+        for (double speed : new double[] {0.003, 0.008, 0.011}) {
+            Box box = new Box("box", 0.2, 0.2, 0.2, 1);
+            box.setFriction(0);
+            box.move(0, 0.1, 0.27);
+            box.setVelocity(0, 0, -speed);
+            try (Simulation simulation = Worlds.start(project)) {
+                Worlds.run(simulation, 10);
+                assertEquals(speed + " m/s", 0.25, simulation.getPose("box").z, NEAR);
+            }
+        }
+    }
+
     @Test
     public void aResetFindsItsVelocityAgain() throws Exception {
         try (Simulation simulation = thrown()) {

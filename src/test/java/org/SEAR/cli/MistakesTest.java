@@ -20,7 +20,8 @@ import org.junit.rules.TemporaryFolder;
 
 /**
  * The mistakes that beginners make, {@code mistakes.txt}: each ends in a message that names the line, the thing and what to do. The file has for each
- * a title, the script, the exit status (or {@code endless}), and what has to stand in its output, a line each, or behind {@code without} what must not.
+ * a title, the script, the exit status (or {@code endless}), and what has to stand in its output, a line each, or behind {@code without} what must
+ * not.
  */
 public class MistakesTest {
     private static final int LEAST = 42;

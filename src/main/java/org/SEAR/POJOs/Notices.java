@@ -23,7 +23,7 @@ final class Notices {
         if (bench != null && bench.isSimulating()) {
             say(label + " was made while a simulation runs: it will be there after the next startSimulation()");
         }
-        if (Workbenches.ALL.script().isAgain(name) && taken) {
+        if (Workbenches.ALL.script().isAgain(name, taken)) {
             say(label + " has the name of an object that this script has made already, and replaces its file: a name means one object of the"
                 + " project");
         }

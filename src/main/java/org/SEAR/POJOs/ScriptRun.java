@@ -21,22 +21,32 @@ final class ScriptRun {
     private final Set<String> names = new HashSet<>();
     /** Where the script has made each. */
     private final Map<String, String> lines = new HashMap<>();
+    /** Which lines have replaced what others made. */
+    private final Set<String> replaced = new HashSet<>();
     private String run = "";
     private boolean taken;
 
-    /** Whether this run of a script has given the name before; never outside of scripts. */
-    synchronized boolean isAgain(String name) {
+    /**
+     * Notes a name.
+     *
+     * @param taken whether its object replaces another
+     * @return whether it replaces one that this run of a script has made, at a line that has replaced none of that one's line until now: a ready robot
+     *     replaces each of its parts; never outside of scripts
+     */
+    synchronized boolean isAgain(String name, boolean taken) {
         if (!follow()) {
             return false;
         }
-        lines.put(name, ScriptLine.here());
-        return !names.add(name);
+        String line = ScriptLine.here();
+        String former = lines.put(name, line);
+        return !names.add(name) && taken && (line.isEmpty() || replaced.add(former + " by " + line));
     }
 
     /** Another project: nothing in it has been given a name yet. */
     synchronized void forget() {
         names.clear();
         lines.clear();
+        replaced.clear();
         taken = false;
     }
 
@@ -81,6 +91,7 @@ final class ScriptRun {
             run = present.get();
             names.clear();
             lines.clear();
+            replaced.clear();
             taken = false;
         }
         return present.isPresent();

@@ -62,14 +62,18 @@ public final class ObjectDocs {
         }
         out.append("\nEach is 0.34 m across and 0.09 m high, weighs 3.6 kg and consists of `drive`, `body`, the wheels `left` and `right` and the "
             + "casters `front` and `back`.\nThe Roombas of the 500 series are as the Create, those of the 600 series as the Create 2. A robot that "
-            + "answers as one of them\nand has other wheels is told at the start.\n\nThree vehicles with motors, to build one's own from; they drive "
+            + "answers as one of them\nand has other wheels is told at the start.\n\nAt their ports the first two talk at 57600 baud, which "
+            + "MyRobotLab's `roomba.connect(port)` sets, and the Create 2 at 115200, as the\nreal one does: "
+            + "`roomba.connect(\"/dev/SEAR_Robot_01\", 115200, 8, 1, 0)` talks to it, or, with `rosie.getPart(\"drive\").setBaud(57600)`\n"
+            + "before the start, `roomba.connect(port)`.\n\nThree vehicles with motors, to build one's own from; they drive "
             + "by calls, keys and buttons, and have no port:\n\n| call | what it is | its wheels | its motors |\n|---|---|---|---|\n"
             + "| Robots.rover(name) | 2 kg, two driven wheels 0.2 m apart and a caster | `left`, `right`, `caster` | `leftMotor`, `rightMotor` |\n"
             + "| Robots.fourWheeled(name) | 4 kg, four driven wheels, turns by its two sides | `frontLeft`, `frontRight`, `rearLeft`, `rearRight` | "
             + "`leftMotor`, `rightMotor` |\n| Robots.car(name) | 5 kg, front wheels steered by up to 30 degrees, rear wheels driven | `frontLeft`, "
             + "`frontRight`, `rearLeft`, `rearRight` | `engine` |\n\nTheir other parts are `drive` and `body`; [vehicles.md](vehicles.md) says what "
             + "motors, casters and steered wheels do.\n`rover.getPart(\"leftMotor\")` is one of the parts of a ready robot, and of every other, by"
-            + " its name: `rover.getPart(\"body\").setColor(\"red\")`.\n");
+            + " its name: `rover.getPart(\"body\").setColor(\"red\")`.\nA name means one part of a robot: where the wheels are `left` and `right`, a"
+            + " sensor is called otherwise, `leftEye` or `rightPing`.\n");
     }
 
     /** The page, in Markdown. */

@@ -44,6 +44,8 @@ public final class RobotBuilder {
     final Spring[] springs;
     /** Greatest distance of the components from the vertical axis, metres. */
     final double radius;
+    /** Whether a wheel is so large, or so far away, that where the robot would stand says nothing. */
+    final boolean hasFarWheels;
     /** Of the components and wheels that have one. */
     public final Map<SearObject, Solid> shapes = new IdentityHashMap<>();
     private final List<Solid> solids = new ArrayList<>();
@@ -77,6 +79,7 @@ public final class RobotBuilder {
         Pose start = StartPose.of(robot, dynamics, warnings);
         body = new Body(robot.getName(), dynamics.getMass(), solids, all, centre, start);
         body.setRobot();
+        hasFarWheels = FarParts.tell(robot, shapes, warnings);
         stability = new Stability(centre, feet(), Math.hypot(centre[0] - centroid[0], centre[2] - centroid[2]) > LEAST_MOVE);
     }
 

@@ -48,6 +48,7 @@ public final class RobotModel implements Robot, RobotHardware {
     private final int[] wheelShapes;
     private final double[][] feet;
     private final double bodyRadius;
+    private final boolean hasFarWheels;
     private final List<MotorDrive> motors = new ArrayList<>();
     private final Turrets turrets;
     private final LedLights lights;
@@ -76,6 +77,7 @@ public final class RobotModel implements Robot, RobotHardware {
         this.body = from.body;
         this.wheelSolids = from.wheelSolids;
         this.bodyRadius = from.radius;
+        this.hasFarWheels = from.hasFarWheels;
         this.feet = from.feet();
         this.number = number;
         this.scenes = scenes;
@@ -294,6 +296,11 @@ public final class RobotModel implements Robot, RobotHardware {
     @Override
     public List<Sensor<?>> getSensors() {
         return sensors;
+    }
+
+    /** Whether a wheel is so large, or so far away, that where the robot would stand says nothing. */
+    boolean hasFarWheels() {
+        return hasFarWheels;
     }
 
     @Override

@@ -49,19 +49,25 @@ public final class StartChecks {
         }
         checkDimensions(robot, warnings);
         checkSides(robot.getObject(), warnings);
-        checkLevel(robot, warnings);
         checkMotors(robot, warnings);
-        if (robot.getStability().isCritical()) {
-            warnings.add("robot " + name + " " + robot.getStability().getWords());
+        if (!robot.hasFarWheels()) {
+            checkStand(robot, warnings);
         }
-        checkSprings(robot, false, "forwards or backwards", warnings);
-        checkSprings(robot, true, "sideways", warnings);
         Pose pose = robot.getPose();
         double down = scenes.ground.cast(pose.x, pose.y, pose.z, 0, -1, 0, Double.MAX_VALUE, robot.getOwner(), new Hit());
         if (down == Double.POSITIVE_INFINITY) {
             warnings.add(String.format(Locale.ROOT, "robot %s has no ground below its start at x %.2f, y %.2f, z %.2f and will fall:"
                 + " Floor(\"floor\", 20, 20) makes one at height 0", name, pose.x, pose.y, pose.z));
         }
+    }
+
+    private static void checkStand(RobotModel robot, List<String> warnings) {
+        checkLevel(robot, warnings);
+        if (robot.getStability().isCritical()) {
+            warnings.add("robot " + robot.getObject().getName() + " " + robot.getStability().getWords());
+        }
+        checkSprings(robot, false, "forwards or backwards", warnings);
+        checkSprings(robot, true, "sideways", warnings);
     }
 
     /** One that is driven on one side only goes in circles, whatever it is told. */

@@ -1,6 +1,7 @@
 package org.SEAR.simulator;
 
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
@@ -16,6 +17,7 @@ public final class SimulationRunner implements Runnable {
     /** So often a record hears that time stands still, ns. */
     private static final long STANDING = 1_000_000_000;
     private static final long SILENT = Long.MIN_VALUE;
+    private static final long LOOK_MILLIS = 200;
     /** By which sums of steps may miss the time that was asked for, s. */
     private static final double ROUNDING = Simulation.STEP / 1000;
     /** Real time over which the speed is measured, ns, and how often. */
@@ -244,13 +246,24 @@ public final class SimulationRunner implements Runnable {
 
     /** Waits so many simulated seconds, whether the world is reset meanwhile or not, or until the run has ended. */
     public void sleep(double seconds) throws InterruptedException {
+        sleep(seconds, () -> { });
+    }
+
+    /**
+     * The same.
+     *
+     * @param look is called five times a second meanwhile, on the thread that waits
+     */
+    public void sleep(double seconds, Runnable look) throws InterruptedException {
         notOnSimulationThread("sleep");
         lock.lock();
         waiting++;
         try {
             double end = getAdvancedTime() + seconds - ROUNDING;
             while (getAdvancedTime() < end && !ended) {
-                progress.await();
+                if (!progress.await(LOOK_MILLIS, TimeUnit.MILLISECONDS)) {
+                    look.run();
+                }
             }
         } finally {
             waiting--;

@@ -20,6 +20,7 @@ import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
 import org.SEAR.physics.start.BesideGround;
 import org.SEAR.physics.start.StartPoses;
+import org.SEAR.physics.start.TooHeavy;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.physics.solid.Solids;
 import org.SEAR.project.ObjectPose;
@@ -120,6 +121,7 @@ final class World implements PhysicsWorld.Touches {
         StartPoses.lift(physics.getBodies(), warnings);
         StartPoses.tellOverlaps(physics.getBodies(), warnings);
         BesideGround.tell(physics.getBodies(), scenes, warnings);
+        TooHeavy.tell(physics.getBodies(), warnings);
         fallen = new Fallen(physics.getBodies(), told);
         moves = new Moves(this);
         restart();

@@ -79,11 +79,19 @@ public class Roomba extends Service<RoombaConfig> {
         try {
             chosen.connect(port, baud, dataBits, stopBits, parity);
         } catch (IOException | IllegalStateException | IllegalArgumentException e) {
-            error("can't connect: %s; there are the ports %s", e.getMessage(), new TreeSet<>(chosen.getPortNames()));
+            TreeSet<String> known = new TreeSet<>(chosen.getPortNames());
+            known.remove(port);
+            error("can't connect: %s; there are the ports %s%s", e.getMessage(), known, notStarted());
         }
         serial = chosen;
         portName = port;
         return port.equals(chosen.getPortName());
+    }
+
+    /** Where there is a simulation that is not started, its ports are not there yet. */
+    private static String notStarted() {
+        return Runtime.getServices().stream().filter(one -> one.getSimpleName().equals("SEAR") && Boolean.FALSE.equals(one.invoke("isSimulating")))
+            .map(one -> "; no simulation runs: " + one.getName() + ".startSimulation() makes its ports").findFirst().orElse("");
     }
 
     private Serial serial() {

@@ -20,10 +20,12 @@ import org.junit.rules.TemporaryFolder;
 
 /**
  * The mistakes that beginners make, {@code mistakes.txt}: each ends in a message that names the line, the thing and what to do. The file has for each
- * a title, the script, the exit status (or {@code endless}), and what has to stand in its output, a line each.
+ * a title, the script, the exit status (or {@code endless}), and what has to stand in its output, a line each, or behind {@code without} what must
+ * not.
  */
 public class MistakesTest {
     private static final int LEAST = 42;
+    private static final String WITHOUT = "without ";
     private static final long PATIENCE_MINUTES = 10;
     /** Seconds of processor time from the start of MyRobotLab to its end: a busy machine does not make them more. */
     private static final double MOST_SECONDS = 3;
@@ -37,6 +39,7 @@ public class MistakesTest {
         private final StringBuilder script = new StringBuilder();
         private String status = "";
         private final List<String> words = new ArrayList<>();
+        private final List<String> without = new ArrayList<>();
 
         Mistake(String title) {
             this.title = title;
@@ -56,7 +59,11 @@ public class MistakesTest {
                     last.status = line.substring(3);
                     answer = true;
                 } else if (answer && !line.isEmpty()) {
-                    last.words.add(line);
+                    if (line.startsWith(WITHOUT)) {
+                        last.without.add(line.substring(WITHOUT.length()));
+                    } else {
+                        last.words.add(line);
+                    }
                 } else if (last != null && !answer) {
                     last.script.append(line).append('\n');
                 }
@@ -112,8 +119,10 @@ public class MistakesTest {
         List<String> missing = new ArrayList<>(mistake.words);
         missing.removeIf(seen::contains);
         boolean ends = mistake.status.equals("endless") || mistake.status.equals(status);
-        if (!missing.isEmpty() || !ends || seconds > MOST_SECONDS || mistake.words.isEmpty()) {
-            wrong.add(mistake.title + ": exit status " + status + ", " + seconds + " s, without " + missing + ":\n" + seen);
+        List<String> tooMany = new ArrayList<>(mistake.without);
+        tooMany.removeIf(words -> !seen.contains(words));
+        if (!missing.isEmpty() || !tooMany.isEmpty() || !ends || seconds > MOST_SECONDS || mistake.words.isEmpty()) {
+            wrong.add(mistake.title + ": exit status " + status + ", " + seconds + " s, without " + missing + ", with " + tooMany + ":\n" + seen);
         }
     }
 }

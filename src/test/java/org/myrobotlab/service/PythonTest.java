@@ -227,4 +227,12 @@ public class PythonTest {
             System.clearProperty("sear.project");
         }
     }
+
+    @Test
+    public void aCharacterThatPythonDoesNotKnowIsAnErrorOfTheTab() {
+        python.exec("errors = []\ndef onStdError(text): errors.append(text)\npython.addListener('publishStdError', 'python', 'onStdError')");
+        assertFalse(python.exec("print \u201chi\u201d"));
+        until("len(errors) == 1");
+        assertTrue(python.exec("assert 'U+201C' in errors[0] and 'line 1' in errors[0], errors"));
+    }
 }

@@ -11,6 +11,7 @@ import org.myrobotlab.serial.Port;
 import org.myrobotlab.serial.PortClock;
 import org.myrobotlab.serial.SerialDeviceFactory;
 import org.myrobotlab.serial.VirtualSerialPort;
+import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.Serial;
 import org.myrobotlab.service.interfaces.SerialDataListener;
 
@@ -110,7 +111,14 @@ public final class SerialLink {
     }
 
     private String known() {
-        return "the ports " + getPortNames();
+        return "the ports " + getPortNames() + notStarted();
+    }
+
+    /** Where the script has a simulation and has not started it, its ports are not there yet. */
+    private static String notStarted() {
+        return SerialDeviceFactory.getVirtualPorts().isEmpty() ? Runtime.getServices().stream().filter(one -> one.getClass().getSimpleName()
+            .equals("SEAR")).map(one -> "; no port is simulated now: " + one.getName() + ".startSimulation() makes those of the project")
+            .findFirst().orElse("") : "";
     }
 
     /** Names of the ports that there are, in order. */

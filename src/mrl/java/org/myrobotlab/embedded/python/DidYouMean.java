@@ -2,6 +2,7 @@ package org.myrobotlab.embedded.python;
 
 import java.io.IOException;
 import java.lang.reflect.Method;
+import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
@@ -40,6 +41,13 @@ public final class DidYouMean {
             return "";
         }
         String wanted = name.group(1);
+        if (wanted.equals("exit") || wanted.equals("quit")) {
+            return "\na script ends behind its last line; sys.exit() ends it earlier";
+        }
+        String service = serviceOf(wanted, scope);
+        if (!service.isEmpty()) {
+            return service;
+        }
         String imported = WrongNames.used(wanted);
         String called = imported.isEmpty() ? methodOf(wanted, scope) : imported;
         return called.isEmpty() ? line(NearestName.of(wanted, scope.names())) : called;
@@ -56,6 +64,19 @@ public final class DidYouMean {
         } catch (ClassNotFoundException e) {
             return ""; // a class of the script's own
         }
+    }
+
+    /** A service of the type that the name spells, which the script calls otherwise: robot for sear. */
+    private static String serviceOf(String wanted, Scope scope) {
+        String found = "";
+        for (String one : scope.names()) {
+            Class<?> type = scope.objectTypeOf(one);
+            boolean isType = type != null && type.getPackageName().equals(SERVICES) && type.getSimpleName().equalsIgnoreCase(wanted);
+            boolean isVariable = isType && !scope.valueOf(one).invoke("getName").toString().equals(one);
+            found = isType && (found.isEmpty() || isVariable) ? one : found;
+        }
+        return found.isEmpty() || wanted.equals(wanted.toUpperCase(Locale.ROOT)) ? ""
+            : "\ndid you mean " + found + "? That is what this script calls its service of type " + scope.objectTypeOf(found).getSimpleName();
     }
 
     private static String line(String question) {

@@ -49,17 +49,30 @@ final class LegalCalls {
             return "";
         }
         String name = refused.group(1);
-        Set<String> calls = name.contains(".") ? constructors(name) : methods(name, line, scope);
+        Map<Executable, String> calls = name.contains(".") ? constructors(name) : methods(name, line, scope);
         if (calls.isEmpty()) {
             return "";
         }
-        StringBuilder hint = new StringBuilder();
-        if (refused.group(3) != null) {
-            hint.append("\nargument ").append(refused.group(3)).append(" has to be ").append(word(refused.group(4)));
-        } else if (line.matches(".*\\b" + Pattern.quote(name.substring(name.lastIndexOf('.') + 1)) + "\\(.*\\b\\w+\\s*=[^=].*")) {
-            hint.append("\nvalues come in this order, without their names before them");
+        String simple = name.substring(name.lastIndexOf('.') + 1);
+        return hint(refused, simple, line, new GivenValues(simple, line, scope), calls) + "\nlegal: "
+            + sorted(calls).stream().limit(MOST).collect(Collectors.joining("\n       "));
+    }
+
+    private static String hint(Matcher refused, String name, String line, GivenValues values, Map<Executable, String> calls) {
+        Set<String> meant = new TreeSet<>();
+        calls.forEach((call, written) -> Stream.ofNullable(values.inOrderOf(call, written)).forEach(meant::add));
+        if (!meant.isEmpty()) {
+            return "\nthe values come in another order: did you mean " + String.join(" or ", meant) + "?";
         }
-        return hint.append("\nlegal: ").append(calls.stream().limit(MOST).collect(Collectors.joining("\n       "))).toString();
+        if (values.hasDecimalComma(line)) {
+            return "\na decimal number is written with a point, 0.5, and a comma begins the next value";
+        }
+        if (refused.group(3) != null) {
+            String wrong = values.wrong(Integer.parseInt(refused.group(3)), refused.group(4));
+            return wrong.isEmpty() ? "\nargument " + refused.group(3) + " has to be " + word(refused.group(4)) : "\n" + wrong;
+        }
+        return line.matches(".*\\b" + Pattern.quote(name) + "\\(.*\\b\\w+\\s*=[^=].*")
+            ? "\nvalues come in this order, without their names before them" : "";
     }
 
     private static String word(String types) {
@@ -67,37 +80,42 @@ final class LegalCalls {
             .collect(Collectors.joining(", or "));
     }
 
-    private static Set<String> constructors(String type) {
+    /** By constructor, what is written before its brackets. */
+    private static Map<Executable, String> constructors(String type) {
         try {
             Class<?> made = Class.forName(type);
-            return sorted(Arrays.stream(made.getConstructors()).filter(maker -> maker.getParameterCount() > 0), made.getSimpleName());
+            return named(Arrays.stream(made.getConstructors()).filter(maker -> maker.getParameterCount() > 0), made.getSimpleName());
         } catch (ClassNotFoundException | LinkageError e) {
-            return Set.of();
+            return Map.of();
         }
     }
 
-    /** Of the objects that the line names; if it is not known, of all that the script has. */
-    private static Set<String> methods(String name, String line, Scope scope) {
+    /** Of the objects that the line names; if it is not known, of all that the script has. By method, what is written before its brackets. */
+    private static Map<Executable, String> methods(String name, String line, Scope scope) {
         Matcher called = Pattern.compile("(\\w+)\\." + Pattern.quote(name) + "\\(").matcher(line);
         Set<String> owners = new TreeSet<>();
         while (called.find()) {
             owners.add(called.group(1));
         }
         owners.retainAll(scope.names());
-        Set<String> calls = new LinkedHashSet<>();
+        Map<Executable, String> calls = new LinkedHashMap<>();
         for (String owner : owners.isEmpty() ? scope.names() : owners) {
             Class<?> type = scope.typeOf(owner);
             if (type != null) {
-                calls.addAll(sorted(Arrays.stream(type.getMethods()).filter(method -> method.getName().equals(name)), owner + "." + name));
+                calls.putAll(named(Arrays.stream(type.getMethods()).filter(method -> method.getName().equals(name)), owner + "." + name));
             }
         }
         return calls;
     }
 
-    private static Set<String> sorted(Stream<? extends Executable> all, String name) {
+    private static Map<Executable, String> named(Stream<? extends Executable> all, String name) {
         return all.filter(one -> Modifier.isPublic(one.getModifiers()) && !(one instanceof Method && ((Method) one).isBridge()))
-            .map(one -> name + Arrays.stream(one.getParameters()).map(LegalCalls::nameOf).collect(Collectors.joining(", ", "(", ")")))
-            .sorted(Comparator.comparing(String::length).thenComparing(Comparator.naturalOrder()))
+            .collect(Collectors.toMap(one -> one, one -> name));
+    }
+
+    private static Set<String> sorted(Map<Executable, String> calls) {
+        return calls.entrySet().stream().map(one -> one.getValue() + Arrays.stream(one.getKey().getParameters()).map(LegalCalls::nameOf)
+            .collect(Collectors.joining(", ", "(", ")"))).sorted(Comparator.comparing(String::length).thenComparing(Comparator.naturalOrder()))
             .collect(Collectors.toCollection(LinkedHashSet::new));
     }
 

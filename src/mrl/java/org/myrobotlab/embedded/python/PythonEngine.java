@@ -112,7 +112,13 @@ public final class PythonEngine {
         SourceLine.remember(fileName, code);
         byte[] source = PythonSource.withEncoding(code);
         SilentMistakes.in(source, fileName).forEach(warned);
-        last = guarded(() -> interpreter.execfile(new ByteArrayInputStream(source), fileName));
+        try {
+            last = guarded(() -> interpreter.execfile(new ByteArrayInputStream(source), fileName));
+        } catch (RuntimeException e) { // Jython's own errors, which can't hold what is no ASCII
+            LOG.debug("{} could not be run", fileName, e);
+            String foreign = SyntaxErrors.foreign(fileName);
+            last = ScriptResult.failed(foreign == null ? fileName + " can't be run: " + e.getMessage() : foreign);
+        }
         return last;
     }
 

@@ -39,6 +39,11 @@ final class Scope {
         return names.keySet();
     }
 
+    /** What a name stands for; null if there is none. */
+    PyObject valueOf(String name) {
+        return names.get(name);
+    }
+
     /** The Java class that a name stands for, or that its object has; null for what is Python's own, and for no such name. */
     Class<?> typeOf(String name) {
         PyObject value = names.get(name);

@@ -40,6 +40,10 @@ public final class ScriptResult {
             return exit(e);
         }
         e.normalize();
+        String syntax = SyntaxErrors.of(e);
+        if (syntax != null) {
+            return failed(syntax);
+        }
         String message = e.value.__str__().toString().trim();
         String headline = message.contains("\n") ? message.substring(0, message.indexOf('\n')) + "\n" : "";
         return new ScriptResult(1, headline + traceback(e) + (calledBack == null ? "" : CalledBack.hint(e, calledBack)) + ScriptHints.of(e), false);
@@ -63,9 +67,12 @@ public final class ScriptResult {
         Py.displayException(e.type, e.value, e.traceback, file);
         file.flush();
         String message = e.value.__str__().toString();
-        if (message.contains("\n") && e.value.__tojava__(Throwable.class) instanceof Throwable) {
-            return bytes.toString(StandardCharsets.UTF_8).lines().takeWhile(line -> line.startsWith("Traceback") || line.startsWith("  "))
-                .collect(Collectors.joining("\n")) + "\n" + message;
+        if (e.value.__tojava__(Throwable.class) instanceof Throwable) {
+            String foreign = SyntaxErrors.ofModule(message);
+            if (message.contains("\n") || foreign != null) {
+                return bytes.toString(StandardCharsets.UTF_8).lines().takeWhile(line -> line.startsWith("Traceback") || line.startsWith("  "))
+                    .collect(Collectors.joining("\n")) + "\n" + (foreign == null ? message : foreign);
+            }
         }
         return bytes.toString(StandardCharsets.UTF_8).lines().filter(line -> !line.startsWith("\tat ") && !line.startsWith("\t... "))
             .distinct().map(line -> TWICE.matcher(line).replaceFirst("$1: ")).collect(Collectors.joining("\n"));

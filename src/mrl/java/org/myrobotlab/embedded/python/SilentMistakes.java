@@ -3,13 +3,17 @@ package org.myrobotlab.embedded.python;
 import java.io.ByteArrayInputStream;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.python.antlr.Visitor;
+import org.python.antlr.ast.Assign;
 import org.python.antlr.ast.Attribute;
 import org.python.antlr.ast.BinOp;
 import org.python.antlr.ast.Expr;
 import org.python.antlr.ast.ImportFrom;
 import org.python.antlr.ast.Name;
 import org.python.antlr.ast.Num;
+import org.python.antlr.ast.Tuple;
 import org.python.antlr.ast.operatorType;
 import org.python.core.CompileMode;
 import org.python.core.CompilerFlags;
@@ -19,9 +23,13 @@ import org.python.core.PyInteger;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** What Python carries out without a word, though it can't be meant: a division of whole numbers, a call without brackets. One script. */
+/**
+ * What Python carries out without a word, though it can't be meant: a division of whole numbers, a decimal comma, a call without brackets. One
+ * script.
+ */
 final class SilentMistakes extends Visitor {
     private static final Logger LOG = LoggerFactory.getLogger(SilentMistakes.class);
+    private static final Pattern DECIMAL_COMMA = Pattern.compile("[^=]*=\\s*(-?\\d+),(\\d+)\\s*;?\\s*(?:#.*)?");
     private final List<String> found = new ArrayList<>();
     private final String file;
     private boolean trueDivision;
@@ -72,6 +80,23 @@ final class SilentMistakes extends Visitor {
             tell(line, left + " / " + right + " is " + left / right + " in Python 2.7, which divides whole numbers without a rest: write " + left
                 + ".0 / " + right);
         }
+    }
+
+    @Override
+    public Object visitAssign(Assign node) throws Exception {
+        boolean toOne = node.getInternalTargets().size() == 1 && node.getInternalTargets().get(0) instanceof Name;
+        String line = line(node.getLineno());
+        Matcher comma = DECIMAL_COMMA.matcher(line);
+        if (toOne && node.getInternalValue() instanceof Tuple && comma.matches()) {
+            tell(node.getLineno(), comma.group(1) + "," + comma.group(2) + " is two numbers, " + comma.group(1) + " and " + comma.group(2)
+                + ": a decimal number is written with a point, " + comma.group(1) + "." + comma.group(2));
+        }
+        return super.visitAssign(node);
+    }
+
+    private String line(int number) {
+        List<String> lines = SourceLine.lines(file);
+        return number >= 1 && number <= lines.size() ? lines.get(number - 1) : "";
     }
 
     @Override

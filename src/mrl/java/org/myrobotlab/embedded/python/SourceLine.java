@@ -21,7 +21,7 @@ final class SourceLine {
 
     /** Code is run under a name. */
     static void remember(String name, byte[] code) {
-        RUN.put(name, List.of(new String(code, StandardCharsets.UTF_8).split("\\R", -1)));
+        RUN.put(name, List.of(new String(code, StandardCharsets.UTF_8).replaceFirst("^\\uFEFF", "").split("\r\n|\r|\n", -1)));
     }
 
     /** The innermost line of the error; empty if it is not known. */
@@ -33,17 +33,19 @@ final class SourceLine {
         if (last == null || last.tb_frame.f_code == null) {
             return "";
         }
-        String file = last.tb_frame.f_code.co_filename;
-        List<String> lines = RUN.getOrDefault(file, List.of());
-        try {
-            if (lines.isEmpty()) {
-                Path path = Paths.get(file);
-                lines = Files.isRegularFile(path) ? Files.readAllLines(path, StandardCharsets.UTF_8) : lines;
-            }
-        } catch (IOException | RuntimeException unreadable) {
-            return ""; // a name that is no path, or a file in another encoding: hints do without it
-        }
+        List<String> lines = lines(last.tb_frame.f_code.co_filename);
         int number = last.tb_lineno;
         return number >= 1 && number <= lines.size() ? lines.get(number - 1).trim() : "";
+    }
+
+    /** Those of a file, or of code that was run under that name; none if they are not known. */
+    static List<String> lines(String file) {
+        List<String> lines = RUN.getOrDefault(file, List.of());
+        try {
+            Path path = lines.isEmpty() ? Paths.get(file) : null;
+            return path != null && Files.isRegularFile(path) ? Files.readAllLines(path, StandardCharsets.UTF_8) : lines;
+        } catch (IOException | RuntimeException unreadable) {
+            return List.of(); // a name that is no path, or a file in another encoding: hints do without it
+        }
     }
 }

@@ -5,11 +5,13 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -34,7 +36,6 @@ public final class SimulationSession {
     private static final long READER_LOOK = TimeUnit.MICROSECONDS.toNanos(100);
     private static final long LOOK_AFTER_SLEEPERS = 1;
     private static final int LOOKS_AFTER_SLEEPERS = 500;
-    private static final long SCRIPT_DRIVES = TimeUnit.SECONDS.toNanos(1);
     /** By which sums of steps may miss the time that was asked for, s. */
     private static final double ROUNDING = Simulation.STEP / 1000;
     private static final long THREAD_END = TimeUnit.SECONDS.toMillis(10);
@@ -54,11 +55,12 @@ public final class SimulationSession {
     private final Object stepping = new Object();
     /** Who makes time pass; null if nobody does. Guarded by {@link #stepping}. */
     private Thread stepper;
-    /** Where sleepers wait for the end of a pause. */
-    private final Object pauseEnds = new Object();
+    private final Pauses pauses;
+    private final DriveOrders orders = new DriveOrders();
+    /** How often anybody has let time pass. */
+    private final AtomicLong sleeps = new AtomicLong();
     private volatile SimulationClock clock;
     private volatile boolean lockStep;
-    private volatile boolean paused;
     private volatile boolean ended;
     private boolean stopped;
     private volatile Throwable failure;
@@ -68,8 +70,6 @@ public final class SimulationSession {
     private final WarningsTold warnings;
     private final OutOfMemoryWatch memoryWatch = new OutOfMemoryWatch(this::outOfMemory);
     private final MemoryAlarm memoryAlarm;
-    private volatile boolean driven;
-    private volatile long lastDriven;
 
     /** Publishes what is due after a step of lock-step. */
     public interface StepListener {
@@ -81,6 +81,7 @@ public final class SimulationSession {
         this.host = host;
         this.stepListener = stepListener;
         warnings = new WarningsTold(host);
+        pauses = new Pauses(host);
         this.simulation = simulation;
         runner = new SimulationRunner(simulation);
         lockStep = settings.lockStep;
@@ -131,7 +132,7 @@ public final class SimulationSession {
         thread.start();
         quiescence.greet();
         if (!settings.headless) {
-            window.open(runner, debugShapes, this::isScriptDriving, host); // takes seconds, which nobody is to miss
+            window.open(runner, debugShapes, orders::areRecent, host); // takes seconds, which nobody is to miss
         }
         runner.setPaused(lockStep);
         tellWarnings();
@@ -198,7 +199,8 @@ public final class SimulationSession {
             return;
         }
         stopped = true;
-        warnings.tellOfNoTime(time());
+        warnings.tell(orders.replaced(runner.getAdvancedTime(), true));
+        Optional.ofNullable(orders.tooLate(runner.getAdvancedTime())).ifPresent(warnings::tellOfNoTime);
         try {
             window.close();
         } finally {
@@ -280,18 +282,19 @@ public final class SimulationSession {
 
     /** A script has told a robot to move: for a while the window's keys leave it alone. */
     public void scriptDrives() {
-        scriptDrives(false);
+        orders.touch();
+        warnings.ordered();
     }
 
-    /** @param moves whether its order has set the robot going */
-    public void scriptDrives(boolean moves) {
-        lastDriven = System.nanoTime();
-        driven = true;
-        warnings.ordered(moves ? time() : Double.NEGATIVE_INFINITY);
-    }
-
-    private boolean isScriptDriving() {
-        return driven && System.nanoTime() - lastDriven < SCRIPT_DRIVES;
+    /**
+     * A script has given an order to drive, which holds from the next step on.
+     *
+     * @param call the method's name
+     * @param values those that it was given
+     * @param moves whether it sets the robot going
+     */
+    public void scriptOrders(String robot, String call, String values, boolean moves) {
+        orders.give(robot, new DriveOrders.Order(call, values, moves, runner.getAdvancedTime(), sleeps.get()));
     }
 
     /** Simulated seconds. */
@@ -332,10 +335,15 @@ public final class SimulationSession {
         if (!(seconds >= 0) || Double.isInfinite(seconds)) {
             throw new IllegalArgumentException("simSleep of " + seconds + " s, legal: 0 or more");
         }
+        if (seconds > 0) {
+            pauses.checkSleep();
+            sleeps.incrementAndGet();
+        }
         if (lockStep) {
             sleepInLockStep(seconds);
         } else {
-            runner.sleep(seconds);
+            Pauses.Sleeper sleeper = pauses.new Sleeper();
+            runner.sleep(seconds, () -> sleeper.look(runner.isPaused()));
         }
         checkRunning();
         tellWarnings();
@@ -352,7 +360,7 @@ public final class SimulationSession {
                 settle();
             }
             while (runner.getAdvancedTime() < target - ROUNDING) {
-                awaitResume(target - ROUNDING);
+                pauses.await(() -> !ended && runner.getAdvancedTime() < target - ROUNDING);
                 stepIfBefore(target - ROUNDING);
                 throttle.await(runner.getAdvancedTime());
             }
@@ -423,20 +431,10 @@ public final class SimulationSession {
         }
     }
 
-    private void awaitResume(double target) throws InterruptedException {
-        synchronized (pauseEnds) {
-            while (paused && !ended && runner.getAdvancedTime() < target) {
-                pauseEnds.wait(LOOK_AFTER_THREAD);
-            }
-        }
-    }
-
     /** Nothing advances any more; whoever sleeps is told. */
     private void end() {
-        synchronized (pauseEnds) {
-            ended = true;
-            pauseEnds.notifyAll();
-        }
+        ended = true;
+        pauses.close();
         clock.wake();
     }
 
@@ -445,9 +443,10 @@ public final class SimulationSession {
         if (steps < 1) {
             throw new IllegalArgumentException("step(" + steps + "), legal: 1 or more");
         }
-        if (!lockStep && !paused) {
+        if (!lockStep && !pauses.isPaused()) {
             pause();
         }
+        sleeps.incrementAndGet();
         double target = runner.getAdvancedTime() + steps * Simulation.STEP - ROUNDING;
         sleepers.whileSleeping(target, () -> {
             while (runner.getAdvancedTime() < target) {
@@ -460,24 +459,21 @@ public final class SimulationSession {
 
     /** Time stands still until {@link #resume}; the step in hand has ended when this returns. */
     public void pause() throws InterruptedException {
-        paused = true;
+        pauses.begin();
         runner.setPaused(true);
         ask(world -> true);
     }
 
     /** Ends {@link #pause}. */
     public void resume() {
-        synchronized (pauseEnds) {
-            paused = false;
-            runner.setPaused(lockStep);
-            pauseEnds.notifyAll();
-        }
+        pauses.end();
+        runner.setPaused(lockStep);
         clock.wake();
     }
 
     /** Whether {@link #pause} holds. */
     public boolean isPaused() {
-        return paused;
+        return pauses.isPaused();
     }
 
     /** Switches the power of a serial device; what was written to its port until now is gone. */
@@ -528,6 +524,7 @@ public final class SimulationSession {
                 world.reset();
                 return true;
             });
+            orders.reset();
             warnings.forgetAllBut(simulation.snapshot().warnings);    // what is odd from the start has been told
             scriptTime = runner.getAdvancedTime();
             SimulationClock fresh = new SimulationClock(simulation, lockStep);
@@ -562,7 +559,7 @@ public final class SimulationSession {
             } else {
                 turns.callBackUsers();
                 runner.setSpeed(throttle.getSpeed());
-                runner.setPaused(paused);
+                runner.setPaused(pauses.isPaused());
             }
             clock.setLockStep(on);
         }
@@ -591,6 +588,7 @@ public final class SimulationSession {
     /** Publishes what the simulation has warned of since the last time. */
     public void tellWarnings() {
         warnings.tell(simulation.snapshot().warnings);
+        warnings.tell(orders.replaced(runner.getAdvancedTime(), false));
     }
 
     @Override

@@ -146,12 +146,18 @@ final class UartLine implements OutsideLine {
             synchronized (repeats) {
                 text = repeats.count("baud", line.getObjectType() + " " + line.getObjectName() + " talks at " + line.getDeviceBaud()
                     + " baud, but port " + user.getName() + " was set to " + baud + ": they won't understand each other; legal: "
-                    + line.getDeviceBaud() + " where the program opens the port");
+                    + line.getDeviceBaud() + " where the program opens the port" + remedy(baud));
             }
             if (text != null) {
                 host.warn(text);
             }
         }
+    }
+
+    /** The call of who drives a robot, which has the baud rate among its values. */
+    private String remedy(int baud) {
+        return isDrive() ? ", as roomba.connect(\"" + user.getName() + "\", " + line.getDeviceBaud() + ", 8, 1, 0), or robot.getPart(\""
+            + line.getObjectName() + "\").setBaud(" + baud + ") before the start" : "";
     }
 
     /** The simulation thread brings bytes from the device: those of a step of lock-step wait for the port's turn. */

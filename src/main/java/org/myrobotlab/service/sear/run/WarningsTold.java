@@ -10,33 +10,30 @@ import org.myrobotlab.service.sear.Host;
 /** Tells the user each warning of a simulation once. Any thread. */
 final class WarningsTold {
     private static final String ORDERED = " was told to ";
-    /** A simulation that ends so soon after an order has not obeyed it, s. */
-    private static final double AT_ONCE = 0.1;
 
     private final Host host;
     private final Set<String> told = new HashSet<>();
     private volatile String order = "";
-    private volatile double goingSince = Double.NEGATIVE_INFINITY;
 
     WarningsTold(Host host) {
         this.host = host;
     }
 
-    /**
-     * A script, the caller, gives an order.
-     *
-     * @param time at which it has set a robot going, s; negative infinity if it has not
-     */
-    void ordered(double time) {
+    /** A script, the caller, gives an order. */
+    void ordered() {
         order = ScriptLine.here();
-        goingSince = time;
     }
 
-    /** The simulation ends at this moment, s: says so if the last order can't have been obeyed. */
-    void tellOfNoTime(double time) {
-        if (time - goingSince < AT_ONCE) {
-            host.warn(ScriptLine.added("the simulation ends at the very moment at which a robot was told to drive, so that it has not moved: an order"
-                + " returns at once, and sear.simSleep(seconds) behind it lets time pass", order));
+    /** The simulation ends before a robot can have obeyed its first order, which stands in this line. */
+    void tellOfNoTime(String line) {
+        host.warn(ScriptLine.added("the simulation ends at the very moment at which a robot was told to drive, so that it has not moved: an order"
+            + " returns at once, and sear.simSleep(seconds) behind it lets time pass", line));
+    }
+
+    /** What has just come up. */
+    void tell(String warning) {
+        if (!warning.isEmpty()) {
+            host.warn(warning);
         }
     }
 

@@ -1,0 +1,47 @@
+package org.SEAR.physics.start;
+
+import java.util.List;
+import java.util.Locale;
+import org.SEAR.geometry.Aabb;
+import org.SEAR.geometry.Pose;
+import org.SEAR.physics.Body;
+
+/** Tells of what weighs more than anything of its size can: mostly its grams were taken for kilograms. */
+public final class TooHeavy {
+    /** More than gold, kg/m^3. */
+    private static final double DENSEST = 25000;
+    /** More are not named one by one. */
+    private static final int MOST_TOLD = 5;
+    private static final double GRAMS = 1000;
+
+    private TooHeavy() {
+    }
+
+    /** Looks at the boxes around them, which are larger than what is in them. */
+    public static void tell(List<Body> bodies, List<String> warnings) {
+        long told = 0;
+        for (Body body : bodies) {
+            if (!body.isFixed() && told < MOST_TOLD && isTooHeavy(body)) {
+                told++;
+                warnings.add(String.format(Locale.ROOT, "%s weighs %s kg, and is only %.2g m large, so that it is heavier than gold: masses are"
+                    + " kilograms; if these are grams, it is %s", body.isRobot() ? "robot " + body.name : body.name, number(body.mass), size(body),
+                    number(body.mass / GRAMS)));
+            }
+        }
+    }
+
+    private static boolean isTooHeavy(Body body) {
+        Aabb box = new Overlap(body).bounds(Pose.IDENTITY);
+        double volume = (box.maxX - box.minX) * (box.maxY - box.minY) * (box.maxZ - box.minZ);
+        return body.mass > DENSEST * volume;
+    }
+
+    private static double size(Body body) {
+        Aabb box = new Overlap(body).bounds(Pose.IDENTITY);
+        return Math.max(Math.max(box.maxX - box.minX, box.maxY - box.minY), box.maxZ - box.minZ);
+    }
+
+    private static String number(double value) {
+        return value == Math.rint(value) ? String.valueOf((long) value) : String.format(Locale.ROOT, "%.3g", value);
+    }
+}

@@ -1,0 +1,154 @@
+package org.myrobotlab.embedded.python.hints;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** What to write instead of what is no Python 2.7: today's Python, another language, or something forgotten. Any thread. */
+public final class SyntaxHints {
+    private static final String OLD_PYTHON = "scripts are Python 2.7 (Jython)";
+    private static final Pattern F_STRING = Pattern.compile("(?i)\\b(f|fr|rf)[\"']");
+    private static final Pattern PRINT = Pattern.compile("\\bprint\\s*\\(");
+    private static final Pattern DEF = Pattern.compile("^\\s*def\\s+(\\w+)\\s*\\((.*)\\)\\s*(?:->.*)?:.*");
+    private static final Pattern BLOCK = Pattern.compile("^\\s*(if|elif|else|while|for|def|class|try|except|finally|with)\\b.*");
+    private static final Pattern CONDITION = Pattern.compile("^\\s*(if|elif|while)\\b.*[^=!<>+*/%-]=(?!=).*");
+    private static final Pattern WORD_OF_PYTHON = Pattern.compile("^\\s*(and|as|assert|break|class|continue|def|del|elif|else|except|exec|finally|for"
+        + "|from|global|if|import|in|is|lambda|not|or|pass|print|raise|return|try|while|with|yield)\\s*=(?!=).*");
+    /** What the line is, and what is said of it; $1 and the like stand for what the brackets have found. */
+    private static final String[][] LINES = {
+        {"^\\s*async\\b.*|.*\\bawait\\s.*", OLD_PYTHON + ", which has no async and no await: write def, and call sear.simSleep(seconds) as it is"},
+        {"^\\s*match\\s+.*:\\s*$|^\\s*case\\s+.*:\\s*$", OLD_PYTHON + ", which has no match: write if, elif and else"},
+        {".*:=.*", OLD_PYTHON + ", which has no := : give the name its value in a line of its own, before the loop and at the loop's end"},
+        {".*\\b(\\d+)_(\\d[\\d_]*).*", OLD_PYTHON + ", whose numbers have no _ in them: write $1$2"},
+        {"^\\s*nonlocal\\b.*", OLD_PYTHON + ", which has no nonlocal: keep the value in a list, count = [0], and set count[0]"},
+        {"^\\s*raise\\s.*\\sfrom\\s.*", OLD_PYTHON + ", where raise has no from"},
+        {"^\\s*(\\w+)\\s*:\\s*[\\w.\\[\\]]+\\s*=\\s*(.*\\S)\\s*", OLD_PYTHON + ", whose names have no types: write $1 = $2"},
+        {"^\\s*except\\s+([\\w.]+)\\s+(\\w+)\\s*:.*", "the error gets its name by as: except $1 as $2:"},
+        {"^\\s*else\\s+if\\b.*", "else if is one word in Python: elif"},
+        {".*(\\b\\w+)\\s*\\+\\+.*|.*\\+\\+\\s*(\\w+).*", "Python has no ++: write $1 += 1"},
+        {".*(\\b\\w+)\\s*--\\s*;?\\s*$", "Python has no --: write $1 -= 1"},
+        {".*(&&|\\|\\|).*", "conditions are joined by the words and and or"},
+        {".*[(\\s]!(?!=).*", "the opposite of a condition is written with the word not"},
+        {"^\\s*(?:int|float|double|var|let|const|auto|bool|boolean|String|string|byte|long)\\s+(\\w+)\\s*=\\s*(.*?)\\s*;?\\s*",
+            "a name has no type before it in Python: write $1 = $2"},
+        {"^\\s*(?:function|func|void|fn)\\s+(\\w+).*", "a function begins with def: def $1():"},
+        {".*(?<![\\w.])(\\d+(?:\\.\\d+)?)\\s*(?:mm|cm|dm|m|km|deg|rad|kg|g|s|ms)\\b.*",
+            "a number has no unit behind it: write $1; lengths are metres, times seconds"},
+        {".*\\?.*:.*", "a choice is written with words: a if condition else b"},
+    };
+    private static final List<Rule> RULES = rules();
+
+    private SyntaxHints() {
+    }
+
+    /** A kind of line, and what is said of it. */
+    private static final class Rule {
+        final Pattern line;
+        final String hint;
+
+        Rule(String line, String hint) {
+            this.line = Pattern.compile(line);
+            this.hint = hint;
+        }
+    }
+
+    private static List<Rule> rules() {
+        List<Rule> rules = new ArrayList<>();
+        for (String[] one : LINES) {
+            rules.add(new Rule(one[0], one[1]));
+        }
+        return rules;
+    }
+
+    /**
+     * For an error in a line.
+     *
+     * @param said by Jython
+     * @return a line to be added; empty if there is nothing to say
+     */
+    public static String of(SourceScan scan, int line, String said) {
+        String hint = hint(scan, line, said);
+        return hint.isEmpty() ? "" : "\n" + hint;
+    }
+
+    private static String hint(SourceScan scan, int line, String said) {
+        String code = scan.code(line);
+        String[] hints = {modern(scan.line(line), code), braces(scan, line), known(scan.line(line), code), text(scan, line, code),
+            scan.brackets(line), print(code), condition(code), colon(code, said), Indents.hint(scan, line, said)};
+        for (String hint : hints) {
+            if (!hint.isEmpty()) {
+                return hint;
+            }
+        }
+        return "";
+    }
+
+    private static String modern(String line, String code) {
+        if (F_STRING.matcher(code).find()) {
+            return OLD_PYTHON + ", which has no f-strings: write \"%d m\" % metres";
+        }
+        Matcher def = DEF.matcher(code);
+        if (def.matches() && (def.group(2).contains(":") || code.contains("->"))) {
+            Matcher whole = DEF.matcher(line);
+            String parameters = (whole.matches() ? whole : def).group(2).replaceAll("\\s*:\\s*[\\w.]+(\\[[^\\]]*\\])*", "");
+            return OLD_PYTHON + ", whose functions have no types: write def " + def.group(1) + "(" + parameters + "):";
+        }
+        Matcher word = WORD_OF_PYTHON.matcher(code);
+        return word.matches() ? word.group(1) + " is a word of Python itself: take another name" : "";
+    }
+
+    private static String known(String line, String code) {
+        for (Rule rule : RULES) {
+            if (rule.line.matcher(code).matches()) {
+                Matcher whole = rule.line.matcher(line);
+                Matcher found = whole.matches() ? whole : rule.line.matcher(code);
+                return found.matches() ? filled(rule.hint, found) : "";
+            }
+        }
+        return "";
+    }
+
+    private static String filled(String hint, Matcher found) {
+        String filled = hint;
+        for (int i = 1; i <= found.groupCount(); i++) {
+            String group = found.group(i) == null && i < found.groupCount() ? found.group(i + 1) : found.group(i);
+            filled = filled.replace("$" + i, group == null ? "" : group);
+        }
+        return filled;
+    }
+
+    private static String braces(SourceScan scan, int line) {
+        for (int i = scan.before(line + 1); i > 0 && i >= line - 1; i--) {
+            if (scan.code(i).matches("^\\s*(\\}\\s*)?(if|elif|else|while|for|def|class|try)\\b.*\\{\\s*")) {
+                return "a block has no { } in Python: its first line ends with a colon, and its others begin with four blanks more";
+            }
+        }
+        return "";
+    }
+
+    private static String text(SourceScan scan, int line, String code) {
+        SourceScan.Place open = scan.textLeftOpen();
+        if (open != null && open.line <= line) {
+            return "the text that begins with " + open.character + " in line " + open.line + " is not closed by another " + open.character;
+        }
+        return code.matches(".*(\"\\s*\"\\w|'\\s*'\\w|\\w\"\\s*\"|\\w'\\s*').*") && !code.matches("(?i).*\\b(u|r|ur|b|br)[\"'].*")
+            ? "a quotation mark inside of a text is written \\\", or the text is put between the other marks, '" : "";
+    }
+
+    private static String print(String code) {
+        return PRINT.matcher(code).find()
+            ? OLD_PYTHON + ": write print \"a\", b, or begin the script with from __future__ import print_function" : "";
+    }
+
+    private static String condition(String code) {
+        String outside = code.replaceAll("\\w\\([^()]*\\)", "x").replaceAll("\\w\\([^()]*\\)", "x");
+        return CONDITION.matcher(outside).matches() ? "= gives a name its value; whether two are the same is asked by ==" : "";
+    }
+
+    private static String colon(String code, String said) {
+        boolean isOpen = said.contains("COLON") || said.contains("NEWLINE") || said.contains("\\n");
+        return isOpen && BLOCK.matcher(code).matches() && !code.strip().endsWith(":")
+            ? "a line that begins a block (if, else, while, for, def, class) ends with a colon" : "";
+    }
+}

@@ -62,6 +62,12 @@ final class MrlRun {
         Runtime.releaseAll();
     }
 
+    private static void stop(ServiceInterface service) {
+        if (service instanceof SEAR && ((SEAR) service).isSimulating()) {
+            ((SEAR) service).stopSimulation();
+        }
+    }
+
     /**
      * Runs a script.
      *
@@ -81,6 +87,8 @@ final class MrlRun {
             shutdown.await();
         } else {
             engine.finishCallbacks(CALLBACK_MILLIS);    // what is wrong with them is told
+            Runtime.getServices().forEach(MrlRun::stop);    // which ends threads that wait for simulated time
+            engine.finishThreads(CALLBACK_MILLIS);
         }
         release();
         return status == ExitCode.OK && engine.hasCallFailed() ? ExitCode.SOFTWARE : status;

@@ -30,8 +30,8 @@ final class ScriptRun {
      * Notes a name.
      *
      * @param taken whether its object replaces another
-     * @return whether it replaces one that this run of a script has made, at a line that has replaced none of that one's line until now: a ready robot
-     *     replaces each of its parts; never outside of scripts
+     * @return whether it replaces one that this run of a script has made, at a line that has replaced none of that one's line until now: a ready
+     *     robot replaces each of its parts; never outside of scripts
      */
     synchronized boolean isAgain(String name, boolean taken) {
         if (!follow()) {

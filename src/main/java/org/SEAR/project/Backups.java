@@ -2,11 +2,15 @@ package org.SEAR.project;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.math.BigInteger;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -121,6 +125,34 @@ final class Backups {
             }
         });
         return sizes;
+    }
+
+    /** A number in letters that is another one when any file of a folder is; empty for one with other things than plain files in it. */
+    static String digest(Path folder) throws IOException {
+        Map<String, Long> sizes = sizes(folder);
+        if (sizes.containsValue(OTHER)) {
+            return "";
+        }
+        try {
+            MessageDigest digest = MessageDigest.getInstance("SHA-256");
+            for (Map.Entry<String, Long> file : sizes.entrySet()) {
+                digest.update((file.getKey() + "\n" + file.getValue() + "\n").getBytes(StandardCharsets.UTF_8));
+                if (file.getValue() != FOLDER) {
+                    addBytes(folder.resolve(file.getKey()), digest);
+                }
+            }
+            return new BigInteger(1, digest.digest()).toString(Character.MAX_RADIX);
+        } catch (NoSuchAlgorithmException e) {
+            throw new IOException("this Java has no SHA-256", e);
+        }
+    }
+
+    private static void addBytes(Path file, MessageDigest digest) throws IOException {
+        try (InputStream in = Files.newInputStream(file)) {
+            for (byte[] piece = in.readNBytes(PIECE); piece.length > 0; piece = in.readNBytes(PIECE)) {
+                digest.update(piece);
+            }
+        }
     }
 
     private static boolean haveSameBytes(Path one, Path other) throws IOException {

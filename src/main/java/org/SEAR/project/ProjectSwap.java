@@ -28,6 +28,8 @@ public final class ProjectSwap implements AutoCloseable {
     private static final String LOADING = ".loading";
     private static final String NEXT = ".next";
     private static final String DELETING = ".deleting";
+    /** A file with the digest of the example that was loaded last. */
+    private static final String EXAMPLE = ".example";
     /** Whoever replaces a project in this program, writes to it or reads it. Files' locks keep other programs out, not threads. */
     private static final ReentrantLock CHANGING = new ReentrantLock();
 
@@ -178,11 +180,11 @@ public final class ProjectSwap implements AutoCloseable {
     }
 
     /**
-     * Renames the present project to a backup. A backup of the same files goes, so that ten runs of one script leave the others alone; others go,
-     * the oldest first, where they are too many or too large.
+     * Renames the present project to a backup, unless it is an example as it came. A backup of the same files goes, so that ten runs of one script
+     * leave the others alone; others go, the oldest first, where they are too many or too large.
      *
      * @param told hears which others have gone
-     * @return the backup; null if there was no project
+     * @return the backup; null if there was no project, or only an example that can be had again
      */
     public Path retire(Consumer<String> told) throws IOException {
         if (!Files.isDirectory(folder)) {
@@ -190,7 +192,13 @@ public final class ProjectSwap implements AutoCloseable {
         }
         Backups backups = Backups.of(folder);
         Path backup = backups.next();
+        boolean again = isUntouchedExample();
         Files.move(folder, backup, StandardCopyOption.ATOMIC_MOVE);
+        Files.deleteIfExists(beside(folder, EXAMPLE));
+        if (again) {
+            discard(backup);
+            return null;
+        }
         for (Path same : backups.same(backup)) {
             discard(same);
         }
@@ -199,6 +207,17 @@ public final class ProjectSwap implements AutoCloseable {
             told.accept("the backup " + surplus + " was removed: " + Backups.LIMITS);
         }
         return backup;
+    }
+
+    /** The project that is in its place is an example, which can be had again: it needs no backup, unless somebody changes it. */
+    public void keepAsExample() throws IOException {
+        Files.writeString(beside(folder, EXAMPLE), Backups.digest(folder));
+    }
+
+    private boolean isUntouchedExample() throws IOException {
+        Path example = beside(folder, EXAMPLE);
+        return Files.isRegularFile(example) && Files.size(example) > 0
+            && Files.readString(example).equals(Backups.digest(folder));
     }
 
     private void discard(Path backup) throws IOException {

@@ -98,6 +98,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
             new ConsoleStream(System.err, text -> invoke("publishStdError", text)));
         fresh.run(IMPORTS);
         fresh.setWarned(this::caution);
+        fresh.setFailed(this::failed);
         fresh.set("Platform", Platform.class);
         fresh.set("Runtime", Runtime.class);
         fresh.set("Service", Service.class);
@@ -112,6 +113,12 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         status.name = getName();
         log.warn("{}: {}", getName(), text);
         broadcastStatus(status);
+    }
+
+    /** A thread of the script has ended by an error. */
+    private void failed(String traceback) {
+        invoke("publishStdError", traceback + "\n");
+        error("%s", traceback);
     }
 
     /** A class for its type, and a variable of its name. */

@@ -563,4 +563,14 @@ public class SearServiceTest {
         }
         assertTrue(sear.getOdomResult() > 0.1);
     }
+
+    @Test
+    public void anExampleThatWasOnlyLookedAtNeedsNoBackup() {
+        assertNotNull(sear.newProject());
+        sear.loadProject("examples/office.sear");
+        sear.startSimulation();
+        sear.simSleep(0.1);
+        sear.stopSimulation();
+        assertNull(sear.newProject());
+    }
 }

@@ -100,12 +100,24 @@ public final class Bundle {
      * @throws IOException if it can't be read or written; the old project stays
      */
     public static Project load(Path file, Path folder, Progress progress) throws IOException, ProjectException {
+        return load(file, folder, false, progress);
+    }
+
+    /**
+     * The same.
+     *
+     * @param example whether the bundle comes with SEAR: while nobody changes the project, it needs no backup
+     */
+    public static Project load(Path file, Path folder, boolean example, Progress progress) throws IOException, ProjectException {
         Path project = folder.toAbsolutePath().normalize();
         try (ProjectSwap swap = ProjectSwap.lock(project)) {
             Path staging = swap.staging();
             unpack(file.toAbsolutePath().normalize(), staging, progress);
             Project.read(staging);
             swap.putInPlace(progress::said);
+            if (example) {
+                swap.keepAsExample();
+            }
             return Project.read(project);
         }
     }

@@ -2,6 +2,7 @@ package org.myrobotlab.embedded.python;
 
 import java.io.IOException;
 import java.lang.reflect.Method;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
@@ -15,6 +16,8 @@ import org.python.core.PyObject;
 public final class DidYouMean {
     private static final Pattern NO_NAME = Pattern.compile("name '(\\w+)' is not defined");
     private static final Pattern NO_ATTRIBUTE = Pattern.compile("'([\\w.$]+)'(?: object)? has no attribute '(\\w+)'");
+    private static final String OBJECTS = "org.SEAR.POJOs.";
+    private static final String SEAR = "org.myrobotlab.service.SEAR";
     private static final String SERVICES = "org.myrobotlab.service";
 
     private DidYouMean() {
@@ -44,6 +47,10 @@ public final class DidYouMean {
         if (wanted.equals("exit") || wanted.equals("quit")) {
             return "\na script ends behind its last line; sys.exit() ends it earlier";
         }
+        String module = WrongNames.ofPython(wanted);
+        if (!module.isEmpty()) {
+            return module;
+        }
         String service = serviceOf(wanted, scope);
         if (!service.isEmpty()) {
             return service;
@@ -54,13 +61,14 @@ public final class DidYouMean {
     }
 
     /** For a Java object's member that a script uses and that there is not: a line, or empty. */
-    static String member(String message) {
+    static String member(String message, Scope scope) {
         Matcher attribute = NO_ATTRIBUTE.matcher(message);
         if (!attribute.find()) {
             return "";
         }
         try {
-            return line(NearestName.member(attribute.group(2), Class.forName(attribute.group(1))));
+            String called = attribute.group(1).startsWith(OBJECTS) ? callOf(attribute.group(2), attribute.group(1), scope) : "";
+            return called.isEmpty() ? line(NearestName.member(attribute.group(2), Class.forName(attribute.group(1)))) : called;
         } catch (ClassNotFoundException e) {
             return ""; // a class of the script's own
         }
@@ -77,6 +85,21 @@ public final class DidYouMean {
         }
         return found.isEmpty() || wanted.equals(wanted.toUpperCase(Locale.ROOT)) ? ""
             : "\ndid you mean " + found + "? That is what this script calls its service of type " + scope.objectTypeOf(found).getSimpleName();
+    }
+
+    /** What an object does not do, but the service: rover.drive(...) for sear.drive("rover", ...), ping.getDistance() for a reading. */
+    private static String callOf(String wanted, String type, Scope scope) throws ClassNotFoundException {
+        Class<?> service = Class.forName(SEAR);
+        String simple = type.substring(type.lastIndexOf('.') + 1);
+        String owner = scope.names().stream().filter(one -> service.equals(scope.objectTypeOf(one))).reduce((one, other) ->
+            other.equals("sear") ? other : one).orElse("");
+        String call = wanted.equals("get" + simple) || wanted.equals("read") || wanted.equals("getValue") ? "get" + simple + "Result" : wanted;
+        if (Arrays.stream(service.getMethods()).noneMatch(method -> method.getName().equals(call))
+            || Arrays.stream(service.getSuperclass().getMethods()).anyMatch(method -> method.getName().equals(call))) {
+            return "";
+        }
+        return owner.isEmpty() ? "\n" + call + " is a call of the service SEAR, and what stands before the dot is a " + simple + " here"
+            : "\n" + call + " is a call of the service, which takes the name: did you mean " + owner + "." + call + "(...)?";
     }
 
     private static String line(String question) {

@@ -39,6 +39,8 @@ public final class PythonEngine {
     private static final Logger LOG = LoggerFactory.getLogger(PythonEngine.class);
     /** Whose classes scripts import all at once. */
     private static final String OBJECTS = "org.SEAR.POJOs";
+    /** So begin the names of what services call back for themselves: no function of the script. */
+    private static final String OF_SERVICES = "_";
     private static final Map<String, PythonEngine> ENGINES = new ConcurrentHashMap<>();
 
     private final String name;
@@ -48,6 +50,8 @@ public final class PythonEngine {
     private volatile Consumer<String> warned = text -> { };
     private volatile boolean callFailed;
     private volatile boolean finishing;
+    private volatile Consumer<String> failed = text -> { };
+    private final ScriptThreads threads = new ScriptThreads(this);
     private final Map<Thread, Run> running = new HashMap<>();
     /** Calls of the script's functions, compiled when they came first, by bare name. */
     private final Map<String, PyCode> calls = new ConcurrentHashMap<>();
@@ -112,6 +116,7 @@ public final class PythonEngine {
         SourceLine.remember(fileName, code);
         byte[] source = PythonSource.withEncoding(code);
         SilentMistakes.in(source, fileName).forEach(warned);
+        threads.hook(new String(code, StandardCharsets.ISO_8859_1));
         try {
             last = guarded(() -> interpreter.execfile(new ByteArrayInputStream(source), fileName));
         } catch (RuntimeException e) { // Jython's own errors, which can't hold what is no ASCII
@@ -125,6 +130,36 @@ public final class PythonEngine {
     /** @param listener takes what a script hardly means, before it is run */
     public void setWarned(Consumer<String> listener) {
         warned = listener;
+    }
+
+    /** @param listener takes the errors of threads that the script has made */
+    public void setFailed(Consumer<String> listener) {
+        failed = listener;
+    }
+
+    /** Does the work of a thread that the script has made. */
+    void runThread(PyObject work, String threadName, boolean daemon) {
+        Run run = enter();
+        run.isThread = true;
+        try {
+            work.__call__();
+        } catch (PyException e) {
+            OutOfMemory.tell(e);
+            tell(e, run, threadName, daemon);
+        } finally {
+            leave(run);
+        }
+    }
+
+    private void tell(PyException e, Run run, String threadName, boolean daemon) {
+        boolean ends = run.isStopped || finishing && e.value.__tojava__(IllegalStateException.class) instanceof IllegalStateException;
+        String error = ends ? null : ScriptThreads.failed(e, threadName);
+        if (error != null) {
+            callFailed = true;
+            failed.accept(error);
+        } else if (ends && finishing && !daemon) {
+            warned.accept(ScriptThreads.outlived(e, threadName));
+        }
     }
 
     /** How the last script ended. */
@@ -170,7 +205,7 @@ public final class PythonEngine {
      * @param publisher the beginning of the variables' names
      */
     public ScriptResult callBack(String publisher, String function, Object... arguments) {
-        if (finishing) {
+        if (finishing && !function.startsWith(OF_SERVICES)) {
             return ScriptResult.GOOD;
         }
         ScriptResult result = guarded(function, () -> {
@@ -258,19 +293,32 @@ public final class PythonEngine {
      */
     public boolean finishCallbacks(long millis) throws InterruptedException {
         finishing = true;
+        return await(millis, false);
+    }
+
+    /**
+     * Lets the threads that the script has made come to their end.
+     *
+     * @return whether they have ended within that time
+     */
+    public boolean finishThreads(long millis) throws InterruptedException {
+        return await(millis, true);
+    }
+
+    private boolean await(long millis, boolean ofThreads) throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(millis);
         synchronized (running) {
             long left = millis;
-            while (othersRun() && left > 0) {
+            while (othersRun(ofThreads) && left > 0) {
                 running.wait(left);
                 left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
             }
-            return !othersRun();
+            return !othersRun(ofThreads);
         }
     }
 
-    private boolean othersRun() {
-        return running.keySet().stream().anyMatch(thread -> thread != Thread.currentThread());
+    private boolean othersRun(boolean threads) {
+        return running.entrySet().stream().anyMatch(one -> one.getKey() != Thread.currentThread() && one.getValue().isThread == threads);
     }
 
     /**
@@ -341,6 +389,8 @@ public final class PythonEngine {
     private static final class Run {
         private final ThreadState state = Py.getThreadState();
         private volatile boolean isStopped;
+        /** Of a thread that the script has made. */
+        private volatile boolean isThread;
         /** It has come to its end by an error, which is being put into words. */
         private volatile boolean hasRaised;
         private int depth;
@@ -354,31 +404,37 @@ public final class PythonEngine {
             }
         }
 
-        /** Raises a KeyboardInterrupt at the next line that is carried out. */
+        /** Raises a KeyboardInterrupt, in a thread a SystemExit, at the next line that is carried out. */
         void stop() {
             isStopped = true;
             PyFrame frame = state.frame;
             if (frame != null) {
-                frame.tracefunc = new Breaker();
+                frame.tracefunc = new Breaker(isThread ? Py.SystemExit : Py.KeyboardInterrupt); // which Python takes for the end of a thread
             }
         }
     }
 
-    /** Raises a KeyboardInterrupt, whatever happens next. */
+    /** Raises an error, whatever happens next. */
     private static final class Breaker extends TraceFunction {
+        private final PyObject error;
+
+        Breaker(PyObject error) {
+            this.error = error;
+        }
+
         @Override
         public TraceFunction traceCall(PyFrame frame) {
-            throw new PyException(Py.KeyboardInterrupt);
+            throw new PyException(error);
         }
 
         @Override
         public TraceFunction traceReturn(PyFrame frame, PyObject value) {
-            throw new PyException(Py.KeyboardInterrupt);
+            throw new PyException(error);
         }
 
         @Override
         public TraceFunction traceLine(PyFrame frame, int line) {
-            throw new PyException(Py.KeyboardInterrupt);
+            throw new PyException(error);
         }
 
         @Override

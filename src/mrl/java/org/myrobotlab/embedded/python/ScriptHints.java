@@ -9,6 +9,7 @@ import org.python.core.PyException;
 /** What to do about an error that Jython words for programmers. The thread that has failed. */
 final class ScriptHints {
     private static final Pattern READ_ONLY = Pattern.compile("read-only attr: (\\w+)");
+    private static final Pattern LOCAL = Pattern.compile("^local variable '(\\w+)' referenced before assignment$");
     private static final Pattern NONE = Pattern.compile("'NoneType' object has no attribute");
     private static final Set<String> PLACE = Set.of("x", "y", "z");
     private static final Set<String> TURN = Set.of("rx", "ry", "rz");
@@ -28,19 +29,30 @@ final class ScriptHints {
             return WrongNames.imported(message, line);
         }
         if (e.match(Py.TypeError)) {
-            String made = WrongNames.made(message);
+            String made = WrongNames.made(message) + plain(message);
             return made.isEmpty() ? LegalCalls.lines(message, line, new Scope(e)) : made;
         }
         if (e.match(Py.ValueError) && message.contains("to unpack")) {
             return unpacked(line);
         }
+        if (e.match(Py.UnboundLocalError)) {
+            return LOCAL.matcher(message).replaceFirst("\n$1 is given a value in this function, so that it is a name of its own there: begin the"
+                + " function with global $1");
+        }
         if (e.match(Py.NameError)) {
             return DidYouMean.name(message, new Scope(e));
         }
-        return e.match(Py.AttributeError) ? attribute(message, line) : "";
+        return e.match(Py.AttributeError) ? attribute(message, line, new Scope(e)) : "";
     }
 
-    private static String attribute(String message, String line) {
+    private static String plain(String message) {
+        if (message.startsWith("cannot concatenate 'str'")) {
+            return "\nprint \"a\", b prints both; \"a %.2f m\" % b puts a number into a text, and str(b) makes one of it";
+        }
+        return message.contains("SensorReading") ? "\na reading is more than its number, which is its value: reading.value" : "";
+    }
+
+    private static String attribute(String message, String line, Scope scope) {
         Matcher fixed = READ_ONLY.matcher(message);
         if (fixed.find()) {
             return PLACE.contains(fixed.group(1)) ? "\nlegal: move(x, y, z)" : TURN.contains(fixed.group(1)) ? "\nlegal: rotate(rx, ry, rz)" : "";
@@ -51,7 +63,7 @@ final class ScriptHints {
         if (message.startsWith("'array.array'")) {
             return "\nit is a list of numbers: take one out by its place, as list[0]" + answers(line);
         }
-        return DidYouMean.member(message);
+        return DidYouMean.member(message, scope);
     }
 
     private static String unpacked(String line) {

@@ -3,33 +3,49 @@ package org.myrobotlab.embedded.python;
 import java.io.ByteArrayInputStream;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.python.antlr.Visitor;
 import org.python.antlr.ast.Assign;
 import org.python.antlr.ast.Attribute;
 import org.python.antlr.ast.BinOp;
+import org.python.antlr.ast.Call;
+import org.python.antlr.ast.Compare;
 import org.python.antlr.ast.Expr;
 import org.python.antlr.ast.ImportFrom;
 import org.python.antlr.ast.Name;
 import org.python.antlr.ast.Num;
 import org.python.antlr.ast.Tuple;
 import org.python.antlr.ast.operatorType;
+import org.python.antlr.base.expr;
 import org.python.core.CompileMode;
 import org.python.core.CompilerFlags;
 import org.python.core.ParserFacade;
 import org.python.core.PyException;
+import org.python.core.PyFloat;
 import org.python.core.PyInteger;
+import org.python.core.PyObject;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What Python carries out without a word, though it can't be meant: a division of whole numbers, a decimal comma, a call without brackets. One
- * script.
+ * What Python carries out without a word, though it can't be meant: a division of whole numbers, a decimal comma, a call without brackets,
+ * radians for degrees, centimetres for metres. One script.
  */
 final class SilentMistakes extends Visitor {
     private static final Logger LOG = LoggerFactory.getLogger(SilentMistakes.class);
     private static final Pattern DECIMAL_COMMA = Pattern.compile("[^=]*=\\s*(-?\\d+),(\\d+)\\s*;?\\s*(?:#.*)?");
+    /** Calls that take degrees. */
+    private static final Set<String> ANGLES = Set.of("spin", "rotate", "setSteering", "setServo");
+    /** A wait of so many seconds is hardly meant. */
+    private static final double LONG = 1000;
+    private static final double MILLIS = 1000;
+    /** No distance sensor that comes with SEAR sees so far, metres. */
+    private static final double FAR = 10;
+    private static final double CENTIMETRES = 100;
+    /** Degrees. */
+    private static final double HALF_ROUND = 90;
     private final List<String> found = new ArrayList<>();
     private final String file;
     private boolean trueDivision;
@@ -92,6 +108,63 @@ final class SilentMistakes extends Visitor {
                 + ": a decimal number is written with a point, " + comma.group(1) + "." + comma.group(2));
         }
         return super.visitAssign(node);
+    }
+
+    @Override
+    public Object visitCall(Call node) throws Exception {
+        String call = node.getInternalFunc() instanceof Attribute ? ((Attribute) node.getInternalFunc()).getInternalAttr() : "";
+        List<expr> values = node.getInternalArgs();
+        if (ANGLES.contains(call) && values.stream().anyMatch(SilentMistakes::isOfRadians)) {
+            tell(node.getLineno(), call + " takes degrees, and this is a number of radians: 90 is a quarter of a turn");
+        }
+        if (call.equals("simSleep") && values.size() == 1 && number(values.get(0)) >= LONG) {
+            String seconds = whole(number(values.get(0)));
+            tell(node.getLineno(), "simSleep(" + seconds + ") waits " + seconds + " s; if these are milliseconds, write simSleep("
+                + whole(number(values.get(0)) / MILLIS) + ")");
+        }
+        if (node.getInternalFunc() instanceof Name && ((Name) node.getInternalFunc()).getInternalId().equals("LIDAR") && values.size() > 2
+            && number(values.get(1)) >= HALF_ROUND && number(values.get(2)) < HALF_ROUND) {
+            tell(node.getLineno(), "this LIDAR sees " + whole(number(values.get(1))) + " m far and " + whole(number(values.get(2)))
+                + " degrees wide: the range comes before the spread, LIDAR(name, range, spread, resolution)");
+        }
+        return super.visitCall(node);
+    }
+
+    @Override
+    public Object visitCompare(Compare node) throws Exception {
+        double limit = node.getInternalComparators().size() == 1 ? number(node.getInternalComparators().get(0)) : Double.NaN;
+        boolean isDistance = node.getInternalLeft() instanceof Call && ((Call) node.getInternalLeft()).getInternalFunc() instanceof Attribute
+            && ((Attribute) ((Call) node.getInternalLeft()).getInternalFunc()).getInternalAttr().equals("getDistanceResult");
+        if (isDistance && limit >= FAR) {
+            tell(node.getLineno(), "getDistanceResult answers metres, and " + whole(limit) + " m is farther than such sensors see; if these are"
+                + " centimetres, write " + whole(limit / CENTIMETRES));
+        }
+        return super.visitCompare(node);
+    }
+
+    private static boolean isOfRadians(expr value) {
+        if (value instanceof BinOp) {
+            return isOfRadians(((BinOp) value).getInternalLeft()) || isOfRadians(((BinOp) value).getInternalRight());
+        }
+        if (value instanceof Call) {
+            return isNamed(((Call) value).getInternalFunc(), "radians");
+        }
+        return isNamed(value, "pi");
+    }
+
+    private static boolean isNamed(expr value, String name) {
+        return value instanceof Name && ((Name) value).getInternalId().equals(name)
+            || value instanceof Attribute && ((Attribute) value).getInternalAttr().equals(name);
+    }
+
+    /** NaN for what is none. */
+    private static double number(expr value) {
+        Object number = value instanceof Num ? ((Num) value).getInternalN() : null;
+        return number instanceof PyInteger || number instanceof PyFloat ? ((PyObject) number).asDouble() : Double.NaN;
+    }
+
+    private static String whole(double value) {
+        return value == Math.rint(value) ? String.valueOf((long) value) : String.valueOf(value);
     }
 
     private String line(int number) {

@@ -18,6 +18,10 @@ final class WrongNames {
     /** Packages that people know of a Python with parts in C. */
     private static final Set<String> NOT_IN_JYTHON = Set.of("numpy", "scipy", "pandas", "matplotlib", "cv2", "serial", "pylab", "tkinter",
         "requests");
+    private static final Set<String> MODULES = Set.of("math", "time", "random", "os", "json", "threading", "datetime", "csv", "re");
+    private static final Set<String> OF_MATH = Set.of("sqrt", "sin", "cos", "tan", "atan", "atan2", "asin", "acos", "pi", "radians", "degrees", "hypot",
+        "floor", "ceil", "exp", "log", "fabs");
+    private static final Set<String> NOTHING = Set.of("null", "nil", "undefined", "NULL", "none");
     /** What people call things of SEAR. */
     private static final Map<String, String> OTHER_WORDS = otherWords();
 
@@ -98,6 +102,15 @@ final class WrongNames {
         }
         String meant = OTHER_WORDS.get(wanted);
         return meant == null || !Character.isUpperCase(wanted.charAt(0)) ? "" : "\nSEAR has no " + wanted + "; did you mean " + IMPORT + meant + "?";
+    }
+
+    /** For a name that Python has in a module, or under another name: a line to be added; empty for any other. */
+    static String ofPython(String wanted) {
+        if (MODULES.contains(wanted)) {
+            return "\nit is a module of Python: import " + wanted + ", in a line before";
+        }
+        return OF_MATH.contains(wanted) ? "\nit is in a module of Python: from math import " + wanted
+            : NOTHING.contains(wanted) ? "\ndid you mean None?" : "";
     }
 
     /**

@@ -92,6 +92,38 @@ public class BundleTest {
         assertTrue(Files.exists(place("SEARproject.backup-3/environment/box3.xml")));
     }
 
+    @Test
+    public void looksAtExamplesPushNobodysWorkOut() throws Exception {
+        new Box("mine", 1, 1, 1, 0);
+        Map<String, String> mine = project.files();
+        Path bundle = place("example.sear");
+        Bundle.save(project.folder(), bundle);
+        Files.move(project.folder(), place("elsewhere"));
+        new Box("work", 1, 1, 1, 0);
+        Map<String, String> work = project.files();
+        for (int i = 0; i < 12; i++) {
+            Bundle.load(bundle, project.folder(), true, Progress.NONE);
+            assertEquals(mine, project.files());
+            assertNull(Bundle.newProject(project.folder(), Progress.NONE));
+        }
+        assertEquals(work, ProjectRule.files(place("SEARproject.backup-1")));
+        assertFalse(Files.exists(place("SEARproject.backup-2")));
+    }
+
+    @Test
+    public void anExampleThatWasChangedIsSomebodysWork() throws Exception {
+        new Box("mine", 1, 1, 1, 0);
+        Path bundle = place("example.sear");
+        Bundle.save(project.folder(), bundle);
+        Bundle.load(bundle, project.folder(), true, Progress.NONE);
+        new Box("more", 1, 1, 1, 0);
+        Map<String, String> changed = project.files();
+        assertEquals(place("SEARproject.backup-2"), Bundle.newProject(project.folder(), Progress.NONE));
+        assertEquals(changed, ProjectRule.files(place("SEARproject.backup-2")));
+        Bundle.load(bundle, project.folder(), false, Progress.NONE);
+        assertEquals("a bundle of one's own", place("SEARproject.backup-3"), Bundle.newProject(project.folder(), Progress.NONE));
+    }
+
     /** A project with a map of so many bytes, which nobody has to write, becomes a backup; what is said then. */
     private List<String> retireWithMap(long bytes) throws Exception {
         new Box("box", 1, 1, 1, 0);

@@ -39,6 +39,22 @@ final class ExampleBundles {
         }
     }
 
+    /**
+     * Whether a bundle comes with SEAR.
+     *
+     * @param bundle the file
+     * @param path by which it was asked for
+     */
+    static boolean isOne(Path bundle, Path path) throws IOException {
+        String name = path.getFileName() == null ? "" : path.getFileName().toString();
+        if (!paths().contains(FOLDER + name) || !Files.isRegularFile(bundle)) {
+            return false;
+        }
+        try (InputStream in = ExampleBundles.class.getResourceAsStream(IN_JAR + name)) {
+            return in != null && Arrays.equals(in.readAllBytes(), Files.readAllBytes(bundle));
+        }
+    }
+
     /** Gives somebody a bundle as a file: the one of that path; where there is none, the example of that path. */
     static <T> T with(Path path, Work<T> work) throws IOException, ProjectException {
         String name = path.toString().replace('\\', '/');

@@ -159,7 +159,7 @@ public final class Projects {
                 throw new IOException("there is no file or folder " + bundle.toAbsolutePath() + "; the examples are "
                     + String.join(", ", examples()));
             }
-            return Bundle.load(bundle, folder(), new PercentProgress("loading", meant, host::progress));
+            return Bundle.load(bundle, folder(), ExampleBundles.isOne(bundle, meant), new PercentProgress("loading", meant, host::progress));
         });
         PortArrivals.anotherProject();
         control.bench().anotherProject();

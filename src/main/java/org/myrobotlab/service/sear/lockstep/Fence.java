@@ -120,7 +120,7 @@ public final class Fence {
     private void await(Map<Object, FencePass> passes, long end) throws InterruptedException {
         for (Map.Entry<Object, FencePass> entry : passes.entrySet()) {
             FencePass pass = entry.getValue();
-            while (!pass.await(LOOK_MILLIS) && !isHeld(entry.getKey())) {
+            while (!pass.await(LOOK_MILLIS) && !isHeld(entry.getKey()) && !isReleased(entry.getKey())) {
                 long left = end - System.nanoTime();
                 if (left < 0) {
                     late.put(entry.getKey(), pass);
@@ -134,6 +134,11 @@ public final class Fence {
                 handlers.put((Python) entry.getKey(), pass.getHandler());
             }
         }
+    }
+
+    /** Whether it is a service that has ended meanwhile, and answers no more. */
+    private static boolean isReleased(Object queue) {
+        return queue instanceof ServiceInterface && !((ServiceInterface) queue).isRunning();
     }
 
     private void tellOfWaiting() {

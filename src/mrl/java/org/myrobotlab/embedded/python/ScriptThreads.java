@@ -1,0 +1,87 @@
+package org.myrobotlab.embedded.python;
+
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.python.core.CompileMode;
+import org.python.core.CompilerFlags;
+import org.python.core.Py;
+import org.python.core.PyBaseCode;
+import org.python.core.PyException;
+import org.python.core.PyObject;
+import org.python.core.PyStringMap;
+import org.python.core.PyTraceback;
+
+/**
+ * Threads that scripts make with {@code threading}: they count as running, so that they are broken off with the script, and their errors are told as
+ * the script's. Its public member is what Python calls. Any thread.
+ */
+public final class ScriptThreads {
+    /** Has each thread run its work here; the class that is changed is that of this interpreter. */
+    private static final String HOOK = "import threading\n"
+        + "def hooked(bootstrap):\n"
+        + "    def begin(thread):\n"
+        + "        work = thread.run\n"
+        + "        thread.run = lambda: threads.run(work, thread.getName(), thread.isDaemon())\n"
+        + "        bootstrap(thread)\n"
+        + "    return begin\n"
+        + "threading.Thread._Thread__bootstrap = hooked(threading.Thread._Thread__bootstrap)\n";
+    private static final Pattern OWN = Pattern.compile("  File \".*(/Lib/|__pyclasspath__|\\$py\\.class).*");
+    private static final Pattern JAVA = Pattern.compile("^java\\.[\\w.]+: ");
+
+    private final PythonEngine engine;
+    private boolean hooked;
+
+    ScriptThreads(PythonEngine engine) {
+        this.engine = engine;
+    }
+
+    /** Before code is run that may make threads. */
+    synchronized void hook(String code) {
+        if (!hooked && code.contains("threading")) {
+            hooked = true;
+            PyStringMap names = new PyStringMap();
+            names.__setitem__("threads", Py.java2py(this));
+            Py.exec(Py.compile_flags(HOOK, "<callback>", CompileMode.exec, new CompilerFlags()), names, names);
+        }
+    }
+
+    /** Does a thread's work, on that thread. */
+    public void run(PyObject work, String name, boolean daemon) {
+        engine.runThread(work, name, daemon);
+    }
+
+    /** What is said of a thread that has ended by an error of its own. */
+    static String failed(PyException e, String name) {
+        String traceback = ScriptResult.of(e, null).getTraceback();
+        if (traceback == null) {
+            return null;
+        }
+        String[] lines = traceback.split("\n");
+        StringBuilder told = new StringBuilder("thread " + name + " has ended by an error:");
+        for (int i = 0; i < lines.length; i++) {
+            if (OWN.matcher(lines[i]).matches()) {
+                i += i + 1 < lines.length && lines[i + 1].startsWith("    ") ? 1 : 0;
+            } else {
+                told.append('\n').append(JAVA.matcher(lines[i]).replaceFirst(""));
+            }
+        }
+        return told.toString().lines().distinct().collect(Collectors.joining("\n"));
+    }
+
+    /** What is said of a thread that the end of the script has ended. */
+    static String outlived(PyException e, String name) {
+        return "thread " + name + " ran on when the script ended, and was ended with it" + place(e)
+            + ": thread.join() as the script's last line waits for a thread that comes to its end";
+    }
+
+    /** The script's innermost line of the error; empty if there is none. */
+    private static String place(PyException e) {
+        String place = "";
+        for (PyTraceback at = e.traceback; at != null; at = at.tb_next instanceof PyTraceback ? (PyTraceback) at.tb_next : null) {
+            Object code = at.tb_frame.f_code;
+            String file = code instanceof PyBaseCode ? ((PyBaseCode) code).co_filename : "";
+            place = OWN.matcher("  File \"" + file).matches() || file.isEmpty() ? place : ", at line " + at.tb_lineno + " of " + file;
+        }
+        return place;
+    }
+}

@@ -47,6 +47,15 @@ final class Shapes {
         return shape;
     }
 
+    /** Adds the same shape as another scene has; where it stands is not taken over. */
+    void addAs(Shapes other, int shape) {
+        int i = shape * STRIDE + SIZE;
+        int added = add(other.kind[shape], other.owner[shape], other.data[i], other.data[i + 1], other.data[i + 2]);
+        mesh[added] = other.mesh[shape];
+        solid[added] = other.solid[shape];
+        heights[added] = other.heights[shape];
+    }
+
     boolean isSeen(int shape, int ignoredOwner) {
         return visible[shape] && (owner[shape] == BeamScene.WORLD || owner[shape] != ignoredOwner);
     }

@@ -18,7 +18,7 @@ import org.SEAR.raycast.solid.RaySolid;
  */
 public final class BeamScene {
     /** The owner of shapes that belong to no robot; as {@code ignoredOwner}: nothing is ignored. */
-    public static final int WORLD = -1;
+    public static final int WORLD = Shapes.WORLD;
 
     /** Numbers of a pose: x, y, z, metres, and the quaternion x, y, z, w. */
     public static final int POSE = 7;
@@ -215,22 +215,23 @@ public final class BeamScene {
     }
 
     /**
-     * Some tiles of a picture's beams. Each answers how far ahead, along the pose's z axis, it meets something: {@link #cast} times the cosine between
-     * beam and axis, but for rounding in the last digits.
+     * Some tiles of a picture's beams. Each answers how far ahead, along the pose's z axis, it meets something: {@link #cast} times the cosine
+     * between beam and axis, but for rounding in the last digits.
      *
      * @param pose the eye in its origin; x to the left, y up, z ahead
      * @param start metres ahead of the eye where beams begin, 0 or more
      * @param range metres ahead where they end
      * @param firstTile the first one, counted row by row from the top left
      * @param endTile the one behind the last one
-     * @param depths takes metres ahead for each pixel of these tiles, row by row over the whole picture; {@code Double.POSITIVE_INFINITY} for none
+     * @param depths takes metres ahead for each pixel of these tiles, row by row from the first tile's first row on, each row as
+     *     long as the picture's; {@code Double.POSITIVE_INFINITY} for none
      * @param shapesMet takes the number of the shape, or -1
      * @param partsMet takes the number of a model's triangle, as its {@link Triangles} have it; -1 for what is not made of such
      */
     public void castPicture(PictureBeams beams, Pose pose, double start, double range, int ignoredOwner, int firstTile, int endTile, double[] depths,
             int[] shapesMet, int[] partsMet) {
         PictureCaster pictures = casters().pictures;
-        pictures.begin(shapes, beams, pose, start, range);
+        pictures.begin(shapes, beams, pose, start, range, firstTile);
         for (int tile = firstTile; tile < endTile; tile++) {
             pictures.cast(tree.tree(), tile, ignoredOwner, depths, shapesMet, partsMet);
         }

@@ -7,8 +7,8 @@ import org.SEAR.raycast.tree.Bvh;
 import org.SEAR.raycast.tree.BvhBuilder;
 
 /**
- * Triangles in the order of their hierarchy, in the model's own unscaled frame: 40 bytes a triangle for the corners and its number and about as many for
- * the nodes. Immutable, any thread. The same {@link Triangles} share one mesh as long as somebody holds them.
+ * Triangles in the order of their hierarchy, in the model's own unscaled frame: 40 bytes a triangle for the corners and its number and about as many
+ * for the nodes. Immutable, any thread. The same {@link Triangles} share one mesh as long as somebody holds them.
  */
 final class Mesh {
     private static final int LEAF_SIZE = 4;

@@ -5,9 +5,9 @@ import org.SEAR.geometry.Rotation;
 import org.SEAR.raycast.tree.Bvh;
 
 /**
- * Casts the beams of a picture, tile by tile: the hierarchy is walked once for the pyramid that all beams of a tile fill, nearer nodes first, and each
- * shape that reaches into it is asked by its beams. A node that lies beside the pyramid, or behind what all of its beams have met, is left out. What a
- * beam answers depends on the shapes only. Holds what one thread needs for it; allocates nothing.
+ * Casts the beams of a picture, tile by tile: the hierarchy is walked once for the pyramid that all beams of a tile fill, nearer nodes first, and
+ * each shape that reaches into it is asked by its beams. A node that lies beside the pyramid, or behind what all of its beams have met, is left out.
+ * What a beam answers depends on the shapes only. Holds what one thread needs for it; allocates nothing.
  */
 final class PictureCaster {
     /** More than the rounding of the tests of nodes, relative and in metres. */
@@ -40,6 +40,8 @@ final class PictureCaster {
     private int end;
     private int top;
     private int bottom;
+    /** The pixel at which the arrays of answers begin. */
+    private int base;
     /** The farthest of a tile's beams; the range while one of them has met nothing. */
     private double worst;
 
@@ -48,7 +50,8 @@ final class PictureCaster {
     }
 
     /** Where the beams come from and how far they go, see {@link BeamScene#castPicture}. */
-    void begin(Shapes scene, PictureBeams picture, Pose pose, double from, double to) {
+    void begin(Shapes scene, PictureBeams picture, Pose pose, double from, double to, int firstTile) {
+        base = picture.top(firstTile) * picture.width;
         shapes = scene;
         beams = picture;
         ox = pose.x;
@@ -70,9 +73,9 @@ final class PictureCaster {
         bottom = beams.bottom(tile);
         for (int row = top; row < bottom; row++) {
             for (int i = row * beams.width + first; i < row * beams.width + end; i++) {
-                depth[i] = Double.POSITIVE_INFINITY;
-                found[i] = -1;
-                part[i] = -1;
+                depth[i - base] = Double.POSITIVE_INFINITY;
+                found[i - base] = -1;
+                part[i - base] = -1;
             }
         }
         worst = range;
@@ -171,7 +174,7 @@ final class PictureCaster {
         double farthest = 0;
         for (int row = top; row < bottom; row++) {
             for (int i = row * beams.width + first; i < row * beams.width + end; i++) {
-                farthest = Math.max(farthest, depth[i]);
+                farthest = Math.max(farthest, depth[i - base]);
             }
         }
         worst = Math.min(range, farthest);
@@ -188,13 +191,13 @@ final class PictureCaster {
                 double dx = axes[0] * x + axes[1] * y;
                 double dy = axes[3] * x + axes[4] * y;
                 double dz = axes[6] * x + axes[7] * y;
-                double limit = Math.min(range, depth[i]) - start;
+                double limit = Math.min(range, depth[i - base]) - start;
                 double t = start + rays.test(shapes, shape, sx + start * dx, sy + start * dy, sz + start * dz, dx + axes[2], dy + axes[5],
                     dz + axes[8], limit * (1 + SLACK));
-                if (t <= range && (t < depth[i] || t == depth[i] && shape < found[i])) {
-                    depth[i] = t;
-                    found[i] = shape;
-                    part[i] = mesh ? rays.triangle(shapes.mesh[shape]) : -1;
+                if (t <= range && (t < depth[i - base] || t == depth[i - base] && shape < found[i - base])) {
+                    depth[i - base] = t;
+                    found[i - base] = shape;
+                    part[i - base] = mesh ? rays.triangle(shapes.mesh[shape]) : -1;
                 }
             }
         }
@@ -240,10 +243,10 @@ final class PictureCaster {
                 double in = Math.max((nearX - px) * ix, Math.max((nearY - py) * iy, (nearZ - pz) * iz));
                 double out = Math.min((-nearX - px) * ix, Math.min((-nearY - py) * iy, (-nearZ - pz) * iz));
                 double t = in >= start ? in : out;
-                if (in <= out && out >= start && t <= range && (t < depth[i] || t == depth[i] && shape < found[i])) {
-                    depth[i] = t;
-                    found[i] = shape;
-                    part[i] = -1;
+                if (in <= out && out >= start && t <= range && (t < depth[i - base] || t == depth[i - base] && shape < found[i - base])) {
+                    depth[i - base] = t;
+                    found[i - base] = shape;
+                    part[i - base] = -1;
                 }
             }
         }

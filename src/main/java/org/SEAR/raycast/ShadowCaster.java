@@ -3,8 +3,8 @@ package org.SEAR.raycast;
 import org.SEAR.raycast.tree.Bvh;
 
 /**
- * Whether points lie in the shadow of a light that is infinitely far away: parallel beams from points that lie close together. The hierarchy is walked
- * once for the box in which all of them go. Holds what one thread needs for it; allocates nothing.
+ * Whether points lie in the shadow of a light that is infinitely far away: parallel beams from points that lie close together. The hierarchy is
+ * walked once for the box in which all of them go. Holds what one thread needs for it; allocates nothing.
  */
 final class ShadowCaster {
     /** A beam begins so far off its surface, as a share of the point's distance from the world's origin and in metres. */

@@ -10,6 +10,8 @@ import org.SEAR.raycast.solid.RaySolid;
  * position, sizes (half sizes of a box or of the box around another convex solid; scale of a mesh, 1 for heights).
  */
 final class Shapes {
+    /** The owner of shapes that belong to no robot. */
+    static final int WORLD = -1;
     static final byte BOX = 0;
     static final byte CONVEX = 1;
     static final byte MESH = 2;
@@ -57,7 +59,7 @@ final class Shapes {
     }
 
     boolean isSeen(int shape, int ignoredOwner) {
-        return visible[shape] && (owner[shape] == BeamScene.WORLD || owner[shape] != ignoredOwner);
+        return visible[shape] && (owner[shape] == WORLD || owner[shape] != ignoredOwner);
     }
 
     void place(int shape, double[] pose, int at) {

@@ -339,7 +339,7 @@ public class SearCommandTest {
     @Test
     public void sensorsAreListedWithUnitsRangesAndDefaults() throws Exception {
         assertEquals(0, sear("sensors"));
-        for (String type : new String[] {"Accelerometer", "Bumper", "ColorSensor", "Compass", "Distance", "GPS", "Gyroscope", "IMU",
+        for (String type : new String[] {"Accelerometer", "Bumper", "Camera", "ColorSensor", "Compass", "Distance", "GPS", "Gyroscope", "IMU",
             "LIDAR", "LineSensor",
             "Odometer"}) {
             assertTrue(out, out.contains(type + ": "));

@@ -34,6 +34,7 @@ var SYMBOLS = {
     IMU: ['Motion unit (IMU)', 'M6 6h12v12H6zM9 9h6v6H9zM9 6V3M15 6V3M9 21v-3M15 21v-3'],
     LineSensor: ['Line sensor', 'M7 3h10v6H7zM10 9l-2 6M14 9l2 6M3 19h18'],
     ColorSensor: ['Colour sensor', 'M9 4a5 5 0 1 0 .1 0M15 4a5 5 0 1 0 .1 0M12 10a5 5 0 1 0 .1 0'],
+    Camera: ['Camera', 'M3 8h4l2-3h6l2 3h4v11H3zM12 10a3.5 3.5 0 1 0 .1 0'],
     Bumper: ['Bumper', 'M5 18c0-14 14-14 14 0M8 18c0-8 8-8 8 0'],
     Arduino: ['Arduino', 'M3 6h18v12H3zM6 6V4M9 6V4M12 6V4M15 6V4M6 18v2M9 18v2M12 18v2M15 18v2M8 10h6v4H8z', 'Boards'],
     Led: ['Light (LED)', 'M8 12V9a4 4 0 0 1 8 0v3zM6 12h12M10 12v8M14 12v8', 'Boards']

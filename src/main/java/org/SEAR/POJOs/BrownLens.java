@@ -25,7 +25,7 @@ public final class BrownLens {
      * @param cx column that the axis meets, likewise the row cy
      * @param distortion k1, k2, p1, p2
      */
-    BrownLens(double focalLength, double cx, double cy, double[] distortion) {
+    public BrownLens(double focalLength, double cx, double cy, double[] distortion) {
         this.focalLength = focalLength;
         this.cx = cx;
         this.cy = cy;
@@ -33,6 +33,11 @@ public final class BrownLens {
         k2 = distortion[1];
         p1 = distortion[2];
         p2 = distortion[3];
+    }
+
+    /** Pixels. */
+    public double getFocalLength() {
+        return focalLength;
     }
 
     /** The column at which a point of the plane one metre ahead is seen: x metres to the right of the axis and y below it. */

@@ -27,18 +27,28 @@ public final class Eye {
 
     /** @param camera whose lens and size count */
     public Eye(Camera camera) {
-        width = camera.getWidth();
-        height = camera.getHeight();
-        near = camera.getNear();
-        far = camera.getFar();
-        pitch = 1 / camera.getFocalLength();
-        beams = beams(camera);
+        this(camera.getWidth(), camera.getHeight(), camera.getLens(), camera.getNear(), camera.getFar());
     }
 
-    private static PictureBeams beams(Camera camera) {
-        BrownLens lens = camera.getLens();
-        int width = camera.getWidth();
-        int count = width * camera.getHeight();
+    /**
+     * An eye that is no camera's.
+     *
+     * @param width pixels of a row
+     * @param height rows
+     * @param near metres along the axis, nearer than which nothing is seen
+     * @param far metres along the axis, farther than which nothing is seen
+     */
+    public Eye(int width, int height, BrownLens lens, double near, double far) {
+        this.width = width;
+        this.height = height;
+        this.near = near;
+        this.far = far;
+        pitch = 1 / lens.getFocalLength();
+        beams = beams(width, height, lens);
+    }
+
+    private static PictureBeams beams(int width, int height, BrownLens lens) {
+        int count = width * height;
         double[] left = new double[count];
         double[] up = new double[count];
         double[] point = new double[2];

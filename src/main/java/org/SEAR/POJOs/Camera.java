@@ -21,6 +21,7 @@ public class Camera extends SensorObject {
     /** Most pixels of a picture: those of 1920 x 1080. A camera needs 60 bytes of memory a pixel. */
     public static final int MOST_PIXELS = 1920 * 1080;
 
+    private static final String WHOLE_LENS = "a lens that shows the corners of the picture; with these four it folds back before them";
     private static final int LONGEST = 2048;
     /** Steps of the simulation in a second: no picture is taken between two. */
     private static final double FASTEST = 60;
@@ -93,7 +94,7 @@ public class Camera extends SensorObject {
             faults.add("height", height, "at most " + MOST_PIXELS + " pixels: " + MOST_PIXELS / width + " rows of " + width);
         }
         if (!getLens().isWhole(width, height)) {
-            faults.add("k1", k1, "a lens whose distortion grows up to the corners of the picture, which it folds back with these four");
+            faults.add("k1", k1, WHOLE_LENS);
         }
         if (near >= far) {
             faults.add("near", near, "less than far, " + Parameter.format(far) + " m");
@@ -162,8 +163,14 @@ public class Camera extends SensorObject {
             throw new IllegalArgumentException(label() + ": " + newWidth + " x " + newHeight + " are " + (long) newWidth * newHeight
                 + " pixels, legal: at most " + MOST_PIXELS + " (1920 x 1080)");
         }
+        int oldWidth = width;
+        int oldHeight = height;
         width = checkedWidth;
         height = checkedHeight;
+        checkLens(() -> {
+            width = oldWidth;
+            height = oldHeight;
+        });
         changed();
     }
 
@@ -174,7 +181,9 @@ public class Camera extends SensorObject {
 
     /** @param degrees between the left and the right edge, 0.1 to 170 */
     public void setFieldOfView(double degrees) {
+        double old = fieldOfView;
         fieldOfView = checked("fieldOfView", degrees);
+        checkLens(() -> fieldOfView = old);
         changed();
     }
 
@@ -249,11 +258,27 @@ public class Camera extends SensorObject {
         double checkedK1 = checked("k1", newK1);
         double checkedK2 = checked("k2", newK2);
         double checkedP1 = checked("p1", newP1);
-        p2 = checked("p2", newP2);
-        k1 = checkedK1;
-        k2 = checkedK2;
-        p1 = checkedP1;
+        double checkedP2 = checked("p2", newP2);
+        double[] old = {k1, k2, p1, p2};
+        bend(checkedK1, checkedK2, checkedP1, checkedP2);
+        checkLens(() -> bend(old));
         changed();
+    }
+
+    private void bend(double... distortion) {
+        k1 = distortion[0];
+        k2 = distortion[1];
+        p1 = distortion[2];
+        p2 = distortion[3];
+    }
+
+    /** @param back takes back what has changed, if the lens doesn't show all of the picture any more */
+    private void checkLens(Runnable back) {
+        if (!getLens().isWhole(width, height)) {
+            String message = label() + ": k1 is " + Parameter.format(k1) + ", legal: " + WHOLE_LENS;
+            back.run();
+            throw new IllegalArgumentException(message);
+        }
     }
 
     /** Column that the axis meets, pixels, 0 the middle of the leftmost one; null for the middle. */
@@ -274,8 +299,15 @@ public class Camera extends SensorObject {
      */
     public void setCentre(Double newCx, Double newCy) {
         Double checkedCx = newCx == null ? null : Double.valueOf(checked("cx", newCx));
-        cy = newCy == null ? null : Double.valueOf(checked("cy", newCy));
+        Double checkedCy = newCy == null ? null : Double.valueOf(checked("cy", newCy));
+        Double oldCx = cx;
+        Double oldCy = cy;
         cx = checkedCx;
+        cy = checkedCy;
+        checkLens(() -> {
+            cx = oldCx;
+            cy = oldCy;
+        });
         changed();
     }
 

@@ -52,10 +52,12 @@ public final class Eye {
         double[] left = new double[count];
         double[] up = new double[count];
         double[] point = new double[2];
-        for (int i = 0; i < count; i++) {
-            lens.point(i % width, i / width, point);
-            left[i] = 0.0 - point[0];
-            up[i] = 0.0 - point[1];
+        for (int row = 0; row < height; row++) {
+            for (int column = 0; column < width; column++) {
+                lens.point(column, row, point);
+                left[row * width + column] = 0.0 - point[0];
+                up[row * width + column] = 0.0 - point[1];
+            }
         }
         return new PictureBeams(width, left, up);
     }

@@ -97,7 +97,7 @@ public final class Texture {
         spot.green = 0;
         spot.blue = 0;
         if (!(longer > 1)) {
-            add(0, u, v, 1, spot);
+            add(0, u, v, 0, 0, 1, 1, spot);
             return;
         }
         double major = Math.sqrt(longer);
@@ -108,15 +108,9 @@ public final class Texture {
         double coarse = level - finer;
         double stepU = right >= down ? ux : uy;
         double stepV = right >= down ? vx : vy;
-        double share = 1.0 / places;
-        for (int i = 0; i < places; i++) {
-            double along = (i + 0.5) * share - 0.5;
-            double placeU = u + along * stepU;
-            double placeV = v + along * stepV;
-            add(finer, placeU, placeV, share * (1 - coarse), spot);
-            if (coarse > 0) {
-                add(finer + 1, placeU, placeV, share * coarse, spot);
-            }
+        add(finer, u, v, stepU, stepV, places, 1 - coarse, spot);
+        if (coarse > 0) {
+            add(finer + 1, u, v, stepU, stepV, places, coarse, spot);
         }
     }
 
@@ -127,34 +121,51 @@ public final class Texture {
         return (bits >>> MANTISSA) - BIAS + mantissa - 1;
     }
 
-    /** The mean of the four pixels around a place. */
-    private void add(int level, double u, double v, double share, Spot spot) {
+    /** Adds the mean of places in a row, each the mean of the four pixels around it. */
+    private void add(int level, double u, double v, double stepU, double stepV, int places, double share, Spot spot) {
         int width = widths[level];
         int height = heights[level];
-        double across = (repeated ? u - Math.floor(u) : u) * width - 0.5;
-        double up = (repeated ? v - Math.floor(v) : v) * height - 0.5;
-        double down = height - 1 - up;
-        int left = (int) Math.floor(across);
-        int top = (int) Math.floor(down);
-        int weightRight = (int) ((across - left) * ONE);
-        int weightBelow = (int) ((down - top) * ONE);
-        int x0 = inside(left, width);
-        int x1 = inside(left + 1, width);
         int[] pixels = levels[level];
-        int y0 = inside(top, height) * width;
-        int y1 = inside(top + 1, height) * width;
-        int a = pixels[y0 + x0];
-        int b = pixels[y0 + x1];
-        int c = pixels[y1 + x0];
-        int d = pixels[y1 + x1];
-        int wd = weightRight * weightBelow;
-        int wb = weightRight * ONE - wd;
-        int wc = weightBelow * ONE - wd;
-        int wa = ONE * ONE - wb - wc - wd;
-        double scale = share / (ONE * ONE);
-        spot.red += scale * ((a >> 16 & 0xff) * wa + (b >> 16 & 0xff) * wb + (c >> 16 & 0xff) * wc + (d >> 16 & 0xff) * wd);
-        spot.green += scale * ((a >> 8 & 0xff) * wa + (b >> 8 & 0xff) * wb + (c >> 8 & 0xff) * wc + (d >> 8 & 0xff) * wd);
-        spot.blue += scale * ((a & 0xff) * wa + (b & 0xff) * wb + (c & 0xff) * wc + (d & 0xff) * wd);
+        double first = 0.5 / places - 0.5;
+        double across = ((repeated ? u - Math.floor(u) : u) + first * stepU) * width - 0.5;
+        double down = height - 0.5 - ((repeated ? v - Math.floor(v) : v) + first * stepV) * height;
+        double stepAcross = stepU * width / places;
+        double stepDown = -stepV * height / places;
+        int red = 0;
+        int green = 0;
+        int blue = 0;
+        for (int i = 0; i < places; i++) {
+            int left = floor(across);
+            int top = floor(down);
+            int right = (int) ((across - left) * ONE);
+            int below = (int) ((down - top) * ONE);
+            int x0 = inside(left, width);
+            int x1 = inside(left + 1, width);
+            int y0 = inside(top, height) * width;
+            int y1 = inside(top + 1, height) * width;
+            int a = pixels[y0 + x0];
+            int b = pixels[y0 + x1];
+            int c = pixels[y1 + x0];
+            int d = pixels[y1 + x1];
+            int wd = right * below;
+            int wb = right * ONE - wd;
+            int wc = below * ONE - wd;
+            int wa = ONE * ONE - wb - wc - wd;
+            red += (a >> 16 & 0xff) * wa + (b >> 16 & 0xff) * wb + (c >> 16 & 0xff) * wc + (d >> 16 & 0xff) * wd;
+            green += (a >> 8 & 0xff) * wa + (b >> 8 & 0xff) * wb + (c >> 8 & 0xff) * wc + (d >> 8 & 0xff) * wd;
+            blue += (a & 0xff) * wa + (b & 0xff) * wb + (c & 0xff) * wc + (d & 0xff) * wd;
+            across += stepAcross;
+            down += stepDown;
+        }
+        double scale = share / (ONE * ONE * places);
+        spot.red += scale * red;
+        spot.green += scale * green;
+        spot.blue += scale * blue;
+    }
+
+    private static int floor(double value) {
+        int cut = (int) value;
+        return value < cut ? cut - 1 : cut;
     }
 
     private int inside(int at, int size) {

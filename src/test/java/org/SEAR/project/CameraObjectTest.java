@@ -59,7 +59,8 @@ public class CameraObjectTest {
         refuses("Camera \"eye\": fieldOfView is 180, legal: a number from 0.1 to 170 deg", () -> camera.setFieldOfView(180));
         refuses("Camera \"eye\": rate is 100, legal: a number from 0.001 to 60 Hz", () -> camera.setRate(100));
         refuses("Camera \"eye\": near is 5, legal: less than far, 4 m", () -> camera.setRange(5, 4));
-        refuses("Camera \"eye\": readNoise is 5, legal: 0 without fullWell, which says how many electrons are white", () -> camera.setShotNoise(0, 5));
+        refuses("Camera \"eye\": readNoise is 5, legal: 0 without fullWell, which says how many electrons are white",
+            () -> camera.setShotNoise(0, 5));
         assertEquals("nothing has changed", 320, camera.getWidth());
     }
 
@@ -72,7 +73,6 @@ public class CameraObjectTest {
         refuses("Camera \"eye\": k1 is -0.3" + FOLDS, () -> camera.setFieldOfView(150));
         refuses("Camera \"eye\": k1 is -0.3" + FOLDS, () -> camera.setCentre(-2000.0, null));
         refuses("Camera \"eye\": k1 is -0.3" + FOLDS, () -> camera.setSize(10, 2000));
-        assertEquals("color 320 x 240 60.0 null", camera.getKind() + " " + camera.getWidth() + " x " + camera.getHeight() + " " + camera.getFieldOfView()
-            + " " + camera.getCx());
+        assertEquals("320 x 240 60.0 null", camera.getWidth() + " x " + camera.getHeight() + " " + camera.getFieldOfView() + " " + camera.getCx());
     }
 }

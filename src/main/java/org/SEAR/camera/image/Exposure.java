@@ -75,7 +75,7 @@ public final class Exposure {
         int low = 0;
         int high = FULL;
         while (low < high) {
-            int middle = (low + high) / 2;
+            int middle = low + high >>> 1;
             if (light < HALF_WAY[middle]) {
                 high = middle;
             } else {

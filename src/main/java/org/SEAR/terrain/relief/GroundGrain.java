@@ -17,7 +17,10 @@ public final class GroundGrain {
 
     /** How bright each pixel is, row by row: 128 leaves the ground as it is. */
     public static byte[] grey() {
-        Random random = new Random(SIDE);
+        return grey(new Random(SIDE));
+    }
+
+    private static byte[] grey(Random random) {
         float[] sum = new float[SIDE * SIDE];
         for (int octave = 2; octave < 2 + OCTAVES; octave++) {
             int cells = 1 << octave;

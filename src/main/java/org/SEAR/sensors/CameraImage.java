@@ -28,6 +28,7 @@ public final class CameraImage implements Reading {
     private final Rays rays;
     private final int[] pixels;
     private final float[] values;
+    private final double[] numbers;
 
     /** Where the pixels of a camera look. */
     interface Rays {
@@ -53,6 +54,7 @@ public final class CameraImage implements Reading {
         this.rays = rays;
         this.pixels = pixels;
         this.values = values;
+        numbers = measured();
     }
 
     /** {@link Camera#COLOR}, {@link Camera#DEPTH} or {@link Camera#INFRARED}. */
@@ -150,6 +152,10 @@ public final class CameraImage implements Reading {
     /** Of colours the mean brightness, 0 to 255; of depths the nearest; of temperatures the lowest and the highest. */
     @Override
     public double[] numbers() {
+        return numbers.clone();
+    }
+
+    private double[] measured() {
         if (pixels != null) {
             double sum = 0;
             for (int rgb : pixels) {

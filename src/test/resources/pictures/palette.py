@@ -165,3 +165,9 @@ def draw(kind):
         globals()['draw_' + kind]()
     else:
         sear.edit({'do': 'robot', 'template': kind})
+def draw_Camera():
+    box(DARK, 1.2, 0.45, 0.75)
+    box(GREY, 0.5, 0.4, 0.2, 0, 0.45, 0)
+    rod(SILVER, 0.34, 0.4, 0, -0.02, 0.35, 90)
+    rod(BLUE, 0.25, 0.42, 0, -0.02, 0.36, 90)
+    rod(RED, 0.07, 0.03, 0.45, 0.22, 0.23, 90)

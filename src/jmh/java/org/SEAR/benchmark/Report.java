@@ -30,6 +30,7 @@ public final class Report {
         collect(new Runner(new OptionsBuilder().parent(new CommandLineOptions(own)).addProfiler(CpuShare.class)
             .resultFormat(ResultFormatType.JSON).result(json.toString()).verbosity(VerboseMode.SILENT).build()).run(), scores);
         printBeams(scores);
+        printPictures(scores);
         printSteps(scores);
     }
 
@@ -46,7 +47,7 @@ public final class Report {
         System.out.printf("%-16s %9s %9s %9s %12s%n", "world", "fan", "single", "jbullet", "fan/jbullet");
         TreeSet<String> worlds = new TreeSet<>();
         for (String key : scores.keySet()) {
-            if (!key.startsWith("step ")) {
+            if (key.matches("(fan|single|jbullet) .*")) {
                 worlds.add(key.substring(key.indexOf(' ') + 1));
             }
         }
@@ -55,6 +56,16 @@ public final class Report {
             double jbullet = score(scores, "jbullet " + world);
             System.out.printf(Locale.ROOT, "%-16s %9.2f %9.2f %9.4f %12.0f%n", world, fan, score(scores, "single " + world), jbullet, fan / jbullet);
         }
+    }
+
+    private static void printPictures(Map<String, Double> scores) {
+        System.out.println();
+        System.out.println("pictures of 320 x 240 a second, one thread");
+        scores.forEach((key, score) -> {
+            if (key.matches("(colors|depths) .*")) {
+                System.out.printf(Locale.ROOT, "%-24s %9.1f%n", key, score);
+            }
+        });
     }
 
     private static double score(Map<String, Double> scores, String key) {

@@ -22,6 +22,8 @@ public abstract class Shape extends PlacedObject {
     private static final double FAST = 1000;
     /** Fastest turning at the start, degrees a second. */
     private static final double TURNING = 100000;
+    /** How warm everything is that has no temperature of its own, degrees Celsius. */
+    public static final double AMBIENT = 20;
     /** The pictures of surfaces that come with SEAR, and how many metres wide and high one is. */
     private static final Map<String, Double> TILES = Map.of("textures/tiles.png", 1.0, "textures/brick.png", 1.0, "textures/grass.png", 2.0);
 
@@ -63,6 +65,9 @@ public abstract class Shape extends PlacedObject {
     private Double spinY;
     @Param(doc = "speed of its turning at the start about the world's z; without it 0", unit = "deg/s", min = -TURNING, max = TURNING)
     private Double spinZ;
+    @Param(doc = "temperature of its surface, for infrared cameras; without it that of its surroundings, 20 degC", unit = "degC",
+        min = -273.15, max = 5000)
+    private Double temperature;
     private final int madeAfter = Workbenches.ALL.starts();
 
     /** For reading from a file. */
@@ -304,6 +309,17 @@ public abstract class Shape extends PlacedObject {
         spinX = orNothing(checkedX);
         spinY = orNothing(checkedY);
         spinZ = orNothing(checkedZ);
+        changed();
+    }
+
+    /** Temperature of its surface, degrees Celsius; null if it is as warm as its surroundings, {@link #AMBIENT}. */
+    public Double getTemperature() {
+        return temperature;
+    }
+
+    /** @param celsius temperature of its surface, -273.15 to 5000, for infrared cameras; without it {@link #AMBIENT} */
+    public void setTemperature(double celsius) {
+        temperature = checked("temperature", celsius);
         changed();
     }
 

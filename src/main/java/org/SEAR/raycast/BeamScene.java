@@ -18,9 +18,10 @@ import org.SEAR.raycast.solid.RaySolid;
  */
 public final class BeamScene {
     /** The owner of shapes that belong to no robot; as {@code ignoredOwner}: nothing is ignored. */
-    public static final int WORLD = -1;
+    public static final int WORLD = Shapes.WORLD;
 
-    private static final int POSE = 7;
+    /** Numbers of a pose: x, y, z, metres, and the quaternion x, y, z, w. */
+    public static final int POSE = 7;
     private static final ThreadLocal<Casters> CASTERS = ThreadLocal.withInitial(Casters::new);
 
     private final Shapes shapes = new Shapes();
@@ -38,6 +39,8 @@ public final class BeamScene {
         final RayCaster rays = new RayCaster();
         final FanCaster fans = new FanCaster(rays);
         final BundleCaster bundles = new BundleCaster(rays);
+        final PictureCaster pictures = new PictureCaster(rays);
+        final ShadowCaster shadows = new ShadowCaster(rays);
     }
 
     /** The casters of the calling thread; their counters tell the work done. */
@@ -78,6 +81,12 @@ public final class BeamScene {
 
     private int add(byte kind, int owner, double a, double b, double c) {
         int shape = shapes.add(kind, owner, a, b, c);
+        grow(shape);
+        return shape;
+    }
+
+    /** Makes room for what is known of a new shape. */
+    private void grow(int shape) {
         if (shape == changed.length) {
             int size = 2 * shape;
             poses = Arrays.copyOf(poses, size * POSE);
@@ -88,7 +97,6 @@ public final class BeamScene {
         poses[shape * POSE + 6] = 1;
         seen[shape] = true;
         change(shape);
-        return shape;
     }
 
     private void change(int shape) {
@@ -204,5 +212,84 @@ public final class BeamScene {
         BundleCaster bundles = casters().bundles;
         shortest[0] = bundles.cast(shapes, tree.tree(), ox, oy, oz, directions, ranges, ignoredOwner);
         return bundles.getLine();
+    }
+
+    /**
+     * Some tiles of a picture's beams. Each answers how far ahead, along the pose's z axis, it meets something: {@link #cast} times the cosine
+     * between beam and axis, but for rounding in the last digits.
+     *
+     * @param pose the eye in its origin; x to the left, y up, z ahead
+     * @param start metres ahead of the eye where beams begin, 0 or more
+     * @param range metres ahead where they end
+     * @param firstTile the first one, counted row by row from the top left
+     * @param endTile the one behind the last one
+     * @param depths takes metres ahead for each pixel of these tiles, row by row from the first tile's first row on, each row as
+     *     long as the picture's; {@code Double.POSITIVE_INFINITY} for none
+     * @param shapesMet takes the number of the shape, or -1
+     * @param partsMet takes the number of a model's triangle, as its {@link Triangles} have it; -1 for what is not made of such
+     */
+    public void castPicture(PictureBeams beams, Pose pose, double start, double range, int ignoredOwner, int firstTile, int endTile, double[] depths,
+            int[] shapesMet, int[] partsMet) {
+        PictureCaster pictures = casters().pictures;
+        pictures.begin(shapes, beams, pose, start, range, firstTile);
+        for (int tile = firstTile; tile < endTile; tile++) {
+            pictures.cast(tree.tree(), tile, ignoredOwner, depths, shapesMet, partsMet);
+        }
+    }
+
+    /**
+     * Which points lie in the shadow of a light that is infinitely far away. Fast when they lie close together.
+     *
+     * @param light the unit direction in which it stands: {x, y, z} of the world
+     * @param casting of each shape whether it casts a shadow
+     * @param points x, y, z of each point, metres
+     * @param own the shape on whose surface each point lies; where that is convex it doesn't shade itself
+     * @param lit 1 for the points that are asked for, whose surfaces look to the light; those in the shadow become 0
+     * @param count how many points there are
+     */
+    public void castShadows(double[] light, boolean[] casting, double[] points, int[] own, byte[] lit, int count) {
+        ShadowCaster shadows = casters().shadows;
+        shadows.begin(light[0], light[1], light[2]);
+        shadows.cast(shapes, tree.tree(), casting, points, own, lit, count);
+    }
+
+    /**
+     * The frame of a shape as it was committed last: a point p of it is R p + position in the world.
+     *
+     * @param frame takes R, row by row, then the position, metres: 12 numbers
+     */
+    public void frame(int shape, double[] frame) {
+        System.arraycopy(shapes.data, check(shape) * Shapes.STRIDE, frame, 0, Shapes.SIZE);
+    }
+
+    /** The poses of all shapes, {@link #POSE} numbers each, as they were set last. Simulation thread. */
+    public void poses(double[] taken) {
+        System.arraycopy(poses, 0, taken, 0, shapes.count * POSE);
+    }
+
+    /** Sets the poses of all shapes, as {@link #poses} has taken them, and commits. Belongs to whoever owns the scene. */
+    public void setPoses(double[] taken) {
+        for (int shape = 0; shape < shapes.count; shape++) {
+            int at = shape * POSE;
+            setPose(shape, taken[at], taken[at + 1], taken[at + 2], taken[at + 3], taken[at + 4], taken[at + 5], taken[at + 6]);
+        }
+        commit();
+    }
+
+    /** A scene of its own of the same shapes where they are now; models and heights are shared. Simulation thread. */
+    public BeamScene copy() {
+        BeamScene copy = new BeamScene();
+        for (int shape = 0; shape < shapes.count; shape++) {
+            copy.shapes.addAs(shapes, shape);
+            copy.grow(shape);
+            copy.setVisible(shape, seen[shape]);
+        }
+        copy.setPoses(poses);
+        return copy;
+    }
+
+    /** For tests. */
+    Shapes shapes() {
+        return shapes;
     }
 }

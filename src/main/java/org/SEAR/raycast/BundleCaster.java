@@ -1,5 +1,7 @@
 package org.SEAR.raycast;
 
+import org.SEAR.raycast.tree.Bvh;
+
 /**
  * Casts beams that leave one point in a narrow bundle, as of a sonar, and asks only which of them is the shortest. The hierarchy of bounding volumes
  * is walked once for all, nearest boxes first (branch and bound): a box that is farther than the shortest beam so far, or beside the bundle's cone,

@@ -1,5 +1,7 @@
 package org.SEAR.raycast;
 
+import org.SEAR.raycast.tree.Bvh;
+
 /** Nodes that a fan still has to visit, each with the rectangle of its part of the plane, the nearest on top. */
 final class CutStack {
     private static final int STRIDE = 5;

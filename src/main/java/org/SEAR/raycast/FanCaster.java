@@ -4,6 +4,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Rotation;
 import org.SEAR.raycast.solid.RayBox;
 import org.SEAR.raycast.solid.RaySolid;
+import org.SEAR.raycast.tree.Bvh;
 
 /**
  * Casts plane fans, as of a LIDAR. How it works: all beams of a fan lie in one plane, so three dimensions become two. The hierarchy of bounding

@@ -3,10 +3,12 @@ package org.SEAR.raycast;
 import java.util.Map;
 import java.util.WeakHashMap;
 import org.SEAR.geometry.Triangles;
+import org.SEAR.raycast.tree.Bvh;
+import org.SEAR.raycast.tree.BvhBuilder;
 
 /**
- * Triangles in the order of their hierarchy, in the model's own unscaled frame: 36 bytes a triangle for the corners and about as many for the
- * nodes. Immutable, any thread. The same {@link Triangles} share one mesh as long as somebody holds them.
+ * Triangles in the order of their hierarchy, in the model's own unscaled frame: 40 bytes a triangle for the corners and its number and about as many
+ * for the nodes. Immutable, any thread. The same {@link Triangles} share one mesh as long as somebody holds them.
  */
 final class Mesh {
     private static final int LEAF_SIZE = 4;
@@ -15,6 +17,8 @@ final class Mesh {
     final Bvh tree;
     /** Nine floats a triangle, in the order of the tree: x, y, z of its three corners. */
     final float[] corners;
+    /** The number that each had before. */
+    final int[] order;
 
     /** Bounds are rounded outward: the slab test leaves out a beam that runs within a box's side, so none may. */
     private Mesh(Triangles triangles) {
@@ -30,6 +34,7 @@ final class Mesh {
             }
         }
         Bvh built = BvhBuilder.build(boxes, LEAF_SIZE);
+        order = built.items;
         corners = new float[9 * n];
         for (int i = 0; i < n; i++) {
             for (int corner = 0; corner < 3; corner++) {

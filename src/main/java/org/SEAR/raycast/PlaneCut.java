@@ -1,5 +1,7 @@
 package org.SEAR.raycast;
 
+import org.SEAR.raycast.tree.Bvh;
+
 /**
  * The plane of a fan as seen from some frame: of each point its height above the plane and its two coordinates in the fan's frame, x to the left and
  * z ahead. All three are linear in the point. Boxes are looked at by their centre and half sizes, with some slack for the rounding, so that no box

@@ -4,6 +4,8 @@ import org.SEAR.geometry.HeightField;
 import org.SEAR.raycast.solid.RayBox;
 import org.SEAR.raycast.solid.RayHeights;
 import org.SEAR.raycast.solid.RayTriangle;
+import org.SEAR.raycast.tree.Bvh;
+import org.SEAR.raycast.tree.RayTraversal;
 
 /** Casts single beams; holds what one thread needs for it, so that casting allocates nothing. */
 final class RayCaster {
@@ -79,6 +81,11 @@ final class RayCaster {
             default:
                 return mesh(shapes.mesh[shape], px / a, py / b, pz / c, vx / a, vy / b, vz / c, limit);
         }
+    }
+
+    /** The number of the triangle that the last beam which met this mesh has met, as the mesh's triangles had it before they were sorted. */
+    int triangle(Mesh mesh) {
+        return mesh.order[triangle];
     }
 
     private double heights(HeightField field, double ox, double oy, double oz, double dx, double dy, double dz, double maxRange) {

@@ -1,6 +1,8 @@
 package org.SEAR.raycast;
 
 import java.util.Arrays;
+import org.SEAR.raycast.tree.Bvh;
+import org.SEAR.raycast.tree.BvhBuilder;
 
 /**
  * The hierarchy over the shapes of a scene. New shapes make it anew; moved ones are refitted along their path to the root; after much moving it is

@@ -10,6 +10,8 @@ import org.SEAR.raycast.solid.RaySolid;
  * position, sizes (half sizes of a box or of the box around another convex solid; scale of a mesh, 1 for heights).
  */
 final class Shapes {
+    /** The owner of shapes that belong to no robot. */
+    static final int WORLD = -1;
     static final byte BOX = 0;
     static final byte CONVEX = 1;
     static final byte MESH = 2;
@@ -47,8 +49,17 @@ final class Shapes {
         return shape;
     }
 
+    /** Adds the same shape as another scene has; where it stands is not taken over. */
+    void addAs(Shapes other, int shape) {
+        int i = shape * STRIDE + SIZE;
+        int added = add(other.kind[shape], other.owner[shape], other.data[i], other.data[i + 1], other.data[i + 2]);
+        mesh[added] = other.mesh[shape];
+        solid[added] = other.solid[shape];
+        heights[added] = other.heights[shape];
+    }
+
     boolean isSeen(int shape, int ignoredOwner) {
-        return visible[shape] && (owner[shape] == BeamScene.WORLD || owner[shape] != ignoredOwner);
+        return visible[shape] && (owner[shape] == WORLD || owner[shape] != ignoredOwner);
     }
 
     void place(int shape, double[] pose, int at) {

@@ -1,6 +1,7 @@
 package org.SEAR.robot;
 
 import java.util.Arrays;
+import org.SEAR.camera.Looks;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.physics.Body;
@@ -28,6 +29,7 @@ public final class RobotTruth implements Truth {
     private final double[] velocity = new double[3];
     private final double[] angular = new double[3];
     private final double[] point = new double[3];
+    private final Looks looks;
     private long step;
     private double path;
     private double turned;
@@ -39,6 +41,7 @@ public final class RobotTruth implements Truth {
         this.touches = new PartTouches(from);
         this.scenes = scenes;
         this.colors = colors;
+        looks = shape -> colors.skin(scenes.solid(shape));
         this.owner = owner;
         this.earth = earth;
         this.epochMillis = epochMillis;
@@ -188,6 +191,16 @@ public final class RobotTruth implements Truth {
         point[2] = z;
         scenes.beams.toFrame(shape, point);
         return colors.at(scenes.solid(shape), point);
+    }
+
+    @Override
+    public BeamScene sight() {
+        return scenes.ground;
+    }
+
+    @Override
+    public Looks looks() {
+        return looks;
     }
 
     @Override

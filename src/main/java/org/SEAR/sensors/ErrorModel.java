@@ -77,10 +77,20 @@ public final class ErrorModel {
      * @param sample which of the step's values; each has its own white error
      */
     public double apply(double value, long step, int channel, int sample) {
+        return noise == null ? value : applyAt(value, step, drift[channel], sample);
+    }
+
+    /** The present drift of a channel; 0 without errors. */
+    double drift(int channel) {
+        return noise == null ? 0 : drift[channel];
+    }
+
+    /** A value with its error at a step at which its channel had drifted so far. */
+    double applyAt(double value, long step, double drifted, int sample) {
         if (noise == null) {
             return value;
         }
-        double result = value + noise.getBias() + drift[channel];
+        double result = value + noise.getBias() + drifted;
         if (noise.getWhite() > 0) {
             result += noise.getWhite() * random.normal(step, WHITE, sample);
         }

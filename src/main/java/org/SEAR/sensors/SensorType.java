@@ -21,6 +21,11 @@ public interface SensorType {
         return "";
     }
 
+    /** The unit of a sensor of an object, where objects of the kind differ in it. */
+    default String unit(SearObject parameters) {
+        return unit();
+    }
+
     /**
      * A sensor for the object.
      *

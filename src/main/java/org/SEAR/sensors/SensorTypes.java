@@ -50,7 +50,7 @@ public final class SensorTypes {
     /** The unit of the reading of an object's sensor; empty if it is no sensor or its reading has none. */
     public String unit(SearObject object) {
         SensorType type = find(object);
-        return type == null ? "" : type.unit();
+        return type == null ? "" : type.unit(object);
     }
 
     /** Whether an object describes a sensor. */

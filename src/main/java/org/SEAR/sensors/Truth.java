@@ -1,5 +1,8 @@
 package org.SEAR.sensors;
 
+import org.SEAR.POJOs.Shape;
+import org.SEAR.camera.Looks;
+import org.SEAR.camera.PlainSkin;
 import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
 
@@ -65,6 +68,16 @@ public interface Truth {
      */
     default int color(int shape, double x, double y, double z) {
         return 0x999999;
+    }
+
+    /** What eyes see: beams' geometry, and what is hidden from beams, with the same numbers of shapes. */
+    default BeamScene sight() {
+        return scene();
+    }
+
+    /** What the shapes look like to cameras. */
+    default Looks looks() {
+        return shape -> new PlainSkin(color(shape, 0, 0, 0), Shape.AMBIENT);
     }
 
     /** Name of the object that a shape of the scene belongs to. */

@@ -1,5 +1,6 @@
 /**
  * Measurement equations: what each sensor reads when the truth is known, its errors, what is told of a reading, its registry. Uses
- * {@link org.SEAR.project} and {@link org.SEAR.raycast}, and what these use. Simulation thread, without allocation in the loops of beams.
+ * {@link org.SEAR.camera}, {@link org.SEAR.camera.image} and {@link org.SEAR.project}, and what these use. Simulation thread, without allocation in
+ * the loops of beams.
  */
 package org.SEAR.sensors;

@@ -4,13 +4,13 @@ import java.io.IOException;
 import java.util.function.Consumer;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Terrain;
+import org.SEAR.camera.Daylight;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.terrain.Ground;
 import org.SEAR.terrain.TerrainColors;
 import org.SEAR.terrain.relief.GroundPicture;
 import org.SEAR.terrain.relief.Relief;
-import org.SEAR.view.scene.Lighting;
 import org.SEAR.view.terrain.GroundMaterial;
 import org.SEAR.view.terrain.TerrainView;
 
@@ -38,7 +38,7 @@ final class Grounds {
         }
         boolean fine = !window.isSoftware();
         Relief relief = new Relief(ground.field, fine ? FINE_PICTURE : PLAIN_PICTURE, PER_POST, ground.spacing);
-        GroundPicture picture = GroundPicture.landscape(relief, Lighting.daylight(), colors(project, ground, warnings));
+        GroundPicture picture = GroundPicture.landscape(relief, Daylight.onLandscape(), colors(project, ground, warnings));
         return new TerrainView(ground.field, new GroundMaterial(window.getAssetManager(), ground.field, picture, fine), fine);
     }
 

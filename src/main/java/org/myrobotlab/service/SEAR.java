@@ -9,6 +9,7 @@ import org.SEAR.grammar.ScriptText;
 import org.SEAR.project.problems.Problem;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.service.config.SEARConfig;
+import org.myrobotlab.service.data.ImageData;
 import org.myrobotlab.service.link.OwnConfigService;
 import org.myrobotlab.service.link.PanelFiles;
 import org.myrobotlab.service.sear.SensorReading;
@@ -648,6 +649,106 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         return calls.attempt(() -> parts.readings().odometer(robot));
     }
 
+    // ---- cameras (a simulation must run; the examples are of the robot of cameras.md) ----------------------------------------------
+
+    /**
+     * The last picture of a camera as a PNG file: colours, or 16 bits of grey that are millimetres of depths (0: no return) or hundredths of a kelvin
+     * of temperatures. A picture is taken at the camera's rate; this is the last one that was due.
+     *
+     * @param name of the camera
+     * @throws IllegalArgumentException that names the cameras there are
+     * @example print len(sear.getImage("eye")), "bytes"
+     */
+    public byte[] getImage(String name) {
+        return calls.attempt(() -> parts.cameras().png(name));
+    }
+
+    /**
+     * The pixels of a camera's last picture, row by row from the top left: each one number, 0xRRGGBB (sRGB). Depths and temperatures are in false
+     * colours, from red, near or warm, to blue.
+     *
+     * @param name of the camera
+     * @throws IllegalArgumentException that names the cameras there are
+     * @example pixel = sear.getPixels("eye")[120 * 320 + 160]; print "#%06x" % pixel
+     */
+    public int[] getPixels(String name) {
+        return calls.attempt(() -> parts.cameras().pixels(name));
+    }
+
+    /**
+     * The depths of a depth camera's last picture, row by row from the top left: metres along its axis, infinite where nothing came back.
+     *
+     * @param name of the camera
+     * @throws IllegalArgumentException that names the cameras there are, or says that it is of another kind
+     * @example print "%.2f m ahead" % min(sear.getDepth("kinect"))
+     */
+    public float[] getDepth(String name) {
+        return calls.attempt(() -> parts.cameras().depths(name));
+    }
+
+    /**
+     * The temperatures of an infrared camera's last picture, row by row from the top left: degrees Celsius.
+     *
+     * @param name of the camera
+     * @throws IllegalArgumentException that names the cameras there are, or says that it is of another kind
+     * @example print "%.1f degrees at most" % max(sear.getTemperatures("thermal"))
+     */
+    public float[] getTemperatures(String name) {
+        return calls.attempt(() -> parts.cameras().temperatures(name));
+    }
+
+    /**
+     * The points at which a depth camera's last picture ends, in its own frame: x, y, z of each, metres to the left, up and ahead. Pixels without a
+     * return have no point.
+     *
+     * @param name of the camera
+     * @throws IllegalArgumentException that names the cameras there are, or says that it is of another kind
+     * @example points = sear.getPointCloud("kinect"); print len(points) / 3, "points"
+     */
+    public float[] getPointCloud(String name) {
+        return getPointCloud(name, false);
+    }
+
+    /**
+     * The same in the frame of the camera or of the world.
+     *
+     * @param name of the camera
+     * @param world True for metres north, up and east in the world at the time of the picture; False for the camera's own frame
+     * @throws IllegalArgumentException that names the cameras there are, or says that it is of another kind
+     * @example points = sear.getPointCloud("kinect", True); print "the highest point is at %.2f m" % max(points[1::3])
+     */
+    public float[] getPointCloud(String name, boolean world) {
+        return calls.attempt(() -> parts.cameras().points(name, world));
+    }
+
+    /**
+     * What has the hue of a colour in a camera's last picture, as a Pixy tells it: a list of [x, y, width, height, area], the largest first. x and y
+     * are the middle of the box around it, pixels from the top left; area is how many pixels it has. The light hardly matters.
+     *
+     * @param name of the camera
+     * @param color a name such as {@code "red"}, or {@code "#rrggbb"}; grey has no hue
+     * @throws IllegalArgumentException that names the cameras there are, or says that it is of another kind or the colour has no hue
+     * @example for x, y, width, height, area in sear.getBlobs("eye", "red"): print "at column %.0f" % x
+     */
+    public List<double[]> getBlobs(String name, String color) {
+        return calls.attempt(() -> parts.cameras().blobs(name, color));
+    }
+
+    /**
+     * Writes a camera's last picture into a file, as {@link #getImage} answers it. Folders on the way are made.
+     *
+     * @param name of the camera
+     * @param path of the file, which ends with {@code .png}; relative to MyRobotLab's working folder
+     * @throws IllegalArgumentException that names the cameras there are
+     * @throws IllegalStateException if it can't be written
+     * @example sear.saveImage("eye", "eye.png")
+     */
+    public void saveImage(String name, String path) {
+        calls.act(() -> parts.cameras().save(name, path));
+    }
+
+    // ---- where things are (a simulation must run) ------------------------------------------------------------------
+
     /**
      * [x, y, z, rx, ry, rz] in the world of a robot, part, sensor or object: metres north, up and east, degrees about the three axes. The heading of
      * what stands upright is 90 - ry.
@@ -682,6 +783,16 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      */
     public SensorReading publishReading(SensorReading reading) {
         return reading;
+    }
+
+    /**
+     * Comes with each picture of a camera that {@link #startPublishing} was called for, as MyRobotLab's services hand pictures on: {@code name} is
+     * the camera, {@code src} an address that a page shows, {@code data:image/png;base64,...}.
+     *
+     * @example sear.addListener("publishImage", python.getName(), "onEyeImage")
+     */
+    public ImageData publishImage(ImageData image) {
+        return image;
     }
 
     /**

@@ -1,9 +1,11 @@
 package org.myrobotlab.service;
 
+import java.util.Base64;
 import java.util.List;
 import org.myrobotlab.framework.MRLListener;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Service;
+import org.myrobotlab.service.data.ImageData;
 import org.myrobotlab.service.link.ServiceWarnings;
 import org.myrobotlab.service.sear.Host;
 import org.myrobotlab.service.sear.SensorReading;
@@ -15,6 +17,7 @@ final class SearHost implements Host {
     /** The command line shows this logger. */
     private static final Logger PROGRESS = LoggerFactory.getLogger("org.SEAR.progress");
     private static final String STATE = "publishSimulation";
+    private static final String IMAGE = "publishImage";
 
     private final SEAR service;
 
@@ -57,8 +60,27 @@ final class SearHost implements Host {
 
     @Override
     public boolean isReadingHeard() {
-        List<MRLListener> listeners = service.getNotifyList("publishReading");
+        return isHeard("publishReading");
+    }
+
+    private boolean isHeard(String topic) {
+        List<MRLListener> listeners = service.getNotifyList(topic);
         return listeners != null && !listeners.isEmpty();
+    }
+
+    @Override
+    public boolean isImageHeard() {
+        return isHeard(IMAGE);
+    }
+
+    /** As MyRobotLab's services hand pictures on: with an address that a page shows. */
+    @Override
+    public void image(String camera, byte[] png) {
+        ImageData image = new ImageData("data:image/png;base64," + Base64.getEncoder().encodeToString(png));
+        image.name = camera;
+        image.source = service.getName();
+        image.encoding = "png";
+        service.invoke(IMAGE, image);
     }
 
     @Override

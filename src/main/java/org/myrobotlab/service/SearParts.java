@@ -26,6 +26,7 @@ import org.myrobotlab.service.sear.panel.WorldFeed;
 import org.myrobotlab.service.sear.readings.Publisher;
 import org.myrobotlab.service.sear.readings.ScriptActuators;
 import org.myrobotlab.service.sear.readings.ScriptBodies;
+import org.myrobotlab.service.sear.readings.ScriptCameras;
 import org.myrobotlab.service.sear.readings.ScriptDriving;
 import org.myrobotlab.service.sear.readings.ScriptReadings;
 import org.myrobotlab.service.sear.records.Plots;
@@ -44,6 +45,7 @@ final class SearParts {
 
     private final SimulationControl control;
     private final ScriptReadings readings;
+    private final ScriptCameras cameras;
     private final ScriptDriving driving;
     private final ScriptActuators actuators;
     private final ScriptBodies bodies;
@@ -61,13 +63,14 @@ final class SearParts {
     SearParts(Host host) {
         control = new SimulationControl(host, Projects::folder);
         readings = new ScriptReadings(control);
+        cameras = new ScriptCameras(control);
         driving = new ScriptDriving(control);
         actuators = new ScriptActuators(control);
         bodies = new ScriptBodies(control);
         control.setActs(bodies);
         projects = new Projects(control, host);
         edits = new Edits(control);
-        publisher = new Publisher(host, control, readings);
+        publisher = new Publisher(host, control, readings, cameras);
         exports = new Exports(host, control);
         transfers = new BundleTransfers(projects::save, projects::load);
         recording = new Recording(control, host);
@@ -96,6 +99,11 @@ final class SearParts {
 
     public ScriptReadings readings() {
         return readings;
+    }
+
+    /** See {@link ScriptCameras}. */
+    public ScriptCameras cameras() {
+        return cameras;
     }
 
     public ScriptDriving driving() {

@@ -73,7 +73,7 @@ public class DrivingExamplesTest {
     @Test
     public void everyScriptIsTriedHere() throws IOException {
         try (Stream<Path> scripts = Files.list(EXAMPLES.resolve("drive"))) {
-            assertEquals(List.of("arduino_rover.py", "car_waypoints.py", "gps_waypoints.py", "lidar_mapper.py", "line_follower.py",
+            assertEquals(List.of("arduino_rover.py", "car_waypoints.py", "follow_ball.py", "gps_waypoints.py", "lidar_mapper.py", "line_follower.py",
                 "maze_solver.py", "mountain_climber.py", "obstacle_avoidance.py", "radar_turret.py", "wall_follower.py"),
                 scripts.map(script -> script.getFileName().toString()).sorted().collect(Collectors.toList()));
         }
@@ -193,6 +193,19 @@ public class DrivingExamplesTest {
         assertEquals(text, 0, round[1], 0);
         double[] robot = end(text, "follower");
         assertEquals(text, 0, Math.hypot(robot[0] - 0.85, robot[1]), 0.05);
+    }
+
+    @Test
+    public void theBallIsFollowedByTheCamera() throws Exception {
+        String text = run("follow_ball.py", "hunter", "ball");
+        double[] sight = numbers(text, "In sight (\\d+) of (\\d+) times; at the end ([0-9.]+) m ahead, (-?[0-9]+) degrees to the left");
+        assertTrue(text, sight[0] > 0.95 * sight[1]);
+        assertEquals(text, 0.7, sight[2], 0.1);
+        assertEquals(text, 0, sight[3], 5);
+        double[] robot = end(text, "hunter");
+        double[] ball = end(text, "ball");
+        assertEquals("the camera is 0.1 m ahead", 0.8, Math.hypot(ball[0] - robot[0], ball[1] - robot[1]), 0.15);
+        assertTrue("it has gone after it: " + text, Math.hypot(robot[0], robot[1]) > 1);
     }
 
     @Test

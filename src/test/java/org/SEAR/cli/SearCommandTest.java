@@ -294,7 +294,7 @@ public class SearCommandTest {
     @Test
     public void checkTellsGoodExamplesBrokenFoldersAndHostileBundlesApart() throws Exception {
         Path examples = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("examples");
-        for (String example : new String[] {"car", "line", "maze", "office", "ramps", "rover", "sensors", "turret"}) {
+        for (String example : new String[] {"ball", "car", "line", "maze", "office", "ramps", "rover", "sensors", "turret"}) {
             Path bundle = examples.resolve(example + ".sear");
             assertEquals(out + err, 0, sear("check", bundle.toString()));
             assertTrue(out, out.endsWith(bundle + ": no problems\n"));
@@ -339,7 +339,7 @@ public class SearCommandTest {
     @Test
     public void sensorsAreListedWithUnitsRangesAndDefaults() throws Exception {
         assertEquals(0, sear("sensors"));
-        for (String type : new String[] {"Accelerometer", "Bumper", "ColorSensor", "Compass", "Distance", "GPS", "Gyroscope", "IMU",
+        for (String type : new String[] {"Accelerometer", "Bumper", "Camera", "ColorSensor", "Compass", "Distance", "GPS", "Gyroscope", "IMU",
             "LIDAR", "LineSensor",
             "Odometer"}) {
             assertTrue(out, out.contains(type + ": "));

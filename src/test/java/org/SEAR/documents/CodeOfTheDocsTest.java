@@ -37,8 +37,8 @@ import org.myrobotlab.service.thirdparty.ThirdPartyScannersTest;
 public class CodeOfTheDocsTest {
     private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
     /** Pages whose Python runs here: page by page, each in a new project, the blocks one after the other. */
-    private static final List<String> HERE = List.of("docs/arduino.md", "docs/building.md", "docs/objects.md", "docs/physics.md", "docs/projects.md",
-        "docs/records.md", "docs/sensors.md", "docs/terrain.md", "docs/vehicles.md", "docs/window.md");
+    private static final List<String> HERE = List.of("docs/arduino.md", "docs/building.md", "docs/cameras.md", "docs/objects.md", "docs/physics.md",
+        "docs/projects.md", "docs/records.md", "docs/sensors.md", "docs/terrain.md", "docs/vehicles.md", "docs/window.md");
     /** By page and language, commands by how they begin, too: the class that takes it from the page and runs it. */
     private static final Map<String, Class<?>> RUN_BY = new TreeMap<>(Map.ofEntries(
         entry("README.md python", ReadmeTest.class),

@@ -29,11 +29,16 @@ public class ScriptExamplesTest {
     private static final List<String> VEHICLES = Arrays.asList("setMotorPower", "setMotorSpeed", "getMotorSpeed", "getEncoder", "setServo",
         "getServo", "setLed", "getLed", "setSteering");
 
+    /** Calls that have a camera: their examples run with the world of its page. */
+    private static final List<String> CAMERAS = Arrays.asList("getImage", "getPixels", "getDepth", "getTemperatures", "getPointCloud", "getBlobs",
+        "saveImage");
+
     /** Brings about what the page takes as there before each example. */
     private static final String READY = String.join("\n",
         "import os",
         "def ready(running):",
-        "    if sear.isSimulating() and (not running or os.path.exists('SEARproject/robot/car.xml')): sear.stopSimulation()",
+        "    special = os.path.exists('SEARproject/robot/car.xml') or os.path.exists('SEARproject/robot/thermal.xml')",
+        "    if sear.isSimulating() and (not running or special): sear.stopSimulation()",
         "    if running and not sear.isSimulating():",
         "        if 'gpsUnit1.xml' not in ''.join(os.listdir('SEARproject/robot') if os.path.exists('SEARproject/robot') else []):",
         "            sear.loadProject('examples/sensors.sear')",
@@ -44,6 +49,12 @@ public class ScriptExamplesTest {
         "    if sear.isSimulating(): sear.stopSimulation()",
         "    sear.newProject()",
         "    exec VEHICLE in globals()",
+        "def cameras():",
+        "    if os.path.exists('SEARproject/robot/thermal.xml'): return",
+        "    if sear.isSimulating(): sear.stopSimulation()",
+        "    sear.loadProject('examples/ball.sear')",
+        "    sear.startSimulation()",
+        "    sear.simSleep(0.5)",
         "def connected(service, port, baud):",
         "    if sear.isPaused(): sear.resume()",
         "    if not service.isConnected(): service.connect(port, baud)",
@@ -64,7 +75,7 @@ public class ScriptExamplesTest {
                 script.append("ready(False)\nfor port in sear.getExports(): sear.endExport(port)\n");
             }
             for (ScriptCall call : docs.calls(service)) {
-                script.append(VEHICLES.contains(call.name) ? "vehicle()\n"
+                script.append(VEHICLES.contains(call.name) ? "vehicle()\n" : CAMERAS.contains(call.name) ? "cameras()\n"
                     : "ready(" + (WHILE_STOPPED.contains(call.name) ? "False" : "True") + ")\n");
                 if (service.equals("LIDAR") && !call.name.equals("connect")) {
                     script.append("connected(lidar, '/dev/SEAR_LIDAR_01', 38400)\n");

@@ -7,6 +7,7 @@ import org.SEAR.POJOs.Accelerometer;
 import org.SEAR.POJOs.BeamCone;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Bumper;
+import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.ColorSensor;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Cone;
@@ -170,9 +171,27 @@ public final class RandomProjects {
         return sensor;
     }
 
+    private Camera anyCamera() {
+        Camera camera = new Camera(name());
+        camera.setKind(new String[] {Camera.COLOR, Camera.DEPTH, Camera.INFRARED}[random.nextInt(3)]);
+        camera.setSize(1 + random.nextInt(1000), 1 + random.nextInt(1000));
+        camera.setFieldOfView(number(0.1, 170));
+        camera.setRate(number(0.001, 60));
+        camera.setRange(number(0.001, 1), number(2, 1e6));
+        camera.setExposure(number(0.001, 1000));
+        camera.setShotNoise(number(1, 1e9), number(0, 1e6));
+        camera.setDepthNoise(number(0, 10));
+        camera.setNetd(number(0, 100));
+        camera.setSeesOwnRobot(random.nextBoolean());
+        return camera;
+    }
+
     private SensorObject anySensor() {
         switch (random.nextInt(9)) {
             case 8:
+                if (random.nextInt(3) == 0) {
+                    return anyCamera();
+                }
                 return random.nextInt(3) == 0 ? new Bumper(name()) : random.nextBoolean() ? new LineSensor(name()) : new ColorSensor(name());
             case 0:
                 return new Accelerometer(name(), number(0.01, 10000));

@@ -7,6 +7,7 @@ import java.lang.management.ManagementFactory;
 import org.SEAR.Slow;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
+import org.SEAR.raycast.tree.Bvh;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 

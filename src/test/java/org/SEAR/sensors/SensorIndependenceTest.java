@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import org.SEAR.POJOs.Accelerometer;
 import org.SEAR.POJOs.Bumper;
+import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.ColorSensor;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Distance;
@@ -39,9 +40,21 @@ public class SensorIndependenceTest {
         List<SensorObject> objects = new ArrayList<>(Arrays.asList(new Distance("ping", "ultrasonic"), new LIDAR("lidar"),
             new GPS("gps", 35, 200, -80), new Compass("compass", true), new Accelerometer("accel", 12), new Gyroscope("gyro", 7),
             new Odometer("odometer"), new IMU("imu"), new LineSensor("line"), new ColorSensor("color"),
-            new Bumper("bumper")));
+            new Bumper("bumper"), camera("eye", Camera.COLOR), camera("kinect", Camera.DEPTH), camera("heat", Camera.INFRARED)));
         objects.forEach(object -> object.setNoise(new Noise(0.01, 0.02, 0.03, 0.0005, 0.1)));
         return objects;
+    }
+
+    /** Its pictures come between two readings, so that they are made of the past. */
+    private static Camera camera(String name, String kind) {
+        Camera camera = new Camera(name);
+        camera.setKind(kind);
+        camera.setSize(12, 9);
+        camera.setRate(8.3);
+        camera.setShotNoise(1000, 3);
+        camera.setDepthNoise(0.01);
+        camera.setNetd(0.1);
+        return camera;
     }
 
     private static List<Sensor<?>> sensors(List<SensorObject> objects, long seed) {
@@ -53,6 +66,9 @@ public class SensorIndependenceTest {
     private static String text(Object reading) {
         if (reading instanceof LidarScan) {
             return Arrays.toString(((LidarScan) reading).ranges());
+        }
+        if (reading instanceof CameraImage) {
+            return ((CameraImage) reading).getTime() + " " + Arrays.hashCode(((CameraImage) reading).png());
         }
         return String.valueOf(reading);
     }
@@ -92,7 +108,7 @@ public class SensorIndependenceTest {
         Map<String, String> first = run(sensors(objects(), 1), 1);
         assertEquals(first, run(sensors(objects(), 1), 1));
         Map<String, String> other = run(sensors(objects(), 2), 1);
-        assertEquals(11, other.size());
+        assertEquals(14, other.size());
         other.forEach((name, readings) -> assertNotEquals(name, first.get(name), readings));
     }
 

@@ -35,8 +35,8 @@ public class SensorTypesTest {
 
     @Test
     public void theSensorsOfSearAreThere() {
-        assertEquals(List.of("Accelerometer", "Bumper", "ColorSensor", "Compass", "Distance", "GPS", "Gyroscope", "IMU", "LIDAR", "LineSensor",
-            "Odometer"), names());
+        assertEquals(List.of("Accelerometer", "Bumper", "Camera", "ColorSensor", "Compass", "Distance", "GPS", "Gyroscope", "IMU", "LIDAR",
+            "LineSensor", "Odometer"), names());
         assertTrue(SensorTypes.load().create(new Compass("north"), 1) instanceof CompassSensor);
         assertTrue(SensorTypes.load().isSensor(new Compass("north")));
     }
@@ -46,7 +46,7 @@ public class SensorTypesTest {
         Box box = new Box("crate", 1, 1, 1, 0);
         assertFalse(SensorTypes.load().isSensor(box));
         IllegalArgumentException e = assertThrows(IllegalArgumentException.class, () -> SensorTypes.load().create(box, 1));
-        assertEquals("Box crate is no sensor; sensors are Accelerometer, Bumper, ColorSensor, Compass, Distance, GPS, Gyroscope, IMU, LIDAR,"
+        assertEquals("Box crate is no sensor; sensors are Accelerometer, Bumper, Camera, ColorSensor, Compass, Distance, GPS, Gyroscope, IMU, LIDAR,"
             + " LineSensor, Odometer", e.getMessage());
     }
 

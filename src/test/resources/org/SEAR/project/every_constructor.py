@@ -1,5 +1,5 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
-from org.SEAR.POJOs import Accelerometer, Arduino, BeamCone, Box, Bumper, ColorSensor, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, \
+from org.SEAR.POJOs import Accelerometer, Arduino, BeamCone, Box, Bumper, Camera, ColorSensor, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, \
     Led, LineSensor, Model, Motor, Noise, Odometer, SEARrobot, Servo, Sphere, Terrain, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
@@ -236,3 +236,23 @@ mega.wire(13, lamp)
 thrown = Sphere(name(), 0.1, 2)
 thrown.setVelocity(1, 2, 3)
 thrown.setSpin(0, 90, -45)
+
+add(Camera(name()))
+add(Camera(name(), *pose[:3]))
+camera = add(Camera(name(), *pose))
+camera.setModel("raspberry pi v2")
+camera.setKind("colour")
+camera.setSize(640, 1)
+camera.setFieldOfView(70)
+camera.setRate(25)
+camera.setRange(0.1, 50)
+camera.setLens(-0.2, 0.05, 0.001, -0.002)
+camera.setCentre(310.5, 2.0)
+camera.setExposure(1.5)
+camera.setShotNoise(5000, 4)
+camera.setDepthNoise(0.002)
+camera.setNetd(0.1)
+camera.setSeesOwnRobot(True)
+add(Camera(name())).setKind("infrared")
+warm = Box(name(), 1, 1, 1)
+warm.setTemperature(36.6)

@@ -93,6 +93,16 @@ public final class ModelLoader {
         return triangles;
     }
 
+    /**
+     * What the model's triangles look like; of a loader that was made with pictures.
+     *
+     * @throws IOException that names the object, the file and what is wrong with it
+     */
+    public ModelLook look(Model model) throws IOException {
+        Spatial scene = spatial(model);
+        return onEngineThread(model, () -> ModelLook.of(SceneTriangles.solids(scene, model + ": " + model.getPath())));
+    }
+
     private Spatial load(Model model) throws IOException {
         String path = Assets.normal(model.getPath());
         if (!isModel(path) || !assets.has(path)) {

@@ -40,6 +40,18 @@ final class SceneTriangles {
         return new SceneTriangles(file).collect(scene);
     }
 
+    /**
+     * The geometries that have the triangles, in their order.
+     *
+     * @param file how errors name the model's file
+     */
+    static List<Geometry> solids(Spatial scene, String file) throws IOException {
+        SceneTriangles triangles = new SceneTriangles(file);
+        triangles.find(scene);
+        triangles.solids.forEach(Geometry::computeWorldMatrix);
+        return triangles.solids;
+    }
+
     private Triangles collect(Spatial scene) throws IOException {
         find(scene);
         long vertices = 0;

@@ -1,15 +1,11 @@
 package org.SEAR.robot.surface;
 
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayInputStream;
-import java.io.IOException;
-import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.function.Consumer;
-import javax.imageio.ImageIO;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Terrain;
+import org.SEAR.camera.Skin;
 import org.SEAR.files.Assets;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.terrain.Ground;
@@ -20,28 +16,33 @@ import org.SEAR.terrain.Ground;
  */
 public final class SurfaceColors {
     /** Of what has no object of its own: the body of a robot without parts. */
-    private static final int GREY = 0x999999;
+    static final int GREY = 0x999999;
     private static final int HEX = 16;
 
     private final Assets assets;
     private final Consumer<String> told;
     private final Map<Solid, Paint> paints = new IdentityHashMap<>();
-    private final Map<String, SurfacePicture> pictures = new HashMap<>();
+    private final SurfacePictures pictures;
+    private final Skins skins;
 
     /** @param told hears what the user should know of pictures that can't be read, when a sensor looks at them first */
     public SurfaceColors(Assets assets, Consumer<String> told) {
         this.assets = assets;
         this.told = told;
+        pictures = new SurfacePictures(assets, told);
+        skins = new Skins(assets, pictures, told);
     }
 
     /** A thing of the environment, or a part or wheel of a robot. */
     public void add(Shape shape, Solid solid) {
-        paints.put(solid, new ShapePaint(shape, solid, this::picture));
+        paints.put(solid, new ShapePaint(shape, solid, pictures::get));
+        skins.add(shape, solid, null);
     }
 
     /** The terrain. */
     public void addTerrain(Terrain terrain, Solid solid, Ground ground) {
         paints.put(solid, new GroundPaint(terrain, ground, assets, told));
+        skins.add(terrain, solid, ground);
     }
 
     /**
@@ -55,27 +56,12 @@ public final class SurfaceColors {
         return paint == null ? GREY : paint.at(point);
     }
 
+    /** What cameras see of a thing; made when one looks first. Never null. */
+    public Skin skin(Solid solid) {
+        return skins.of(solid);
+    }
+
     static int plain(Shape shape) {
         return Integer.parseInt(shape.getColor().substring(1), HEX);
-    }
-
-    private SurfacePicture picture(String path) {
-        if (!pictures.containsKey(path)) {
-            pictures.put(path, read(path));
-        }
-        return pictures.get(path);
-    }
-
-    private SurfacePicture read(String path) {
-        try {
-            BufferedImage image = ImageIO.read(new ByteArrayInputStream(assets.readPicture(path)));
-            if (image == null) {
-                told.accept("colour and line sensors can't look at the picture " + path + ", legal: .png, .jpg, .gif or .bmp");
-            }
-            return image == null ? null : new SurfacePicture(image);
-        } catch (IOException e) {
-            told.accept("colour and line sensors can't look at a picture: " + e.getMessage());
-            return null;
-        }
     }
 }

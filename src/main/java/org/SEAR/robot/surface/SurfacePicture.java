@@ -1,6 +1,7 @@
 package org.SEAR.robot.surface;
 
 import java.awt.image.BufferedImage;
+import org.SEAR.camera.Texture;
 
 /** A picture to be looked up in without allocation. Immutable, any thread. */
 final class SurfacePicture {
@@ -14,6 +15,11 @@ final class SurfacePicture {
         width = image.getWidth();
         height = image.getHeight();
         pixels = image.getRGB(0, 0, width, height, null, 0, width);
+    }
+
+    /** The same picture, filtered for cameras. */
+    Texture texture() {
+        return new Texture(width, height, pixels, true);
     }
 
     /**

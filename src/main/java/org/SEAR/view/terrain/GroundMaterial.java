@@ -9,16 +9,14 @@ import com.jme3.texture.Texture2D;
 import com.jme3.texture.image.ColorSpace;
 import com.jme3.util.BufferUtils;
 import java.nio.ByteBuffer;
-import java.util.Random;
 import org.SEAR.geometry.HeightField;
+import org.SEAR.terrain.relief.GroundGrain;
 import org.SEAR.terrain.relief.GroundPicture;
 
 /** What the ground is drawn with: one picture over all of it, a grain close by, haze far away. Window thread only. */
 public final class GroundMaterial {
     /** Metres at which the grain is gone. */
-    static final float GRAINY = 150;
-    private static final int GRAIN = 512;
-    private static final int OCTAVES = 7;
+    static final float GRAINY = GroundGrain.FAR;
     /** Metres after which the haze has taken two thirds: a clear day, or less where the world is smaller. */
     private static final float CLEAR = 38_000;
     private static final float NEAREST_HAZE = 2500;
@@ -37,7 +35,7 @@ public final class GroundMaterial {
         far.setVector4("Area", new Vector4f((float) field.lowX, (float) field.lowZ, (float) (1 / extentX), (float) (1 / extentZ)));
         far.setFloat("Clear", Math.max(NEAREST_HAZE, Math.min(CLEAR, 2.2f * (float) Math.hypot(extentX, extentZ))));
         near = far.clone();
-        near.setTexture("Grain", texture(grain(new Random(GRAIN)), fine, Texture.WrapMode.Repeat));
+        near.setTexture("Grain", texture(grain(), fine, Texture.WrapMode.Repeat));
     }
 
     private static Texture texture(Image image, boolean fine, Texture.WrapMode wrap) {
@@ -58,40 +56,12 @@ public final class GroundMaterial {
         return new Image(Image.Format.RGBA8, picture.width, picture.height, bytes, ColorSpace.Linear);
     }
 
-    /** Grey noise of all sizes that fits to itself at its edges. */
-    private static Image grain(Random random) {
-        float[] sum = new float[GRAIN * GRAIN];
-        for (int octave = 2; octave < 2 + OCTAVES; octave++) {
-            int cells = 1 << octave;
-            float[] values = new float[cells * cells];
-            for (int i = 0; i < values.length; i++) {
-                values[i] = random.nextFloat() - 0.5f;
-            }
-            for (int i = 0; i < sum.length; i++) {
-                int row = i / GRAIN;
-                int column = i % GRAIN;
-                sum[i] += 0.3f * smooth(values, cells, (float) row * cells / GRAIN, (float) column * cells / GRAIN);
-            }
-        }
-        ByteBuffer bytes = BufferUtils.createByteBuffer(4 * sum.length);
-        for (float value : sum) {
-            byte grey = (byte) Math.max(0, Math.min(255, Math.round(128 + 255 * value)));
+    private static Image grain() {
+        ByteBuffer bytes = BufferUtils.createByteBuffer(4 * GroundGrain.SIDE * GroundGrain.SIDE);
+        for (byte grey : GroundGrain.grey()) {
             bytes.put(grey).put(grey).put(grey).put((byte) 255);
         }
         bytes.flip();
-        return new Image(Image.Format.RGBA8, GRAIN, GRAIN, bytes, ColorSpace.Linear);
-    }
-
-    private static float smooth(float[] values, int cells, float x, float y) {
-        int row = (int) x;
-        int column = (int) y;
-        float u = x - row;
-        float v = y - column;
-        u = u * u * (3 - 2 * u);
-        v = v * v * (3 - 2 * v);
-        int above = (row + 1) % cells;
-        int right = (column + 1) % cells;
-        return (values[row * cells + column] * (1 - v) + values[row * cells + right] * v) * (1 - u)
-            + (values[above * cells + column] * (1 - v) + values[above * cells + right] * v) * u;
+        return new Image(Image.Format.RGBA8, GroundGrain.SIDE, GroundGrain.SIDE, bytes, ColorSpace.Linear);
     }
 }

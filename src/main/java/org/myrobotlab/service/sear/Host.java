@@ -25,6 +25,20 @@ public interface Host {
         return false;
     }
 
+    /** Whether somebody listens to pictures that are published. */
+    default boolean isImageHeard() {
+        return false;
+    }
+
+    /**
+     * Publishes a camera's picture.
+     *
+     * @param camera its name
+     * @param png a PNG file
+     */
+    default void image(String camera, byte[] png) {
+    }
+
     /** Publishes a reading. */
     void reading(SensorReading reading);
 

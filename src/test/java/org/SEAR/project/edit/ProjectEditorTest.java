@@ -160,7 +160,7 @@ public class ProjectEditorTest extends EditedProject {
         assertEquals("environment/crate.xml: length is \"-1\", legal: a number from 0.0001 to 100000 m\n"
             + "environment/crate.xml: colour is \"red\", legal: no such parameter, but name, x, y, z, rx, ry, rz, onGround, placeLatitude,"
             + " placeLongitude, mass, image, color, scaleX, scaleY, scaleZ, visibleToSensors, friction, restitution, rollingFriction, velocityX,"
-            + " velocityY, velocityZ, spinX, spinY, spinZ, length,"
+            + " velocityY, velocityZ, spinX, spinY, spinZ, temperature, length,"
             + " width, height", refusal("do", "set", "object", "crate", "set", map("length", -1, "colour", "red")));
         assertTrue(refusal("do", "set", "object", "crate", "set", map("length", "")).contains("length is \"\", legal: a number"));
         assertTrue(refusal("do", "set", "object", "crate", "set", map("placeLatitude", 5)).contains("legal: both placeLatitude and placeLongitude"));

@@ -11,7 +11,8 @@ var WORDS = {
     roomba400: 'Roomba 400', create: 'Create', create2: 'Create 2', rover: 'Rover', fourWheeled: 'Four wheels', car: 'Car', Wheel: 'Wheel',
     Motor: 'Motor', Servo: 'Servo', Dynamics: 'Mass and springs', Distance: 'Distance sensor', LIDAR: 'Laser scanner', GPS: 'GPS receiver',
     Compass: 'Compass', Accelerometer: 'Accelerometer', Gyroscope: 'Gyroscope', Odometer: 'Odometer', IMU: 'Motion unit (IMU)',
-    LineSensor: 'Line sensor', ColorSensor: 'Colour sensor', Bumper: 'Bumper', Arduino: 'Arduino', Led: 'Light (LED)'
+    LineSensor: 'Line sensor', ColorSensor: 'Colour sensor', Bumper: 'Bumper', Arduino: 'Arduino', Led: 'Light (LED)',
+    Camera: 'Camera'
 }
 export var PICTURED = Object.keys(WORDS)
 // For what has none of its own, such as a sensor of a plug-in.

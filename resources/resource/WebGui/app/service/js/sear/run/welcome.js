@@ -14,7 +14,8 @@ var EXAMPLES = {
     car: ['Car', 'A steered car on a road.'],
     line: ['Line', 'A black line on the floor, to be followed.'],
     rover: ['Arduino rover', 'Motors and sensors on the pins of an Arduino.'],
-    turret: ['Turret', 'A distance sensor that a servo turns.']
+    turret: ['Turret', 'A distance sensor that a servo turns.'],
+    ball: ['Ball', 'A rover with cameras, and a red ball to follow.']
 }
 var BY_HEART = Object.keys(EXAMPLES)
 

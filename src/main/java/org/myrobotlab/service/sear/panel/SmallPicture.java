@@ -24,6 +24,9 @@ final class SmallPicture {
     /** Characters of an address. */
     private static final int MOST = 400_000;
     private static final double SMALLER = 0.7;
+    /** Of a sensor's picture: pixels of the longer side up to which each is shown as it is, and of a larger one that is shown. */
+    private static final int EXACT = 64;
+    private static final int LONGEST_OF_SENSOR = 320;
 
     private SmallPicture() {
     }
@@ -67,11 +70,12 @@ final class SmallPicture {
         return DATA + format + ";base64," + Base64.getEncoder().encodeToString(bytes);
     }
 
-    /** The picture of a sensor, each pixel as it is. */
+    /** The picture of a sensor: each pixel of a small one as it is, larger ones smaller than they are, because they come again and again. */
     static String of(Picture picture) {
         BufferedImage image = new BufferedImage(picture.getWidth(), picture.getHeight(), BufferedImage.TYPE_INT_RGB);
         image.setRGB(0, 0, picture.getWidth(), picture.getHeight(), picture.getPixels(), 0, picture.getWidth());
-        return address("png", png(image));
+        int longest = Math.max(picture.getWidth(), picture.getHeight());
+        return longest <= EXACT ? address("png", png(image)) : of(image, Math.min(LONGEST_OF_SENSOR, longest));
     }
 
     private static byte[] png(BufferedImage image) {

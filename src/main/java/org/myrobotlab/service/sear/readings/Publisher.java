@@ -26,6 +26,7 @@ public final class Publisher {
 
     private final SimulationControl control;
     private final ScriptReadings readings;
+    private final ScriptCameras cameras;
     private final Host host;
     private volatile String lastFailure = "";
     private volatile boolean started;
@@ -47,10 +48,11 @@ public final class Publisher {
     }
 
     /** Starts looking for what is due. */
-    public Publisher(Host host, SimulationControl control, ScriptReadings readings) {
+    public Publisher(Host host, SimulationControl control, ScriptReadings readings, ScriptCameras cameras) {
         this.host = host;
         this.control = control;
         this.readings = readings;
+        this.cameras = cameras;
         timer.scheduleWithFixedDelay(() -> guarded(this::look), LOOK_MILLIS, LOOK_MILLIS, TimeUnit.MILLISECONDS);
         timer.scheduleWithFixedDelay(() -> guarded(() -> {
             SimulationSession session = control.sessionOrNull();
@@ -134,6 +136,9 @@ public final class Publisher {
 
     private void publish(String sensor, double now) {
         try {
+            if (host.isImageHeard() && cameras.isCamera(sensor)) {
+                host.image(sensor, cameras.png(sensor));
+            }
             host.reading(new SensorReading(sensor, now, readings.any(sensor)));
         } catch (IllegalArgumentException e) {
             subscriptions.remove(sensor);

@@ -1,4 +1,4 @@
-package org.SEAR.raycast;
+package org.SEAR.raycast.tree;
 
 import java.util.Arrays;
 
@@ -6,7 +6,7 @@ import java.util.Arrays;
  * Builds a {@link Bvh} top-down with the surface-area heuristic over bins (Wald, "On fast construction of SAH-based bounding volume
  * hierarchies", 2007). The same boxes give the same tree.
  */
-final class BvhBuilder {
+public final class BvhBuilder {
     private static final int BINS = 16;
     /** Cost of visiting a node in units of testing an item. */
     private static final double VISIT_COST = 1;
@@ -44,7 +44,7 @@ final class BvhBuilder {
      * @param boxes six floats an item: least x, y, z, greatest x, y, z; reordered in place to the order of the tree's items
      * @param leafSize greatest number of items in a leaf
      */
-    static Bvh build(float[] boxes, int leafSize) {
+    public static Bvh build(float[] boxes, int leafSize) {
         BvhBuilder builder = new BvhBuilder(boxes, leafSize);
         if (builder.items.length == 0) {
             return new Bvh(new float[0], builder.items);

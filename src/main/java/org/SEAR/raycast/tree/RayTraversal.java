@@ -1,4 +1,4 @@
-package org.SEAR.raycast;
+package org.SEAR.raycast.tree;
 
 /**
  * Leads one ray through a {@link Bvh}, leaf by leaf, nearer ones first: a ray meets a box where its stretches between the three pairs of parallel
@@ -7,7 +7,7 @@ package org.SEAR.raycast;
  * floats are compared as integers: that is right as long as negative numbers need no order among themselves, and spares the branches that {@code
  * Math.max} takes because of NaN and -0. One thread.
  */
-final class RayTraversal {
+public final class RayTraversal {
     /** Stands for 1 / 0, so that 0 * LARGEST is 0. */
     private static final double LARGEST = 1e30;
     /** Relative; more than the rounding of a double to a float ... */
@@ -18,7 +18,7 @@ final class RayTraversal {
     private static final double SLACK = 1 + 1e-6;
 
     /** Nodes looked at since the beginning. */
-    long nodes;
+    public long nodes;
 
     private final int[] stack = new int[Bvh.MAX_DEPTH];
     private final int[] stackNear = new int[Bvh.MAX_DEPTH];
@@ -43,7 +43,7 @@ final class RayTraversal {
     private float farIz;
 
     /** Begins a ray; the direction may have any length but 0, and distances are in units of it. */
-    void start(Bvh tree, double ox, double oy, double oz, double dx, double dy, double dz) {
+    public void start(Bvh tree, double ox, double oy, double oz, double dx, double dy, double dz) {
         data = tree.data;
         depth = 0;
         if (data.length > 0) {
@@ -82,7 +82,7 @@ final class RayTraversal {
      * The next leaf that the ray may meet up to a distance, -1 when there is none left. Of two children the one whose middle part of the ray comes
      * first goes first: where boxes overlap, they often begin at the same place.
      */
-    int next(double limit) {
+    public int next(double limit) {
         float[] box = data;
         int x = sideX;
         int y = sideY;

@@ -1,44 +1,44 @@
-package org.SEAR.raycast;
+package org.SEAR.raycast.tree;
 
 /**
  * A bounding volume hierarchy in one flat array. The two children of a node stand side by side, so that one look at memory fetches both. Bounds may
  * be refitted, the shape of the tree never changes. Any thread may read it while nobody refits.
  */
-final class Bvh {
+public final class Bvh {
     /** No path from the root to a leaf is longer; the size of stacks. */
-    static final int MAX_DEPTH = 96;
+    public static final int MAX_DEPTH = 96;
     /** Floats of {@link #data} that a node takes: least x, y, z, greatest x, y, z, and the bits of two integers. */
-    static final int STRIDE = 8;
+    public static final int STRIDE = 8;
     /** Floats of a node that are its bounds. */
-    static final int BOUNDS = 6;
-    static final int LINK = 6;
-    static final int COUNT = 7;
+    public static final int BOUNDS = 6;
+    public static final int LINK = 6;
+    public static final int COUNT = 7;
 
-    final float[] data;
+    public final float[] data;
     /** Item numbers, leaf by leaf. */
-    final int[] items;
+    public final int[] items;
 
-    Bvh(float[] data, int[] items) {
+    public Bvh(float[] data, int[] items) {
         this.data = data;
         this.items = items;
     }
 
     /** Number of nodes with the root as 0, 0 without items. Number 1 is never used. */
-    int size() {
+    public int size() {
         return data.length / STRIDE;
     }
 
     /** Inner node: number of the left child, the right one is the next. Leaf: where its items begin in {@link #items}. */
-    int link(int node) {
+    public int link(int node) {
         return Float.floatToRawIntBits(data[node * STRIDE + LINK]);
     }
 
     /** Number of items of a leaf, 0 in inner nodes. */
-    int count(int node) {
+    public int count(int node) {
         return Float.floatToRawIntBits(data[node * STRIDE + COUNT]);
     }
 
-    static void describe(float[] data, int node, int link, int count) {
+    public static void describe(float[] data, int node, int link, int count) {
         data[node * STRIDE + LINK] = Float.intBitsToFloat(link);
         data[node * STRIDE + COUNT] = Float.intBitsToFloat(count);
     }
@@ -48,7 +48,7 @@ final class Bvh {
      *
      * @return whether they changed
      */
-    boolean refit(int node) {
+    public boolean refit(int node) {
         int at = node * STRIDE;
         int left = link(node) * STRIDE;
         boolean changed = false;
@@ -63,16 +63,16 @@ final class Bvh {
     }
 
     /** The greatest absolute coordinate of any item along an axis. */
-    double farthest(int axis) {
+    public double farthest(int axis) {
         return data.length == 0 ? 0 : Math.max(Math.abs(data[axis]), Math.abs(data[axis + 3]));
     }
 
     /** Half the surface of a node's bounds, m^2. */
-    double halfArea(int node) {
+    public double halfArea(int node) {
         return halfArea(data, node * STRIDE);
     }
 
-    static double halfArea(float[] box, int at) {
+    public static double halfArea(float[] box, int at) {
         double x = (double) box[at + 3] - box[at];
         double y = (double) box[at + 4] - box[at + 1];
         double z = (double) box[at + 5] - box[at + 2];

@@ -1,0 +1,119 @@
+package org.SEAR.POJOs;
+
+/**
+ * A lens by Brown's model (D. C. Brown, "Decentering distortion of lenses", 1966), with OpenCV's order and signs: a point (x, y) of the plane one
+ * metre ahead, x to the right and y down, is seen at x (1 + k1 r^2 + k2 r^4) + 2 p1 x y + p2 (r^2 + 2 x^2), likewise y. Immutable, any thread.
+ */
+public final class BrownLens {
+    private static final int MOST_STEPS = 60;
+    /** Metres, one metre ahead. */
+    private static final double EXACT = 1e-14;
+    private static final double GOOD = 1e-9;
+
+    private final double focalLength;
+    private final double cx;
+    private final double cy;
+    private final double k1;
+    private final double k2;
+    private final double p1;
+    private final double p2;
+
+    /**
+     * A lens.
+     *
+     * @param focalLength pixels
+     * @param cx column that the axis meets, likewise the row cy
+     * @param distortion k1, k2, p1, p2
+     */
+    public BrownLens(double focalLength, double cx, double cy, double[] distortion) {
+        this.focalLength = focalLength;
+        this.cx = cx;
+        this.cy = cy;
+        k1 = distortion[0];
+        k2 = distortion[1];
+        p1 = distortion[2];
+        p2 = distortion[3];
+    }
+
+    /** Pixels. */
+    public double getFocalLength() {
+        return focalLength;
+    }
+
+    /** The column at which a point of the plane one metre ahead is seen: x metres to the right of the axis and y below it. */
+    public double column(double x, double y) {
+        return cx + focalLength * seenX(x, y);
+    }
+
+    /** Likewise the row. */
+    public double row(double x, double y) {
+        return cy + focalLength * seenY(x, y);
+    }
+
+    private double seenX(double x, double y) {
+        double r = x * x + y * y;
+        return x * (1 + r * (k1 + r * k2)) + 2 * p1 * x * y + p2 * (r + 2 * x * x);
+    }
+
+    private double seenY(double x, double y) {
+        double r = x * x + y * y;
+        return y * (1 + r * (k1 + r * k2)) + p1 * (r + 2 * y * y) + 2 * p2 * x * y;
+    }
+
+    /**
+     * The point of the plane one metre ahead that is seen at a place of the picture, by Newton's method.
+     *
+     * @param point takes metres to the right of the axis and metres below it
+     * @return whether there is one that the distortion has not folded back
+     */
+    public boolean point(double column, double row, double[] point) {
+        double wantedX = (column - cx) / focalLength;
+        double wantedY = (row - cy) / focalLength;
+        double x = wantedX;
+        double y = wantedY;
+        double turn = 1;
+        double off = Double.POSITIVE_INFINITY;
+        for (int step = 0; step < MOST_STEPS && off > EXACT; step++) {
+            double r = x * x + y * y;
+            double radial = 1 + r * (k1 + r * k2);
+            double slope = 2 * k1 + 4 * k2 * r;
+            double xx = radial + x * x * slope + 2 * p1 * y + 6 * p2 * x;
+            double xy = x * y * slope + 2 * p1 * x + 2 * p2 * y;
+            double yy = radial + y * y * slope + 6 * p1 * y + 2 * p2 * x;
+            double errorX = seenX(x, y) - wantedX;
+            double errorY = seenY(x, y) - wantedY;
+            turn = xx * yy - xy * xy;
+            x -= (yy * errorX - xy * errorY) / turn;
+            y -= (xx * errorY - xy * errorX) / turn;
+            off = Math.abs(errorX) + Math.abs(errorY);
+        }
+        point[0] = x;
+        point[1] = y;
+        return off <= GOOD && turn > 0 && isAhead(x, y);
+    }
+
+    /** Whether the distortion grows all the way from the axis to a point. */
+    private boolean isAhead(double x, double y) {
+        double r = x * x + y * y;
+        for (int part = 1; part <= MOST_STEPS; part++) {
+            double here = r * part / MOST_STEPS;
+            if (1 + 3 * k1 * here + 5 * k2 * here * here <= 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Whether each pixel at the edge of a picture sees a point. */
+    boolean isWhole(int width, int height) {
+        double[] point = new double[2];
+        boolean whole = true;
+        for (int column = 0; column < width; column++) {
+            whole &= point(column, 0, point) && point(column, height - 1, point);
+        }
+        for (int row = 0; row < height; row++) {
+            whole &= point(0, row, point) && point(width - 1, row, point);
+        }
+        return whole;
+    }
+}

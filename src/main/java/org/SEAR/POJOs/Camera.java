@@ -1,0 +1,397 @@
+package org.SEAR.POJOs;
+
+import org.SEAR.grammar.Described;
+import org.SEAR.grammar.Faults;
+import org.SEAR.grammar.Param;
+import org.SEAR.grammar.Parameter;
+import org.SEAR.grammar.ScriptText;
+
+/**
+ * An eye: pictures of colours, of depths or of temperatures, some each second. It looks forward along its z axis, its picture's upper edge is up
+ * along y and the left edge to the left along x; {@link #move} and {@link #rotate} put it elsewhere on the robot, a servo carries it.
+ */
+@Described("pictures of colours, depths or temperatures")
+public class Camera extends SensorObject {
+    /** Kinds of pictures. */
+    public static final String COLOR = "color";
+    /** Metres along the axis. */
+    public static final String DEPTH = "depth";
+    /** Degrees Celsius. */
+    public static final String INFRARED = "infrared";
+    /** Most pixels of a picture: those of 1920 x 1080. A camera needs 60 bytes of memory a pixel. */
+    public static final int MOST_PIXELS = 1920 * 1080;
+
+    private static final String WHOLE_LENS = "a lens that shows the corners of the picture; with these four it folds back before them";
+    private static final int LONGEST = 2048;
+    /** Steps of the simulation in a second: no picture is taken between two. */
+    private static final double FASTEST = 60;
+
+    @Param(doc = "what its pictures show", values = {COLOR, DEPTH, INFRARED})
+    private String kind = COLOR;
+    @Param(doc = "pixels of a row", min = 1, max = LONGEST)
+    private int width = 320;
+    @Param(doc = "rows; 1 for a line camera", min = 1, max = LONGEST)
+    private int height = 240;
+    @Param(doc = "angle between the left and the right edge, of a lens without distortion", unit = "deg", min = 0.1, max = 170)
+    private double fieldOfView = 60;
+    @Param(doc = "pictures a second", unit = "Hz", min = 0.001, max = FASTEST)
+    private double rate = 10;
+    @Param(doc = "nothing nearer along the axis is seen", unit = "m", min = 0.001, max = 1000)
+    private double near = 0.02;
+    @Param(doc = "nothing farther along the axis is seen", unit = "m", min = 0.01, max = 1000000)
+    private double far = 10000;
+    @Param(doc = "radial distortion of the lens by Brown: share at the square of the distance from the axis", min = -10, max = 10)
+    private double k1;
+    @Param(doc = "radial distortion at the fourth power", min = -10, max = 10)
+    private double k2;
+    @Param(doc = "tangential distortion by Brown, of a lens that is not parallel to the picture", min = -1, max = 1)
+    private double p1;
+    @Param(doc = "tangential distortion, across", min = -1, max = 1)
+    private double p2;
+    @Param(doc = "column that the axis meets, 0 the middle of the leftmost; without it the middle of the picture", unit = "px",
+        min = -LONGEST, max = 2 * LONGEST)
+    private Double cx;
+    @Param(doc = "row that the axis meets, 0 the middle of the uppermost; without it the middle of the picture", unit = "px",
+        min = -LONGEST, max = 2 * LONGEST)
+    private Double cy;
+    @Param(doc = "factor on the light of colours: 1 as the window shows them", min = 0.001, max = 1000)
+    private double exposure = 1;
+    @Param(doc = "electrons of a white pixel, whose number differs by its square root (shot noise); 0 for none", unit = "e-", max = 1e9)
+    private double fullWell;
+    @Param(doc = "standard deviation of the electrons that reading adds; counts with fullWell", unit = "e-")
+    private double readNoise;
+    @Param(doc = "standard deviation of a depth of 1 m; it grows with the square of the depth", unit = "m", max = 10)
+    private double depthNoise;
+    @Param(doc = "noise equivalent temperature difference: standard deviation of a temperature", unit = "K", max = 100)
+    private double netd;
+    @Param(doc = "whether it sees parts of the own robot")
+    private boolean seesOwnRobot;
+
+    /** For reading from a file. */
+    protected Camera() {
+    }
+
+    /** Colours, 320 x 240 pixels, 60 degrees, 10 Hz, at the body's origin. */
+    public Camera(String name) {
+        this(name, 0, 0, 0, 0, 0, 0);
+    }
+
+    /** At (x, y, z) of the body frame, metres. */
+    public Camera(String name, double x, double y, double z) {
+        this(name, x, y, z, 0, 0, 0);
+    }
+
+    /** At (x, y, z) of the body frame, metres, turned by (rx, ry, rz), degrees; rx of 20 looks 20 degrees down. */
+    public Camera(String name, double x, double y, double z, double rx, double ry, double rz) {
+        super(name);
+        pose(x, y, z, rx, ry, rz);
+        created(Camera.class);
+    }
+
+    @Override
+    protected void crossCheck(Faults faults) {
+        if ((long) width * height > MOST_PIXELS) {
+            faults.add("height", height, "at most " + MOST_PIXELS + " pixels: " + MOST_PIXELS / width + " rows of " + width);
+        }
+        if (!getLens().isWhole(width, height)) {
+            faults.add("k1", k1, WHOLE_LENS);
+        }
+        if (near >= far) {
+            faults.add("near", near, "less than far, " + Parameter.format(far) + " m");
+        }
+        if (readNoise > 0 && fullWell == 0) {
+            faults.add("readNoise", readNoise, "0 without fullWell, which says how many electrons are white");
+        }
+    }
+
+    /** {@link #COLOR}, {@link #DEPTH} or {@link #INFRARED}. */
+    public String getKind() {
+        return kind;
+    }
+
+    /** @param newKind color (also colour), depth or infrared */
+    public void setKind(String newKind) {
+        String text = ScriptText.of(newKind);
+        kind = checked("kind", "colour".equals(text) ? COLOR : text);
+        changed();
+    }
+
+    /**
+     * Gives everything but the place the values of a camera that there is, by its data sheet; its errors, too.
+     *
+     * @param name RaspberryPi-v2, C270, Kinect, D435, MLX90640 or Pixy2, in whatever spelling
+     * @throws IllegalArgumentException that names the models there are
+     */
+    public void setModel(String name) {
+        checkChangeable();
+        CameraModel model = CameraModel.of(ScriptText.of(name), label());
+        kind = model.kind;
+        width = model.width;
+        height = model.height;
+        fieldOfView = model.fieldOfView;
+        rate = model.rate;
+        near = model.near;
+        far = model.far;
+        fullWell = model.errors.fullWell;
+        readNoise = 0;
+        depthNoise = model.errors.depthNoise;
+        netd = model.errors.netd;
+        changed();
+    }
+
+    /** Pixels of a row. */
+    public int getWidth() {
+        return width;
+    }
+
+    /** Rows. */
+    public int getHeight() {
+        return height;
+    }
+
+    /**
+     * Sets how many pixels there are.
+     *
+     * @param newWidth pixels of a row, 1 to 2048
+     * @param newHeight rows, 1 to 2048; 1 makes a line camera
+     * @throws IllegalArgumentException if they are more than 1920 x 1080 together
+     */
+    public void setSize(int newWidth, int newHeight) {
+        int checkedWidth = checked("width", newWidth);
+        int checkedHeight = checked("height", newHeight);
+        if ((long) checkedWidth * checkedHeight > MOST_PIXELS) {
+            throw new IllegalArgumentException(label() + ": " + newWidth + " x " + newHeight + " are " + (long) newWidth * newHeight
+                + " pixels, legal: at most " + MOST_PIXELS + " (1920 x 1080)");
+        }
+        int oldWidth = width;
+        int oldHeight = height;
+        width = checkedWidth;
+        height = checkedHeight;
+        checkLens(() -> {
+            width = oldWidth;
+            height = oldHeight;
+        });
+        changed();
+    }
+
+    /** Angle between the left and the right edge of the picture, of a lens without distortion, degrees. */
+    public double getFieldOfView() {
+        return fieldOfView;
+    }
+
+    /** @param degrees between the left and the right edge, 0.1 to 170 */
+    public void setFieldOfView(double degrees) {
+        double old = fieldOfView;
+        fieldOfView = checked("fieldOfView", degrees);
+        checkLens(() -> fieldOfView = old);
+        changed();
+    }
+
+    /** Pictures a simulated second. */
+    public double getRate() {
+        return rate;
+    }
+
+    /** @param hertz pictures a simulated second, 0.001 to 60 */
+    public void setRate(double hertz) {
+        rate = checked("rate", hertz);
+        changed();
+    }
+
+    /** Metres along the axis, nearer than which nothing is seen. */
+    public double getNear() {
+        return near;
+    }
+
+    /** Metres along the axis, farther than which nothing is seen. */
+    public double getFar() {
+        return far;
+    }
+
+    /**
+     * Sets how far it sees.
+     *
+     * @param newNear metres along the axis, 0.001 to 1000; depths that are less are no return
+     * @param newFar metres along the axis, 0.01 to 1000000, more than near
+     */
+    public void setRange(double newNear, double newFar) {
+        double checkedNear = checked("near", newNear);
+        double checkedFar = checked("far", newFar);
+        if (checkedNear >= checkedFar) {
+            throw new IllegalArgumentException(label() + ": near is " + Parameter.format(newNear) + ", legal: less than far, "
+                + Parameter.format(newFar) + " m");
+        }
+        near = checkedNear;
+        far = checkedFar;
+        changed();
+    }
+
+    /** Radial distortion at the square of the distance from the axis. */
+    public double getK1() {
+        return k1;
+    }
+
+    /** Radial distortion at the fourth power. */
+    public double getK2() {
+        return k2;
+    }
+
+    /** Tangential distortion. */
+    public double getP1() {
+        return p1;
+    }
+
+    /** Tangential distortion, across. */
+    public double getP2() {
+        return p2;
+    }
+
+    /**
+     * Sets the distortion of the lens, with the coefficients and signs of OpenCV (Brown, "Decentering distortion of lenses", 1966).
+     *
+     * @param newK1 radial, -10 to 10; below 0 a barrel, above 0 a pincushion
+     * @param newK2 radial, -10 to 10
+     * @param newP1 tangential, -1 to 1
+     * @param newP2 tangential, -1 to 1
+     */
+    public void setLens(double newK1, double newK2, double newP1, double newP2) {
+        double checkedK1 = checked("k1", newK1);
+        double checkedK2 = checked("k2", newK2);
+        double checkedP1 = checked("p1", newP1);
+        double checkedP2 = checked("p2", newP2);
+        double[] old = {k1, k2, p1, p2};
+        bend(checkedK1, checkedK2, checkedP1, checkedP2);
+        checkLens(() -> bend(old));
+        changed();
+    }
+
+    private void bend(double... distortion) {
+        k1 = distortion[0];
+        k2 = distortion[1];
+        p1 = distortion[2];
+        p2 = distortion[3];
+    }
+
+    /** @param back takes back what has changed, if the lens doesn't show all of the picture any more */
+    private void checkLens(Runnable back) {
+        if (!getLens().isWhole(width, height)) {
+            String message = label() + ": k1 is " + Parameter.format(k1) + ", legal: " + WHOLE_LENS;
+            back.run();
+            throw new IllegalArgumentException(message);
+        }
+    }
+
+    /** Column that the axis meets, pixels, 0 the middle of the leftmost one; null for the middle. */
+    public Double getCx() {
+        return cx;
+    }
+
+    /** Row that the axis meets, pixels, 0 the middle of the uppermost one; null for the middle. */
+    public Double getCy() {
+        return cy;
+    }
+
+    /**
+     * Sets where the axis meets the picture, as OpenCV counts: (0, 0) is the middle of the pixel at the upper left.
+     *
+     * @param newCx column, pixels; null for the middle
+     * @param newCy row, pixels; null for the middle
+     */
+    public void setCentre(Double newCx, Double newCy) {
+        Double checkedCx = newCx == null ? null : Double.valueOf(checked("cx", newCx));
+        Double checkedCy = newCy == null ? null : Double.valueOf(checked("cy", newCy));
+        Double oldCx = cx;
+        Double oldCy = cy;
+        cx = checkedCx;
+        cy = checkedCy;
+        checkLens(() -> {
+            cx = oldCx;
+            cy = oldCy;
+        });
+        changed();
+    }
+
+    /** Focal length, pixels: the distance of the picture's plane in units of its pixels. */
+    public double getFocalLength() {
+        return width / (2 * StrictMath.tan(StrictMath.toRadians(fieldOfView) / 2));
+    }
+
+    /** The lens. */
+    public BrownLens getLens() {
+        double x = cx == null ? (width - 1) / 2.0 : cx;
+        double y = cy == null ? (height - 1) / 2.0 : cy;
+        return new BrownLens(getFocalLength(), x, y, new double[] {k1, k2, p1, p2});
+    }
+
+    /** Factor on the light of colours. */
+    public double getExposure() {
+        return exposure;
+    }
+
+    /** @param factor on the light of colours, 0.001 to 1000; 1 as the window shows them */
+    public void setExposure(double factor) {
+        exposure = checked("exposure", factor);
+        changed();
+    }
+
+    /** Electrons of a white pixel; 0 for no shot noise. */
+    public double getFullWell() {
+        return fullWell;
+    }
+
+    /** Standard deviation of the electrons that reading adds. */
+    public double getReadNoise() {
+        return readNoise;
+    }
+
+    /**
+     * Sets the noise of colours.
+     *
+     * @param newFullWell electrons of a white pixel, 0 to 1e9: n electrons differ by their square root; 0 for none
+     * @param newReadNoise standard deviation of the electrons that reading adds, 0 to 1e6; 0 without fullWell
+     */
+    public void setShotNoise(double newFullWell, double newReadNoise) {
+        double checkedWell = checked("fullWell", newFullWell);
+        double checkedRead = checked("readNoise", newReadNoise);
+        if (checkedRead > 0 && checkedWell == 0) {
+            throw new IllegalArgumentException(label() + ": readNoise is " + Parameter.format(newReadNoise)
+                + ", legal: 0 without fullWell, which says how many electrons are white");
+        }
+        fullWell = checkedWell;
+        readNoise = checkedRead;
+        changed();
+    }
+
+    /** Standard deviation of a depth of 1 m, metres. */
+    public double getDepthNoise() {
+        return depthNoise;
+    }
+
+    /** @param metres standard deviation of a depth of 1 m, 0 to 10; it grows with the square of the depth */
+    public void setDepthNoise(double metres) {
+        depthNoise = checked("depthNoise", metres);
+        changed();
+    }
+
+    /** Standard deviation of a temperature, kelvin. */
+    public double getNetd() {
+        return netd;
+    }
+
+    /** @param kelvin standard deviation of a temperature (noise equivalent temperature difference), 0 to 100 */
+    public void setNetd(double kelvin) {
+        netd = checked("netd", kelvin);
+        changed();
+    }
+
+    /** Whether it sees parts of the own robot. */
+    public boolean isSeesOwnRobot() {
+        return seesOwnRobot;
+    }
+
+    /** Whether it sees parts of the own robot; false at first. */
+    public void setSeesOwnRobot(boolean on) {
+        seesOwnRobot = checked("seesOwnRobot", on);
+        changed();
+    }
+}

@@ -1,0 +1,94 @@
+package org.SEAR.POJOs;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.stream.Collectors;
+
+/**
+ * Cameras that there are, by their data sheets: data. Pixels are square, so the vertical field of view follows from the horizontal one. Errors are
+ * those of the data sheets and of measurements that others have published; nothing here has been measured anew.
+ */
+enum CameraModel {
+    /** Raspberry Pi camera v2, whole sensor, binned. Raspberry Pi documentation, camera: IMX219, 62.2 degrees, up to 30 Hz so, full well 4300 e-. */
+    PI_V2("RaspberryPi-v2", Camera.COLOR, 640, 480, 62.2, 30, 0.02, 10000, new Errors().well(4300)),
+    /** Logitech C270: 640 x 480 at 30 Hz; 55 degrees from corner to corner, which are 45.2 across a picture of 4 : 3. */
+    C270("C270", Camera.COLOR, 640, 480, 45.2, 30, 0.02, 10000, new Errors()),
+    /**
+     * Kinect for Xbox 360, depth: 640 x 480 at 30 Hz, 57 degrees, 0.8 to 4 m (Kinect for Windows sensor specifications). Its error grows with the
+     * square of the distance, 1.425 mm at 1 m (Khoshelham and Elberink, "Accuracy and resolution of Kinect depth data", 2012).
+     */
+    KINECT("Kinect", Camera.DEPTH, 640, 480, 57, 30, 0.8, 4, new Errors().depth(0.001425)),
+    /**
+     * RealSense D435, depth: 848 x 480 at 30 Hz, 87 degrees, 0.3 to 10 m (D400 series data sheet). Error of 0.08 pixels of disparity by its focal
+     * length of 447 pixels and 50 mm between its eyes: 3.6 mm at 1 m.
+     */
+    D435("D435", Camera.DEPTH, 848, 480, 87, 30, 0.3, 10, new Errors().depth(0.0036)),
+    /** Melexis MLX90640-BAB: 32 x 24 at 8 Hz, 55 degrees; 0.1 K at 1 Hz, which is 0.28 K at 8 Hz (data sheet, revision 11). */
+    MLX90640("MLX90640", Camera.INFRARED, 32, 24, 55, 8, 0.01, 1000, new Errors().netd(0.28)),
+    /** Pixy2: 316 x 208 pixels of colour at 60 Hz, 60 degrees, whose blobs it tells (docs.pixycam.com, v2). */
+    PIXY2("Pixy2", Camera.COLOR, 316, 208, 60, 60, 0.02, 10000, new Errors());
+
+    final String label;
+    final String kind;
+    final int width;
+    final int height;
+    final double fieldOfView;
+    final double rate;
+    final double near;
+    final double far;
+    final Errors errors;
+
+    /** What a model measures wrongly. */
+    static final class Errors {
+        double fullWell;
+        double depthNoise;
+        double netd;
+
+        Errors well(double electrons) {
+            fullWell = electrons;
+            return this;
+        }
+
+        Errors depth(double metres) {
+            depthNoise = metres;
+            return this;
+        }
+
+        Errors netd(double kelvin) {
+            netd = kelvin;
+            return this;
+        }
+    }
+
+    CameraModel(String label, String kind, int width, int height, double fieldOfView, double rate, double near, double far, Errors errors) {
+        this.label = label;
+        this.kind = kind;
+        this.width = width;
+        this.height = height;
+        this.fieldOfView = fieldOfView;
+        this.rate = rate;
+        this.near = near;
+        this.far = far;
+        this.errors = errors;
+    }
+
+    /**
+     * The model of a name, in whatever spelling: {@code raspberry pi v2} is a RaspberryPi-v2.
+     *
+     * @param owner for the error
+     * @throws IllegalArgumentException that names those there are
+     */
+    static CameraModel of(String name, String owner) {
+        for (CameraModel model : values()) {
+            if (name != null && plain(model.label).equals(plain(name))) {
+                return model;
+            }
+        }
+        throw new IllegalArgumentException(owner + ": model is \"" + name + "\", legal: "
+            + Arrays.stream(values()).map(model -> model.label).collect(Collectors.joining(", ")));
+    }
+
+    private static String plain(String name) {
+        return name.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "");
+    }
+}

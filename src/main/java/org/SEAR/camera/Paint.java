@@ -1,0 +1,36 @@
+package org.SEAR.camera;
+
+/** A picture or a colour. Immutable, any thread. */
+public final class Paint {
+    private final Texture texture;
+    private final int color;
+
+    private Paint(Texture texture, int color) {
+        this.texture = texture;
+        this.color = color;
+    }
+
+    /** A colour, 0xRRGGBB. */
+    public static Paint of(int color) {
+        return new Paint(null, color);
+    }
+
+    /** A picture. */
+    public static Paint of(Texture texture) {
+        return new Paint(texture, 0);
+    }
+
+    /** Whether places in a picture don't matter. */
+    boolean isPlain() {
+        return texture == null;
+    }
+
+    /** Sets the spot's colour; see {@link Texture#look}. */
+    void look(double u, double v, double ux, double vx, double uy, double vy, Spot spot) {
+        if (texture == null) {
+            spot.setColor(color);
+        } else {
+            texture.look(u, v, ux, vx, uy, vy, spot);
+        }
+    }
+}

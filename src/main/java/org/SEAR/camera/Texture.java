@@ -1,0 +1,177 @@
+package org.SEAR.camera;
+
+/**
+ * A picture on a surface, with smaller and smaller ones of it (Williams, "Pyramidal parametrics", 1983): what a pixel covers is the mean of a few
+ * places of the one in which it is about as large as a pixel, in a row along its longer side (as anisotropic filters do). Reckons in whole numbers
+ * where it mixes, so that the bytes are the same everywhere. Immutable, any thread.
+ */
+public final class Texture {
+    /** Places at most that a pixel at a flat angle is the mean of. */
+    private static final int MOST_PLACES = 8;
+    private static final int BITS = 8;
+    private static final int ONE = 1 << BITS;
+    private static final int MANTISSA = 52;
+    private static final int BIAS = 1023;
+
+    private final int[][] levels;
+    private final int[] widths;
+    private final int[] heights;
+    private final boolean repeated;
+
+    /**
+     * A picture.
+     *
+     * @param pixels 0xRRGGBB, row by row from the top left
+     * @param repeated whether it goes on beyond its edges from the start, or with the pixels at its edges
+     */
+    public Texture(int width, int height, int[] pixels, boolean repeated) {
+        int count = 1;
+        for (int size = Math.max(width, height); size > 1; size /= 2) {
+            count++;
+        }
+        levels = new int[count][];
+        widths = new int[count];
+        heights = new int[count];
+        levels[0] = pixels.clone();
+        widths[0] = width;
+        heights[0] = height;
+        this.repeated = repeated;
+        for (int level = 1; level < count; level++) {
+            shrink(level);
+        }
+    }
+
+    private void shrink(int level) {
+        int width = widths[level - 1];
+        int height = heights[level - 1];
+        widths[level] = Math.max(1, width / 2);
+        heights[level] = Math.max(1, height / 2);
+        int[] from = levels[level - 1];
+        int[] to = new int[widths[level] * heights[level]];
+        for (int row = 0; row < heights[level]; row++) {
+            int top = row * height / heights[level];
+            int bottom = Math.max(top + 1, (row + 1) * height / heights[level]);
+            for (int column = 0; column < widths[level]; column++) {
+                int left = column * width / widths[level];
+                int right = Math.max(left + 1, (column + 1) * width / widths[level]);
+                to[row * widths[level] + column] = mean(from, width, left, right, top, bottom);
+            }
+        }
+        levels[level] = to;
+    }
+
+    private static int mean(int[] pixels, int width, int left, int right, int top, int bottom) {
+        int red = 0;
+        int green = 0;
+        int blue = 0;
+        for (int row = top; row < bottom; row++) {
+            for (int column = left; column < right; column++) {
+                int rgb = pixels[row * width + column];
+                red += rgb >> 16 & 0xff;
+                green += rgb >> 8 & 0xff;
+                blue += rgb & 0xff;
+            }
+        }
+        int count = (right - left) * (bottom - top);
+        return (red + count / 2) / count << 16 | (green + count / 2) / count << 8 | (blue + count / 2) / count;
+    }
+
+    /**
+     * What a pixel sees.
+     *
+     * @param u 0 at the picture's left edge, 1 at its right one
+     * @param v 0 at its lower edge, 1 at its upper one
+     * @param ux change of u for one pixel to the right, likewise vx
+     * @param uy change of u for one pixel down, likewise vy
+     * @param spot takes red, green and blue
+     */
+    public void look(double u, double v, double ux, double vx, double uy, double vy, Spot spot) {
+        double rightU = ux * widths[0];
+        double rightV = vx * heights[0];
+        double downU = uy * widths[0];
+        double downV = vy * heights[0];
+        double right = rightU * rightU + rightV * rightV;
+        double down = downU * downU + downV * downV;
+        double longer = Math.max(right, down);
+        spot.red = 0;
+        spot.green = 0;
+        spot.blue = 0;
+        if (!(longer > 1)) {
+            add(0, u, v, 0, 0, 1, 1, spot);
+            return;
+        }
+        double major = Math.sqrt(longer);
+        double minor = Math.max(1, Math.min(major, Math.abs(rightU * downV - rightV * downU) / major));
+        int places = (int) Math.min(MOST_PLACES, Math.ceil(major / minor));
+        double level = Math.min(levels.length - 1, logarithm(Math.max(1, major / places)));
+        int finer = (int) level;
+        double coarse = level - finer;
+        double stepU = right >= down ? ux : uy;
+        double stepV = right >= down ? vx : vy;
+        add(finer, u, v, stepU, stepV, places, 1 - coarse, spot);
+        if (coarse > 0) {
+            add(finer + 1, u, v, stepU, stepV, places, coarse, spot);
+        }
+    }
+
+    /** The logarithm to base 2 of a number of 1 or more, straight between powers of 2. */
+    private static double logarithm(double value) {
+        long bits = Double.doubleToRawLongBits(value);
+        double mantissa = Double.longBitsToDouble(bits & (1L << MANTISSA) - 1 | (long) BIAS << MANTISSA);
+        return (bits >>> MANTISSA) - BIAS + mantissa - 1;
+    }
+
+    /** Adds the mean of places in a row, each the mean of the four pixels around it. */
+    private void add(int level, double u, double v, double stepU, double stepV, int places, double share, Spot spot) {
+        int width = widths[level];
+        int height = heights[level];
+        int[] pixels = levels[level];
+        double first = 0.5 / places - 0.5;
+        double across = ((repeated ? u - Math.floor(u) : u) + first * stepU) * width - 0.5;
+        double down = height - 0.5 - ((repeated ? v - Math.floor(v) : v) + first * stepV) * height;
+        double stepAcross = stepU * width / places;
+        double stepDown = -stepV * height / places;
+        int red = 0;
+        int green = 0;
+        int blue = 0;
+        for (int i = 0; i < places; i++) {
+            int left = floor(across);
+            int top = floor(down);
+            int right = (int) ((across - left) * ONE);
+            int below = (int) ((down - top) * ONE);
+            int x0 = inside(left, width);
+            int x1 = inside(left + 1, width);
+            int y0 = inside(top, height) * width;
+            int y1 = inside(top + 1, height) * width;
+            int a = pixels[y0 + x0];
+            int b = pixels[y0 + x1];
+            int c = pixels[y1 + x0];
+            int d = pixels[y1 + x1];
+            int wd = right * below;
+            int wb = right * ONE - wd;
+            int wc = below * ONE - wd;
+            int wa = ONE * ONE - wb - wc - wd;
+            red += (a >> 16 & 0xff) * wa + (b >> 16 & 0xff) * wb + (c >> 16 & 0xff) * wc + (d >> 16 & 0xff) * wd;
+            green += (a >> 8 & 0xff) * wa + (b >> 8 & 0xff) * wb + (c >> 8 & 0xff) * wc + (d >> 8 & 0xff) * wd;
+            blue += (a & 0xff) * wa + (b & 0xff) * wb + (c & 0xff) * wc + (d & 0xff) * wd;
+            across += stepAcross;
+            down += stepDown;
+        }
+        double scale = share / (ONE * ONE * places);
+        spot.red += scale * red;
+        spot.green += scale * green;
+        spot.blue += scale * blue;
+    }
+
+    private static int floor(double value) {
+        int cut = (int) value;
+        return value < cut ? cut - 1 : cut;
+    }
+
+    private int inside(int at, int size) {
+        if (at >= 0 && at < size) {
+            return at;
+        }
+        return repeated ? Math.floorMod(at, size) : at < 0 ? 0 : size - 1;
+    }
+}

@@ -1,0 +1,258 @@
+package org.SEAR.raycast;
+
+import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.Rotation;
+import org.SEAR.raycast.tree.Bvh;
+
+/**
+ * Casts the beams of a picture, tile by tile: the hierarchy is walked once for the pyramid that all beams of a tile fill, nearer nodes first, and
+ * each shape that reaches into it is asked by its beams. A node that lies beside the pyramid, or behind what all of its beams have met, is left out.
+ * What a beam answers depends on the shapes only. Holds what one thread needs for it; allocates nothing.
+ */
+final class PictureCaster {
+    /** More than the rounding of the tests of nodes, relative and in metres. */
+    private static final double SLACK = 1e-9;
+    /** Four sides of a tile's pyramid and the way ahead, of each a normal and where it begins. */
+    private static final int PLANES = 5;
+    private static final int PLANE = 4;
+    private static final int AHEAD = 4 * PLANE;
+    /** Stands for 1 / 0, so that 0 * LARGEST is 0. */
+    private static final double LARGEST = 1e30;
+
+    private final RayCaster rays;
+    private final int[] stack = new int[Bvh.MAX_DEPTH];
+    private final double[] stackNear = new double[Bvh.MAX_DEPTH];
+    private final double[] axes = new double[9];
+    private final double[] planes = new double[PLANES * PLANE];
+    /** A beam's direction in the frame of a box: the nine numbers that its three are made of. */
+    private final double[] own = new double[9];
+    private PictureBeams beams;
+    private Shapes shapes;
+    private double ox;
+    private double oy;
+    private double oz;
+    private double start;
+    private double range;
+    private double[] depth;
+    private int[] found;
+    private int[] part;
+    private int first;
+    private int end;
+    private int top;
+    private int bottom;
+    /** The pixel at which the arrays of answers begin. */
+    private int base;
+    /** The farthest of a tile's beams; the range while one of them has met nothing. */
+    private double worst;
+
+    PictureCaster(RayCaster rays) {
+        this.rays = rays;
+    }
+
+    /** Where the beams come from and how far they go, see {@link BeamScene#castPicture}. */
+    void begin(Shapes scene, PictureBeams picture, Pose pose, double from, double to, int firstTile) {
+        base = picture.top(firstTile) * picture.width;
+        shapes = scene;
+        beams = picture;
+        ox = pose.x;
+        oy = pose.y;
+        oz = pose.z;
+        Rotation.write(pose.qx, pose.qy, pose.qz, pose.qw, axes, 0);
+        start = from;
+        range = to;
+    }
+
+    /** One tile of them. */
+    void cast(Bvh tree, int tile, int ignored, double[] depths, int[] shapesMet, int[] partsMet) {
+        depth = depths;
+        found = shapesMet;
+        part = partsMet;
+        first = beams.first(tile);
+        end = beams.end(tile);
+        top = beams.top(tile);
+        bottom = beams.bottom(tile);
+        for (int row = top; row < bottom; row++) {
+            for (int i = row * beams.width + first; i < row * beams.width + end; i++) {
+                depth[i - base] = Double.POSITIVE_INFINITY;
+                found[i - base] = -1;
+                part[i - base] = -1;
+            }
+        }
+        worst = range;
+        pyramid(tile);
+        int open = 0;
+        if (tree.size() > 0) {
+            stackNear[0] = reach(tree.data, 0);
+            open = stackNear[0] == Double.POSITIVE_INFINITY ? 0 : 1;
+            stack[0] = 0;
+        }
+        while (open > 0) {
+            open--;
+            if (stackNear[open] > worst) {
+                continue;
+            }
+            int node = stack[open];
+            int count = tree.count(node);
+            int link = tree.link(node);
+            for (int i = link; i < link + count; i++) {
+                if (shapes.isSeen(tree.items[i], ignored)) {
+                    shape(tree.items[i]);
+                }
+            }
+            if (count == 0) {
+                open = children(tree, link, open);
+            }
+        }
+    }
+
+    private int children(Bvh tree, int left, int open) {
+        double nearLeft = reach(tree.data, left * Bvh.STRIDE);
+        double nearRight = reach(tree.data, (left + 1) * Bvh.STRIDE);
+        boolean leftLast = nearLeft >= nearRight;
+        int next = push(open, leftLast ? left : left + 1, leftLast ? nearLeft : nearRight);
+        return push(next, leftLast ? left + 1 : left, leftLast ? nearRight : nearLeft);
+    }
+
+    private int push(int open, int node, double near) {
+        if (near > worst || near == Double.POSITIVE_INFINITY) {
+            return open;
+        }
+        stack[open] = node;
+        stackNear[open] = near;
+        return open + 1;
+    }
+
+    private void pyramid(int tile) {
+        int at = PictureBeams.SIDES * tile;
+        plane(0, 1, 0, -beams.bounds[at]);
+        plane(PLANE, -1, 0, beams.bounds[at + 1]);
+        plane(2 * PLANE, 0, 1, -beams.bounds[at + 2]);
+        plane(3 * PLANE, 0, -1, beams.bounds[at + 3]);
+        plane(AHEAD, 0, 0, 1);
+    }
+
+    /** A plane through the origin, by its normal in the picture's frame, which looks into the pyramid. */
+    private void plane(int at, double x, double y, double z) {
+        double nx = axes[0] * x + axes[1] * y + axes[2] * z;
+        double ny = axes[3] * x + axes[4] * y + axes[5] * z;
+        double nz = axes[6] * x + axes[7] * y + axes[8] * z;
+        planes[at] = nx;
+        planes[at + 1] = ny;
+        planes[at + 2] = nz;
+        planes[at + 3] = -(nx * ox + ny * oy + nz * oz);
+    }
+
+    /** How far ahead the nearest point of a node may be; infinite beside the pyramid. */
+    private double reach(float[] box, int at) {
+        double hx = ((double) box[at + 3] - box[at]) / 2;
+        double hy = ((double) box[at + 4] - box[at + 1]) / 2;
+        double hz = ((double) box[at + 5] - box[at + 2]) / 2;
+        double x = box[at] + hx;
+        double y = box[at + 1] + hy;
+        double z = box[at + 2] + hz;
+        double[] p = planes;
+        for (int k = 0; k < AHEAD; k += PLANE) {
+            double middle = p[k] * x + p[k + 1] * y + p[k + 2] * z + p[k + 3];
+            double half = Math.abs(p[k]) * hx + Math.abs(p[k + 1]) * hy + Math.abs(p[k + 2]) * hz;
+            if (middle + half < -SLACK * (1 + half + Math.abs(p[k + 3]))) {
+                return Double.POSITIVE_INFINITY;
+            }
+        }
+        double middle = p[AHEAD] * x + p[AHEAD + 1] * y + p[AHEAD + 2] * z + p[AHEAD + 3];
+        double half = Math.abs(p[AHEAD]) * hx + Math.abs(p[AHEAD + 1]) * hy + Math.abs(p[AHEAD + 2]) * hz;
+        double slack = SLACK * (1 + half + Math.abs(p[AHEAD + 3]));
+        return middle + half < start - slack ? Double.POSITIVE_INFINITY : middle - half - slack;
+    }
+
+    private void shape(int shape) {
+        rays.tested++;
+        if (shapes.kind[shape] == Shapes.BOX) {
+            box(shape);
+        } else {
+            beams(shape, shapes.kind[shape] == Shapes.MESH);
+        }
+        double farthest = 0;
+        for (int row = top; row < bottom; row++) {
+            for (int i = row * beams.width + first; i < row * beams.width + end; i++) {
+                farthest = Math.max(farthest, depth[i - base]);
+            }
+        }
+        worst = Math.min(range, farthest);
+    }
+
+    private void beams(int shape, boolean mesh) {
+        double sx = ox + start * axes[2];
+        double sy = oy + start * axes[5];
+        double sz = oz + start * axes[8];
+        for (int row = top; row < bottom; row++) {
+            for (int i = row * beams.width + first; i < row * beams.width + end; i++) {
+                double x = beams.left[i];
+                double y = beams.up[i];
+                double dx = axes[0] * x + axes[1] * y;
+                double dy = axes[3] * x + axes[4] * y;
+                double dz = axes[6] * x + axes[7] * y;
+                double limit = Math.min(range, depth[i - base]) - start;
+                double t = start + rays.test(shapes, shape, sx + start * dx, sy + start * dy, sz + start * dz, dx + axes[2], dy + axes[5],
+                    dz + axes[8], limit * (1 + SLACK));
+                if (t <= range && (t < depth[i - base] || t == depth[i - base] && shape < found[i - base])) {
+                    depth[i - base] = t;
+                    found[i - base] = shape;
+                    part[i - base] = mesh ? rays.triangle(shapes.mesh[shape]) : -1;
+                }
+            }
+        }
+    }
+
+    /** Boxes are what rooms are made of: one origin for all beams, and a direction that is made of two. */
+    private void box(int shape) {
+        double[] m = shapes.data;
+        int at = shape * Shapes.STRIDE;
+        for (int k = 0; k < 3; k++) {
+            for (int axis = 0; axis < 3; axis++) {
+                own[3 * k + axis] = m[at + k] * axes[axis] + m[at + 3 + k] * axes[3 + axis] + m[at + 6 + k] * axes[6 + axis];
+            }
+        }
+        double wx = ox - m[at + 9];
+        double wy = oy - m[at + 10];
+        double wz = oz - m[at + 11];
+        double px = m[at] * wx + m[at + 3] * wy + m[at + 6] * wz;
+        double py = m[at + 1] * wx + m[at + 4] * wy + m[at + 7] * wz;
+        double pz = m[at + 2] * wx + m[at + 5] * wy + m[at + 8] * wz;
+        double a = m[at + 12];
+        double b = m[at + 13];
+        double c = m[at + 14];
+        double xx = own[0];
+        double xy = own[1];
+        double xz = own[2];
+        double yx = own[3];
+        double yy = own[4];
+        double yz = own[5];
+        double zx = own[6];
+        double zy = own[7];
+        double zz = own[8];
+        for (int row = top; row < bottom; row++) {
+            for (int i = row * beams.width + first; i < row * beams.width + end; i++) {
+                double x = beams.left[i];
+                double y = beams.up[i];
+                double ix = inverse(xx * x + xy * y + xz);
+                double iy = inverse(yx * x + yy * y + yz);
+                double iz = inverse(zx * x + zy * y + zz);
+                double nearX = ix < 0 ? a : -a;
+                double nearY = iy < 0 ? b : -b;
+                double nearZ = iz < 0 ? c : -c;
+                double in = Math.max((nearX - px) * ix, Math.max((nearY - py) * iy, (nearZ - pz) * iz));
+                double out = Math.min((-nearX - px) * ix, Math.min((-nearY - py) * iy, (-nearZ - pz) * iz));
+                double t = in >= start ? in : out;
+                if (in <= out && out >= start && t <= range && (t < depth[i - base] || t == depth[i - base] && shape < found[i - base])) {
+                    depth[i - base] = t;
+                    found[i - base] = shape;
+                    part[i - base] = -1;
+                }
+            }
+        }
+    }
+
+    private static double inverse(double d) {
+        return Math.abs(d) < 1 / LARGEST ? Math.copySign(LARGEST, d) : 1 / d;
+    }
+}

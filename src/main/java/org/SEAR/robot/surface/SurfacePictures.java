@@ -1,0 +1,44 @@
+package org.SEAR.robot.surface;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.Consumer;
+import javax.imageio.ImageIO;
+import org.SEAR.files.Assets;
+
+/** The pictures of a project's surfaces, each read when a sensor looks at it first. Simulation thread. */
+final class SurfacePictures {
+    private final Assets assets;
+    private final Consumer<String> told;
+    private final Map<String, SurfacePicture> known = new HashMap<>();
+
+    /** @param told hears, once, of each that can't be read */
+    SurfacePictures(Assets assets, Consumer<String> told) {
+        this.assets = assets;
+        this.told = told;
+    }
+
+    /** Null for one that can't be read. */
+    SurfacePicture get(String path) {
+        if (!known.containsKey(path)) {
+            known.put(path, read(path));
+        }
+        return known.get(path);
+    }
+
+    private SurfacePicture read(String path) {
+        try {
+            BufferedImage image = ImageIO.read(new ByteArrayInputStream(assets.readPicture(path)));
+            if (image == null) {
+                told.accept("colour and line sensors can't look at the picture " + path + ", legal: .png, .jpg, .gif or .bmp");
+            }
+            return image == null ? null : new SurfacePicture(image);
+        } catch (IOException e) {
+            told.accept("colour and line sensors can't look at a picture: " + e.getMessage());
+            return null;
+        }
+    }
+}

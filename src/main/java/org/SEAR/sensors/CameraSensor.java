@@ -1,0 +1,217 @@
+package org.SEAR.sensors;
+
+import org.SEAR.POJOs.Camera;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.camera.Eye;
+import org.SEAR.camera.Sight;
+import org.SEAR.camera.image.Exposure;
+import org.SEAR.geometry.Pose;
+import org.SEAR.raycast.BeamScene;
+
+/**
+ * Pictures at the camera's rate, by the simulation's clock: a reading is the last one that was due, or, before the first, one of the present moment.
+ *
+ * <p>When a picture is due only the poses of all things are noted, which costs next to nothing; it is made when somebody reads it, of the world as it
+ * was then. So a camera that nobody looks at does not slow a simulation down, and the bytes are the same whoever reads, and when.
+ */
+public final class CameraSensor extends Sensor<CameraImage> {
+    private static final int SHOT = 11;
+    private static final int READ = 12;
+    private static final int DEPTH = 13;
+    private static final int HEAT = 14;
+    private static final int CHANNELS = 3;
+    private static final double FULL = 255;
+    /** More than the rounding of a number of pictures. */
+    private static final double ROUNDING = 1e-9;
+
+    private final Camera camera;
+    private final Exposure exposure;
+    private final CounterRandom random;
+    private Eye eye;
+    private double[] poses = {};
+    private final double[] drifts = new double[CHANNELS];
+    private Pose place;
+    private long due = -1;
+    private double dueTime;
+    /** The world as it was when the last picture was due, if it has moved on since. */
+    private BeamScene past;
+    private CameraImage image;
+    private long imageStep = -1;
+
+    /** @param seed of the simulation */
+    public CameraSensor(Camera parameters, long seed) {
+        super(parameters, seed, CHANNELS);
+        camera = parameters;
+        exposure = new Exposure(parameters);
+        random = new CounterRandom(seed, parameters.getFullName());
+    }
+
+    /** Notes where everything is when a picture is due. */
+    @Override
+    public void track(Truth truth) {
+        super.track(truth);
+        if (number(truth.step(), truth) > number(truth.step() - 1, truth)) {
+            BeamScene seen = scene(truth);
+            int size = BeamScene.POSE * seen.size();
+            if (poses.length != size) {
+                poses = new double[size];
+            }
+            seen.poses(poses);
+            place = pose(truth);
+            due = truth.step();
+            dueTime = truth.time();
+            noteDrifts();
+        }
+    }
+
+    private void noteDrifts() {
+        for (int channel = 0; channel < CHANNELS; channel++) {
+            drifts[channel] = errors.drift(channel);
+        }
+    }
+
+    /** How many pictures have been due up to a step. */
+    private double number(long step, Truth truth) {
+        return Math.floor(step * truth.stepLength() * camera.getRate() + ROUNDING);
+    }
+
+    /** What is hidden from beams is no less to be seen, but for those of a camera that measures depths by beams. */
+    private BeamScene scene(Truth truth) {
+        return Camera.DEPTH.equals(camera.getKind()) ? truth.scene() : truth.sight();
+    }
+
+    @Override
+    public void reset() {
+        super.reset();
+        due = -1;
+        imageStep = -1;
+        image = null;
+    }
+
+    @Override
+    protected CameraImage measure(Truth truth) {
+        long wanted = due < 0 ? truth.step() : due;
+        if (image == null || imageStep != wanted) {
+            image = wanted == truth.step() ? take(truth, scene(truth), pose(truth), truth.time()) : take(truth, before(truth), place, dueTime);
+            imageStep = wanted;
+        }
+        return image;
+    }
+
+    private BeamScene before(Truth truth) {
+        if (past == null) {
+            past = scene(truth).copy();
+        }
+        past.setPoses(poses);
+        return past;
+    }
+
+    private CameraImage take(Truth truth, BeamScene scene, Pose from, double time) {
+        if (eye == null) {
+            eye = new Eye(camera);
+        }
+        long step = due < 0 ? truth.step() : due;
+        if (due < 0) {
+            noteDrifts();
+        }
+        Sight sight = new Sight(scene, truth.looks(), from, camera.isSeesOwnRobot() ? BeamScene.WORLD : truth.owner());
+        int[] pixels = null;
+        float[] values = null;
+        switch (camera.getKind()) {
+            case Camera.DEPTH:
+                values = eye.depths(sight);
+                measureDepths(values, step);
+                break;
+            case Camera.INFRARED:
+                values = eye.temperatures(sight);
+                measureHeat(values, step);
+                break;
+            default:
+                pixels = eye.colors(sight);
+                exposure.expose(pixels, (reading, number) -> random.normal(step, reading ? READ : SHOT, number));
+                measureColors(pixels, step);
+        }
+        Eye lens = eye;
+        return new CameraImage(camera, time, from, new CameraImage.Rays() {
+            @Override
+            public double left(int pixel) {
+                return lens.left(pixel);
+            }
+
+            @Override
+            public double up(int pixel) {
+                return lens.up(pixel);
+            }
+        }, pixels, values);
+    }
+
+    /** A depth that has become nearer than near or farther than far is no return any more; no return stays so. */
+    private void measureDepths(float[] depths, long step) {
+        double noise = camera.getDepthNoise();
+        for (int i = 0; i < depths.length && !(noise == 0 && errors.isNone()); i++) {
+            if (depths[i] < Float.POSITIVE_INFINITY) {
+                double off = noise == 0 ? 0 : noise * depths[i] * depths[i] * random.normal(step, DEPTH, i);
+                double depth = errors.applyAt(depths[i] + off, step, drifts[0], i);
+                boolean lost = errors.drops(step, i) || depth < camera.getNear() || depth > camera.getFar();
+                depths[i] = lost ? Float.POSITIVE_INFINITY : (float) depth;
+            }
+        }
+    }
+
+    /** A pixel that drops out is not a number. */
+    private void measureHeat(float[] temperatures, long step) {
+        double noise = camera.getNetd();
+        for (int i = 0; i < temperatures.length && !(noise == 0 && errors.isNone()); i++) {
+            double off = noise == 0 ? 0 : noise * random.normal(step, HEAT, i);
+            temperatures[i] = errors.drops(step, i) ? Float.NaN : (float) errors.applyAt(temperatures[i] + off, step, drifts[0], i);
+        }
+    }
+
+    /** A pixel that drops out is black. */
+    private void measureColors(int[] pixels, long step) {
+        for (int i = 0; i < pixels.length && !errors.isNone(); i++) {
+            pixels[i] = errors.drops(step, i) ? 0 : level(pixels[i] >> 16, step, i, 0) << 16 | level(pixels[i] >> 8, step, i, 1) << 8
+                | level(pixels[i], step, i, 2);
+        }
+    }
+
+    private int level(int shifted, long step, int pixel, int channel) {
+        double level = errors.applyAt(shifted & 0xff, step, drifts[channel], CHANNELS * pixel + channel);
+        return (int) Math.round(Math.max(0, Math.min(FULL, level)));
+    }
+
+    /** The registry entry. */
+    public static final class Type implements SensorType {
+        @Override
+        public Class<? extends SearObject> parameterType() {
+            return Camera.class;
+        }
+
+        @Override
+        public String description() {
+            return "pictures, row by row from the top left: colours as 0xRRGGBB, depths along the axis in m, or temperatures in degC";
+        }
+
+        @Override
+        public String unit() {
+            return "of 255, m or degC";
+        }
+
+        @Override
+        public String unit(SearObject parameters) {
+            switch (((Camera) parameters).getKind()) {
+                case Camera.DEPTH:
+                    return "m";
+                case Camera.INFRARED:
+                    return "degC";
+                default:
+                    return "of 255";
+            }
+        }
+
+        @Override
+        public Sensor<?> create(SearObject parameters, long seed) {
+            return new CameraSensor((Camera) parameters, seed);
+        }
+    }
+}

@@ -1,0 +1,122 @@
+package org.myrobotlab.service.sear.readings;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import org.SEAR.POJOs.Camera;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.camera.image.Blobs;
+import org.SEAR.grammar.ColorNames;
+import org.SEAR.grammar.ScriptText;
+import org.SEAR.sensors.CameraImage;
+import org.SEAR.simulator.Simulation;
+import org.myrobotlab.service.sear.run.SimulationControl;
+
+/** Pictures of cameras for scripts. Any thread. */
+public final class ScriptCameras {
+    private static final String ENDING = ".png";
+    private static final int HEX = 16;
+    /** Pixels that a blob has at least. */
+    private static final int LEAST_BLOB = 4;
+
+    private final SimulationControl control;
+
+    public ScriptCameras(SimulationControl control) {
+        this.control = control;
+    }
+
+    /**
+     * The last picture that was due.
+     *
+     * @throws IllegalArgumentException that names the cameras there are
+     */
+    private CameraImage image(String asked) throws InterruptedException {
+        String name = ScriptText.of(asked);
+        return control.session().ask(world -> {
+            SearObject object = name == null ? null : world.getSensor(name).getParameters();
+            if (!(object instanceof Camera)) {
+                throw new IllegalArgumentException((name == null ? "the name is missing (None)" : "sensor " + name + " is a "
+                    + object.getClass().getSimpleName() + ", not a Camera") + ", legal: " + cameras(world));
+            }
+            return (CameraImage) world.read(name);
+        });
+    }
+
+    private static String cameras(Simulation world) {
+        List<String> names = world.getSensorNames().stream().filter(name -> world.getSensor(name).getParameters() instanceof Camera)
+            .collect(Collectors.toList());
+        return names.isEmpty() ? "none, the project has no cameras" : String.join(", ", names);
+    }
+
+    private CameraImage image(String asked, String kind) throws InterruptedException {
+        CameraImage image = image(asked);
+        if (!image.getKind().equals(kind)) {
+            throw new IllegalArgumentException("camera " + ScriptText.of(asked) + " makes pictures of kind " + image.getKind() + ", legal: setKind(\""
+                + kind + "\") before the start");
+        }
+        return image;
+    }
+
+    /** Whether a sensor is a camera. */
+    boolean isCamera(String name) {
+        return control.session().getSimulation().getSensor(name).getParameters() instanceof Camera;
+    }
+
+    /** A PNG file. */
+    public byte[] png(String name) throws InterruptedException {
+        return image(name).png();
+    }
+
+    /** 0xRRGGBB each; of depths and temperatures in false colours. */
+    public int[] pixels(String name) throws InterruptedException {
+        return image(name).picture().getPixels();
+    }
+
+    /** Metres along the axis. */
+    public float[] depths(String name) throws InterruptedException {
+        return image(name, Camera.DEPTH).getValues();
+    }
+
+    /** Degrees Celsius. */
+    public float[] temperatures(String name) throws InterruptedException {
+        return image(name, Camera.INFRARED).getValues();
+    }
+
+    /** x, y and z of each point, metres. */
+    public float[] points(String name, boolean world) throws InterruptedException {
+        return image(name, Camera.DEPTH).getPoints(world);
+    }
+
+    /** [x, y, width, height, area] of each piece of a colour, pixels, the largest first. */
+    public List<double[]> blobs(String name, String color) throws InterruptedException {
+        String text = ScriptText.of(color);
+        String hex = text == null ? null : ColorNames.hex(text);
+        if (hex == null || !Blobs.hasHue(Integer.parseInt(hex.substring(1), HEX))) {
+            throw new IllegalArgumentException("the colour is " + (text == null ? "missing (None)" : "\"" + text + "\"")
+                + ", legal: one with a hue, such as red, orange or #2060ff; white, grey and black have none");
+        }
+        List<double[]> blobs = new ArrayList<>();
+        for (Blobs.Blob blob : image(name, Camera.COLOR).blobs(Integer.parseInt(hex.substring(1), HEX), LEAST_BLOB)) {
+            blobs.add(new double[] {blob.x, blob.y, blob.width, blob.height, blob.area});
+        }
+        return blobs;
+    }
+
+    /** Writes a PNG file; folders on the way are made. */
+    public void save(String name, String path) throws InterruptedException, IOException {
+        String text = ScriptText.of(path);
+        if (text == null || !text.toLowerCase(Locale.ROOT).endsWith(ENDING)) {
+            throw new IllegalArgumentException("the path is " + (text == null ? "missing (None)" : "\"" + text + "\"")
+                + ", legal: a file that ends with " + ENDING);
+        }
+        byte[] file = png(name);
+        Path to = Paths.get(text).toAbsolutePath();
+        Files.createDirectories(to.getParent());
+        Files.write(to, file);
+    }
+}

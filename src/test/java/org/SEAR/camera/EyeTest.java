@@ -1,0 +1,121 @@
+package org.SEAR.camera;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import org.SEAR.POJOs.BrownLens;
+import org.SEAR.geometry.Pose;
+import org.SEAR.raycast.BeamScene;
+import org.junit.Test;
+
+/** What pixels see: the lens, light and shadow, the sky. */
+public class EyeTest {
+    private static final int WIDTH = 64;
+    private static final int HEIGHT = 48;
+    private static final int GREY = 0x808080;
+
+    private static Eye eye(double... distortion) {
+        return new Eye(WIDTH, HEIGHT, lens(distortion), 0.01, 1000);
+    }
+
+    private static BrownLens lens(double... distortion) {
+        return new BrownLens(50, 31.5, 23.5, distortion.length == 0 ? new double[4] : distortion);
+    }
+
+    /** A grey plate below, and a grey box above a part of it. */
+    private static BeamScene plate() {
+        BeamScene scene = new BeamScene();
+        scene.setPose(scene.addBox(10, 0.1, 10, BeamScene.WORLD), 0, -0.1, 0, 0, 0, 0, 1);
+        scene.setPose(scene.addBox(0.5, 0.5, 0.5, BeamScene.WORLD), 0, 1.5, 0, 0, 0, 0, 1);
+        scene.commit();
+        return scene;
+    }
+
+    private static final class Flat extends Skin {
+        private final double[] up;
+
+        Flat(double... up) {
+            super(20, true);
+            this.up = up;
+        }
+
+        @Override
+        protected void normal(Spot spot) {
+            spot.setNormal(up[0], up[1], up[2]);
+        }
+
+        @Override
+        protected void color(Spot spot) {
+            spot.setColor(GREY);
+        }
+    }
+
+    @Test
+    public void aPixelLooksWhereTheLensHasIt() {
+        double[] distortion = {-0.25, 0.06, 0.002, -0.001};
+        BrownLens lens = lens(distortion);
+        Eye eye = eye(distortion);
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            assertEquals("column of pixel " + i, i % WIDTH, lens.column(-eye.left(i), -eye.up(i)), 1e-9);
+            assertEquals("row of pixel " + i, i / WIDTH, lens.row(-eye.left(i), -eye.up(i)), 1e-9);
+        }
+        Eye plain = eye();
+        assertEquals("the left edge, between two pixels", 31.5 / 50, plain.left(0), 1e-12);
+        assertEquals(23.5 / 50, plain.up(0), 1e-12);
+        assertTrue("a barrel shows more", eye.left(0) > plain.left(0) && eye.up(0) > plain.up(0));
+    }
+
+    @Test
+    public void theSunLightsWhatLooksToItAndTheBoxCastsAShadow() {
+        Sight down = new Sight(plate(), shape -> new Flat(0, 1, 0), Pose.ofDegrees(0, 0.9, 0, 90, 0, 0), BeamScene.WORLD);
+        double[] sun = Daylight.toSun();
+        int lit = (int) (128 * (Daylight.sky()[0] + Daylight.sun()[0] * sun[1]) + 0.5);
+        int shaded = (int) (128 * (Daylight.sky()[0] + Daylight.sun()[0] * sun[1]) * (1 - Daylight.SHADOW) + 0.5);
+        int[] picture = eye().colors(down);
+        int dark = 0;
+        for (int rgb : picture) {
+            int red = rgb >> 16;
+            assertTrue("red " + red + ", in the sun " + lit + ", in the shadow " + shaded, red == lit || red == shaded);
+            dark += red == shaded ? 1 : 0;
+        }
+        double x = 1.0 * -sun[0] / sun[1];
+        double z = 1.0 * -sun[2] / sun[1];
+        assertTrue("the shadow is a metre wide, towards " + x + ", " + z, dark > 300 && dark < 2500);
+        int away = eye().colors(new Sight(plate(), shape -> new Flat(0, -1, 0), Pose.ofDegrees(0, 0.9, 0, 90, 0, 0), BeamScene.WORLD))[0] >> 16;
+        assertEquals("what looks away has the sky's light only", (int) (128 * Daylight.sky()[0] + 0.5), away);
+    }
+
+    @Test
+    public void theSkyIsTheWindows() {
+        Sight up = new Sight(new BeamScene(), shape -> null, Pose.ofDegrees(0, 1, 0, -30, 0, 0), BeamScene.WORLD);
+        int middle = eye().colors(up)[24 * WIDTH + 32];
+        float[] ring = Daylight.rings()[8];
+        assertEquals(30, ring[0], 0);
+        assertEquals(255 * ring[1], middle >> 16, 3);
+        assertEquals(255 * ring[3], middle & 0xff, 3);
+        int land = eye().colors(new Sight(new BeamScene(), shape -> null, Pose.ofDegrees(0, 1, 0, 60, 0, 0), BeamScene.WORLD))[0];
+        assertTrue("below the horizon is land", (land >> 8 & 0xff) > (land & 0xff));
+    }
+
+    @Test
+    public void aStripAllocatesNothing() {
+        Painter painter = new Painter(new org.SEAR.raycast.PictureBeams(8, new double[64], new double[64]), 0.02, 0.01, 100);
+        Skin skin = new Flat(0, 1, 0);
+        Sight down = new Sight(plate(), shape -> skin, Pose.ofDegrees(0, 0.9, 0, 90, 0, 0), BeamScene.WORLD);
+        Skin[] skins = {skin, skin};
+        boolean[] casting = {true, true};
+        int[] picture = new int[64];
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long id = Thread.currentThread().getId();
+        long least = Long.MAX_VALUE;
+        for (int i = 0; i < 30; i++) {
+            long before = threads.getThreadAllocatedBytes(id);
+            painter.colors(down, 0, skins, casting, picture);
+            least = Math.min(least, threads.getThreadAllocatedBytes(id) - before);
+        }
+        assertEquals(0, least);
+        assertTrue(picture[0] != 0);
+    }
+}

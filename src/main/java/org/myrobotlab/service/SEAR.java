@@ -137,7 +137,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * Waits so many simulated seconds; in lock-step it makes them pass.
      *
      * @param seconds 0 or more
-     * @throws IllegalStateException if the simulation ends meanwhile
+     * @throws IllegalStateException if the simulation ends meanwhile, or the script that waits has paused it itself
      * @example sear.simSleep(0.5)
      */
     public void simSleep(double seconds) {
@@ -822,7 +822,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     /**
      * Begins an empty project; the present one is kept.
      *
-     * @return where it was put; None if there was none
+     * @return where it was put; None if there was none, or only an example that nobody has changed
      * @throws IllegalStateException while a simulation runs
      * @example sear.newProject()
      */

@@ -19,8 +19,8 @@ final class WrongNames {
     private static final Set<String> NOT_IN_JYTHON = Set.of("numpy", "scipy", "pandas", "matplotlib", "cv2", "serial", "pylab", "tkinter",
         "requests");
     private static final Set<String> MODULES = Set.of("math", "time", "random", "os", "json", "threading", "datetime", "csv", "re");
-    private static final Set<String> OF_MATH = Set.of("sqrt", "sin", "cos", "tan", "atan", "atan2", "asin", "acos", "pi", "radians", "degrees", "hypot",
-        "floor", "ceil", "exp", "log", "fabs");
+    private static final Set<String> OF_MATH = Set.of("sqrt", "sin", "cos", "tan", "atan", "atan2", "asin", "acos", "pi", "radians", "degrees",
+        "hypot", "floor", "ceil", "exp", "log", "fabs");
     private static final Set<String> NOTHING = Set.of("null", "nil", "undefined", "NULL", "none");
     /** What people call things of SEAR. */
     private static final Map<String, String> OTHER_WORDS = otherWords();

@@ -25,7 +25,7 @@ public final class SyntaxHints {
         {"^\\s*raise\\s.*\\sfrom\\s.*", OLD_PYTHON + ", where raise has no from"},
         {"^\\s*(\\w+)\\s*:\\s*[\\w.\\[\\]]+\\s*=\\s*(.*\\S)\\s*", OLD_PYTHON + ", whose names have no types: write $1 = $2"},
         {"^\\s*except\\s+([\\w.]+)\\s+(\\w+)\\s*:.*", "the error gets its name by as: except $1 as $2:"},
-        {"^\\s*else\\s+if\\b.*", "else if is one word in Python: elif"},
+        {"^\\s*(?:else\\s+if|elseif|elsif)\\b.*", "else if is one word in Python: elif"},
         {".*(\\b\\w+)\\s*\\+\\+.*|.*\\+\\+\\s*(\\w+).*", "Python has no ++: write $1 += 1"},
         {".*(\\b\\w+)\\s*--\\s*;?\\s*$", "Python has no --: write $1 -= 1"},
         {".*(&&|\\|\\|).*", "conditions are joined by the words and and or"},

@@ -1148,7 +1148,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The exports that there are: the name of each port and each camera with what programs open, in words, those of {@code setExport} too.
+     * The exports that there are: the names of ports and cameras, each with what programs open, in words, those of {@code setExport} too.
      *
      * @example for port, ways in sear.getExports().items(): print port, "is", ", ".join(ways)
      */

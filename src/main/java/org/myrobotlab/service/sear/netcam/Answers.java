@@ -29,8 +29,9 @@ final class Answers {
     }
 
     private static ByteBuffer[] answer(int status, String type, String more, byte[] body) {
-        return new ByteBuffer[] {ByteBuffer.wrap(bytes("HTTP/1.1 " + status + ' ' + REASONS.get(status) + LINE + ALWAYS + "Content-Type: " + type + LINE
-            + "Content-Length: " + body.length + LINE + more + LINE)), ByteBuffer.wrap(body)};
+        String head = "HTTP/1.1 " + status + ' ' + REASONS.get(status) + LINE + ALWAYS + "Content-Type: " + type + LINE + "Content-Length: " + body.length
+            + LINE + more + LINE;
+        return new ByteBuffer[] {ByteBuffer.wrap(bytes(head)), ByteBuffer.wrap(body)};
     }
 
     /** Why something is not there. */

@@ -111,8 +111,8 @@ public class HostileVisitorsTest {
         world.startPaused();
         int port = open("color");
         String end = "\r\nHost: localhost:" + port + "\r\n\r\n";
-        for (String line : new String[] {"", "GET", "GET /image.jpg", "GET  /image.jpg HTTP/1.1", "GET /image.jpg HTTP/2.0", "GET /im\u00e4ge.jpg HTTP/1.1",
-            "PRI * HTTP/2.0", "\u0016\u0003\u0001", "GET /image.jpg HTTP/1.1 "}) {
+        for (String line : new String[] {"", "GET", "GET /image.jpg", "GET  /image.jpg HTTP/1.1", "GET /image.jpg HTTP/2.0", "PRI * HTTP/2.0",
+            "GET /im\u00e4ge.jpg HTTP/1.1", "\u0016\u0003\u0001", "GET /image.jpg HTTP/1.1 "}) {
             assertEquals(line, "400 this is no request of HTTP/1.1", answer(port, line + end));
         }
         assertEquals("400 a line of the request's head has no name", answer(port, "GET / HTTP/1.1\r\n: x" + end));

@@ -205,7 +205,8 @@ public class NetworkCameraTest {
         world.startPaused();
         exports.begin();
         assertEquals(1, world.host.warnings.size());
-        assertTrue(world.host.warnings.toString(), world.host.warnings.get(0).startsWith("the export of camera eye does not work: no sensor is called"));
+        String warning = world.host.warnings.get(0);
+        assertTrue(warning, warning.startsWith("the export of camera eye does not work: no sensor is called"));
         assertEquals("no simulation with a camera eye runs: startSimulation() first", refused(early, "/image.jpg", BUSY));
         refuses("the name is missing (None), legal: color, depth, fast, infrared", () -> exports.plain(null, 0));
         refuses("TCP port is 65536, legal: 0 (any free one) to 65535", () -> exports.plain("color", 65536));

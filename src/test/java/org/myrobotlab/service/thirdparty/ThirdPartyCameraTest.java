@@ -3,6 +3,8 @@ package org.myrobotlab.service.thirdparty;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -11,6 +13,7 @@ import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.Slow;
+import org.SEAR.documents.DocBlock;
 import org.junit.Before;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
@@ -83,6 +86,17 @@ public class ThirdPartyCameraTest extends WithPrograms {
             assertTrue(output.toString(), output.get(0).matches("\\d+\\.\\d+.*"));
             assertSeen(output, 2, -1);
         }
+    }
+
+    @Test
+    public void theProgramOfThePageLooks() throws Exception {
+        String program = DocBlock.of("docs/cameras.md", "python3").get(0);
+        assertTrue(program, program.contains("localhost:8081/"));
+        Path file = folder.newFile("page.py").toPath();
+        Files.writeString(file, program.replace("localhost:8081/", "localhost:" + sear.exportCamera("eye", 0) + "/"));
+        List<String> output = programs.run(looking(file.toString()), new ArrayList<>());
+        assertEquals(output.toString(), 10, output.size());
+        assertTrue(output.toString(), output.get(9).startsWith("9 (240, 320, 3) mean of blue, green and red: ["));
     }
 
     @Test

@@ -8,10 +8,14 @@ import static org.junit.Assert.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
+import java.io.DataInputStream;
 import java.io.IOException;
+import java.io.StringReader;
 import java.net.ServerSocket;
+import java.net.URL;
 import java.util.List;
 import java.util.Map;
+import java.util.Properties;
 import javax.imageio.ImageIO;
 import org.SEAR.Slow;
 import org.SEAR.camera.image.Jpeg;
@@ -167,6 +171,29 @@ public class NetworkCameraTest {
             assertArrayEquals(still, visitor.part().file);
         }
         assertTrue("a page", new String(get(port, "/", "text/html; charset=utf-8")).contains("<img src=\"/stream.mjpg\""));
+    }
+
+    /** Everything up to a JPEG file's first two bytes is a head, in which the length stands: so does MyRobotLab's OpenCV service read. */
+    @Test
+    public void aProgramThatLooksForJpegFilesFindsThem() throws Exception {
+        world.startPaused();
+        int port = exports.plain("color", 0);
+        byte[] still = get(port, "/image.jpg", "image/jpeg");
+        try (DataInputStream in = new DataInputStream(new URL("http://localhost:" + port + "/stream.mjpg").openStream())) {
+            for (int i = 0; i < 2; i++) {
+                StringBuilder head = new StringBuilder();
+                while (head.indexOf("\u00ff\u00d8") < 0) {
+                    head.append((char) in.readUnsignedByte());
+                }
+                Properties fields = new Properties();
+                fields.load(new StringReader(head.substring(0, head.length() - 2)));
+                byte[] file = new byte[Integer.parseInt(fields.getProperty("Content-Length"))];
+                file[0] = (byte) 0xff;
+                file[1] = (byte) 0xd8;
+                in.readFully(file, 2, file.length - 2);
+                assertArrayEquals(still, file);
+            }
+        }
     }
 
     @Test

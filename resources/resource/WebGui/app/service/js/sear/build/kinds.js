@@ -12,7 +12,7 @@ var WORDS = {
     Motor: 'Motor', Servo: 'Servo', Dynamics: 'Mass and springs', Distance: 'Distance sensor', LIDAR: 'Laser scanner', GPS: 'GPS receiver',
     Compass: 'Compass', Accelerometer: 'Accelerometer', Gyroscope: 'Gyroscope', Odometer: 'Odometer', IMU: 'Motion unit (IMU)',
     LineSensor: 'Line sensor', ColorSensor: 'Colour sensor', Bumper: 'Bumper', Arduino: 'Arduino', Led: 'Light (LED)',
-    Camera: 'Camera'
+    Camera: 'Camera', Marker: 'Marker', Chessboard: 'Chessboard', Picture: 'Picture'
 }
 export var PICTURED = Object.keys(WORDS)
 // For what has none of its own, such as a sensor of a plug-in.

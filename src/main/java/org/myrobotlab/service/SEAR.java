@@ -1148,7 +1148,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The exports that there are: the names of ports and cameras, each with what programs open, in words, those of {@code setExport} too.
+     * The exports that there are: the names of ports and cameras, each with what programs open in words, those of {@code setExport} too.
      *
      * @example for port, ways in sear.getExports().items(): print port, "is", ", ".join(ways)
      */
@@ -1169,8 +1169,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
 
     /**
      * Makes a camera a network camera: programs on this computer find MJPEG at {@code http://localhost:PORT/stream.mjpg} and a picture at
-     * {@code /image.jpg}, and depths as 16-bit PNG at {@code /depth.png}; docs/cameras.md lists the addresses. As with ports it may be made before the
-     * start, and stays when the simulation stops, silent, until one with such a camera runs again.
+     * {@code /image.jpg}, and depths as 16-bit PNG at {@code /depth.png}; docs/cameras.md lists the addresses. As with ports it may be made before
+     * the start, and stays when the simulation stops, silent, until one with such a camera runs again.
      *
      * @param name the camera's name
      * @param number TCP port, 0 for any free one

@@ -29,8 +29,8 @@ final class Answers {
     }
 
     private static ByteBuffer[] answer(int status, String type, String more, byte[] body) {
-        String head = "HTTP/1.1 " + status + ' ' + REASONS.get(status) + LINE + ALWAYS + "Content-Type: " + type + LINE + "Content-Length: " + body.length
-            + LINE + more + LINE;
+        String head = "HTTP/1.1 " + status + ' ' + REASONS.get(status) + LINE + ALWAYS + "Content-Type: " + type + LINE + "Content-Length: "
+            + body.length + LINE + more + LINE;
         return new ByteBuffer[] {ByteBuffer.wrap(bytes(head)), ByteBuffer.wrap(body)};
     }
 

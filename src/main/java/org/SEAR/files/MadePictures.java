@@ -80,7 +80,7 @@ public final class MadePictures {
     private static byte[] chessboardFile(int columns, int rows) throws IOException {
         return file(columns + 2, rows + 2, (column, row) -> {
             boolean margin = Math.min(row, column) == 0 || row > rows || column > columns;
-            return margin || (row + column) % 2 == 1 ? PAPER : 0;
+            return margin || (row + column & 1) == 1 ? PAPER : 0;
         });
     }
 

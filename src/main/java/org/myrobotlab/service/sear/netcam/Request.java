@@ -45,7 +45,12 @@ final class Request {
                 return refused(BAD, "a line of the request's head has no name");
             }
             String name = lines[i].substring(0, colon).toLowerCase(Locale.ROOT);
-            (name.equals(HOST) ? hosts : name.equals(ORIGIN) ? origins : new ArrayList<String>()).add(lines[i].substring(colon + 1).trim());
+            String value = lines[i].substring(colon + 1).trim();
+            if (name.equals(HOST)) {
+                hosts.add(value);
+            } else if (name.equals(ORIGIN)) {
+                origins.add(value);
+            }
         }
         if (hosts.size() != 1 || !names(port).contains(hosts.get(0).toLowerCase(Locale.ROOT))) {
             return refused(FORBIDDEN, "host " + hosts + " is refused: call this server localhost");

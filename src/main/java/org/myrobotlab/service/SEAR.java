@@ -1167,6 +1167,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         calls.act(() -> parts.exports().end(ScriptText.of(userPort)));
     }
 
+    // ---- network cameras (before, while and after a simulation runs; the examples are of the robot of cameras.md) ---
+
     /**
      * Makes a camera a network camera: programs on this computer find MJPEG at {@code http://localhost:PORT/stream.mjpg} and a picture at
      * {@code /image.jpg}, and depths as 16-bit PNG at {@code /depth.png}; docs/cameras.md lists the addresses. As with ports it may be made before

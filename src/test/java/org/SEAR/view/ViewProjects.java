@@ -37,10 +37,10 @@ final class ViewProjects {
         Path folder = Files.createTempDirectory("view").resolve("SEARproject");
         System.setProperty("sear.project", folder.toString());
         new Floor("floor", 16, 16);
-        new Marker("marker", "DICT_4X4_50", 7, 1.2, 1.6, 1, 2.5, 0, 20, 10);
-        new Chessboard("board", 6, 5, 0.2, 0, 0.9, 3);
-        new Picture("picture", 1.6, 0.8, null, -1.8, 1, 2.5, 0, -20, 0);
-        new Marker("back", "APRILTAG_36h11", 3, 0.6, 0.5, 2.1, 3, 0, 180, 0);
+        new Marker("marker", "DICT_4X4_50", 7, 0.6, 0.9, 0.45, 0.6, 0, 20, 10);
+        new Chessboard("board", 6, 5, 0.1, 0.1, 0.4, 0.6);
+        new Picture("picture", 0.9, 0.5, null, -0.8, 0.4, 0.6, 0, -20, 0);
+        new Marker("back", "APRILTAG_36h11", 3, 0.3, 0.7, 0.3, -0.3, 0, 180, 0);
         SEARrobot robot = new SEARrobot("rover");
         robot.addComponent(new Dynamics("drive", 4, 0, 0.05, 0, 0, 0, 0));
         robot.addComponent(new Box("body", 0.2, 0.2, 0.1, 4));

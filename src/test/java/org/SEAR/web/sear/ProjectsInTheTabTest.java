@@ -63,6 +63,9 @@ public class ProjectsInTheTabTest {
         tab.start();
         browser.seeText(".sear-robots", "maze Roomba");
         assertTrue(browser.all(".sear-main datalist option").stream().anyMatch(option -> "kept.sear".equals(option.getAttribute("value"))));
+        for (String css : List.of(".sear-load", ".sear-new", ".sear-example")) {
+            assertEquals("not while the simulation runs: Stop it first", browser.see(css).getAttribute("title"));
+        }
         assertTrue("no project is opened while one runs", !browser.see(".sear-load").isEnabled() && !browser.see(".sear-example").isEnabled());
     }
 

@@ -109,7 +109,7 @@ public class ReadyRobotsTest {
         editor.apply(Map.of("do", "add", "type", "Floor", "name", "floor"));
         editor.apply(Map.of("do", "robot", "template", "chassis", "name", "robot"));
         Simulation simulation = Simulation.of(Project.read(project.folder()), 1);
-        assertEquals("[]", simulation.snapshot().warnings.toString());
+        assertEquals("[robot robot has no wheels and can't drive: robot.addWheel(Wheel(...)) adds one]", simulation.snapshot().warnings.toString());
         Worlds.run(simulation, 2);
         Pose pose = simulation.getRobots().get(0).getPose();
         assertEquals("its underside is on the floor", 0.01, pose.y, 0.002);

@@ -137,16 +137,16 @@ public class TourTest {
 
     @Test
     public void theAxesOfWhichItSpeaksAreOnTheMap() {
-        browser.until("a red axis to the north", () -> has(tab.colour(1.5, 0), 24, 8));
-        browser.until("a blue one to the east", () -> has(tab.colour(0, 1.5), 8, 24));
+        browser.until("a red axis to the north", () -> has(tab.colour(1.2, 0), 24, 8));
+        browser.until("a blue one to the east", () -> has(tab.colour(0, 1.2), 8, 24));
         browser.click(".driver-popover-close-btn");
         browser.until("the end of the tour", () -> tab.isTrue("tour.step === null"));
         browser.click("[data-make='rover']");
         browser.click(".sear-middle");
         browser.until("a rover on its floor", () -> tab.isTrue("world.shown().robots.length == 1 && world.shown().objects.length == 1"));
-        browser.until("the axis on the floor, too", () -> has(tab.colour(1.5, 0), 24, 8));
+        browser.until("the axis on the floor, too", () -> has(tab.colour(1.2, 0), 24, 8));
         browser.click(".sear-build");
-        browser.until("no axis where nobody builds", () -> !has(tab.colour(1.5, 0), 24, 8));
+        browser.until("no axis where nobody builds", () -> !has(tab.colour(1.2, 0), 24, 8));
     }
 
     /** Whether a colour has much of one part and little of another, by their places in the number. */

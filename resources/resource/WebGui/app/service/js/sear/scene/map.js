@@ -5,7 +5,7 @@ import {lay} from './pictures.js'
 
 var PATH = '#337ab7'
 var AXES = [['x north', ['#c62828', '#ff8a80'], [1, 0]], ['z east', ['#1565c0', '#7ab8ff'], [0, 1]]]    // on light and on dark ground
-var AXIS = 2                // metres that they are long, as in space
+var AXIS = 1.5              // metres that they are long: less than what an empty map shows
 var SMALLEST_ROBOT = 4      // pixels: one that looks smaller is a dot
 
 /** A function from metres on the ground to pixels of a canvas. */
@@ -32,7 +32,7 @@ export function draw(element, view, world, terrain, shapes, pictures) {
     angular.forEach(world && world.objects, function(object) {
         var image = object.tile !== undefined && object.picture ? pictures.of(object.picture) : null
         if (image) {
-            lay(pen, at, object, image)
+            lay(pen, at, object, image, geometry.isLight(ink))
         }
     })
     if (view.building) {

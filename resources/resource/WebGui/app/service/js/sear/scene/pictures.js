@@ -2,6 +2,7 @@
 import * as geometry from '../shared/geometry.js'
 
 var KEY = 'picture '        // so begin the keys of pictures among those of looks
+var NIGHT = 0.55            // how much of a picture is seen on a dark page, where names on it are light
 var PATIENCE_MILLIS = 10000 // an answer that takes longer is asked for again
 
 /** @param ask a function that asks the service for pictures by their keys @param whenThere called when one has come */
@@ -40,8 +41,8 @@ export function makePictures(ask, whenThere) {
     }
 }
 
-/** Lays an image on a floor, as the view in space has it: its right is at -z, its top at -x. @param at see map.projection */
-export function lay(pen, at, floor, image) {
+/** Lays an image on a floor, as the view in space has it: its right is at -z, its top at -x. @param at see map.projection @param dark the theme */
+export function lay(pen, at, floor, image, dark) {
     var half = [0, 2].map(axis => Math.max.apply(null, floor.corners.map(point => point[axis])))
     var pose = geometry.frame(floor.pose)
     function corner(x, z) {
@@ -55,6 +56,7 @@ export function lay(pen, at, floor, image) {
     var high = floor.tile ? image.height * 2 * half[0] / floor.tile : image.height
     pen.save()
     pen.transform((right.x - first.x) / wide, (right.y - first.y) / wide, (low.x - first.x) / high, (low.y - first.y) / high, first.x, first.y)
+    pen.globalAlpha = dark ? NIGHT : 1
     pen.fillStyle = pen.createPattern(image, 'repeat')
     pen.fillRect(0, 0, wide, high)
     pen.restore()

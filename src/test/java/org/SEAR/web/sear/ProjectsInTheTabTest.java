@@ -8,6 +8,7 @@ import static org.junit.Assert.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.Base64;
 import java.util.List;
 import java.util.Random;
@@ -283,9 +284,10 @@ public class ProjectsInTheTabTest {
     }
 
     @Test
-    public void aNewProjectIsEmptyAndTheOldOneIsKept() {
+    public void aNewProjectIsEmptyAndTheOldOneIsKept() throws IOException {
         tab.openExample("maze");
         tab.waitForRobot("maze Roomba");
+        Files.writeString(project("environment/goal.xml"), "<!-- changed: untouched examples are not kept -->", StandardOpenOption.APPEND);
         browser.click(".sear-new");
         browser.seeText(".sear-main .alert-info", "kept");
         browser.until("no project", () -> Files.notExists(project("robot")));

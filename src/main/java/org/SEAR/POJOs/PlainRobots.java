@@ -42,6 +42,13 @@ final class PlainRobots {
         robot.addComponent(motor);
     }
 
+    /** 2 kg, without wheels; its origin is where the middle between driven wheels of a radius of 5 cm may be. */
+    static SEARrobot chassis(String name) {
+        SEARrobot robot = make(name, 2, 0.05);
+        body(robot, 0.2, 0.3, 0.06, 2, 0.02, -0.05);
+        return robot;
+    }
+
     /** 2 kg; its origin is the middle between its driven wheels. */
     static SEARrobot rover(String name) {
         SEARrobot robot = make(name, 2, 0.05);

@@ -1,9 +1,9 @@
 package org.SEAR.POJOs;
 
 /**
- * Ready robots: iRobot's with the dimensions of the real ones, so that drivers made for those judge distances and turns rightly, and three vehicles
- * with motors to build one's own from. Each is an ordinary robot: it can be moved, and gets sensors by {@link SEARrobot#addComponent}. The parts of
- * iRobot's are {@code drive} (a {@link Dynamics}), {@code body}, the driven wheels
+ * Ready robots: iRobot's with the dimensions of the real ones, so that drivers made for those judge distances and turns rightly, three vehicles
+ * with motors to build one's own from, and a chassis without wheels. Each is an ordinary robot: it can be moved, and gets sensors by
+ * {@link SEARrobot#addComponent}. The parts of iRobot's are {@code drive} (a {@link Dynamics}), {@code body}, the driven wheels
  * {@code left} and {@code right}, and the casters {@code front} and {@code back} (the real ones have a caster in front only). Their origin is
  * the middle of the body, which starts 54 mm above the world's origin; forward is z. Where an object of the environment or a robot is called like a
  * part, {@code body}, the part of {@code rover} is {@code rover body}. What can't be made whole leaves the project as it was.
@@ -55,6 +55,14 @@ public final class Robots {
     /** The same with ports: {@code uart} is the device's end, {@code user} the one that the user opens. */
     public static SEARrobot create2(String name, String uart, String user) {
         return make(name, "create2", 115200, uart, user);
+    }
+
+    /**
+     * A robot of 2 kg without wheels, which rests on its {@code body} until it gets some; its other part is {@code drive}. Wheels of a radius of
+     * 0.05 m whose y is 0 lift the body 4 cm above the ground.
+     */
+    public static SEARrobot chassis(String name) {
+        return Stores.get().whole(() -> PlainRobots.chassis(name));
     }
 
     /**

@@ -30,7 +30,7 @@ public class Wheel extends Shape {
     @Param(doc = "size along its axle", unit = "m", min = SMALL, max = 100, required = true, initial = "0.03")
     private double width;
     @Param(doc = "1 for a driven wheel, 0 for an idler, which rolls freely in every direction, 2 for one that rolls freely the way it points",
-        values = {"0", "1", "2"}, max = 2)
+        values = {"0", "1", "2"}, words = {"idler", "driven", "free"}, max = 2)
     private int type = DRIVEN;
     @Param(doc = "greatest angle to which it is steered, of a wheel in the middle: the inner one of two turns farther, the outer one less; without it"
         + " it isn't steered", unit = "deg", min = 0.1, max = 80)

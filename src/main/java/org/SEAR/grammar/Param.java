@@ -33,6 +33,9 @@ public @interface Param {
     /** The only legal texts or whole numbers; empty if any that fits the rest is. */
     String[] values() default {};
 
+    /** What each of the values means, in a word, for who chooses one; empty where the values say it themselves. */
+    String[] words() default {};
+
     /** The value of an object that is made with nothing but its name, as by the mouse, where the default can't be meant; empty for none. */
     String initial() default "";
 

@@ -119,6 +119,16 @@ public final class Parameter {
         return List.of(param.values());
     }
 
+    /** What each of the values means, in a word; empty where the values say it themselves. */
+    public List<String> getWords() {
+        return List.of(param.words());
+    }
+
+    /** The class of the things of the same robot whose names it has; empty for none. */
+    public String getNamed() {
+        return param.names() == void.class ? "" : param.names().getSimpleName();
+    }
+
     /** Whether its text may be the name of such a thing of the same robot. */
     public boolean isNameOf(Object thing) {
         return param.names().isInstance(thing);

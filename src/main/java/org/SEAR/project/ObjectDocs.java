@@ -70,10 +70,12 @@ public final class ObjectDocs {
             + "| Robots.rover(name) | 2 kg, two driven wheels 0.2 m apart and a caster | `left`, `right`, `caster` | `leftMotor`, `rightMotor` |\n"
             + "| Robots.fourWheeled(name) | 4 kg, four driven wheels, turns by its two sides | `frontLeft`, `frontRight`, `rearLeft`, `rearRight` | "
             + "`leftMotor`, `rightMotor` |\n| Robots.car(name) | 5 kg, front wheels steered by up to 30 degrees, rear wheels driven | `frontLeft`, "
-            + "`frontRight`, `rearLeft`, `rearRight` | `engine` |\n\nTheir other parts are `drive` and `body`; [vehicles.md](vehicles.md) says what "
-            + "motors, casters and steered wheels do.\n`rover.getPart(\"leftMotor\")` is one of the parts of a ready robot, and of every other, by"
-            + " its name: `rover.getPart(\"body\").setColor(\"red\")`.\nA name means one part of a robot: where the wheels are `left` and `right`, a"
-            + " sensor is called otherwise, `leftEye` or `rightPing`.\n");
+            + "`frontRight`, `rearLeft`, `rearRight` | `engine` |\n"
+            + "| Robots.chassis(name) | 2 kg, a body to which you add wheels and motors | none | none |\n\nTheir other parts are `drive` and "
+            + "`body`; [vehicles.md](vehicles.md) says what motors, casters and steered wheels do.\n"
+            + "`rover.getPart(\"leftMotor\")` is one of the parts of a ready robot, and of every other, by"
+            + " its name: `rover.getPart(\"body\").setColor(\"red\")`.\n"
+            + "A name means one part of a robot: where the wheels are `left` and `right`, a sensor is called otherwise, `leftEye` or `rightPing`.\n");
     }
 
     /** The page, in Markdown. */

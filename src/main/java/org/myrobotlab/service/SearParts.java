@@ -73,15 +73,15 @@ final class SearParts {
         control.setActs(bodies);
         projects = new Projects(control, host);
         edits = new Edits(control);
-        publisher = new Publisher(host, control, readings, cameras);
         exports = new Exports(host, control);
         networkCameras = new CameraExports(host, cameras);
         transfers = new BundleTransfers(projects::save, projects::load);
         recording = new Recording(control, host);
         records = new Records(host);
-        control.setStepListener(publisher::publishDue);
         control.bench().open();
         Edits.mend(host::warn);
+        publisher = new Publisher(host, control, readings, cameras);    // last, for it has a thread
+        control.setStepListener(publisher::publishDue);
     }
 
     /**

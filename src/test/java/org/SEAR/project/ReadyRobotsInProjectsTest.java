@@ -40,6 +40,7 @@ public class ReadyRobotsInProjectsTest {
         ALL.put("rover", (name, port) -> Robots.rover(name));
         ALL.put("fourWheeled", (name, port) -> Robots.fourWheeled(name));
         ALL.put("car", (name, port) -> Robots.car(name));
+        ALL.put("chassis", (name, port) -> Robots.chassis(name));
     }
 
     @Rule

@@ -61,6 +61,11 @@ public final class SearTab {
         return browser.number(ROOT, expression);
     }
 
+    /** An expression's value as a text. */
+    public String text(String expression) {
+        return String.valueOf(browser.scope(ROOT, expression));
+    }
+
     /** Simulated seconds that the panel shows; -1 if none. */
     public double time() {
         return number("world.running ? world.running.time : -1");

@@ -203,6 +203,20 @@ public class WebGuiTest {
         page.abort();
     }
 
+    /** As when a simulation ends, and its ports with it, while a page still asks for their state. */
+    @Test
+    public void aServiceThatHasJustGoneIsNoErrorOfThePage() throws Exception {
+        WebSocket page = open();
+        next("services");
+        Runtime.release("talker");
+        page.sendText("{\"name\":\"talker\",\"method\":\"broadcastState\"}", true).join();
+        page.sendText("{\"name\":\"nix\",\"method\":\"broadcastState\"}", true).join();
+        assertEquals("of the one that never was, not of the other", "there is no service nix", next("error").get("error"));
+        page.sendText("{\"id\":1,\"name\":\"talker\",\"method\":\"half\",\"data\":[5]}", true).join();
+        assertEquals("who waits for an answer hears of it", "there is no service talker", next("error").get("error"));
+        page.abort();
+    }
+
     /** How many topics of the talker are listened to for pages; waits until there are so many. */
     private void waitForTopics(int wanted) {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(60);

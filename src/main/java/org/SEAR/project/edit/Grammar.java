@@ -23,7 +23,8 @@ import org.SEAR.project.xml.ObjectClasses;
  * <pre>
  * [{"type": "Box", "doc": "a box: ..", "kind": "shape" ("sensor", "robot" or "part"), "environment": true, "robot": true (where it may stand),
  *   "parameters": [{"name": "length", "doc": "size along x", "unit": "m", "kind": "number" ("whole", "switch", "text", "group"),
- *                   "legal": "a number from ..", "min": 0.0001, "max": 100000, "orZero": false, "values": [], "required": true,
+ *                   "legal": "a number from ..", "min": 0.0001, "max": 100000, "orZero": false, "values": [], "words": [] (what each value means),
+ *                   "names": "" ("Wheel": whose names of the same robot it has), "required": true,
  *                   "list": false, "most": 1, "default": "", "initial": "0.5" (with which one begins that is made by mouse),
  *                   "parameters": [..] (of a group)}, ..]}, ..]
  * </pre>
@@ -79,6 +80,8 @@ public final class Grammar {
             map.put("max", parameter.getMax());
             map.put("orZero", parameter.isOrZero());
             map.put("values", parameter.getValues());
+            map.put("words", parameter.getWords());
+            map.put("names", parameter.getNamed());
             map.put("required", parameter.isRequired());
             map.put("list", parameter.isList());
             map.put("most", parameter.getMaxEntries());

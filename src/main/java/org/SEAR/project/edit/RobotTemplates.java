@@ -21,6 +21,7 @@ public final class RobotTemplates {
         ALL.put("rover", Robots::rover);
         ALL.put("fourWheeled", Robots::fourWheeled);
         ALL.put("car", Robots::car);
+        ALL.put("chassis", Robots::chassis);
     }
 
     private RobotTemplates() {

@@ -5,7 +5,6 @@ import java.util.stream.Collectors;
 import org.python.core.CompileMode;
 import org.python.core.CompilerFlags;
 import org.python.core.Py;
-import org.python.core.PyBaseCode;
 import org.python.core.PyException;
 import org.python.core.PyObject;
 import org.python.core.PyStringMap;
@@ -78,8 +77,7 @@ public final class ScriptThreads {
     private static String place(PyException e) {
         String place = "";
         for (PyTraceback at = e.traceback; at != null; at = at.tb_next instanceof PyTraceback ? (PyTraceback) at.tb_next : null) {
-            Object code = at.tb_frame.f_code;
-            String file = code instanceof PyBaseCode ? ((PyBaseCode) code).co_filename : "";
+            String file = at.tb_frame.f_code == null ? "" : at.tb_frame.f_code.co_filename;
             place = OWN.matcher("  File \"" + file).matches() || file.isEmpty() ? place : ", at line " + at.tb_lineno + " of " + file;
         }
         return place;

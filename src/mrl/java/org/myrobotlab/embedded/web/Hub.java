@@ -40,6 +40,8 @@ public final class Hub {
 
     private final String listener;
     private final Set<Client> clients = ConcurrentHashMap.newKeySet();
+    /** Names of the services of which pages were told. */
+    private final Set<String> told = ConcurrentHashMap.newKeySet();
 
     /** @param listener name of the service that listens in place of the pages, and gives what it hears to {@link #forward} */
     public Hub(String listener) {
@@ -151,9 +153,16 @@ public final class Hub {
         }
     }
 
-    /** Calls without "id" run on the service's own thread, in the page's order; calls that want an answer run beside each other. */
+    /**
+     * Calls without "id" run on the service's own thread, in the page's order; calls that want an answer run beside each other. A page that was told
+     * of a service may call it before it hears that it has gone, as the ports of a simulation go: then there is nobody to hear it, and no error.
+     */
     private void call(Client client, Calls calls, Object id, String name, String method, List<?> data) {
         ServiceInterface service = Runtime.getService(name);
+        if (service == null && id == null && told.contains(name)) {
+            LOG.debug("{} has gone: nobody hears {}", name, method);
+            return;
+        }
         if (service == null) {
             throw new IllegalArgumentException("there is no service " + name);
         }
@@ -218,9 +227,10 @@ public final class Hub {
         clients.forEach(client -> client.send(text));
     }
 
-    private static String services() {
+    private String services() {
         List<Map<String, Object>> all = new ArrayList<>();
         for (ServiceInterface service : Runtime.getServices()) {
+            told.add(service.getName());
             Map<String, Object> one = new LinkedHashMap<>();
             one.put("name", service.getName());
             one.put("simpleName", service.getSimpleName());

@@ -18,6 +18,9 @@ final class EveryParameter {
     private static final List<Object> NUMBERS = Arrays.asList(0.5, 0.25, 2.5, 1.0, 45.0, 500.0, 9600.0);
     private static final List<Object> WHOLES = Arrays.asList(2, 1, 0, 12, 500, 19200);
     private static final int MOST_COMPANIONS = 3;
+    private static final List<String> NUMBERS_THAT_OTHERS_NEED = List.of("mass", "fullWell");
+    /** Of a lens: more would fold its picture back. */
+    private static final List<String> SMALL = List.of("p1", "p2");
 
     private final Class<?> type;
     private final List<Parameter> parameters = new ArrayList<>();
@@ -72,7 +75,8 @@ final class EveryParameter {
         }
         for (int i = from; i < parameters.size() && more > 0; i++) {
             Parameter companion = parameters.get(i);
-            if (!values.containsKey(companion) && (!companion.getType().isPrimitive() || companion.isList() || companion.getName().equals("mass"))) {
+            boolean number = companion.getType().isPrimitive() && !companion.isList();
+            if (!values.containsKey(companion) && (!number || NUMBERS_THAT_OTHERS_NEED.contains(companion.getName()))) {
                 Map<Parameter, Object> larger = new LinkedHashMap<>(values);
                 larger.put(companion, another(companion));
                 Map<Parameter, Object> found = whole(larger, i + 1, more - 1);
@@ -126,7 +130,7 @@ final class EveryParameter {
             candidates.addAll(Arrays.asList(parameter.legal().split(", ")));
         }
         if (parameter.getKind() == Parameter.Kind.NUMBER) {
-            candidates.add(0, 45 + 0.25 * parameters.indexOf(parameter));
+            candidates.add(0, SMALL.contains(parameter.getName()) ? 0.01 : 45 + 0.25 * parameters.indexOf(parameter));
         }
         int skip = which;
         for (Object each : candidates) {

@@ -119,6 +119,9 @@ public class TippingTest {
         new Floor("floor", 10, 10);
         ProjectEditor editor = new ProjectEditor(project.folder());
         for (String template : RobotTemplates.names()) {
+            if (template.equals("chassis")) {
+                continue;    // it is told that it has no wheels: ReadyRobotsTest
+            }
             editor.apply(Map.of("do", "robot", "template", template, "name", "robot"));
             assertEquals(template, List.of(), ProjectCheck.warnings(Project.read(project.folder())));
             editor.undo();

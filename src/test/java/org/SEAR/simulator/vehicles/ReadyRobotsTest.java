@@ -3,6 +3,8 @@ package org.SEAR.simulator.vehicles;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.Project;
@@ -15,7 +17,7 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Rule;
 import org.junit.Test;
 
-/** Each robot of the palette drives as soon as it is made. */
+/** Each robot of the palette drives as soon as it is made, but for the one that has no wheels yet. */
 public class ReadyRobotsTest {
     /** m/s, of the tab's buttons. */
     private static final double SPEED = 0.2;
@@ -92,11 +94,26 @@ public class ReadyRobotsTest {
 
     @Test
     public void allStandSafely() throws Exception {
-        for (String template : RobotTemplates.names()) {
+        List<String> withWheels = new ArrayList<>(RobotTemplates.names());
+        assertTrue(withWheels.remove("chassis"));
+        for (String template : withWheels) {
             make(template);
             new ProjectEditor(project.folder()).apply(Map.of("do", "delete", "object", "robot"));
             new ProjectEditor(project.folder()).apply(Map.of("do", "delete", "object", "floor"));
         }
+    }
+
+    @Test
+    public void aChassisRestsOnItsBodyAndLacksNothingButWheels() throws Exception {
+        ProjectEditor editor = new ProjectEditor(project.folder());
+        editor.apply(Map.of("do", "add", "type", "Floor", "name", "floor"));
+        editor.apply(Map.of("do", "robot", "template", "chassis", "name", "robot"));
+        Simulation simulation = Simulation.of(Project.read(project.folder()), 1);
+        assertEquals("[robot robot has no wheels and can't drive: robot.addWheel(Wheel(...)) adds one]", simulation.snapshot().warnings.toString());
+        Worlds.run(simulation, 2);
+        Pose pose = simulation.getRobots().get(0).getPose();
+        assertEquals("its underside is on the floor", 0.01, pose.y, 0.002);
+        assertEquals("level", 1, pose.rotate(0, 1, 0)[1], 0.001);
     }
 
     /** A car steers to the circle that it is told to drive; straight on after that it goes straight, and what was steered by hand stays. */

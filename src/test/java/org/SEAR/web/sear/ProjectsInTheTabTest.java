@@ -8,6 +8,7 @@ import static org.junit.Assert.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.Base64;
 import java.util.List;
 import java.util.Random;
@@ -63,6 +64,9 @@ public class ProjectsInTheTabTest {
         tab.start();
         browser.seeText(".sear-robots", "maze Roomba");
         assertTrue(browser.all(".sear-main datalist option").stream().anyMatch(option -> "kept.sear".equals(option.getAttribute("value"))));
+        for (String css : List.of(".sear-load", ".sear-new", ".sear-example")) {
+            assertEquals("not while the simulation runs: Stop it first", browser.see(css).getAttribute("title"));
+        }
         assertTrue("no project is opened while one runs", !browser.see(".sear-load").isEnabled() && !browser.see(".sear-example").isEnabled());
     }
 
@@ -280,9 +284,10 @@ public class ProjectsInTheTabTest {
     }
 
     @Test
-    public void aNewProjectIsEmptyAndTheOldOneIsKept() {
+    public void aNewProjectIsEmptyAndTheOldOneIsKept() throws IOException {
         tab.openExample("maze");
         tab.waitForRobot("maze Roomba");
+        Files.writeString(project("environment/goal.xml"), "<!-- changed: untouched examples are not kept -->", StandardOpenOption.APPEND);
         browser.click(".sear-new");
         browser.seeText(".sear-main .alert-info", "kept");
         browser.until("no project", () -> Files.notExists(project("robot")));

@@ -115,6 +115,37 @@ public class RecordsTabTest {
         browser.until("what is now", () -> tab.isTrue("replay.shown === null && world.shown().robots[0].pose[2] < 0.1"));
     }
 
+    /** The run goes on behind it, where nobody sees what he drives. */
+    @Test
+    public void nothingDrivesWhileAReplayIsShown() {
+        TABS.robotLab().run(WORLD + "\n" + RUNS);
+        browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
+        browser.click(".sear-plots");
+        browser.click(".sear-map");
+        tab.start();
+        browser.see(".sear-driving");
+        replay();
+        browser.until("no buttons that drive", () -> browser.all(".sear-driving").isEmpty());
+        browser.see(".sear-view").sendKeys("u");
+        tab.waitForTime(tab.time() + 1);
+        assertEquals("nor keys", 0, tab.number("world.running.robots[0].pose[2]"), 0.01);
+        browser.click(".sear-back-to-now");
+        browser.see(".sear-driving");
+    }
+
+    @Test
+    public void aLongNameLeavesTheUnitBesideItsAxis() {
+        TABS.robotLab().run(WORLD.replace("'roomba'", "'the vacuum cleaner of the living room upstairs'"));
+        browser.until("the world", () -> tab.isTrue("world.shown() && world.shown().robots.length == 1"));
+        browser.click(".sear-plots");
+        browser.until("its speed", () -> tab.isTrue("plot.chart() && plot.chart().titles()[0].title.indexOf('the v') === 0"));
+        String title = tab.text("plot.chart().titles()[0].title");
+        assertTrue(title, title.endsWith("speed (m/s)") && title.contains("\u2026"));
+        assertTrue("it has room", Boolean.TRUE.equals(browser.script("var chart = angular.element(document.querySelector('.sear-main')).scope()"
+            + ".plot.chart(), pen = document.createElement('canvas').getContext('2d'); pen.font = '12px system-ui, sans-serif';"
+            + "return pen.measureText(chart.plot.axes[1].label).width < chart.size().height - 30")));
+    }
+
     @Test
     public void aReplaySaysSoAndEndsAsSoonAsItsUserTurnsToWhatIsNow() {
         TABS.robotLab().run(WORLD + "\n" + RUNS);

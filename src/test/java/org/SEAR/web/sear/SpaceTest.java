@@ -174,6 +174,18 @@ public class SpaceTest {
     }
 
     @Test
+    public void theCameraStaysAboveTheGround() {
+        WebElement view = browser.see(".sear-scene");
+        double elevation = number("scene.orbit.elevation");
+        new Actions(browser.driver()).moveToElement(view).clickAndHold().moveByOffset(0, -250).release().perform();
+        browser.until("a flat view", () -> number("scene.orbit.elevation") < elevation - 0.3 && number("scene.camera.position.y") < 0.1);
+        assertTrue("above the floor", number("scene.camera.position.y") > 0);
+        new Actions(browser.driver()).keyDown(Keys.SHIFT).moveToElement(view).clickAndHold().moveByOffset(0, -200).release().keyUp(Keys.SHIFT)
+            .perform();
+        assertTrue("moved down, too", number("scene.position().y") > 0);
+    }
+
+    @Test
     public void oneLooksThroughASensor() throws IOException {
         browser.choose(".sear-eye", "scanner");
         browser.until("the camera in the scanner",

@@ -27,8 +27,10 @@ public class TourTest {
 
     @Before
     public void beginAsAStranger() {
+        TABS.robotLab().run("sear.newProject()");
         browser.script("localStorage.removeItem('sear.folds')");
         TABS.open("sear");
+        browser.until("an empty project", () -> tab.isTrue("world.shown() && world.isEmpty()"));
         browser.click("[data-tile='tour']");
         waitForStep(0, "Choose a robot");
     }
@@ -77,6 +79,79 @@ public class TourTest {
         browser.click(".driver-popover-next-btn");
         browser.until("the end of the tour", () -> tab.isTrue("tour.step === null"));
         assertEquals("nothing covers the page", 0, browser.all(".driver-overlay").size());
+    }
+
+    /** Whether a thing of the palette stands within what is seen of that, and is marked. */
+    private void seeInThePalette(String make) {
+        browser.until(make + " in sight", () -> Boolean.TRUE.equals(browser.script(
+            "var thing = document.querySelector('[data-make=\"' + arguments[0] + '\"].sear-marked');"
+            + "var inside = thing && thing.closest('.sear-inside').getBoundingClientRect(), at = thing && thing.getBoundingClientRect();"
+            + "return Boolean(thing) && at.top >= inside.top && at.bottom <= inside.bottom && at.bottom <= window.innerHeight", make)));
+    }
+
+    @Test
+    public void whatIsToBeClickedIsInSightOnSmallPages() {
+        for (int[] size : new int[][] {{1280, 800}, {1024, 768}}) {
+            browser.setPageSize(size[0], size[1]);
+            try {
+                seeInThePalette("rover");
+                put("rover", 1, "Put it on the ground");
+                waitForStep(2, "Give it an eye");
+                seeInThePalette("Distance");
+                put("Distance", 3, "Mount it");
+                waitForStep(4, "An obstacle");
+                seeInThePalette("Box");
+                assertEquals("nothing else is marked", 1, browser.all(".sear-marked").size());
+                beginAsAStranger();
+            } finally {
+                browser.setPageSize(0, 0);
+            }
+        }
+    }
+
+    @Test
+    public void aBoxThatIsNotInTheWayIsSaidToBeSo() {
+        put("rover", 1, "Put it on the ground");
+        waitForStep(2, "Give it an eye");
+        put("Distance", 3, "Mount it");
+        waitForStep(4, "An obstacle");
+        browser.click("[data-make='Box']");
+        waitForStep(5, "In its way");
+        WebElement view = browser.see(".sear-view");
+        onMap(view, 0.5, -1.5).click().perform();
+        browser.seeText(".driver-popover-description", "That box is not in its way. Drag it");
+        assertEquals("still the same step", 5, tab.number("tour.step"), 0);
+        browser.until("a box that can be dragged", () -> tab.isTrue("edits.object && edits.object.type == 'Box' && building.found() !== null"));
+        onMap(view, 0.5, -1.5).clickAndHold().perform();
+        onMap(view, 0, 0.5).perform();
+        onMap(view, 0, 1).release().perform();
+        waitForStep(6, "Start");
+    }
+
+    private Actions onMap(WebElement view, double x, double z) {
+        double[] at = tab.toScreen(x, z);
+        Dimension size = view.getSize();
+        return new Actions(browser.driver()).moveToElement(view, (int) Math.round(at[0]) - size.getWidth() / 2,
+            (int) Math.round(at[1]) - size.getHeight() / 2);
+    }
+
+    @Test
+    public void theAxesOfWhichItSpeaksAreOnTheMap() {
+        browser.until("a red axis to the north", () -> has(tab.colour(1.2, 0), 24, 8));
+        browser.until("a blue one to the east", () -> has(tab.colour(0, 1.2), 8, 24));
+        browser.click(".driver-popover-close-btn");
+        browser.until("the end of the tour", () -> tab.isTrue("tour.step === null"));
+        browser.click("[data-make='rover']");
+        browser.click(".sear-middle");
+        browser.until("a rover on its floor", () -> tab.isTrue("world.shown().robots.length == 1 && world.shown().objects.length == 1"));
+        browser.until("the axis on the floor, too", () -> has(tab.colour(1.2, 0), 24, 8));
+        browser.click(".sear-build");
+        browser.until("no axis where nobody builds", () -> !has(tab.colour(1.2, 0), 24, 8));
+    }
+
+    /** Whether a colour has much of one part and little of another, by their places in the number. */
+    private static boolean has(long colour, int much, int little) {
+        return (colour >> much & 0xff) > (colour >> little & 0xff) + 60;
     }
 
     @Test

@@ -20,7 +20,14 @@ export function makeEdits(panel, messages, world, view, picture) {
     /** Has the service do an edit. @param then takes its answer; else this page says what was wrong */
     edits.edit = function(edit, then) {
         edit.page = page + ' ' + ++sent
-        waiting[edit.page] = then || sayRefusal
+        var before = messages.last
+        var answered = then || sayRefusal
+        waiting[edit.page] = function(answer) {
+            if (answer.done) {
+                messages.succeed(before)
+            }
+            answered(answer)
+        }
         view.choose()           // who builds looks where he wants to
         msg.send('tryEdit', edit)
     }
@@ -63,6 +70,9 @@ export function makeEdits(panel, messages, world, view, picture) {
     function takeBack(kind, said) {
         edits.edit({'do': kind}, function(answer) {
             messages.say(answer.done ? 'info' : 'error', answer.done ? said + ': ' + answer.words : edits.refusal(answer))
+            if (!answer.done) {
+                msg.send('getEdits')
+            }
         })
     }
     edits.undo = function() {
@@ -139,8 +149,9 @@ export function makeEdits(panel, messages, world, view, picture) {
             edits.edit({'do': 'duplicate', object: object.object, set: {z: plain(Number(object.values.z) + 0.5)}}, selectAfter)
         }
     }
-    edits.rename = function(name) {
-        edits.edit({'do': 'rename', object: edits.selected, name: name}, selectAfter)
+    /** @param refused takes the answer if that is no legal name */
+    edits.rename = function(name, refused) {
+        edits.edit({'do': 'rename', object: edits.selected, name: name}, answer => (answer.done ? selectAfter : refused)(answer))
     }
     edits.mount = function(robot) {
         if (robot) {
@@ -150,7 +161,10 @@ export function makeEdits(panel, messages, world, view, picture) {
         }
     }
 
-    world.previewed.hear(edits.ask)
+    world.previewed.hear(function() {
+        edits.ask()
+        msg.send('getEdits')    // another project has other edits, which nobody tells
+    })
     edits.handlers = {
         onEdit: onEdit,
         onEdits: onEdits,

@@ -1,5 +1,8 @@
 // The inspector of the SEAR panel: every parameter of the selected object with its unit, what is legal, and what it means, as the grammar says it.
 import {robotOf} from './balance.js'
+import {sizesOf} from './handles.js'
+import * as places from './places.js'
+import {drivenWheels} from './wheels.js'
 import {find} from '../world/pointing.js'
 
 var PARTS = ['component', 'wheel']              // of a robot: other edits see to them
@@ -13,6 +16,9 @@ var GROUPS = [
     ['Earth', /^place[A-Z]/]
 ]
 var OWN = 'Settings'
+// What others write for a number: with a comma, or with a unit behind it, each with what it is in the unit of SEAR.
+var WRITTEN = /^([+-]?\d*[.,]?\d+)\s*([a-z°]*)$/i
+var UNITS = {m: {mm: 0.001, cm: 0.01, dm: 0.1, m: 1, km: 1000}, kg: {g: 0.001, kg: 1, t: 1000}, deg: {deg: 1, '°': 1}}
 
 /** Of one panel. */
 export function makeInspector(panel, world, edits) {
@@ -22,6 +28,7 @@ export function makeInspector(panel, world, edits) {
         groups: [],             // of the rows: name, rows
         rows: [],               // of the parameters
         parts: [],              // of a selected robot: what edits call them, and their names
+        nameError: '',          // what was wrong with the name that was last typed
         inspected: {},          // the name as it stands in its field, and the robot that it is on
         mountable: false,       // whether it may be on a robot
         stays: false,           // whether it has to
@@ -93,6 +100,7 @@ export function makeInspector(panel, world, edits) {
         if (shown !== object.object + ' ' + object.type) {
             shown = object.object + ' ' + object.type
             inspector.refused = ''
+            inspector.nameError = ''
             inspector.rows = type.parameters.filter(function(parameter) {
                 return parameter.name !== 'name' && (type.kind !== 'robot' || PARTS.indexOf(parameter.name) < 0)
             }).map(rowOf)
@@ -134,15 +142,38 @@ export function makeInspector(panel, world, edits) {
             return value
         })
     }
+    /** What a text would be as a number of a parameter; empty if it is one, or can't be known. */
+    function numberMeant(parameter, text) {
+        var found = parameter.kind === 'number' && isNaN(Number(text)) ? WRITTEN.exec(String(text).trim()) : null
+        var unit = found && found[2].toLowerCase()
+        var factor = !found ? 0 : !unit || unit === parameter.unit ? 1 : (UNITS[parameter.unit] || {})[unit] || 0
+        return factor ? String(Number((Number(found[1].replace(',', '.')) * factor).toPrecision(12))) : ''
+    }
+    /** What is set with a size: what grows upwards stays with its underside where that is. */
+    function withUnderside(row, value) {
+        var set = {}
+        set[row.p.name] = value
+        var values = edits.object.values
+        var size = sizesOf(edits.typeOf(edits.object.type)).y || (edits.object.type === 'Sphere' ? {name: 'radius', share: 0.5} : null)
+        var grown = Number(value) - Number(row.was)
+        var leans = ['rx', 'rz'].some(angle => Number(values[angle]) % 360)
+        if (!size || size.name !== row.p.name || !row.was || !grown || values.y === undefined || leans || values.onGround === 'true'
+            || values.placeLatitude !== undefined) {
+            return set
+        }
+        var place = places.of(find(world.shown(), edits.selected), values, panel.isSimulating() && world.shown() === world.running)
+        set.y = places.plain(place.at[1] + grown / size.share / 2 * (Number(values.scaleY) || 1))
+        return places.edit(place, set)
+    }
     /** Sends what stands in a row. */
     inspector.setRow = function(row) {
         var value = valueOf(row)
-        if (same(value, row.was)) {
-            row.error = ''
+        var meant = row.entries ? '' : numberMeant(row.p, value)
+        if (meant || same(value, row.was)) {
+            row.error = meant ? 'write ' + meant : ''
             return
         }
-        var edit = {'do': 'set', object: edits.selected, set: {}, was: {}}
-        edit.set[row.p.name] = value
+        var edit = {'do': 'set', object: edits.selected, set: withUnderside(row, value), was: {}}
         edit.was[row.p.name] = row.was
         edits.edit(edit, function(answer) {
             showAt(row, answer)
@@ -169,6 +200,26 @@ export function makeInspector(panel, world, edits) {
         row.refused = Boolean(row.error)
         inspector.refused = other.join('; ')
         edits.ask()
+    }
+    /** What is no legal name is said below its field, which goes back to the name that the thing has. */
+    inspector.rename = function() {
+        var name = inspector.inspected.name
+        inspector.nameError = ''
+        edits.rename(name, function(answer) {
+            var why = answer.reason || answer.problems.map(one => 'legal: ' + one.legal).join('; ')
+            inspector.nameError = '"' + name + '" is no name for it; ' + why
+            inspector.inspected.name = edits.object.name
+        })
+    }
+    /** What a field may have, if that is the name of a driven wheel of the same robot; what it has is among that. */
+    inspector.choices = function(field) {
+        var wheels = field.p.names === 'Wheel' && edits.object ? drivenWheels(world.shown(), edits.object.robot) : []
+        return !wheels.length || !field.text || wheels.indexOf(field.text) >= 0 ? wheels : wheels.concat(field.text)
+    }
+    /** A value with what it means. */
+    inspector.wordOf = function(parameter, value) {
+        var word = parameter.words && parameter.words[parameter.values.indexOf(value)]
+        return word ? value + ' ' + word : value
     }
     inspector.isSwitch = row => row.p.kind === 'switch'
     inspector.isColor = row => row.p.name === 'color' && !row.entries

@@ -11,9 +11,21 @@ var WORDS = {
     roomba400: 'Roomba 400', create: 'Create', create2: 'Create 2', rover: 'Rover', fourWheeled: 'Four wheels', car: 'Car', Wheel: 'Wheel',
     Motor: 'Motor', Servo: 'Servo', Dynamics: 'Mass and springs', Distance: 'Distance sensor', LIDAR: 'Laser scanner', GPS: 'GPS receiver',
     Compass: 'Compass', Accelerometer: 'Accelerometer', Gyroscope: 'Gyroscope', Odometer: 'Odometer', IMU: 'Motion unit (IMU)',
-    LineSensor: 'Line sensor', ColorSensor: 'Colour sensor', Bumper: 'Bumper', Arduino: 'Arduino', Led: 'Light (LED)',
+    LineSensor: 'Line sensor', ColorSensor: 'Colour sensor', Bumper: 'Bumper', Arduino: 'Arduino', Led: 'Light (LED)', chassis: 'Chassis',
     Camera: 'Camera', Marker: 'Marker', Chessboard: 'Chessboard', Picture: 'Picture'
 }
+// By what else they are looked for.
+var ALSO = {
+    Box: 'wall cube block crate obstacle', Cylinder: 'pole pillar can tube', Cone: 'pylon', Sphere: 'ball', Terrain: 'ground hill mountain landscape',
+    Floor: 'ground plane line', Model: 'mesh stl obj', roomba400: 'vacuum cleaner irobot', create: 'irobot', create2: 'irobot roomba',
+    rover: 'two wheels', car: 'vehicle steered', Wheel: 'caster tyre tire', Motor: 'encoder engine drive', Servo: 'joint arm steering',
+    Dynamics: 'weight suspension', Distance: 'sonar ultrasonic ultrasound infrared range eye', LIDAR: 'lidar rangefinder', GPS: 'position satellite',
+    Compass: 'magnetometer heading', Accelerometer: 'tilt', Gyroscope: 'gyro rotation', Odometer: 'encoder way', IMU: 'gyro orientation',
+    LineSensor: 'infrared reflectance', ColorSensor: 'color', Bumper: 'touch contact switch', Arduino: 'board microcontroller', Led: 'lamp',
+    chassis: 'own empty body base', Camera: 'eye picture depth infrared thermal webcam kinect',
+    Marker: 'aruco apriltag tag fiducial code', Chessboard: 'calibration checkerboard pattern', Picture: 'image poster sign photo'
+}
+var ALSO_ROBOTS = 'robot'
 export var PICTURED = Object.keys(WORDS)
 // For what has none of its own, such as a sensor of a plug-in.
 var OTHER = {Things: 'Box', Robots: 'rover', Drives: 'Motor', Sensors: 'Distance', Boards: 'Arduino'}
@@ -31,7 +43,8 @@ function words(name) {
     return apart.charAt(0).toUpperCase() + apart.slice(1).replace(/ [A-Z](?=[a-z])/g, start => start.toLowerCase())
 }
 function kind(name, group, more) {
-    return Object.assign({make: name, group: group, word: WORDS[name] || words(name), style: styleOf(WORDS[name] ? name : OTHER[group])}, more)
+    return Object.assign({make: name, group: group, word: WORDS[name] || words(name), style: styleOf(WORDS[name] ? name : OTHER[group]),
+        sought: [WORDS[name] || words(name), name, ALSO[name] || '', group === 'Robots' ? ALSO_ROBOTS : ''].join(' ').toLowerCase()}, more)
 }
 
 /** Of a type of the grammar. */
@@ -40,5 +53,6 @@ export function ofType(type) {
 }
 /** Of a whole robot. */
 export function ofTemplate(name) {
-    return kind(name, 'Robots', {template: name, doc: 'a whole robot that drives'})
+    return kind(name, 'Robots', {template: name, doc: name === 'chassis' ? 'a robot without wheels, for one of your own: put wheels and motors on it'
+        : 'a whole robot that drives'})
 }

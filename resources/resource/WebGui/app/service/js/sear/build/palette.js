@@ -2,6 +2,7 @@
 import {mounted, tilted, withGround} from './mounting.js'
 import * as making from './kinds.js'
 import {plain} from './places.js'
+import {besideBody, drivenWheels, wheelToTurn} from './wheels.js'
 import * as pointing from '../world/pointing.js'
 
 var GRID = 0.05             // metres between the places that things snap to
@@ -34,7 +35,7 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
         var all = !edits.grammar ? [] : edits.grammar.types.filter(type => type.kind !== 'robot').map(making.ofType)
             .concat(edits.grammar.templates.map(making.ofTemplate))
         var wanted = palette.sought.trim().toLowerCase()
-        kinds = all.filter(kind => (kind.word + ' ' + kind.make).toLowerCase().indexOf(wanted) >= 0)
+        kinds = all.filter(kind => kind.sought.indexOf(wanted) >= 0)
         groups = making.GROUPS.map(name => ({name: name, kinds: kinds.filter(kind => kind.group === name)})).filter(group => group.kinds.length)
         kinds = [].concat.apply([], groups.map(group => group.kinds))
         stop = kinds.indexOf(stop) < 0 ? kinds[0] : stop
@@ -67,10 +68,40 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
     }
     /** What has no value to begin with: somebody has to say it. */
     function isAsked(parameter) {
-        return parameter.required && parameter.initial === '' && parameter.name !== 'name'
+        return isOfWheels(parameter) || parameter.required && parameter.initial === '' && parameter.name !== 'name'
+    }
+    /** Whether it names wheels that something turns. */
+    function isOfWheels(parameter) {
+        return parameter.list && parameter.names === 'Wheel'
+    }
+    /** What a field may have, if that is a list: the robot's driven wheels. */
+    palette.choices = function(field) {
+        return isOfWheels(field.p) ? drivenWheels(world.shown(), view.robot) : []
+    }
+    /** A motor turns the first wheel that has none, if nobody says which. @return whether there is one */
+    function chooseWheel(edit) {
+        var parameter = palette.armed.type.parameters.filter(isOfWheels)[0]
+        if (!parameter || edit.set[parameter.name]) {
+            return true
+        }
+        var wheel = wheelToTurn(world.shown(), edit.to)
+        edit.set[parameter.name] = wheel
+        if (!wheel) {
+            messages.say('error', 'a ' + palette.armed.name + ' turns a driven wheel, and ' + edit.to
+                + ' has none without a motor: put a Wheel on it first')
+        }
+        return Boolean(wheel)
     }
     palette.disarm = function() {
+        leave()
+    }
+    /** Nothing is to be made any more. A user of keys who was in the bar that goes with that is in the view then, where keys move what was made. */
+    function leave() {
+        var last = document.activeElement
         palette.armed = null
+        if (last && last.closest('.sear-armed')) {
+            pointer.canvas().focus({preventScroll: true})
+        }
     }
     palette.isForRobots = function() {
         return Boolean(palette.armed && palette.armed.type && !palette.armed.type.environment)
@@ -97,8 +128,9 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
     /**
      * Makes what is armed. @param at what was met: point [x, y, z] in the world, ground (whether that is a terrain), robot (its name, null for
      * none), local (the point in its frame), normal (of its surface, there) @param free whether it does not snap
+     * @param anywhere whether nobody has pointed at that place
      */
-    palette.place = function(at, free) {
+    palette.place = function(at, free, anywhere) {
         var armed = palette.armed
         var edit = {'do': armed.template ? 'robot' : 'add', set: {}}
         armed.fields.forEach(function(field) {
@@ -112,12 +144,18 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
         if (palette.isForRobots()) {
             var robot = at.robot || view.robot
             if (!robot) {
-                messages.say('error', 'a ' + armed.name + ' is a part of a robot: make one first')
+                messages.say('error', 'a ' + armed.name + ' is a part of a robot: make one first, such as the Chassis, below Robots')
                 return
             }
             edit.to = robot
             angular.extend(edit.set, tilted(armed.type))
-            if (at.robot) {
+            if (!chooseWheel(edit)) {
+                return
+            }
+            if (armed.name === 'Wheel') {
+                angular.extend(edit.set, besideBody(world.shown(), robot, at.robot && !anywhere ? at.local : null,
+                    {radius: initial(armed.type, 'radius'), width: initial(armed.type, 'width')}, value => palette.snapped(value, free)))
+            } else if (at.robot) {
                 angular.extend(edit.set, mounted(at, armed.type, free, palette.snapped))
             } else {
                 put(edit.set, [0, 0.1, 0], free)
@@ -132,7 +170,7 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
         edits.edit(armed.template ? withGround(edit, world.shown()) : edit, function(answer) {
             edits.selectAfter(answer)
             if (answer.done) {
-                palette.armed = null
+                leave()
             } else if (armed.type) {
                 askFor(armed, answer.problems)
             }
@@ -157,7 +195,7 @@ export function makePalette(panel, messages, world, view, edits, pointer) {
     /** For those who use no mouse: where the view looks at; a part of a robot in the middle of its top. */
     palette.placeInTheMiddle = function() {
         var middle = pointer.middle()
-        palette.place(palette.isForRobots() ? onTop(middle.robot || view.robot) || middle : middle, false)
+        palette.place(palette.isForRobots() ? onTop(middle.robot || view.robot) || middle : middle, false, true)
     }
     function onTop(name) {
         var robot = world.shown().robots.filter(one => one.name === name)[0]

@@ -1,12 +1,13 @@
 // Lines over time in the SEAR panel, drawn by uPlot: drag over a range to see only that, the wheel zooms, a double click shows all.
 import uPlot from '../lib/uPlot.esm.js'
 import {isNumber} from './table.js'
-import {titleOf} from './values.js'
+import {titleWithin} from './values.js'
 
 export var colors = ['#337ab7', '#d9534f', '#3c9a3c', '#e08e0b', '#8e5bb5', '#1ba39c', '#b8860b', '#c2185b']
 var FONT = '12px system-ui, sans-serif'
 var MARK = '#d9534f'
 var GRID = 'rgba(128, 128, 128, 0.25)'
+var LOWER = 42             // pixels of a plot's height that its axis of time takes
 var DRAG = 4                // pixels that are no click
 var PAPER = 14              // pixels around a picture that is saved
 
@@ -40,7 +41,7 @@ Curves.prototype.draw = function(lines, marked) {
     this.lines = lines
     this.marked = marked
     this.ink = window.getComputedStyle(this.box).color
-    var kind = JSON.stringify([this.ink].concat(lines.map(line => [line.name, line.source, line.unit, line.color])))
+    var kind = JSON.stringify([this.ink, this.titles()].concat(lines.map(line => [line.name, line.source, line.unit, line.color])))
     if (this.plot && this.kind !== kind) {
         this.plot.destroy()
         this.plot = null
@@ -55,6 +56,17 @@ Curves.prototype.draw = function(lines, marked) {
         this.resize()
         this.plot.setData(data)
     }
+}
+/** What is drawn along each axis: its unit, and what stands beside it. */
+Curves.prototype.titles = function() {
+    var pen = document.createElement('canvas').getContext('2d')
+    var lines = this.lines
+    var room = this.size().height - LOWER
+    pen.font = FONT
+    return lines.map(line => line.unit).filter((unit, i, all) => all.indexOf(unit) === i).map(function(unit) {
+        var names = lines.filter(line => line.unit === unit).map(line => line.name).filter((name, i, all) => all.indexOf(name) === i)
+        return {unit: unit, title: titleWithin(names, unit, room, text => pen.measureText(text).width)}
+    })
 }
 Curves.prototype.resize = function() {
     var size = this.size()
@@ -93,17 +105,16 @@ Curves.prototype.data = function() {
 // ---- what it looks like ----------------------------------------------------------------------------------------------------------------
 Curves.prototype.options = function() {
     var self = this
-    var units = this.lines.map(line => line.unit).filter((unit, i, all) => all.indexOf(unit) === i)
     var scales = {x: {time: false, range: (u, from, to) => self.rangeOf(from, to)}}
     function axis(more) {
         return angular.extend({stroke: self.ink, font: FONT, labelFont: FONT, labelSize: 16, labelGap: 0, grid: {stroke: GRID, width: 1},
             ticks: {stroke: 'rgba(128, 128, 128, 0.4)', width: 1, size: 5}}, more)
     }
     var axes = [axis({label: 'simulated time (s)', size: 26})]
-    units.forEach(function(unit, i) {
-        var names = self.lines.filter(line => line.unit === unit).map(line => line.name).filter((name, k, all) => all.indexOf(name) === k)
+    this.titles().forEach(function(one, i) {
+        var unit = one.unit
         scales['in ' + unit] = {range: (u, low, high) => limits(low, high)}
-        axes.push(axis({scale: 'in ' + unit, label: titleOf(names, unit), side: i === 0 ? 3 : 1, size: 58, space: 22,
+        axes.push(axis({scale: 'in ' + unit, label: one.title, side: i === 0 ? 3 : 1, size: 58, space: 22,
             grid: {show: i === 0, stroke: GRID, width: 1}}))
     })
     return angular.extend(this.size(), {

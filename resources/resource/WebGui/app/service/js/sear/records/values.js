@@ -47,6 +47,16 @@ export function titleOf(names, unit) {
     return title && unit ? title + ' (' + unit + ')' : title || unit
 }
 
+/** The same, no longer than there is room: names are cut in their middle, units are not. @param room pixels @param length of a text in pixels */
+export function titleWithin(names, unit, room, length) {
+    var title = titleOf(names, unit)
+    for (var kept = names.length === 1 ? names[0].length - 1 : 0; kept > 1 && length(title) > room; kept--) {
+        var first = Math.ceil(kept / 2)
+        title = titleOf([names[0].slice(0, first) + '…' + names[0].slice(names[0].length - kept + first)], unit)
+    }
+    return title
+}
+
 /** With what a plot begins: the first robot's speed and its first sensor. @param names of what there is */
 export function firstOf(world, names) {
     var robot = world && world.robots[0]

@@ -30,7 +30,7 @@ export function makeDriving(panel, world, view, edits, run, picture) {
         last = calls
     }
     function canDrive() {
-        return panel.isSimulating() && run.drivers(world.running).length > 0
+        return panel.isSimulating() && !world.instead && run.drivers(world.running).length > 0
     }
     function goOn() {
         go(sum(Object.keys(held).map(key => KEYS[key])), SPEED)
@@ -104,5 +104,6 @@ export function makeDriving(panel, world, view, edits, run, picture) {
         held = {}
         padded = false
     })
+    panel.scope.$watch(() => Boolean(world.instead), instead => instead && letGo())     // what is not seen is not driven
     return driving
 }

@@ -113,6 +113,7 @@ export function open(controller, $scope, $timeout, $interval) {
             }, SETTLED_MILLIS)
         }
     })
+    $scope.$watch(() => layout.isFolded('messages') ? 0 : messages.unread, unread => unread && messages.read())
     var looks = $interval(world.look, LOOK_MILLIS, 0, false)
     first = $timeout(listen)
     $scope.$on('$destroy', function() {

@@ -60,6 +60,10 @@ export function makeProject(panel, messages, problems, view) {
     }
     project.saveTo = function(path, overwrite) {
         project.question = null
+        if (!path || !path.trim()) {
+            messages.say('error', 'a project without a name can\'t be saved: write one into the field Project, such as ' + NEW)
+            return
+        }
         asked.save = path
         msg.send('saveProjectAs', path, overwrite)
     }

@@ -16,6 +16,7 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
     var known = 1               // the speed that the simulation has
     var driving = false         // whether a test drive is to begin as soon as the simulation runs
     var fixed = []              // names of the robots of which this run has said that nothing steers them
+    var before = null           // the last message when this page told it to start
     var followed = null         // whether the view has followed before the test drive; null without one
     var run = {
         pending: null,          // what the service has been told to do and has not done yet: starting or stopping
@@ -26,6 +27,7 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
 
     run.start = function() {
         problems.forget()
+        before = messages.last
         run.pending = 'starting'
         run.begun.tell()
         msg.send('startSimulation')
@@ -46,7 +48,7 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
     }
     run.key = function(event) {
         var way = KEYS[(event.key || '').toLowerCase()]
-        if (way && panel.isSimulating() && !event.ctrlKey && !event.altKey && !event.metaKey) {
+        if (way && panel.isSimulating() && !world.instead && !event.ctrlKey && !event.altKey && !event.metaKey) {
             run.drive(way)
             event.preventDefault()
         }
@@ -92,6 +94,8 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
             ? 'there is no robot to drive: choose one in the palette and click on the ground'
             : seen.robots.map(robot => robot.name).join(', ') + ' has no driven wheels: put a Wheel of type 1 on it, or a whole robot on the ground'
     }
+    /** Why no other project can be opened now; empty if one can. */
+    run.whyNoOther = () => panel.isSimulating() ? 'not while the simulation runs: Stop it first' : ''
     /** Starts, or ends, a simulation in which the keys drive the robot that is selected, else the one that is driven anyway. */
     run.testDrive = function() {
         var seen = world.now()
@@ -112,6 +116,10 @@ export function makeRun(panel, messages, world, problems, view, edits, picture) 
     }
     panel.scope.$watch(panel.isSimulating, function(simulating) {
         fixed = []
+        if (simulating) {
+            messages.succeed(before)
+            before = null
+        }
         if (simulating && driving) {
             picture.canvas().focus()
             messages.say('info', 'drive ' + view.robot + ': W or arrow up forward, S back, A left, D right, Enter back to the start')

@@ -1,11 +1,20 @@
 // The tour of the SEAR panel: from an empty ground to a robot that sees and drives, each step as soon as its user has done it. By driver.js, which
 // the build puts into lib. docs/first-robot.md is the same in words.
 import {driver} from '../lib/driver.js'
+import {frame} from '../shared/geometry.js'
+import {local} from '../world/pointing.js'
 
 var OPENS_MILLIS = 2000     // how long a step waits for the part of the page that it points at
 var MOVED = 0.3             // metres that a robot has to drive
+var NEAREST = 0.2           // metres before a robot where something is in its way, at least
+var FARTHEST = 3            // and at most: as far as the eye sees
+var MARK = 'sear-marked'    // the class of what is to be clicked
+var ASIDE = 0.35            // metres to the left or right of its way
 
-/** The steps: what they point at, what is said, and whether it is done. A step without done ends by its button. */
+/**
+ * The steps: what they point at, which thing of the palette is to be clicked there, what is said, whether it is done, and what is said instead once
+ * that has been done wrongly. A step without done ends by its button.
+ */
 function stepsOf(panel, world, palette, script, layout) {
     function now() {
         return world.now() || {objects: [], robots: [], sensors: []}
@@ -22,22 +31,30 @@ function stepsOf(panel, world, palette, script, layout) {
     }
     var hasRobot = () => now().robots.length > 0
     var hasSensor = () => now().sensors.length > 0
-    var hasBox = () => now().objects.some(object => object.type === 'Box')
+    var boxes = () => now().objects.filter(object => object.type === 'Box')
+    /** Whether a thing stands before a robot. */
+    function isAhead(thing) {
+        return now().robots.some(function(robot) {
+            var at = local(frame(robot.pose), thing.pose)
+            return Math.abs(at[0]) < ASIDE && at[2] > NEAREST && at[2] < FARTHEST
+        })
+    }
     return [
-        {at: '.sear-palette', title: 'Choose a robot',
+        {at: '.sear-palette', make: 'rover', title: 'Choose a robot',
             text: 'All that can be made is here. Click <b>Rover</b>: two driven wheels and a caster.',
             done: () => isArmed('rover') || hasRobot()},
         {at: '.sear-canvas', title: 'Put it on the ground',
             text: 'Click on the ground near the middle. It gets a floor to stand on.', done: hasRobot},
-        {at: '.sear-palette', title: 'Give it an eye',
+        {at: '.sear-palette', make: 'Distance', title: 'Give it an eye',
             text: 'Click <b>Distance sensor</b>, below <i>Sensors</i>.', done: () => isArmed('Distance') || hasSensor()},
         {at: '.sear-canvas', title: 'Mount it',
             text: 'Click on the rover, or on <b>Put it in the middle</b>. It looks ahead, and a little up, over the floor.', done: hasSensor},
-        {at: '.sear-palette', title: 'An obstacle',
-            text: 'Click <b>Box</b>, the first of all.', done: () => isArmed('Box') || hasBox()},
+        {at: '.sear-palette', make: 'Box', title: 'An obstacle',
+            text: 'Click <b>Box</b>, the first of all.', done: () => isArmed('Box') || boxes().length > 0},
         {at: '.sear-canvas', title: 'In its way',
             text: 'Click on the ground about a metre ahead of the rover. It looks along the blue axis, to the east.',
-            done: hasBox},
+            done: () => boxes().some(isAhead), wrong: () => boxes().length > 0,
+            instead: 'That box is not in its way. Drag it to about a metre ahead of the rover, along the blue axis.'},
         {at: '.sear-making', title: 'Start',
             text: 'Click <b>Test drive</b>: the simulation starts, and the keys are the rover\'s.', done: panel.isSimulating},
         {at: '.sear-driving', title: 'Drive',
@@ -84,12 +101,33 @@ export function makeTour(panel, world, view, palette, script, layout) {
             onHighlightStarted: function() {
                 tour.step = guide.getActiveIndex()
             },
+            onHighlighted: point,
             onDestroyed: function() {
                 tour.step = null
+                unmark(panel.element('workspace'))
                 guide = null
                 panel.scope.$applyAsync()
             }
         })
+    }
+    /** What is to be clicked in the palette is brought into sight there, and marked. */
+    function point() {
+        var step = steps[tour.step]
+        var whole = panel.element('workspace')
+        unmark(whole)
+        if (step && step.make) {
+            palette.sought = ''
+            panel.timeout(function() {      // when all is there that was not looked for
+                var button = whole.querySelector('[data-make="' + step.make + '"]')
+                if (button && steps[tour.step] === step) {
+                    button.classList.add(MARK)
+                    button.scrollIntoView({block: 'center'})
+                }
+            })
+        }
+    }
+    function unmark(whole) {
+        whole.querySelectorAll('.' + MARK).forEach(button => button.classList.remove(MARK))
     }
     tour.start = function() {
         loadStyle().then(function() {
@@ -111,6 +149,16 @@ export function makeTour(panel, world, view, palette, script, layout) {
                     panel.scope.$applyAsync()
                 }
             })
+        }
+    })
+    /** A step that was done wrongly says how to mend that. */
+    panel.scope.$watch(function() {
+        var step = guide && steps[tour.step]
+        return step && step.wrong && step.wrong() && !step.done() ? tour.step : null
+    }, function(wrong) {
+        if (wrong !== null) {
+            guide.getConfig().steps[wrong].popover.description = steps[wrong].instead
+            guide.moveTo(wrong)
         }
     })
     panel.scope.$on('$destroy', function() {

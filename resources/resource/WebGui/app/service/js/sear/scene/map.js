@@ -1,8 +1,11 @@
 // The flat view of the SEAR panel, from above: north (+x) up, east (+z) to the right. It works on each machine, without WebGL.
 import * as geometry from '../shared/geometry.js'
 import {penOf} from '../shared/page.js'
+import {lay} from './pictures.js'
 
 var PATH = '#337ab7'
+var AXES = [['x north', ['#c62828', '#ff8a80'], [1, 0]], ['z east', ['#1565c0', '#7ab8ff'], [0, 1]]]    // on light and on dark ground
+var AXIS = 1.5              // metres that they are long: less than what an empty map shows
 var SMALLEST_ROBOT = 4      // pixels: one that looks smaller is a dot
 
 /** A function from metres on the ground to pixels of a canvas. */
@@ -14,8 +17,8 @@ export function projection(element, view) {
     }
 }
 
-/** @param world may be null @param terrain null without one @param beams whether to draw what the sensors see */
-export function draw(element, view, world, terrain, shapes, beams) {
+/** @param world may be null @param terrain null without one @param pictures see makePictures */
+export function draw(element, view, world, terrain, shapes, pictures) {
     var pen = penOf(element)
     var at = projection(element, view)
     var ink = window.getComputedStyle(element).color
@@ -23,10 +26,22 @@ export function draw(element, view, world, terrain, shapes, beams) {
         terrain.draw(pen, at, areaOf(element, view), view.scale, geometry.isLight(ink))
     }
     drawGrid(pen, at, ink, element, view)
+    shapes.filter(shape => shape.ground).forEach(function(shape) {
+        drawShape(pen, at, ink, shape)
+    })
+    angular.forEach(world && world.objects, function(object) {
+        var image = object.tile !== undefined && object.picture ? pictures.of(object.picture) : null
+        if (image) {
+            lay(pen, at, object, image, geometry.isLight(ink))
+        }
+    })
+    if (view.building) {
+        drawAxes(pen, at, geometry.isLight(ink))
+    }
     if (!world) {
         return
     }
-    shapes.forEach(function(shape) {
+    shapes.filter(shape => !shape.ground).forEach(function(shape) {
         drawShape(pen, at, ink, shape)
     })
     world.robots.forEach(function(robot) {
@@ -34,7 +49,7 @@ export function draw(element, view, world, terrain, shapes, beams) {
         pen.strokeStyle = PATH
         pen.stroke()
     })
-    if (beams) {
+    if (view.beams) {
         world.sensors.forEach(function(sensor) {
             drawBeams(pen, at, sensor)
         })
@@ -85,6 +100,21 @@ function drawGrid(pen, at, ink, element, view) {
     pen.fillText('N ↑   grid ' + step + ' m', element.clientWidth - 10, element.clientHeight - 10)
     pen.textAlign = 'left'
     pen.globalAlpha = 1
+}
+
+/** Where things are built, as in space. */
+function drawAxes(pen, at, dark) {
+    pen.lineWidth = 2
+    AXES.forEach(function(axis) {
+        var end = at(AXIS * axis[2][0], AXIS * axis[2][1])
+        trace(pen, [at(0, 0), end])
+        pen.strokeStyle = pen.fillStyle = axis[1][dark ? 1 : 0]
+        pen.stroke()
+        pen.textAlign = axis[2][0] ? 'center' : 'left'
+        pen.fillText(axis[0], end.x + 6 * axis[2][1], end.y - 6 * axis[2][0] + 4 * axis[2][1])
+    })
+    pen.textAlign = 'left'
+    pen.lineWidth = 1
 }
 
 function drawShape(pen, at, ink, shape) {

@@ -10,6 +10,7 @@ var FIELD_OF_VIEW = 50      // degrees, of the camera
 var EYE_FIELD = 75          // looking through a sensor
 var NEAREST = 0.05          // metres between camera and what it turns around
 var FARTHEST = 20000
+var LOWEST = 0.02          // metres of the camera above the ground
 var STEEPEST = 1.55         // radians: straight down is the map's
 var SLOWEST_MILLIS = 250    // between two states; longer is no movement to be smoothed
 var SUN = [-0.35, 1, -0.25]
@@ -56,6 +57,7 @@ export function Scene(canvas, ask, repaint) {
     this.sensors = []
     this.looks = new Looks(ask, repaint, this.renderer.getMaxAnisotropy ? this.renderer.getMaxAnisotropy() : 1)
     this.ground = null
+    this.land = null            // the terrain, for heights; null without one
     this.time = 0               // of what is shown, simulated seconds
     this.seconds = 0            // that passed since what was shown before
     this.arrived = 0
@@ -111,6 +113,7 @@ Scene.prototype.show = function(world, terrain, beams) {
         this.sensors[i].goTo(sensor.pose, now, this.seconds)
         showBeams(this, this.sensors[i], sensor, beams)
     }, this)
+    this.land = terrain
     this.showGround(terrain)
     this.looks.want()
 }
@@ -244,19 +247,44 @@ Scene.prototype.fit = function(area) {
 }
 Scene.prototype.zoom = function(factor) {
     this.orbit.distance = Math.min(FARTHEST, Math.max(NEAREST, this.orbit.distance / factor))
+    this.stayAbove()
+}
+/** Where the camera is, of which the horizontal part does not depend on how the ground is. */
+Scene.prototype.position = function() {
+    var orbit = this.orbit
+    var flat = orbit.distance * Math.cos(orbit.elevation)
+    return new window.THREE.Vector3(orbit.target.x + flat * Math.cos(orbit.azimuth), orbit.target.y + orbit.distance * Math.sin(orbit.elevation),
+        orbit.target.z + flat * Math.sin(orbit.azimuth))
+}
+/** The camera does not go below the ground: that of the terrain, else the height 0, or what it looks at if that is lower. */
+Scene.prototype.stayAbove = function() {
+    var orbit = this.orbit
+    var at = this.position()
+    var height = this.land ? this.land.height(at.x, at.z) : null
+    var least = (height === null ? Math.min(0, orbit.target.y) : height) + LOWEST
+    var sine = (least - orbit.target.y) / orbit.distance
+    if (at.y < least && sine < 1) {
+        orbit.elevation = Math.asin(Math.max(-1, sine))
+    }
 }
 /** @param right pixels that the mouse has moved, likewise down */
 Scene.prototype.turn = function(right, down) {
     this.orbit.azimuth += right * 0.008
     this.orbit.elevation = Math.max(-STEEPEST, Math.min(STEEPEST, this.orbit.elevation + down * 0.008))
+    this.stayAbove()
 }
 /** Along what the camera sees, so that the point under the mouse stays there. */
 Scene.prototype.pan = function(right, down) {
     var metres = 2 * this.orbit.distance * Math.tan(FIELD_OF_VIEW * Math.PI / 360) / Math.max(1, this.canvas.clientHeight)
     var e = this.camera.matrixWorld.elements
+    var least = Math.min(0, this.orbit.target.y)
     for (var i = 0; i < 3; i++) {
         this.orbit.target.setComponent(i, this.orbit.target.getComponent(i) - e[i] * right * metres + e[4 + i] * down * metres)
     }
+    if (!this.land) {
+        this.orbit.target.y = Math.max(least, this.orbit.target.y)
+    }
+    this.stayAbove()
 }
 Scene.prototype.follow = function(robot) {
     var at = this.robots[robot] && this.robots[robot].shown
@@ -282,9 +310,7 @@ Scene.prototype.aim = function(sensor) {
         camera.up.set(up[0], up[1], up[2])
         camera.lookAt(new window.THREE.Vector3(eye[0] + at[0], eye[1] + at[1], eye[2] + at[2]))
     } else {
-        var flat = orbit.distance * Math.cos(orbit.elevation)
-        camera.position.set(orbit.target.x + flat * Math.cos(orbit.azimuth), orbit.target.y + orbit.distance * Math.sin(orbit.elevation),
-            orbit.target.z + flat * Math.sin(orbit.azimuth))
+        camera.position.copy(this.position())
         camera.up.set(0, 1, 0)
         camera.lookAt(orbit.target)
     }

@@ -1,6 +1,7 @@
 // The view of the SEAR panel: the one in space where the browser can do that, else the map.
 import * as geometry from '../shared/geometry.js'
 import * as map from './map.js'
+import {makePictures} from './pictures.js'
 import {recall, remember, whenPageChanges} from '../shared/page.js'
 import {Scene, isPossible} from './scene.js'
 
@@ -16,6 +17,7 @@ export function makeView(panel, messages, world, ground, picture) {
     var overlay = null          // what is drawn with the world, see view.overlaidBy
     var scene = null            // made when it is first seen
     var fitted = {}             // by mode: whether that view shows everything, or what the user wants
+    var pictures = makePictures(keys => panel.msg.send('getLooks', keys), picture.repaint)
     var benched = false         // whether the view shows the empty ground before one who builds
     var view = {
         x: 0, z: 0,             // metres: the middle of the map
@@ -168,7 +170,7 @@ export function makeView(panel, messages, world, ground, picture) {
             view.x = robot.pose[0]
             view.z = robot.pose[2]
         }
-        map.draw(shown, view, seen, ground.of(seen), shapes, view.beams)
+        map.draw(shown, view, seen, ground.of(seen), shapes, pictures)
         overlay.decorateMap(shown)
     }
 
@@ -252,6 +254,7 @@ export function makeView(panel, messages, world, ground, picture) {
     })
     view.handlers = {
         onLooks: function(sent) {
+            pictures.take(sent)
             if (scene) {
                 scene.looks.take(sent)
             }

@@ -2,11 +2,11 @@
 var MOST = 100
 var REPEATED = 'could not invoke '      // so MyRobotLab begins to say once more that a call has failed
 
-/** Of one panel: list; last, the newest one as a line, null for none. */
+/** Of one panel: list; unread, how many of it nobody has seen; last, the newest one as a line, null for none. */
 export function makeMessages() {
     var told = false            // whether the service has said why a call failed, and MyRobotLab has not repeated that yet
     var said = 0
-    var messages = {list: [], last: null}
+    var messages = {list: [], unread: 0, last: null}
 
     messages.say = function(level, text) {
         var newest = messages.list[0]
@@ -16,6 +16,7 @@ export function makeMessages() {
         } else {
             messages.list.unshift({id: said++, level: level, text: text, time: new Date(), times: 1})
             messages.list.splice(MOST)
+            messages.unread = Math.min(messages.unread + 1, MOST)
         }
         messages.last = {level: level, text: text, line: text.split('\n')[0]}
     }
@@ -39,14 +40,25 @@ export function makeMessages() {
     messages.hideLast = function() {
         messages.last = null
     }
+    /** What has succeeded since makes an error old. @param before the last message when that began */
+    messages.succeed = function(before) {
+        if (before && before.level === 'error') {
+            messages.settle(before)
+        }
+    }
     /** Hides a message if it is still the last one. */
     messages.settle = function(one) {
         if (messages.last === one) {
             messages.hideLast()
         }
     }
+    /** The list is before its reader's eyes. */
+    messages.read = function() {
+        messages.unread = 0
+    }
     messages.clear = function() {
         messages.list = []
+        messages.unread = 0
         messages.last = null
     }
     return messages

@@ -126,7 +126,8 @@ export function inSpace(scene, world, x, y, without) {
     return point ? met(world, null, point, false) : null
 }
 
-function contains(outline, x, z) {
+/** Whether a point of the ground lies in an outline. */
+export function contains(outline, x, z) {
     var inside = false
     for (var i = 0, k = outline.length - 1; i < outline.length; k = i++) {
         var a = outline[i]
@@ -137,7 +138,8 @@ function contains(outline, x, z) {
     }
     return inside
 }
-function top(object) {
+/** The height of its highest point, in the world. */
+export function top(object) {
     var pose = geometry.frame(object.pose)
     return Math.max.apply(null, object.corners.map(corner => pose[1] + geometry.rotate(pose, corner)[1]))
 }

@@ -162,8 +162,9 @@ export function makeWorld(panel, messages, picture) {
             return 'Not running, and nothing to show: the project has ' + words.count(preview.problems.length, 'problem') + ', listed below'
         }
         if (!preview.world.objects.length && !preview.world.robots.length) {
-            return 'Not running, and the project is empty: open one or an example, drop a .sear file here, press Build, '
-                + 'or create objects in a script'
+            return 'Not running, and the project is empty: ' + ($scope.view.building
+                ? 'choose something in the palette, then click where it is to stand'
+                : 'open one or an example, drop a .sear file here, press Build, or create objects in a script')
         }
         return 'Not running: this is how the project starts, with the button Start or ' + $scope.service.name + '.startSimulation()'
     }

@@ -104,6 +104,9 @@ public final class Projects {
             throw new IOException("there is no project folder " + folder() + ": create some objects first (org.SEAR.POJOs)");
         }
         Path bundle = Paths.get(withEnding(file.toString()));
+        if (bundle.getFileName().toString().replace(" ", "").equalsIgnoreCase(ENDING)) {
+            throw new IOException("the path \"" + file + "\" names no file, legal: the path of a bundle, such as \"robot.sear\"");
+        }
         Path parent = bundle.toAbsolutePath().normalize().getParent();
         if (parent == null || !Files.isDirectory(parent)) {
             throw new IOException(bundle + " can't be saved, there is no folder " + parent + ": make it, or choose another");
@@ -119,9 +122,10 @@ public final class Projects {
      */
     public synchronized Map<String, Object> saveAs(String path, boolean overwrite) throws IOException, ProjectException {
         String named = withEnding(path);
-        boolean saved = overwrite || Files.notExists(Paths.get(named));
+        Path bundle = bundle(Paths.get(path));
+        boolean saved = overwrite || Files.notExists(bundle);
         if (saved) {
-            save(Paths.get(named));
+            save(bundle);
         }
         Map<String, Object> answer = new LinkedHashMap<>();
         answer.put("asked", path);

@@ -8,12 +8,15 @@ import java.util.Map;
 import java.util.Optional;
 import org.SEAR.POJOs.BeamCone;
 import org.SEAR.POJOs.Distance;
+import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.Model;
+import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Terrain;
+import org.SEAR.POJOs.Wheel;
 import org.SEAR.devices.PinState;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ObjectPose;
@@ -122,6 +125,9 @@ final class WorldJson {
         }
         if (object instanceof Model) {
             thing.terrain = ((Model) object).isTerrain();
+        }
+        if (object instanceof Floor && ((Floor) object).getImage() != null) {
+            thing.tile = Optional.ofNullable(((Floor) object).getPictureTile()).orElse(0.0);
         }
         if (object instanceof Terrain) {
             thing.ground = ground(world.getProject());
@@ -232,9 +238,18 @@ final class WorldJson {
             WorldState.Thing thing = new WorldState.Thing();
             thing.pose = numbers(ObjectPose.of(part));
             addFixed(thing, part, world);
+            if (part instanceof Wheel) {
+                thing.driven = ((Wheel) part).isDriven();
+                thing.motor = motorOf(part.getName(), robot.getObject());
+            }
             list.add(thing);
         }
         return list;
+    }
+
+    private static String motorOf(String wheel, SEARrobot robot) {
+        return robot.getComponents().stream().filter(part -> part instanceof Motor && ((Motor) part).getWheelNames().contains(wheel))
+            .map(SearObject::getName).findFirst().orElse(null);
     }
 
     private static List<WorldState.Lamp> lamps(Robot robot) {

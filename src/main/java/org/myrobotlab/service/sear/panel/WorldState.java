@@ -35,6 +35,12 @@ class WorldState extends JsonForm {
         Boolean colored;
         /** Whether it has a mass, and so can be moved. */
         Boolean loose;
+        /** Of a floor with a picture of its own: metres after which that is repeated, 0 if it covers the floor once. */
+        Double tile;
+        /** Of a wheel: whether a motor may turn it. */
+        Boolean driven;
+        /** Of a wheel: the name of the motor that turns it, if one does. */
+        String motor;
         /** Of a model: whether it is ground. */
         Boolean terrain;
         /** Of a terrain: its stamp, see {@link TerrainMap}. */

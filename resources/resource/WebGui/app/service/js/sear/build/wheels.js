@@ -1,0 +1,79 @@
+// Where wheels are put on robots by mouse, and which of them motors can turn.
+import {contains, extent, top} from '../world/pointing.js'
+import {plain} from './places.js'
+
+var GAP = 0.005             // metres between a wheel and the body
+var HANGING = 0.018         // metres that an axle hangs below where it is written, in the springs that robots are made with
+var CLEARANCE = 0.04        // metres of a body above the ground, where that can't be found
+var FARTHEST = 0.5          // metres of a body above what is taken for its ground
+// Sides of a body in the order in which wheels are put there if nobody says where: left, right, behind, before.
+var SIDES = [[0, 1], [0, -1], [2, -1], [2, 1]]
+
+function named(world, robot) {
+    return world && world.robots.filter(one => one.name === robot)[0]
+}
+function isWheel(part) {
+    return part.type === 'Wheel'
+}
+
+/** Names of the driven wheels of a robot of a world. */
+export function drivenWheels(world, robot) {
+    var found = named(world, robot)
+    return found ? found.parts.filter(part => part.driven).map(part => part.name) : []
+}
+/** The first of them that no motor turns; null if there is none. */
+export function wheelToTurn(world, robot) {
+    var found = named(world, robot)
+    var free = found && found.parts.filter(part => part.driven && !part.motor)[0]
+    return free ? free.name : null
+}
+
+/** The height of what is below a robot, in the world; null where that can't be found. */
+function ground(world, robot) {
+    var pose = robot.pose
+    var below = world.objects.filter(object => !object.ground && object.$shape && contains(object.$shape.outline, pose[0], pose[2])).map(top)
+        .filter(height => height < pose[1] && height > pose[1] - FARTHEST)
+    return below.length ? Math.max.apply(null, below) : null
+}
+/** How low wheels reach in the frame of their robot: as its others do, else to the ground. */
+function lowest(world, robot, body) {
+    var wheels = robot.parts.filter(isWheel)
+    if (wheels.length) {
+        return extent({parts: wheels})[0][1]
+    }
+    var below = ground(world, robot)
+    return below === null ? body[0][1] - CLEARANCE : below - robot.pose[1] + HANGING
+}
+
+/**
+ * Where a new wheel is put: beside that side of the body that is nearest to a point, at the height of the ground.
+ * @param near a point in the robot's frame; null for the first side where no wheel is yet @param size its radius and width, metres
+ * @param snapped see palette
+ */
+export function besideBody(world, name, near, size, snapped) {
+    var robot = named(world, name)
+    var parts = robot.parts.filter(part => !isWheel(part))
+    var body = extent({parts: parts.length ? parts : robot.parts})
+    function edge(side) {
+        return body[side[1] > 0 ? 1 : 0][side[0]]
+    }
+    function placed(side, along) {
+        var other = 2 - side[0]
+        var at = [0, lowest(world, robot, body) + size.radius, 0]
+        at[side[0]] = edge(side) + side[1] * (GAP + (side[0] === 0 ? size.width / 2 : size.radius))
+        at[other] = Math.max(body[0][other], Math.min(body[1][other], along))
+        return at
+    }
+    function isFree(at) {
+        return robot.parts.filter(isWheel).every(wheel => Math.hypot(wheel.pose[0] - at[0], wheel.pose[2] - at[2]) > 2 * size.radius)
+    }
+    var at
+    if (near) {
+        var nearest = SIDES.slice().sort((a, b) => Math.abs(edge(a) - near[a[0]]) - Math.abs(edge(b) - near[b[0]]))[0]
+        at = placed(nearest, snapped(near[2 - nearest[0]]))
+    } else {
+        var all = SIDES.map(side => placed(side, 0))
+        at = all.filter(isFree)[0] || all[0]
+    }
+    return {x: plain(at[0]), y: plain(at[1]), z: plain(at[2])}
+}

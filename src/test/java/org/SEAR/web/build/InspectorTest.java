@@ -1,0 +1,114 @@
+package org.SEAR.web.build;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.util.List;
+import org.SEAR.web.Browser;
+import org.SEAR.web.SearTab;
+import org.SEAR.web.Tabs;
+import org.junit.Before;
+import org.junit.ClassRule;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.rules.TestRule;
+import org.openqa.selenium.Keys;
+import org.openqa.selenium.WebElement;
+
+/** Numbers that are typed in the inspector, and what is found in the palette and done there by keys. */
+public class InspectorTest {
+    @ClassRule
+    public static final Tabs TABS = new Tabs("sear = Runtime.start('sear', 'SEAR')");
+    private static final String THINGS = String.join("\n", "from org.SEAR.POJOs import Box, Floor, Sphere", "Floor('floor', 10, 10)",
+        "Box('box', 0.25, 0.25, 0.25).move(2, 0.125, 2)", "Sphere('ball', 0.1).move(0, 0.1, 2)",
+        "leaning = Box('leaning', 0.25, 0.25, 0.25)", "leaning.move(-2, 0.125, 2)", "leaning.rotate(20, 0, 0)");
+    @Rule
+    public final TestRule page = TABS.page("sear");
+    private final Browser browser = TABS.browser();
+    private final SearTab tab = new SearTab(TABS);
+
+    @Before
+    public void beginWithThings() {
+        tab.stopAll();
+        TABS.robotLab().run("sear.newProject()");
+        browser.until("an empty project", () -> tab.isTrue("world.shown() && world.isEmpty() && edits.grammar !== null"));
+        TABS.robotLab().run(THINGS);
+        browser.until("the things", () -> tab.isTrue("world.shown().objects.length == 4"));
+    }
+
+    private void select(String name) {
+        browser.script("var scope = angular.element(document.querySelector('.sear-main')).scope();"
+            + "scope.edits.select(arguments[0]); scope.$apply()", name);
+        browser.until(name + " selected", () -> tab.isTrue("edits.object && edits.object.name == '" + name + "'"));
+    }
+
+    private void type(String field, String text) {
+        WebElement input = browser.see("[data-field='" + field + "'] .form-control");
+        input.sendKeys(Keys.chord(Keys.CONTROL, "a"));
+        input.sendKeys(text, Keys.ENTER);
+    }
+
+    private void waitForValue(String field, String value) {
+        browser.until(field + " to be " + value, () -> tab.text("edits.object.values." + field).equals(value));
+    }
+
+    @Test
+    public void whatGrowsStandsWhereItStood() {
+        select("box");
+        type("height", "0.5");
+        waitForValue("height", "0.5");
+        waitForValue("y", "0.25");
+        assertEquals("and nowhere else", "2", tab.text("edits.object.values.x"));
+        browser.script("angular.element(document.querySelector('.sear-main')).scope().edits.undo()");
+        waitForValue("y", "0.125");
+        select("ball");
+        type("radius", "0.3");
+        waitForValue("y", "0.3");
+        select("leaning");
+        type("height", "0.5");
+        waitForValue("height", "0.5");
+        assertEquals("what leans has no underside to keep", "0.125", tab.text("edits.object.values.y"));
+    }
+
+    @Test
+    public void aCommaOrAUnitIsAnsweredWithTheNumberToWrite() {
+        select("box");
+        String[][] typed = {{"0,3", "write 0.3"}, {"30cm", "write 0.3"}, {"1,5 m", "write 1.5"}};
+        for (String[] one : typed) {
+            type("height", one[0]);
+            browser.seeText("[data-field='height'] .sear-wrong", one[1]);
+        }
+        type("mass", "250 g");
+        browser.seeText("[data-field='mass'] .sear-wrong", "write 0.25");
+        type("height", "abc");
+        browser.seeText("[data-field='height'] .sear-wrong", "legal: ");
+        assertEquals("0.25", tab.text("edits.object.values.height"));
+    }
+
+    @Test
+    public void thePaletteKnowsOtherWordsToo() {
+        browser.click(".sear-build");
+        String[][] words = {{"sonar", "Distance sensor"}, {"ultrasonic", "Distance sensor"}, {"wall", "Box"}, {"ball", "Sphere"},
+            {"ground", "Floor"}, {"encoder", "Odometer"}, {"gps", "GPS receiver"}, {"laser", "Laser scanner"}, {"robot", "Chassis"}};
+        for (String[] one : words) {
+            browser.type(".sear-sought", one[0]);
+            browser.until(one[1] + " as a " + one[0], () -> browser.texts(".sear-make").contains(one[1])
+                && browser.texts(".sear-make").size() < 8);
+        }
+        assertEquals("all robots", 7, browser.all(".sear-make").size());
+    }
+
+    @Test
+    public void afterPutItInTheMiddleTheKeysMoveWhatWasPut() {
+        browser.click(".sear-build");
+        browser.click("[data-make='Cone']");
+        WebElement middle = browser.see(".sear-middle");
+        middle.sendKeys(Keys.ENTER);
+        browser.until("a cone", () -> tab.isTrue("edits.object && edits.object.type == 'Cone' && building.found() !== null"));
+        String before = tab.text("edits.object.values.z");
+        WebElement focused = browser.driver().switchTo().activeElement();
+        assertTrue(focused.getAttribute("class"), List.of(focused.getAttribute("class").split(" ")).contains("sear-view"));
+        focused.sendKeys(Keys.ARROW_RIGHT);
+        browser.until("another place", () -> !tab.text("edits.object.values.z").equals(before));
+    }
+}

@@ -31,6 +31,7 @@ final class MrlRun {
     private final PrintWriter err;
     private final CountDownLatch shutdown = new CountDownLatch(1);
     private String address;
+    private boolean released;
 
     MrlRun(int port, boolean token, PrintWriter err) {
         this.port = port;
@@ -45,7 +46,7 @@ final class MrlRun {
      */
     private Python start() {
         Shutdown.then(shutdown::countDown);
-        java.lang.Runtime.getRuntime().addShutdownHook(new Thread(MrlRun::release, "release"));
+        java.lang.Runtime.getRuntime().addShutdownHook(new Thread(this::release, "release"));
         ServiceInterface python = Runtime.start(PYTHON, "Python");
         if (port != NO_PORT) {
             address = Tabs.start(port, token, err);
@@ -54,12 +55,22 @@ final class MrlRun {
     }
 
     /** Ends scripts before what they wait for, which would have them complain. */
-    private static void release() {
+    private void release() {
+        synchronized (this) {
+            released = true;
+        }
         PythonEngine engine = PythonEngine.of(PYTHON);
         if (engine != null) {
             engine.interrupt();
         }
         Runtime.releaseAll();
+    }
+
+    /** Ends simulations, and with them threads that wait for simulated time; after Ctrl+C there is nothing left to end. */
+    private synchronized void stopSimulations() {
+        if (!released) {
+            Runtime.getServices().forEach(MrlRun::stop);
+        }
     }
 
     private static void stop(ServiceInterface service) {
@@ -87,7 +98,7 @@ final class MrlRun {
             shutdown.await();
         } else {
             engine.finishCallbacks(CALLBACK_MILLIS);    // what is wrong with them is told
-            Runtime.getServices().forEach(MrlRun::stop);    // which ends threads that wait for simulated time
+            stopSimulations();
             engine.finishThreads(CALLBACK_MILLIS);
         }
         release();

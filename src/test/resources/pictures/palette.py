@@ -171,3 +171,9 @@ def draw_Camera():
     rod(SILVER, 0.34, 0.4, 0, -0.02, 0.35, 90)
     rod(BLUE, 0.25, 0.42, 0, -0.02, 0.36, 90)
     rod(RED, 0.07, 0.03, 0.45, 0.22, 0.23, 90)
+def draw_Marker():
+    Marker('marker', 'DICT_4X4_50', 7, 1).rotate(0, 180, 0)
+def draw_Chessboard():
+    Chessboard('board', 6, 5, 0.2).rotate(0, 180, 0)
+def draw_Picture():
+    Picture('picture', 1.6, 0.8).rotate(0, 180, 0)

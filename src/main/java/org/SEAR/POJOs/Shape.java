@@ -104,7 +104,7 @@ public abstract class Shape extends PlacedObject {
      * Path below assets of the picture to show: its own, else, if it has no colour of its own, the default picture of its kind. Null for a plain
      * surface in {@link #getColor its colour}; for a model without a colour of its own, for the model's textures.
      */
-    public final String getPicture() {
+    public String getPicture() {
         String path = image == null && color == null ? defaultPicture() : image;
         return path != null && path.startsWith("./") ? path.substring(2) : path;
     }

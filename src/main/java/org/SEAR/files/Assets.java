@@ -1,5 +1,6 @@
 package org.SEAR.files;
 
+import java.io.ByteArrayInputStream;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
@@ -8,7 +9,7 @@ import java.nio.file.Path;
 
 /**
  * The pictures and models of a project: files below its {@code assets/} folder, and for paths that it doesn't have, those that come with SEAR
- * ({@code models/Tree/Tree.mesh.xml}, {@code textures/roomba.jpg} and others). Immutable, any thread.
+ * ({@code models/Tree/Tree.mesh.xml}, {@code textures/roomba.jpg} and others), or pictures that are {@link MadePictures made}. Immutable, any thread.
  */
 public final class Assets {
     /** Where the assets that come with SEAR lie on the class path. */
@@ -37,7 +38,8 @@ public final class Assets {
      * @param path as written in an object
      */
     public boolean has(String path) {
-        return Files.isRegularFile(folder.resolve(normal(path))) || Assets.class.getClassLoader().getResource(SHIPPED + normal(path)) != null;
+        return Files.isRegularFile(folder.resolve(normal(path))) || Assets.class.getClassLoader().getResource(SHIPPED + normal(path)) != null
+            || MadePictures.isThere(normal(path));
     }
 
     /**
@@ -93,6 +95,9 @@ public final class Assets {
             return Files.newInputStream(file);
         }
         InputStream shipped = Assets.class.getClassLoader().getResourceAsStream(SHIPPED + normal(path));
+        if (shipped == null && MadePictures.isThere(normal(path))) {
+            return new ByteArrayInputStream(MadePictures.of(normal(path)));
+        }
         if (shipped == null) {
             throw new FileNotFoundException("no asset \"" + path + "\": put the file to " + file);
         }

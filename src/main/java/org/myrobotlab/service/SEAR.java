@@ -1148,12 +1148,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
-     * The exports that there are: each port's name with what programs open, in words, those of {@code setExport} too.
+     * The exports that there are: the names of ports and cameras, each with what programs open in words, those of {@code setExport} too.
      *
      * @example for port, ways in sear.getExports().items(): print port, "is", ", ".join(ways)
      */
     public Map<String, List<String>> getExports() {
-        return calls.attempt(() -> parts.exports().list());
+        return calls.attempt(() -> parts.allExports());
     }
 
     /**
@@ -1165,6 +1165,51 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      */
     public void endExport(String userPort) {
         calls.act(() -> parts.exports().end(ScriptText.of(userPort)));
+    }
+
+    // ---- network cameras (before, while and after a simulation runs; the examples are of the robot of cameras.md) ---
+
+    /**
+     * Makes a camera a network camera: programs on this computer find MJPEG at {@code http://localhost:PORT/stream.mjpg} and a picture at
+     * {@code /image.jpg}, and depths as 16-bit PNG at {@code /depth.png}; docs/cameras.md lists the addresses. As with ports it may be made before
+     * the start, and stays when the simulation stops, silent, until one with such a camera runs again.
+     *
+     * @param name the camera's name
+     * @param number TCP port, 0 for any free one
+     * @return the number
+     * @throws IllegalArgumentException that names the cameras there are, if the running simulation has no such camera
+     * @throws IllegalStateException if the port is in use
+     * @example number = sear.exportCamera("eye", 0)
+     */
+    public int exportCamera(String name, int number) {
+        return calls.attempt(() -> parts.networkCameras().plain(name, number));
+    }
+
+    /**
+     * The same, with the addresses of a product beside its own, so that programs for that one find them.
+     *
+     * @param name the camera's name
+     * @param number TCP port, 0 for any free one
+     * @param product {@code "ESP32-CAM"} ({@code /capture}, and {@code /stream} at the port after this one) or {@code "OctoPi"}
+     *     ({@code /?action=snapshot} and {@code /?action=stream}, as mjpg-streamer has them)
+     * @return the number
+     * @throws IllegalArgumentException that names the cameras there are, if the running simulation has no such camera, or the products
+     * @throws IllegalStateException if a port is in use
+     * @example number = sear.exportCamera("eye", 0, "ESP32-CAM")
+     */
+    public int exportCamera(String name, int number, String product) {
+        return calls.attempt(() -> parts.networkCameras().like(name, number, product));
+    }
+
+    /**
+     * Ends all exports of a camera, with the connections of those who look.
+     *
+     * @param name the camera's name
+     * @throws IllegalArgumentException that names the exported cameras
+     * @example sear.exportCamera("eye", 0); sear.stopExportCamera("eye")
+     */
+    public void stopExportCamera(String name) {
+        calls.act(() -> parts.networkCameras().end(name));
     }
 
     // ---- editing the project ---------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@ package org.myrobotlab.service;
 
 import java.io.IOException;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
@@ -19,6 +20,7 @@ import org.myrobotlab.service.sear.files.Edits;
 import org.myrobotlab.service.sear.files.Projects;
 import org.myrobotlab.service.sear.lockstep.Fence;
 import org.myrobotlab.service.sear.lockstep.FencePass;
+import org.myrobotlab.service.sear.netcam.CameraExports;
 import org.myrobotlab.service.sear.panel.Motion;
 import org.myrobotlab.service.sear.panel.Preview;
 import org.myrobotlab.service.sear.panel.TerrainMap;
@@ -53,6 +55,7 @@ final class SearParts {
     private final Edits edits;
     private final Publisher publisher;
     private final Exports exports;
+    private final CameraExports networkCameras;
     private final BundleTransfers transfers;
     private final Recording recording;
     private final Records records;
@@ -71,6 +74,7 @@ final class SearParts {
         projects = new Projects(control, host);
         edits = new Edits(control);
         exports = new Exports(host, control);
+        networkCameras = new CameraExports(host, cameras);
         transfers = new BundleTransfers(projects::save, projects::load);
         recording = new Recording(control, host);
         records = new Records(host);
@@ -133,6 +137,18 @@ final class SearParts {
 
     public Exports exports() {
         return exports;
+    }
+
+    /** See {@link CameraExports}. */
+    public CameraExports networkCameras() {
+        return networkCameras;
+    }
+
+    /** The exports of ports and cameras: each name with what programs open. */
+    public Map<String, List<String>> allExports() {
+        Map<String, List<String>> all = new LinkedHashMap<>(exports.list());
+        all.putAll(networkCameras.list());
+        return all;
     }
 
     public BundleTransfers transfers() {
@@ -272,6 +288,7 @@ final class SearParts {
     public void start(boolean debugShapes) throws ProjectException, IOException {
         control.start(debugShapes);
         exports.begin();
+        networkCameras.begin();
     }
 
     /** Ends the simulation and what hangs on it. */
@@ -288,5 +305,6 @@ final class SearParts {
         publisher.close();
         stop();
         exports.close();
+        networkCameras.close();
     }
 }

@@ -31,7 +31,7 @@ public class ScriptExamplesTest {
 
     /** Calls that have a camera: their examples run with the world of its page. */
     private static final List<String> CAMERAS = Arrays.asList("getImage", "getPixels", "getDepth", "getTemperatures", "getPointCloud", "getBlobs",
-        "saveImage");
+        "saveImage", "exportCamera", "stopExportCamera");
 
     /** Brings about what the page takes as there before each example. */
     private static final String READY = String.join("\n",

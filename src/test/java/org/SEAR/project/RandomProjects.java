@@ -8,6 +8,7 @@ import org.SEAR.POJOs.BeamCone;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Bumper;
 import org.SEAR.POJOs.Camera;
+import org.SEAR.POJOs.Chessboard;
 import org.SEAR.POJOs.ColorSensor;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Cone;
@@ -21,9 +22,11 @@ import org.SEAR.POJOs.IMU;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.LineSensor;
+import org.SEAR.POJOs.Marker;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.Odometer;
+import org.SEAR.POJOs.Picture;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.SensorObject;
@@ -95,7 +98,7 @@ public final class RandomProjects {
     private Shape shape(boolean environment) {
         Shape shape;
         double mass = random.nextInt(4) == 0 ? 0 : number(1e-6, 1e6);
-        switch (random.nextInt(environment ? 6 : 5)) {
+        switch (random.nextInt(environment ? 9 : 8)) {
             case 0:
                 shape = new Box(name(), size(), size(), size(), mass);
                 break;
@@ -110,6 +113,15 @@ public final class RandomProjects {
                 break;
             case 4:
                 shape = new Model(name(), "models/Tree/Tree.mesh.xml", mass);
+                break;
+            case 5:
+                shape = new Marker(name(), random.nextBoolean() ? "APRILTAG_36h11" : "DICT_6X6_250", random.nextInt(250), number(0.0001, 100));
+                break;
+            case 6:
+                shape = new Chessboard(name(), 3 + random.nextInt(58), 3 + random.nextInt(58), number(0.0001, 100));
+                break;
+            case 7:
+                shape = new Picture(name(), size(), size(), "./textures/roomba.jpg");
                 break;
             default:
                 shape = new Floor(name(), size(), size(), random.nextBoolean());

@@ -51,7 +51,7 @@ public class CameraPictureTest {
         }
         List<String> unlike = new ArrayList<>();
         for (String name : names) {
-            double similarity = similarity(name);
+            double similarity = similarity(name, Examples.folder(name));
             System.out.printf(Locale.ROOT, "%s: structural similarity %.3f%n", name, similarity);
             if (similarity < ALIKE) {
                 unlike.add(String.format(Locale.ROOT, "%s: %.3f", name, similarity));
@@ -61,8 +61,15 @@ public class CameraPictureTest {
         assertTrue(names.size() >= 9);
     }
 
-    private static double similarity(String example) throws Exception {
-        try (Views view = new Views(Examples.folder(example), new WindowOptions().setSize(FINER * WIDTH, FINER * HEIGHT))) {
+    /** Markers, chessboards and pictures: the same sides of them have the same pictures, the same way round. */
+    @Test
+    public void platesLookAlike() throws Exception {
+        double similarity = similarity("plates", ViewProjects.plates());
+        assertTrue("structural similarity " + similarity, similarity > ALIKE);
+    }
+
+    private static double similarity(String example, Path folder) throws Exception {
+        try (Views view = new Views(folder, new WindowOptions().setSize(FINER * WIDTH, FINER * HEIGHT))) {
             view.press("F2");
             view.world.runner.setPaused(true);
             view.ask(() -> {

@@ -9,6 +9,7 @@ import java.util.Random;
 import javax.imageio.ImageIO;
 import org.SEAR.POJOs.Accelerometer;
 import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Chessboard;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Cone;
 import org.SEAR.POJOs.Cylinder;
@@ -18,8 +19,10 @@ import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.GPS;
 import org.SEAR.POJOs.Gyroscope;
 import org.SEAR.POJOs.LIDAR;
+import org.SEAR.POJOs.Marker;
 import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.Odometer;
+import org.SEAR.POJOs.Picture;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Sphere;
 import org.SEAR.POJOs.Wheel;
@@ -27,6 +30,21 @@ import org.SEAR.POJOs.Wheel;
 /** Small projects for the window's tests. */
 final class ViewProjects {
     private ViewProjects() {
+    }
+
+    /** A robot before a marker, a chessboard, a picture, and one that shows its back, so near that they fill much of what it sees. */
+    static Path plates() throws IOException {
+        Path folder = Files.createTempDirectory("view").resolve("SEARproject");
+        System.setProperty("sear.project", folder.toString());
+        new Floor("floor", 16, 16);
+        new Marker("marker", "DICT_4X4_50", 7, 0.6, 0.9, 0.45, 0.6, 0, 20, 10);
+        new Chessboard("board", 6, 5, 0.1, 0.1, 0.4, 0.6);
+        new Picture("picture", 0.9, 0.5, null, -0.8, 0.4, 0.6, 0, -20, 0);
+        new Marker("back", "APRILTAG_36h11", 3, 0.3, 0.7, 0.3, -0.3, 0, 180, 0);
+        SEARrobot robot = new SEARrobot("rover");
+        robot.addComponent(new Dynamics("drive", 4, 0, 0.05, 0, 0, 0, 0));
+        robot.addComponent(new Box("body", 0.2, 0.2, 0.1, 4));
+        return folder;
     }
 
     /** A room of 20 boxes with a robot that has every sensor, read from a folder. */

@@ -1,6 +1,6 @@
 # Every constructor and every method of the object grammar, called from Jython with the types that Python gives.
-from org.SEAR.POJOs import Accelerometer, Arduino, BeamCone, Box, Bumper, Camera, ColorSensor, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, \
-    Led, LineSensor, Model, Motor, Noise, Odometer, SEARrobot, Servo, Sphere, Terrain, Wheel
+from org.SEAR.POJOs import Accelerometer, Arduino, BeamCone, Box, Bumper, Camera, Chessboard, ColorSensor, Compass, Cone, Cylinder, Distance, Dynamics, Floor, GPS, Gyroscope, IMU, LIDAR, \
+    Led, LineSensor, Marker, Model, Motor, Noise, Odometer, Picture, SEARrobot, Servo, Sphere, Terrain, Wheel
 
 pose = (1, 2.5, -3, 10, 20, 30)
 TREE = "models/Tree/Tree.mesh.xml"
@@ -256,3 +256,10 @@ camera.setSeesOwnRobot(True)
 add(Camera(name())).setKind("infrared")
 warm = Box(name(), 1, 1, 1)
 warm.setTemperature(36.6)
+
+for kind, values in ((Marker, ("DICT_4X4_50", 49, 0.1)), (Chessboard, (10, 7, 0.03)), (Picture, (0.6, 0.3, "textures/brick.png"))):
+    kind(name(), *values)
+    kind(name(), *(values + pose[:3]))
+    plate = kind(name(), *(values + pose))
+    plate.setThickness(0.02)
+Picture(name(), 0.6, 0.3).setMass(1)

@@ -1,5 +1,6 @@
 package org.SEAR.physics.solid;
 
+import org.SEAR.POJOs.Board;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.collision.ConvexBox;
@@ -8,15 +9,31 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.raycast.BeamScene;
 
-/** A box, or a floor. */
+/** A box, a floor, or a plate whose picture is on its front only. */
 public final class BoxSolid extends Solid {
     /** Of each side the normal, where the right edge of its picture is, and where the upper edge is. */
     private static final int[][] SIDES = {{0, 0, -1, -1, 0, 0, 0, 1, 0}, {1, 0, 0, 0, 0, -1, 0, 1, 0}, {0, 0, 1, 1, 0, 0, 0, 1, 0},
         {-1, 0, 0, 0, 0, 1, 0, 1, 0}, {0, 1, 0, 0, 0, -1, -1, 0, 0}, {0, -1, 0, 0, 0, -1, 1, 0, 0}};
 
+    /** Of a plate: the corner of its picture whose colour its other sides have. */
+    private static final double CORNER = 1e-3;
+
+    private final boolean plate;
+
     /** @param halfX half size along x, metres, likewise halfY and halfZ */
     public BoxSolid(double halfX, double halfY, double halfZ, Pose offset) {
+        this(halfX, halfY, halfZ, offset, false);
+    }
+
+    private BoxSolid(double halfX, double halfY, double halfZ, Pose offset, boolean plate) {
         super(halfX, halfY, halfZ, offset);
+        this.plate = plate;
+    }
+
+    static BoxSolid of(Board board) {
+        double half = board.getThickness() / 2 * board.getScaleZ();
+        return new BoxSolid(board.getBoardWidth() / 2 * board.getScaleX(), board.getBoardHeight() / 2 * board.getScaleY(), half,
+            new Pose(0, 0, half, 0, 0, 0, 1), true);
     }
 
     static BoxSolid of(Box box) {
@@ -66,7 +83,8 @@ public final class BoxSolid extends Solid {
     private int vertex(SurfaceMesh mesh, int[] side, int u, int v) {
         int right = 2 * u - 1;
         int up = 2 * v - 1;
+        boolean plain = plate && side != SIDES[0];
         return mesh.vertex((side[0] + right * side[3] + up * side[6]) * halfX, (side[1] + right * side[4] + up * side[7]) * halfY,
-            (side[2] + right * side[5] + up * side[8]) * halfZ, side[0], side[1], side[2], u, v);
+            (side[2] + right * side[5] + up * side[8]) * halfZ, side[0], side[1], side[2], plain ? CORNER : u, plain ? CORNER : v);
     }
 }

@@ -60,6 +60,7 @@ public final class ModelLoader {
             manager.registerLocator(assets.getFolder().toString(), FileLocator.class);
         }
         manager.registerLocator(Assets.SHIPPED, ClasspathLocator.class);
+        manager.registerLocator("", MadePictureLocator.class);
         GuardedLoaders.register(manager, pixels);
     }
 

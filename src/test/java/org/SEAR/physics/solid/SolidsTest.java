@@ -9,10 +9,13 @@ import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Chessboard;
 import org.SEAR.POJOs.Cone;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Marker;
 import org.SEAR.POJOs.Model;
+import org.SEAR.POJOs.Picture;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Sphere;
 import org.SEAR.POJOs.Terrain;
@@ -52,6 +55,9 @@ public class SolidsTest {
         add(new Sphere("ellipsoid", 0.4), 0.5, 1, 2);
         add(new Floor("floor", 2, 3), 1, 1, 1);
         add(new Wheel("wheel", 0.3, 0.1), 1, 1, 1);
+        add(new Marker("marker", "APRILTAG_36h11", 3, 0.8), 1, 1, 2);
+        add(new Chessboard("chessboard", 8, 5, 0.1), 2, 1, 1);
+        add(new Picture("picture", 0.7, 0.4), 1, 1, 30);
     }
 
     private void add(Shape shape, double sx, double sy, double sz) throws Exception {

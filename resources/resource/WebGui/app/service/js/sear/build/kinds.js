@@ -12,7 +12,7 @@ var WORDS = {
     Motor: 'Motor', Servo: 'Servo', Dynamics: 'Mass and springs', Distance: 'Distance sensor', LIDAR: 'Laser scanner', GPS: 'GPS receiver',
     Compass: 'Compass', Accelerometer: 'Accelerometer', Gyroscope: 'Gyroscope', Odometer: 'Odometer', IMU: 'Motion unit (IMU)',
     LineSensor: 'Line sensor', ColorSensor: 'Colour sensor', Bumper: 'Bumper', Arduino: 'Arduino', Led: 'Light (LED)', chassis: 'Chassis',
-    Camera: 'Camera'
+    Camera: 'Camera', Marker: 'Marker', Chessboard: 'Chessboard', Picture: 'Picture'
 }
 // By what else they are looked for.
 var ALSO = {
@@ -22,7 +22,8 @@ var ALSO = {
     Dynamics: 'weight suspension', Distance: 'sonar ultrasonic ultrasound infrared range eye', LIDAR: 'lidar rangefinder', GPS: 'position satellite',
     Compass: 'magnetometer heading', Accelerometer: 'tilt', Gyroscope: 'gyro rotation', Odometer: 'encoder way', IMU: 'gyro orientation',
     LineSensor: 'infrared reflectance', ColorSensor: 'color', Bumper: 'touch contact switch', Arduino: 'board microcontroller', Led: 'lamp',
-    chassis: 'own empty body base', Camera: 'eye picture depth infrared thermal webcam kinect'
+    chassis: 'own empty body base', Camera: 'eye picture depth infrared thermal webcam kinect',
+    Marker: 'aruco apriltag tag fiducial code', Chessboard: 'calibration checkerboard pattern', Picture: 'image poster sign photo'
 }
 var ALSO_ROBOTS = 'robot'
 export var PICTURED = Object.keys(WORDS)

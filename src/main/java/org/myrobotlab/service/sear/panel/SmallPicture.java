@@ -8,17 +8,13 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Base64;
-import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
-import javax.imageio.ImageWriteParam;
-import javax.imageio.ImageWriter;
-import javax.imageio.stream.ImageOutputStream;
+import org.SEAR.camera.image.Jpeg;
 import org.SEAR.sensors.Picture;
 
 /** Pictures in the form that pages show, small enough for one message. */
 final class SmallPicture {
     private static final String DATA = "data:image/";
-    private static final float QUALITY = 0.85f;
     /** Pixels of the longer side. */
     private static final int LONGEST = 512;
     /** Characters of an address. */
@@ -62,7 +58,7 @@ final class SmallPicture {
         pen.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
         pen.drawImage(image, 0, 0, small.getWidth(), small.getHeight(), null);
         pen.dispose();
-        return solid ? address("jpeg", jpeg(small)) : address("png", png(small));
+        return solid ? address("jpeg", Jpeg.of(small)) : address("png", png(small));
     }
 
     /** What a page takes as the address of a picture. */
@@ -84,24 +80,6 @@ final class SmallPicture {
             ImageIO.write(image, "png", bytes);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
-        }
-        return bytes.toByteArray();
-    }
-
-    /** Without what can be seen through. */
-    static byte[] jpeg(BufferedImage image) {
-        ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ImageOutputStream out = ImageIO.createImageOutputStream(bytes)) {
-            writer.setOutput(out);
-            ImageWriteParam how = writer.getDefaultWriteParam();
-            how.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
-            how.setCompressionQuality(QUALITY);
-            writer.write(null, new IIOImage(image, null, null), how);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        } finally {
-            writer.dispose();
         }
         return bytes.toByteArray();
     }

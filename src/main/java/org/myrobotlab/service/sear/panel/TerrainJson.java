@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
 import java.util.Optional;
+import org.SEAR.camera.image.Jpeg;
 import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.HeightField;
 import org.SEAR.terrain.relief.GroundPicture;
@@ -96,7 +97,7 @@ final class TerrainJson extends JsonForm {
         for (int row = 0; row < picture.height; row++) {
             image.setRGB(0, picture.height - 1 - row, picture.width, 1, picture.pixels, row * picture.width, picture.width);
         }
-        return SmallPicture.jpeg(image);
+        return Jpeg.of(image);
     }
 
     private static String encoded(double[] posts, double low, double high) {

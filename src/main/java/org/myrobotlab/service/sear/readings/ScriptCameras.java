@@ -16,6 +16,7 @@ import org.SEAR.grammar.ScriptText;
 import org.SEAR.sensors.CameraImage;
 import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.run.SimulationControl;
+import org.myrobotlab.service.sear.run.SimulationSession;
 
 /** Pictures of cameras for scripts. Any thread. */
 public final class ScriptCameras {
@@ -23,6 +24,8 @@ public final class ScriptCameras {
     private static final int HEX = 16;
     /** Pixels that a blob has at least. */
     private static final int LEAST_BLOB = 4;
+    /** More than the rounding of a number of pictures. */
+    private static final double ROUNDING = 1e-9;
 
     private final SimulationControl control;
 
@@ -38,13 +41,17 @@ public final class ScriptCameras {
     private CameraImage image(String asked) throws InterruptedException {
         String name = ScriptText.of(asked);
         return control.session().ask(world -> {
-            SearObject object = name == null ? null : world.getSensor(name).getParameters();
-            if (!(object instanceof Camera)) {
-                throw new IllegalArgumentException((name == null ? "the name is missing (None)" : "sensor " + name + " is a "
-                    + object.getClass().getSimpleName() + ", not a Camera") + ", legal: " + cameras(world));
-            }
+            mustBeThere(world, name);
             return (CameraImage) world.read(name);
         });
+    }
+
+    private static void mustBeThere(Simulation world, String name) {
+        SearObject object = name == null ? null : world.getSensor(name).getParameters();
+        if (!(object instanceof Camera)) {
+            throw new IllegalArgumentException((name == null ? "the name is missing (None)" : "sensor " + name + " is a "
+                + object.getClass().getSimpleName() + ", not a Camera") + ", legal: " + cameras(world));
+        }
     }
 
     private static String cameras(Simulation world) {
@@ -65,6 +72,41 @@ public final class ScriptCameras {
     /** Whether a sensor is a camera. */
     boolean isCamera(String name) {
         return control.session().getSimulation().getSensor(name).getParameters() instanceof Camera;
+    }
+
+    /**
+     * Looks whether there is a camera of a name, if a simulation runs.
+     *
+     * @return the name
+     * @throws IllegalArgumentException that names the cameras there are
+     */
+    public String check(String asked) {
+        String name = ScriptText.of(asked);
+        SimulationSession session = control.sessionOrNull();
+        if (session != null) {
+            mustBeThere(session.getSimulation(), name);
+        } else if (name == null) {
+            throw new IllegalArgumentException("the name is missing (None), legal: a camera's name");
+        }
+        return name;
+    }
+
+    /** How many pictures of a camera have been due since the start; -1 if no simulation with such a camera runs. */
+    public long due(String name) {
+        SimulationSession session = control.sessionOrNull();
+        if (session == null || !isThere(session.getSimulation(), name)) {
+            return -1;
+        }
+        return (long) Math.floor(session.time() * ((Camera) session.getSimulation().getSensor(name).getParameters()).getRate() + ROUNDING);
+    }
+
+    /** The last picture that was due; null if no simulation with such a camera runs. */
+    public CameraImage look(String name) throws InterruptedException {
+        return control.look((world, session) -> isThere(world, name) ? (CameraImage) world.read(name) : null, null);
+    }
+
+    private static boolean isThere(Simulation world, String name) {
+        return world.getSensorNames().contains(name) && world.getSensor(name).getParameters() instanceof Camera;
     }
 
     /** A PNG file. */

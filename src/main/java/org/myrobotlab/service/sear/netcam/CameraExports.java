@@ -1,0 +1,106 @@
+package org.myrobotlab.service.sear.netcam;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.SEAR.grammar.ScriptText;
+import org.myrobotlab.service.sear.Host;
+import org.myrobotlab.service.sear.readings.ScriptCameras;
+
+/**
+ * The cameras that programs outside can look through. An export belongs to a camera's name, not to a simulation, as those of ports do: it may be made
+ * before, and stays when the simulation stops, silent, until one with such a camera runs again. Any thread.
+ */
+public final class CameraExports {
+    /** Milliseconds for which a client may take no byte. */
+    private static final long PATIENCE = 10_000;
+
+    private final Host host;
+    private final ScriptCameras cameras;
+    private final Map<String, NetworkCamera> made = new LinkedHashMap<>();
+
+    public CameraExports(Host host, ScriptCameras cameras) {
+        this.host = host;
+        this.cameras = cameras;
+    }
+
+    /**
+     * Makes a network camera; asked for again, the same one.
+     *
+     * @param number of the TCP port, 0 for any free one
+     * @return the number
+     * @throws IllegalArgumentException if a simulation runs that has no such camera; it names those there are
+     */
+    public int plain(String camera, int number) throws IOException {
+        return export(camera, number, Likeness.PLAIN);
+    }
+
+    /** The same with the addresses of a product. */
+    public int like(String camera, int number, String product) throws IOException {
+        return export(camera, number, Likeness.of(ScriptText.of(product)));
+    }
+
+    private synchronized int export(String asked, int number, Likeness likeness) throws IOException {
+        String camera = cameras.check(asked);
+        String key = camera + ' ' + likeness + ' ' + number;
+        NetworkCamera present = made.get(key);
+        if (present == null) {
+            present = NetworkCamera.open(camera, likeness, number, host, cameras, PATIENCE);
+            made.put(key, present);
+        }
+        return present.getNumber();
+    }
+
+    /** A simulation has started: what it has no camera for is said. */
+    public synchronized void begin() {
+        for (String camera : names()) {
+            try {
+                cameras.check(camera);
+            } catch (IllegalArgumentException e) {
+                host.warn("the export of camera " + camera + " does not work: " + e.getMessage());
+            }
+        }
+    }
+
+    private Set<String> names() {
+        return made.values().stream().map(NetworkCamera::getCamera).collect(Collectors.toCollection(LinkedHashSet::new));
+    }
+
+    /** What there is: the names of cameras, each with what programs open. */
+    public synchronized Map<String, List<String>> list() {
+        Map<String, List<String>> list = new LinkedHashMap<>();
+        made.values().forEach(one -> list.computeIfAbsent(one.getCamera(), name -> new ArrayList<>()).add(one.describe()));
+        return list;
+    }
+
+    /**
+     * Ends all exports of a camera.
+     *
+     * @throws IllegalArgumentException that names the exported cameras
+     */
+    public synchronized void end(String asked) {
+        String camera = ScriptText.of(asked);
+        if (!names().contains(camera)) {
+            throw new IllegalArgumentException("camera " + (camera == null ? "None" : "\"" + camera + "\"") + " is not exported, legal: "
+                + (made.isEmpty() ? "none is" : String.join(", ", names())));
+        }
+        made.values().removeIf(one -> {
+            boolean ends = one.getCamera().equals(camera);
+            if (ends) {
+                one.close();
+            }
+            return ends;
+        });
+    }
+
+    /** Takes all of them away. */
+    public synchronized void close() {
+        made.values().forEach(NetworkCamera::close);
+        made.clear();
+    }
+}

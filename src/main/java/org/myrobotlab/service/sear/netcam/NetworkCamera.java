@@ -1,0 +1,155 @@
+package org.myrobotlab.service.sear.netcam;
+
+import java.io.IOException;
+import java.util.concurrent.TimeUnit;
+import org.SEAR.sensors.CameraImage;
+import org.myrobotlab.service.sear.Host;
+import org.myrobotlab.service.sear.readings.ScriptCameras;
+
+/**
+ * A camera at a TCP port, which stays while simulations come and go. Pictures are made only while somebody looks, when they are due, and for half of
+ * the time at most, so that those who look leave time for the simulation. Any thread.
+ */
+final class NetworkCamera {
+    /** Milliseconds after which it looks again whether a picture is due. */
+    private static final long LOOK = 4;
+    /** Nanoseconds after which a picture is sent again while nothing new is seen: programs take a silent camera for a broken one. */
+    private static final long REPEAT = TimeUnit.SECONDS.toNanos(1);
+    private static final long LONGEST_REST = 1000;
+
+    private final String camera;
+    private final Likeness likeness;
+    private final Host host;
+    private final ScriptCameras cameras;
+    private final Demand demand;
+    private final PictureServer server;
+    private Shot last;
+    private long told = -1;
+    private long published;
+    private boolean watched;
+    private String failure = "";
+
+    private NetworkCamera(String camera, Likeness likeness, Host host, ScriptCameras cameras, Demand demand, PictureServer server) {
+        this.camera = camera;
+        this.likeness = likeness;
+        this.host = host;
+        this.cameras = cameras;
+        this.demand = demand;
+        this.server = server;
+    }
+
+    /**
+     * Opens it.
+     *
+     * @param number of the TCP port, 0 for any free one
+     * @param patience milliseconds for which a client may take no byte
+     */
+    static NetworkCamera open(String camera, Likeness likeness, int number, Host host, ScriptCameras cameras, long patience) throws IOException {
+        Demand demand = new Demand();
+        PictureServer server = PictureServer.open(camera, likeness, number, demand, patience);
+        NetworkCamera opened = new NetworkCamera(camera, likeness, host, cameras, demand, server);
+        start(server::serve, "network camera " + camera);
+        start(opened::supply, "pictures of network camera " + camera);
+        return opened;
+    }
+
+    private static void start(Runnable work, String name) {
+        Thread thread = new Thread(work, name);
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    String getCamera() {
+        return camera;
+    }
+
+    /** The first of its ports. */
+    int getNumber() {
+        return server.getNumber();
+    }
+
+    /** Programs that are connected. */
+    int getClients() {
+        return server.getClients();
+    }
+
+    /** What programs open, in words. */
+    String describe() {
+        return "network camera " + (likeness == Likeness.PLAIN ? "" : "(" + likeness.getTitle() + ") ") + likeness.stream(getNumber());
+    }
+
+    private void supply() {
+        try {
+            for (Demand.Order order = demand.await(LOOK); order != null; order = demand.await(LOOK)) {
+                try {
+                    serve(order);
+                } catch (RuntimeException e) {
+                    tell(e);
+                    server.answer(order.ticket, null);
+                }
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void tell(RuntimeException e) {
+        if (!e.toString().equals(failure)) {
+            failure = e.toString();
+            host.warn("the network camera " + camera + " has no picture: " + failure);
+        }
+    }
+
+    private void serve(Demand.Order order) throws InterruptedException {
+        long due = cameras.due(camera);
+        boolean fresh = order.streaming && !watched;
+        watched = order.streaming;
+        if (due < 0) {
+            lose();
+        } else if (!order.forms.isEmpty() || fresh || order.streaming && (due != told || System.nanoTime() - published > REPEAT)) {
+            look(due, fresh);
+        }
+        if (!order.forms.isEmpty()) {
+            Shot shot = last;
+            if (shot != null) {
+                order.forms.forEach(shot::file);
+            }
+            server.answer(order.ticket, shot);
+        }
+    }
+
+    private void lose() {
+        if (last != null) {
+            last = null;
+            server.publish(null);
+        }
+    }
+
+    private void look(long due, boolean fresh) throws InterruptedException {
+        long began = System.nanoTime();
+        CameraImage image = cameras.look(camera);
+        if (image == null) {
+            lose();
+            return;
+        }
+        boolean isNew = last == null || image != last.getImage();
+        if (isNew) {
+            last = new Shot(image);
+            told = due;
+        }
+        if (watched && (isNew || fresh || System.nanoTime() - published > REPEAT)) {
+            last.file(Form.STREAM);
+            published = System.nanoTime();
+            server.publish(last);
+        }
+        if (isNew) {
+            demand.rest(Math.min(LONGEST_REST, TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - began)));
+        }
+    }
+
+    /** Ends it, with all connections. */
+    void close() {
+        demand.close();
+        server.close();
+    }
+}

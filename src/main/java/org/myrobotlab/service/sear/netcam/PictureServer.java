@@ -1,0 +1,238 @@
+package org.myrobotlab.service.sear.netcam;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.CancelledKeyException;
+import java.nio.channels.ClosedSelectorException;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * An HTTP server on the loopback address, of one thread for all clients. Whoever takes no byte for a while is dropped; for the others time goes on.
+ */
+final class PictureServer {
+    static final Logger LOG = LoggerFactory.getLogger(PictureServer.class);
+    /** Clients that are served at the same time; more are told so. */
+    static final int MOST_CLIENTS = 128;
+    /** Those beside them that are told. */
+    private static final int MOST_TOLD = 32;
+    private static final int BUSY = 503;
+    private static final int HIGHEST_PORT = 65535;
+    private static final byte[] LOOPBACK = {127, 0, 0, 1};
+    private static final int BUFFER = 4096;
+    /** Of what a client does not take the system keeps about as much, so that the pictures which it gets are not old. */
+    private static final int UNSENT = 1 << 16;
+    private static final long LOOK_MILLIS = 250;
+    /** Pairs of ports that are tried where any free one will do. */
+    private static final int TRIES = 50;
+
+    private final String camera;
+    private final Likeness likeness;
+    private final Demand demand;
+    private final long patience;
+    private final Selector selector;
+    private final List<ServerSocketChannel> doors;
+    private final List<Client> clients = new ArrayList<>();
+    /** Doors at which something went wrong, such as too many files that are open: they are opened again a little later. */
+    private final List<SelectionKey> resting = new ArrayList<>();
+    private long rested;
+    private volatile int count;
+    private volatile Client.Latest stream = Client.Latest.NONE;
+    private volatile Client.Latest still = Client.Latest.NONE;
+
+    private PictureServer(String camera, Likeness likeness, Demand demand, long patience, Selector selector, List<ServerSocketChannel> doors) {
+        this.camera = camera;
+        this.likeness = likeness;
+        this.demand = demand;
+        this.patience = patience;
+        this.selector = selector;
+        this.doors = doors;
+    }
+
+    /**
+     * Opens its ports.
+     *
+     * @param number of the TCP port, 0 for any free one
+     * @param patience milliseconds for which a client may take no byte
+     */
+    static PictureServer open(String camera, Likeness likeness, int number, Demand demand, long patience) throws IOException {
+        int highest = HIGHEST_PORT + 1 - likeness.getDoors();
+        if (number < 0 || number > highest) {
+            throw new IllegalArgumentException("TCP port is " + number + ", legal: 0 (any free one) to " + highest);
+        }
+        List<ServerSocketChannel> doors = doors(camera, likeness.getDoors(), number);
+        Selector selector = Selector.open();
+        for (ServerSocketChannel door : doors) {
+            door.configureBlocking(false);
+            door.register(selector, SelectionKey.OP_ACCEPT, doors.indexOf(door));
+        }
+        return new PictureServer(camera, likeness, demand, TimeUnit.MILLISECONDS.toNanos(patience), selector, doors);
+    }
+
+    private static List<ServerSocketChannel> doors(String camera, int count, int number) throws IOException {
+        for (int tries = 0;; tries++) {
+            List<ServerSocketChannel> doors = new ArrayList<>();
+            int port = number;
+            try {
+                while (doors.size() < count) {
+                    doors.add(ServerSocketChannel.open());
+                    port = doors.size() == 1 ? number : port(doors.get(0)) + doors.size() - 1;
+                    doors.get(doors.size() - 1).bind(new InetSocketAddress(InetAddress.getByAddress(LOOPBACK), port), MOST_CLIENTS);
+                }
+                return doors;
+            } catch (IOException | IllegalArgumentException e) {
+                for (ServerSocketChannel door : doors) {
+                    door.close();
+                }
+                if (number != 0 || tries == TRIES) {
+                    throw new IOException("TCP port " + port + " for camera " + camera + " can't be opened: " + e.getMessage(), e);
+                }
+            }
+        }
+    }
+
+    private static int port(ServerSocketChannel door) {
+        return door.socket().getLocalPort();
+    }
+
+    /** The first of its ports. */
+    int getNumber() {
+        return port(doors.get(0));
+    }
+
+    /** Clients that there are. Any thread. */
+    int getClients() {
+        return count;
+    }
+
+    /** Serves until it is closed. */
+    void serve() {
+        ByteBuffer buffer = ByteBuffer.allocate(BUFFER);
+        try {
+            while (selector.isOpen()) {
+                selector.select(clients.isEmpty() && resting.isEmpty() ? 0 : LOOK_MILLIS);
+                for (Iterator<SelectionKey> keys = selector.selectedKeys().iterator(); keys.hasNext();) {
+                    SelectionKey key = keys.next();
+                    keys.remove();
+                    if (key.attachment() instanceof Client) {
+                        ((Client) key.attachment()).ready(buffer);
+                    } else if (key.isValid() && key.isAcceptable()) {
+                        accept(key);
+                    }
+                }
+                attend();
+            }
+        } catch (ClosedSelectorException | CancelledKeyException e) {
+            LOG.debug("network camera {} closed", camera);
+        } catch (IOException e) {
+            LOG.warn("network camera {} ended: {}", camera, e.toString());
+        } finally {
+            clients.forEach(Client::close);
+            clients.clear();
+            count = 0;
+            demand.close();
+            close();
+        }
+    }
+
+    private void attend() {
+        long now = System.nanoTime();
+        Client.Latest newest = stream;
+        Client.Latest answer = still;
+        clients.forEach(client -> client.attend(now, newest, answer));
+        clients.removeIf(Client::isGone);
+        count = clients.size();
+        boolean streaming = clients.stream().anyMatch(Client::isStreaming);
+        if (!streaming) {
+            forget();
+        }
+        demand.setStreaming(streaming);
+        if (!resting.isEmpty() && now - rested > TimeUnit.MILLISECONDS.toNanos(LOOK_MILLIS)) {
+            resting.forEach(key -> key.interestOps(SelectionKey.OP_ACCEPT));
+            resting.clear();
+        }
+    }
+
+    private void accept(SelectionKey key) {
+        ServerSocketChannel door = (ServerSocketChannel) key.channel();
+        try {
+            SocketChannel channel = door.accept();
+            if (channel != null) {
+                begin(channel, (Integer) key.attachment(), port(door));
+            }
+        } catch (IOException e) {
+            LOG.debug("a program did not come in to network camera {}: {}", camera, e.toString());
+            rested = System.nanoTime();
+            resting.add(key);
+            key.interestOps(0);
+        }
+    }
+
+    private void begin(SocketChannel channel, int door, int port) throws IOException {
+        if (clients.size() >= MOST_CLIENTS + MOST_TOLD) {
+            channel.close();
+            return;
+        }
+        try {
+            channel.configureBlocking(false);
+            channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
+            channel.setOption(StandardSocketOptions.SO_SNDBUF, UNSENT);
+            Client client = new Client(channel, camera, likeness, door, port, demand, patience);
+            if (clients.size() >= MOST_CLIENTS) {
+                client.refuse(Request.refused(BUSY, MOST_CLIENTS + " programs look already, which is as many as there may be"));
+            }
+            client.setKey(channel.register(selector, SelectionKey.OP_READ, client));
+            clients.add(client);
+        } catch (IOException e) {
+            LOG.debug("a program left network camera {} as it came: {}", camera, e.toString());
+            channel.close();
+        }
+    }
+
+    /** The stream's next picture; null if there is none any more. Any thread. */
+    void publish(Shot shot) {
+        synchronized (this) {
+            stream = new Client.Latest(shot, stream.number + 1);
+        }
+        selector.wakeup();
+    }
+
+    /** Nobody looks: whoever comes later is not to see this picture. */
+    private synchronized void forget() {
+        stream = new Client.Latest(null, stream.number);
+    }
+
+    /**
+     * The answer to those who wait for a still. Any thread.
+     *
+     * @param ticket the last one that it answers
+     * @param shot null if no simulation with this camera runs
+     */
+    void answer(long ticket, Shot shot) {
+        still = new Client.Latest(shot, ticket);
+        selector.wakeup();
+    }
+
+    /** Closes its ports and connections. Any thread. */
+    void close() {
+        try {
+            for (ServerSocketChannel door : doors) {
+                door.close();
+            }
+            selector.close();
+        } catch (IOException e) {
+            LOG.warn("network camera {} did not close: {}", camera, e.toString());
+        }
+    }
+}

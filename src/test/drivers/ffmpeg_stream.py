@@ -1,0 +1,24 @@
+"""Has FFmpeg read a network camera.
+
+usage: ffmpeg_stream.py URL PICTURES
+
+Prints FFmpeg's version, the size of what comes, and for each picture the mean of red, green and blue, whole."""
+import sys
+
+import imageio_ffmpeg
+import numpy
+
+
+def main():
+    print(imageio_ffmpeg.get_ffmpeg_version())
+    frames = imageio_ffmpeg.read_frames(sys.argv[1])
+    width, height = next(frames)["source_size"]
+    print("%d x %d" % (width, height))
+    for _ in range(int(sys.argv[2])):
+        picture = numpy.frombuffer(next(frames), numpy.uint8).reshape(height * width, 3)
+        print("%d %d %d" % tuple(numpy.rint(picture.mean(0))))
+    frames.close()
+
+
+if __name__ == "__main__":
+    main()

@@ -16,7 +16,6 @@ import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import org.SEAR.POJOs.Distance;
@@ -288,11 +287,7 @@ public class SearServiceTest {
         assertFalse(serial.isConnected());
         assertNull(SerialDeviceFactory.get(TestWorld.ROOMBA_PORT));
         Runtime.releaseService("testSear");
-        long end = System.nanoTime() + 60_000_000_000L;
-        while (!TestWorld.threads().isEmpty() && System.nanoTime() < end) {
-            Thread.onSpinWait();
-        }
-        assertEquals(Collections.emptyList(), TestWorld.threads());
+        TestWorld.assertNoThreads();
     }
 
     @Test

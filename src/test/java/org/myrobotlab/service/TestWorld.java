@@ -1,10 +1,15 @@
 package org.myrobotlab.service;
 
+import static org.junit.Assert.assertEquals;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import org.SEAR.POJOs.Accelerometer;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Compass;
@@ -80,6 +85,15 @@ public final class TestWorld {
             }
         }
         return names;
+    }
+
+    /** All of these have ended, or do so within a minute: what is shut down ends a moment later. */
+    public static void assertNoThreads() {
+        long end = System.nanoTime() + TimeUnit.MINUTES.toNanos(1);
+        while (!threads().isEmpty() && System.nanoTime() < end) {
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(1));
+        }
+        assertEquals(Collections.emptyList(), threads());
     }
 
     /** Puts text into a file of the project. */

@@ -1,6 +1,5 @@
 package org.myrobotlab.service.life;
 
-import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertNotNull;
 import static org.junit.Assert.assertNull;
@@ -13,7 +12,6 @@ import java.net.ConnectException;
 import java.net.InetAddress;
 import java.net.Socket;
 import java.net.SocketException;
-import java.util.Collections;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
@@ -59,11 +57,7 @@ public class LifeTest {
     }
 
     static void assertNothingIsLeft() {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE);
-        while (!TestWorld.threads().isEmpty() && System.nanoTime() < end) {
-            Thread.onSpinWait();
-        }
-        assertEquals(Collections.emptyList(), TestWorld.threads());
+        TestWorld.assertNoThreads();
         for (String port : new String[] {TestWorld.ROOMBA_PORT, TestWorld.LIDAR_PORT, TestWorld.GPS_PORT}) {
             assertNull(SerialDeviceFactory.get(port));
         }

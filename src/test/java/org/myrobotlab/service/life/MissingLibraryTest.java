@@ -7,7 +7,6 @@ import java.io.File;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.SEAR.Slow;
@@ -70,7 +69,7 @@ public class MissingLibraryTest {
         for (String part : new String[] {type, "a library is missing or broken", "run \"sear install\" for this MyRobotLab again", "libraries/jar"}) {
             assertTrue(part + " in " + all, heard.stream().skip(1).anyMatch(status -> status.toString().contains(part)));
         }
-        assertEquals(Collections.emptyList(), TestWorld.threads());
+        TestWorld.assertNoThreads();
     }
 
     @Test

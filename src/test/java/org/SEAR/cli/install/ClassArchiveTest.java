@@ -25,7 +25,8 @@ public class ClassArchiveTest {
     private List<String> classes(Path home) throws Exception {
         Path log = folder.newFile().toPath();
         Path out = folder.newFile().toPath();
-        ProcessBuilder builder = new ProcessBuilder(home.resolve("bin/sear").toString(), "--version").redirectErrorStream(true).redirectOutput(out.toFile());
+        ProcessBuilder builder = new ProcessBuilder(home.resolve("bin/sear").toString(), "--version");
+        builder.redirectErrorStream(true).redirectOutput(out.toFile());
         builder.environment().put("JAVA_OPTS", "-XX:TieredStopAtLevel=1 -Xlog:class+load:file=" + log);
         builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
         Process process = builder.start();

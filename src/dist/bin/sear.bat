@@ -12,8 +12,11 @@ exit /b 1
 :start
 set SEAR_TERMINAL=1
 rem Java 24 and newer warn of what XStream, LWJGL and JNA do unless they are told; older ones do not know how to be told.
-set "QUIET=-XX:+IgnoreUnrecognizedVMOptions --sun-misc-unsafe-memory-access=allow --enable-native-access=ALL-UNNAMED"
+set "QUIET=-Xlog:cds=off -XX:+IgnoreUnrecognizedVMOptions --sun-misc-unsafe-memory-access=allow --enable-native-access=ALL-UNNAMED"
 rem A simulation lives in some 20 MB: the collector that big machines get by default would take 300 before it tidies up.
 set "MEMORY=-XX:+UseSerialGC -Xms16m"
-"%JAVA_CMD%" %QUIET% %MEMORY% %JAVA_OPTS% -Dsear.home="%HOME_DIR%" -cp "%HOME_DIR%\plugin\*;%HOME_DIR%\lib\*" org.SEAR.cli.SearCommand %*
+rem The build writes down what the JVM knows of these classes; another Java passes over that without a word.
+set "ARCHIVE="
+if exist "%HOME_DIR%\lib\sear.jsa" set ARCHIVE="-XX:SharedArchiveFile=%HOME_DIR%\lib\sear.jsa"
+"%JAVA_CMD%" %QUIET% %MEMORY% %ARCHIVE% %JAVA_OPTS% -Dsear.home="%HOME_DIR%" -cp "%HOME_DIR%\plugin\*;%HOME_DIR%\lib\*" org.SEAR.cli.SearCommand %*
 exit /b %ERRORLEVEL%

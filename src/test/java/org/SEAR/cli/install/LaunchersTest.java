@@ -29,7 +29,8 @@ public class LaunchersTest {
         Matcher word = Pattern.compile("(?:[^\\s\"]|\"[^\"]*\")+").matcher(line);
         while (word.find()) {
             words.add(word.group().replace("%HOME_DIR%", "$home").replace("%JAVA_CMD%", "$java").replace("%JAVA_OPTS%", "$JAVA_OPTS")
-                .replace("%QUIET%", "$quiet").replace("%MEMORY%", "$memory").replace("%*", "\"$@\"").replace("\\", "/").replace(";", ":")
+                .replace("%QUIET%", "$quiet").replace("%MEMORY%", "$memory")
+                .replace("%ARCHIVE%", "${archive:+\"$archive\"}").replace("%*", "\"$@\"").replace("\\", "/").replace(";", ":")
                 .replace("-Dsear.home=\"$home\"", "-Dsear.home=$home"));
         }
         words.remove("exec");
@@ -38,8 +39,8 @@ public class LaunchersTest {
 
     @Test
     public void bothStartJavaAlike() throws IOException {
-        List<String> expected = List.of("\"$java\"", "$quiet", "$memory", "$JAVA_OPTS", "-Dsear.home=$home", "-cp", "\"$home/plugin/*:$home/lib/*\"",
-            "org.SEAR.cli.SearCommand", "\"$@\"");
+        List<String> expected = List.of("\"$java\"", "$quiet", "$memory", "${archive:+\"$archive\"}", "$JAVA_OPTS", "-Dsear.home=$home", "-cp",
+            "\"$home/plugin/*:$home/lib/*\"", "org.SEAR.cli.SearCommand", "\"$@\"");
         assertEquals(expected, javaLine(text("sear")));
         assertEquals(expected, javaLine(text("sear.bat")));
         assertEquals(options("quiet=\"(.*)\"", text("sear")), options("set \"QUIET=(.*)\"", text("sear.bat")));

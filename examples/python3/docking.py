@@ -20,6 +20,7 @@ FASTEST, SLOWEST = 0.3, 0.03     # metres a second
 TURN = 0.8                  # radians a second at most
 SURE = 120                  # pixels; where the marker is as wide as that, one picture is enough to believe how it is turned
 PATIENCE = 1                # seconds for which it stands without the marker, and then goes back, before it looks round
+LIMIT = 120                 # seconds after which it gives up
 
 
 class MarkerFinder:
@@ -100,8 +101,12 @@ def main():
         side = 1                    # where it was seen last: 1 to the left, -1 to the right
         unseen = 2 * PATIENCE       # seconds
         searched = 0                # radians
+        time = 0                    # seconds
         while before is None or before > FRONT + GAP:
             picture = robot.look()
+            time += robot.period
+            if time > LIMIT:
+                raise SystemExit("Not docked in %d s." % LIMIT)
             found = finder.find(picture)
             if asked.show:
                 cv2.imshow("docking.py", picture)

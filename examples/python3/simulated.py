@@ -1,5 +1,6 @@
 """A simulated robot with a camera, for programs with OpenCV in Python 3. It is what they need of a robot, so a real one is driven by the same
-programs: give them a class of your own with look(), drive(speed, turn) and stop(), whose Eye has the address of the real camera."""
+programs: give them a class of your own in the place of SimulatedRobot, with a period, look(), drive(speed, turn) and stop(), whose Eye has the address
+of the real camera."""
 import json
 import sys
 import threading
@@ -82,9 +83,10 @@ class SimulatedRobot:
             sys.exit("There is no SEAR at %s (%s). Start it with its tabs: sear" % (server, error.reason))
         if not port:
             sys.exit("SEAR's tab says why there is no camera " + camera)
+        self.eye = Eye("http://localhost:%d/stream.mjpg" % port)
+        self.eye.newest()                       # OpenCV looks at some pictures before it answers the first one
         self.lock_step = self.sear.isLockStep()
         self.sear.setLockStep(True)
-        self.eye = Eye("http://localhost:%d/stream.mjpg" % port)
 
     def __enter__(self):
         return self

@@ -1,5 +1,5 @@
-# A track of black tape on a white floor, and a small robot whose three line sensors look down on it.
-from org.SEAR.POJOs import Box, Dynamics, Floor, LineSensor, Motor, SEARrobot, Wheel
+# A track of black tape on a white floor, and a small robot whose three line sensors look down on it; a camera looks ahead.
+from org.SEAR.POJOs import Box, Camera, Dynamics, Floor, LineSensor, Motor, SEARrobot, Wheel
 
 sear = Runtime.start("sear", "SEAR")
 sear.newProject()    # the present project, if there is one, is kept as a backup
@@ -20,3 +20,4 @@ for name, z in (("front ball", 0.05), ("rear ball", -0.05)):
     robot.addWheel(Wheel(name, 0.01, 0.01, 0, 0, -0.015, z))
 for name, x in (("leftLine", 0.015), ("middleLine", 0), ("rightLine", -0.015)):
     robot.addComponent(LineSensor(name, x, -0.01, 0.06))
+robot.addComponent(Camera("eye", 0, 0.06, 0.04, 40, 0, 0))    # 85 mm above the floor, 40 mm ahead of the axle; it looks 40 degrees down

@@ -11,7 +11,10 @@ import java.util.stream.Collectors;
 enum CameraModel {
     /** Raspberry Pi camera v2, whole sensor, binned. Raspberry Pi documentation, camera: IMX219, 62.2 degrees, up to 30 Hz so, full well 4300 e-. */
     PI_V2("RaspberryPi-v2", Camera.COLOR, 640, 480, 62.2, 30, 0.02, 10000, new Errors().well(4300)),
-    /** Logitech C270: 640 x 480 at 30 Hz; 55 degrees from corner to corner, which are 45.2 across a picture of 4 : 3. */
+    /**
+     * Logitech C270: 640 x 480 at 30 Hz. Logitech's technical specifications of it say "diagonal field of view (dFoV): 55°" and not of which format;
+     * taken for 4 : 3, these are 45.2 degrees from left to right. Older ones said 60.
+     */
     C270("C270", Camera.COLOR, 640, 480, 45.2, 30, 0.02, 10000, new Errors()),
     /**
      * Kinect for Xbox 360, depth: 640 x 480 at 30 Hz, 57 degrees, 0.8 to 4 m (Kinect for Windows sensor specifications). Its error grows with the
@@ -19,8 +22,9 @@ enum CameraModel {
      */
     KINECT("Kinect", Camera.DEPTH, 640, 480, 57, 30, 0.8, 4, new Errors().depth(0.001425)),
     /**
-     * RealSense D435, depth: 848 x 480 at 30 Hz, 87 degrees, 0.3 to 10 m (D400 series data sheet). Error of 0.08 pixels of disparity by its focal
-     * length of 447 pixels and 50 mm between its eyes: 3.6 mm at 1 m.
+     * RealSense D435, depth: 848 x 480 at 30 Hz, 87 degrees, 0.3 to 10 m (D400 series data sheet). Its error is distance² * subpixel / 447 pixels /
+     * 50 mm, by its focal length and the distance of its eyes (Intel, "Tuning depth cameras for best performance"). For the subpixel an author of
+     * that paper says "best to use about 0.08", an empirical number that may be as low as 0.032 (librealsense on GitHub, issue 3904): 3.6 mm at 1 m.
      */
     D435("D435", Camera.DEPTH, 848, 480, 87, 30, 0.3, 10, new Errors().depth(0.0036)),
     /** Melexis MLX90640-BAB: 32 x 24 at 8 Hz, 55 degrees; 0.1 K at 1 Hz, which is 0.28 K at 8 Hz (data sheet, revision 11). */

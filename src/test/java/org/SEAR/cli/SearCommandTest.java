@@ -294,7 +294,7 @@ public class SearCommandTest {
     @Test
     public void checkTellsGoodExamplesBrokenFoldersAndHostileBundlesApart() throws Exception {
         Path examples = Paths.get(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("examples");
-        for (String example : new String[] {"ball", "car", "line", "maze", "office", "ramps", "rover", "sensors", "turret"}) {
+        for (String example : new String[] {"ball", "car", "dock", "line", "maze", "office", "ramps", "rover", "sensors", "turret"}) {
             Path bundle = examples.resolve(example + ".sear");
             assertEquals(out + err, 0, sear("check", bundle.toString()));
             assertTrue(out, out.endsWith(bundle + ": no problems\n"));

@@ -25,6 +25,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.service.thirdparty.OpencvExamplesTest;
 import org.myrobotlab.service.thirdparty.ThirdPartyCameraTest;
 import org.myrobotlab.service.thirdparty.ThirdPartyDriversTest;
 import org.myrobotlab.service.thirdparty.ThirdPartyGpsTest;
@@ -50,6 +51,7 @@ public class CodeOfTheDocsTest {
         entry("docs/add-a-sensor.md sh ", AddASensorTest.class),
         entry("docs/add-a-sensor.md text", AddASensorTest.class),
         entry("docs/cameras.md python3", ThirdPartyCameraTest.class),
+        entry("docs/cameras.md sh python3 examples/python3/", OpencvExamplesTest.class),
         entry("docs/embedded-and-real.md sh java -cp", DistributionTest.class),
         entry("docs/first-robot.md python", FirstRobotTest.class),
         entry("docs/first-robot.md sh sear", FirstRobotTest.class),

@@ -30,7 +30,7 @@ public class ExamplesTest {
 
     @Test
     public void eachScriptMakesItsBundle() throws Exception {
-        assertEquals(10, ExampleMaker.scripts(EXAMPLES).size());
+        assertEquals(11, ExampleMaker.scripts(EXAMPLES).size());
         for (Path script : ExampleMaker.scripts(EXAMPLES)) {
             ProjectSwap.delete(project.folder());
             ExampleMaker.run(script);

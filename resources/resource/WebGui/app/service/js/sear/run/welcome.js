@@ -15,7 +15,8 @@ var EXAMPLES = {
     line: ['Line', 'A black line on the floor, to be followed.'],
     rover: ['Arduino rover', 'Motors and sensors on the pins of an Arduino.'],
     turret: ['Turret', 'A distance sensor that a servo turns.'],
-    ball: ['Ball', 'A rover with cameras, and a red ball to follow.']
+    ball: ['Ball', 'A rover with cameras, and a red ball to follow.'],
+    dock: ['Docking station', 'A marker at a dock, and a robot with a camera.']
 }
 var BY_HEART = Object.keys(EXAMPLES)
 

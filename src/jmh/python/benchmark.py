@@ -15,7 +15,7 @@ import page
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", "..", ".."))
 HERE = os.path.dirname(os.path.abspath(__file__))
 PACKAGE = "org.SEAR.benchmark."
-PEERS = {"mujoco": (("mujoco", "mujocoVersion"), ("mujoco-core", "mujocoCoreVersion"), ("numpy", "numpyVersion")),
+PEERS = {"mujoco": (("mujoco", "mujocoVersion"), ("mujoco-core", "mujocoCoreVersion"), ("PyOpenGL", "pyOpenGlVersion"), ("numpy", "numpyVersion")),
          "pybullet": (("pybullet", "pybulletVersion"), ("numpy", "numpyVersion"))}
 # Load a core above which the machine is too busy to measure
 BUSY = 0.25

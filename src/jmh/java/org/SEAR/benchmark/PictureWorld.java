@@ -1,0 +1,71 @@
+package org.SEAR.benchmark;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.SEAR.POJOs.BrownLens;
+import org.SEAR.POJOs.Robots;
+import org.SEAR.camera.Eye;
+import org.SEAR.camera.Sight;
+import org.SEAR.geometry.Pose;
+import org.SEAR.project.problems.ProjectException;
+import org.SEAR.project.bundle.Bundle;
+import org.SEAR.sensors.Truth;
+import org.SEAR.simulator.Simulation;
+
+/**
+ * What a camera looks at: a {@link Room} with a rover, or the world of an example after a second, seen from above its robot, 320 x 240 pixels of 60
+ * degrees. The camera looks down a little and turns by ten degrees from picture to picture.
+ */
+final class PictureWorld {
+    static final int WIDTH = 320;
+    static final int HEIGHT = 240;
+    /** Pictures of a turn. */
+    static final int TURNS = 36;
+    static final double NEAR = 0.02;
+    static final double FAR = 10_000;
+    /** Degrees from the left edge to the right one. */
+    static final double FIELD_OF_VIEW = 60;
+    private static final double ABOVE = 0.3;
+    private static final double DOWN = 10;
+    private static final int STEPS = 60;
+
+    final Simulation simulation;
+    final Eye eye;
+    private final Truth truth;
+
+    /** @param name room-N, or an example's */
+    PictureWorld(String name) throws IOException, ProjectException {
+        Path folder = Files.createTempDirectory("pictures").resolve("SEARproject");
+        System.setProperty("sear.project", folder.toString());
+        if (name.startsWith("room")) {
+            new Room(name).build();
+            Robots.rover("rover");
+        } else {
+            Bundle.load(Path.of(System.getProperty("sear.root", "."), "examples", name + ".sear"), folder);
+        }
+        simulation = Simulation.load(folder, 1);
+        for (int step = 0; step < STEPS; step++) {
+            simulation.step();
+        }
+        truth = simulation.getRobots().get(0).getTruth();
+        double focal = WIDTH / (2 * Math.tan(Math.toRadians(FIELD_OF_VIEW / 2)));
+        eye = new Eye(WIDTH, HEIGHT, new BrownLens(focal, (WIDTH - 1) / 2.0, (HEIGHT - 1) / 2.0, new double[4]), NEAR, FAR);
+        eye.setShared(false);
+    }
+
+    /** Where the camera is for a picture: x to its left, y up, z ahead. */
+    Pose pose(int turn) {
+        Pose body = truth.body();
+        Pose place = new Pose(body.x, body.y + ABOVE, body.z, 0, 0, 0, 1);
+        return place.times(Pose.ofDegrees(0, 0, 0, 0, 360.0 * turn / TURNS, 0)).times(Pose.ofDegrees(0, 0, 0, DOWN, 0, 0));
+    }
+
+    int[] colors(int turn) {
+        return eye.colors(new Sight(truth.sight(), truth.looks(), pose(turn), truth.owner()));
+    }
+
+    float[] depths(int turn) {
+        return eye.depths(new Sight(truth.scene(), truth.looks(), pose(turn), truth.owner()));
+    }
+}

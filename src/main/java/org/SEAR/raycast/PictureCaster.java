@@ -2,6 +2,7 @@ package org.SEAR.raycast;
 
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Rotation;
+import org.SEAR.raycast.solid.HeightsTile;
 import org.SEAR.raycast.tree.Bvh;
 
 /**
@@ -26,6 +27,10 @@ final class PictureCaster {
     private final double[] planes = new double[PLANES * PLANE];
     /** A beam's direction in the frame of a box: the nine numbers that its three are made of. */
     private final double[] own = new double[9];
+    private final HeightsTile ground;
+    private final double[] groundPlanes = new double[HeightsTile.PLANES * PLANE];
+    /** Width of the tile, one metre ahead. */
+    private double wide;
     private PictureBeams beams;
     private Shapes shapes;
     private double ox;
@@ -47,6 +52,7 @@ final class PictureCaster {
 
     PictureCaster(RayCaster rays) {
         this.rays = rays;
+        ground = new HeightsTile(rays.heights);
     }
 
     /** Where the beams come from and how far they go, see {@link BeamScene#castPicture}. */
@@ -129,6 +135,7 @@ final class PictureCaster {
         plane(2 * PLANE, 0, 1, -beams.bounds[at + 2]);
         plane(3 * PLANE, 0, -1, beams.bounds[at + 3]);
         plane(AHEAD, 0, 0, 1);
+        wide = Math.max(beams.bounds[at + 1] - beams.bounds[at], beams.bounds[at + 3] - beams.bounds[at + 2]);
     }
 
     /** A plane through the origin, by its normal in the picture's frame, which looks into the pyramid. */
@@ -168,6 +175,8 @@ final class PictureCaster {
         rays.tested++;
         if (shapes.kind[shape] == Shapes.BOX) {
             box(shape);
+        } else if (shapes.kind[shape] == Shapes.HEIGHTS) {
+            heights(shape);
         } else {
             beams(shape, shapes.kind[shape] == Shapes.MESH);
         }
@@ -200,6 +209,55 @@ final class PictureCaster {
                     part[i - base] = mesh ? rays.triangle(shapes.mesh[shape]) : -1;
                 }
             }
+        }
+    }
+
+    /** The ground, whose blocks are walked for all beams together. */
+    private void heights(int shape) {
+        double[] m = shapes.data;
+        int at = shape * Shapes.STRIDE;
+        for (int k = 0; k < groundPlanes.length; k += PLANE) {
+            for (int axis = 0; axis < 3; axis++) {
+                groundPlanes[k + axis] = m[at + axis] * planes[k] + m[at + 3 + axis] * planes[k + 1] + m[at + 6 + axis] * planes[k + 2];
+            }
+            groundPlanes[k + 3] = planes[k + 3] + planes[k] * m[at + 9] + planes[k + 1] * m[at + 10] + planes[k + 2] * m[at + 11];
+        }
+        ground.begin(shapes.heights[shape], groundPlanes, wide, start);
+        for (int row = top; row < bottom; row++) {
+            for (int i = row * beams.width + first; i < row * beams.width + end; i++) {
+                double x = beams.left[i];
+                double y = beams.up[i];
+                double ax = axes[0] * x + axes[1] * y;
+                double ay = axes[3] * x + axes[4] * y;
+                double az = axes[6] * x + axes[7] * y;
+                double wx = ox + start * axes[2] + start * ax - m[at + 9];
+                double wy = oy + start * axes[5] + start * ay - m[at + 10];
+                double wz = oz + start * axes[8] + start * az - m[at + 11];
+                double dx = ax + axes[2];
+                double dy = ay + axes[5];
+                double dz = az + axes[8];
+                ground.add(m[at] * wx + m[at + 3] * wy + m[at + 6] * wz, m[at + 1] * wx + m[at + 4] * wy + m[at + 7] * wz,
+                    m[at + 2] * wx + m[at + 5] * wy + m[at + 8] * wz, m[at] * dx + m[at + 3] * dy + m[at + 6] * dz,
+                    m[at + 1] * dx + m[at + 4] * dy + m[at + 7] * dz, m[at + 2] * dx + m[at + 5] * dy + m[at + 8] * dz,
+                    (Math.min(range, depth[i - base]) - start) * (1 + SLACK));
+            }
+        }
+        long before = rays.heights.triangles;
+        ground.cast();
+        rays.triangles += rays.heights.triangles - before;
+        int beam = 0;
+        for (int row = top; row < bottom; row++) {
+            for (int i = row * beams.width + first; i < row * beams.width + end; i++) {
+                take(i - base, start + ground.distance(beam++), shape);
+            }
+        }
+    }
+
+    private void take(int pixel, double t, int shape) {
+        if (t <= range && (t < depth[pixel] || t == depth[pixel] && shape < found[pixel])) {
+            depth[pixel] = t;
+            found[pixel] = shape;
+            part[pixel] = -1;
         }
     }
 

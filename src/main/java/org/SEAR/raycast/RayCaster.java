@@ -17,7 +17,7 @@ final class RayCaster {
     /** Ways through the hierarchies of the scene and of a mesh in it. */
     private final RayTraversal scene = new RayTraversal();
     private final RayTraversal inside = new RayTraversal();
-    private final RayHeights heights = new RayHeights();
+    final RayHeights heights = new RayHeights();
     private final double[] point = new double[3];
     /** The triangle that the last successful {@link #mesh} met. */
     private int triangle;

@@ -3,11 +3,22 @@ package org.SEAR.benchmark;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.BrownLens;
+import org.SEAR.POJOs.Cylinder;
+import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Robots;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.POJOs.Shape;
+import org.SEAR.camera.Daylight;
 import org.SEAR.camera.Eye;
 import org.SEAR.camera.Sight;
 import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.sensors.Truth;
@@ -67,5 +78,48 @@ final class PictureWorld {
 
     float[] depths(int turn) {
         return eye.depths(new Sight(truth.scene(), truth.looks(), pose(turn), truth.owner()));
+    }
+
+    /** Writes what there is to be seen, but for the robot itself, for other engines: as JSON, boxes and cylinders as such, all else as triangles. */
+    void write(Path file) throws IOException {
+        List<String> things = new ArrayList<>();
+        for (SearObject object : simulation.getProject().getEnvironment()) {
+            if (object instanceof Shape) {
+                things.add(thing((Shape) object));
+            }
+        }
+        double[][] poses = new double[TURNS][];
+        for (int turn = 0; turn < TURNS; turn++) {
+            poses[turn] = numbers(pose(turn));
+        }
+        double down = 2 * Math.toDegrees(Math.atan(Math.tan(Math.toRadians(FIELD_OF_VIEW / 2)) * HEIGHT / WIDTH));
+        Files.writeString(file, String.format(Locale.ROOT,
+            "{\"width\": %d, \"height\": %d, \"fovy\": %s, \"sun\": %s,\n\"poses\": %s,\n\"things\": [%s]}%n", WIDTH, HEIGHT, down,
+            Arrays.toString(Daylight.toSun()), Arrays.deepToString(poses), String.join(",\n", things)));
+    }
+
+    private static double[] numbers(Pose pose) {
+        return new double[] {pose.x, pose.y, pose.z, pose.qx, pose.qy, pose.qz, pose.qw};
+    }
+
+    private String thing(Shape shape) {
+        SurfaceMesh surface = simulation.getSurface(shape);
+        Pose pose = simulation.getPose(shape.getName());
+        float[] at = surface.getPositions();
+        double[] low = {at[0], at[1], at[2]};
+        double[] high = low.clone();
+        for (int i = 0; i < at.length; i++) {
+            low[i % 3] = Math.min(low[i % 3], at[i]);
+            high[i % 3] = Math.max(high[i % 3], at[i]);
+        }
+        double[] half = {(high[0] - low[0]) / 2, (high[1] - low[1]) / 2, (high[2] - low[2]) / 2};
+        boolean box = shape instanceof Box || shape instanceof Floor;
+        if (box || shape instanceof Cylinder) {
+            Pose middle = pose.times(new Pose((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2, 0, 0, 0, 1));
+            return String.format(Locale.ROOT, "{\"kind\": \"%s\", \"half\": %s, \"pose\": %s}", box ? "box" : "cylinder", Arrays.toString(half),
+                Arrays.toString(numbers(middle)));
+        }
+        return String.format(Locale.ROOT, "{\"kind\": \"mesh\", \"pose\": %s, \"vertices\": %s, \"indices\": %s}",
+            Arrays.toString(numbers(pose)), Arrays.toString(at), Arrays.toString(surface.getIndices()));
     }
 }

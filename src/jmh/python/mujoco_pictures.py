@@ -4,6 +4,7 @@ import mujoco
 from mujoco_engine import UPRIGHT, box_xml
 
 COLOR = 'rgba="0.7 0.7 0.65 1" contype="0" conaffinity="0"'
+PICTURED = 'material="p%d" contype="0" conaffinity="0"'
 FAST = '<quality shadowsize="1024" offsamples="0"/>'
 
 
@@ -28,16 +29,24 @@ class Scene:
     def __init__(self, world, fast):
         assets = []
         geoms = []
+        pictures = {}
         for i, thing in enumerate(world["things"]):
+            look = COLOR
+            if "picture" in thing:
+                look = PICTURED % pictures.setdefault((thing["picture"], thing["tile"]), len(pictures))
             if thing["kind"] == "box":
-                geoms.append(box_xml(thing["half"] + thing["pose"], COLOR))
+                geoms.append(box_xml(thing["half"] + thing["pose"], look))
             elif thing["kind"] == "cylinder":
                 geoms.append('<body %s><geom type="cylinder" size="%s" quat="%s" %s/></body>'
-                             % (pose_xml(thing["pose"]), numbers(thing["half"][:2]), UPRIGHT, COLOR))
+                             % (pose_xml(thing["pose"]), numbers(thing["half"][:2]), UPRIGHT, look))
             else:
                 assets.append('<mesh name="m%d" inertia="shell" vertex="%s" face="%s"/>'
                               % (i, numbers(thing["vertices"]), " ".join(str(index) for index in thing["indices"])))
                 geoms.append('<geom type="mesh" mesh="m%d" %s %s/>' % (i, pose_xml(thing["pose"]), COLOR))
+        for (file, tile), number in pictures.items():
+            repeat = 'texuniform="true" texrepeat="%r %r"' % (1 / tile, 1 / tile) if tile else ""
+            assets.append('<texture name="t%d" type="2d" file="%s"/><material name="p%d" texture="t%d" specular="0" %s/>'
+                          % (number, file, number, number, repeat))
         cameras = ['<camera name="c%d" %s fovy="%.9g"/>' % (i, looking(pose), world["fovy"]) for i, pose in enumerate(world["poses"])]
         light = '<light directional="true" castshadow="true" pos="0 20 0" dir="%s" diffuse="0.8 0.8 0.8"/>' % numbers(-s for s in world["sun"])
         self.model = mujoco.MjModel.from_xml_string(

@@ -50,7 +50,9 @@ class Scene:
         else:
             write_obj(path, thing)
             shape = pybullet.createVisualShape(pybullet.GEOM_MESH, fileName=path, rgbaColor=COLOR, visualFrameOrientation=frame)
-        pybullet.createMultiBody(0, -1, shape, basePosition=thing["pose"][:3], baseOrientation=thing["pose"][3:])
+        body = pybullet.createMultiBody(0, -1, shape, basePosition=thing["pose"][:3], baseOrientation=thing["pose"][3:])
+        if "picture" in thing:
+            pybullet.changeVisualShape(body, -1, textureUniqueId=pybullet.loadTexture(thing["picture"]), rgbaColor=(1, 1, 1, 1))
 
     def image(self, turn, shadow):
         return pybullet.getCameraImage(*self.size, viewMatrix=self.views[turn], projectionMatrix=self.projection, shadow=shadow,

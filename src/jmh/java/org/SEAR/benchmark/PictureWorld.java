@@ -11,12 +11,14 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.BrownLens;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.camera.Daylight;
 import org.SEAR.camera.Eye;
 import org.SEAR.camera.Sight;
+import org.SEAR.files.Assets;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.project.problems.ProjectException;
@@ -85,7 +87,7 @@ final class PictureWorld {
         List<String> things = new ArrayList<>();
         for (SearObject object : simulation.getProject().getEnvironment()) {
             if (object instanceof Shape) {
-                things.add(thing((Shape) object));
+                things.add(thing((Shape) object, file.toAbsolutePath().getParent()));
             }
         }
         double[][] poses = new double[TURNS][];
@@ -102,7 +104,18 @@ final class PictureWorld {
         return new double[] {pose.x, pose.y, pose.z, pose.qx, pose.qy, pose.qz, pose.qw};
     }
 
-    private String thing(Shape shape) {
+    /** Writes the picture on a shape beside the world, and says where and after how many metres it is repeated; nothing for models. */
+    private static String picture(Shape shape, Path folder) throws IOException {
+        String path = shape instanceof Model ? null : shape.getPicture();
+        if (path == null || !path.endsWith(".png")) {
+            return "";
+        }
+        Path copy = folder.resolve(path.replace('/', '-'));
+        Files.write(copy, new Assets(folder).readPicture(path));
+        return String.format(Locale.ROOT, ", \"picture\": \"%s\", \"tile\": %s", copy, shape.getPictureTile() == null ? 0 : shape.getPictureTile());
+    }
+
+    private String thing(Shape shape, Path folder) throws IOException {
         SurfaceMesh surface = simulation.getSurface(shape);
         Pose pose = simulation.getPose(shape.getName());
         float[] at = surface.getPositions();
@@ -116,8 +129,8 @@ final class PictureWorld {
         boolean box = shape instanceof Box || shape instanceof Floor;
         if (box || shape instanceof Cylinder) {
             Pose middle = pose.times(new Pose((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2, 0, 0, 0, 1));
-            return String.format(Locale.ROOT, "{\"kind\": \"%s\", \"half\": %s, \"pose\": %s}", box ? "box" : "cylinder", Arrays.toString(half),
-                Arrays.toString(numbers(middle)));
+            return String.format(Locale.ROOT, "{\"kind\": \"%s\", \"half\": %s, \"pose\": %s%s}", box ? "box" : "cylinder", Arrays.toString(half),
+                Arrays.toString(numbers(middle)), picture(shape, folder));
         }
         return String.format(Locale.ROOT, "{\"kind\": \"mesh\", \"pose\": %s, \"vertices\": %s, \"indices\": %s}",
             Arrays.toString(numbers(pose)), Arrays.toString(at), Arrays.toString(surface.getIndices()));

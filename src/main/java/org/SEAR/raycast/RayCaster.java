@@ -13,6 +13,9 @@ final class RayCaster {
     long fanNodes;
     long tested;
     long triangles;
+    /** Boxes that reach into a tile of a picture, and those of them whose three pairs of sides each of its beams was asked for. */
+    long boxes;
+    long asked;
 
     /** Ways through the hierarchies of the scene and of a mesh in it. */
     private final RayTraversal scene = new RayTraversal();

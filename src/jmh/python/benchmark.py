@@ -29,7 +29,7 @@ FULL = {
     "fields": ["field-100000", "field-13000000"],
     "drives": ["drive-room-20", "drive-room-1000", "lidar-room-20", "lidar-room-1000", "lidar-hall-10", "lidar-hall-100", "lidar-hall-1000",
                "lidar-hall-9900", "lidars2-room-20", "lidars4-room-20", "lidars8-room-20"],
-    "own": ["all-room-20", "all-room-1000", "asleep-1000"],
+    "own": ["all-room-20", "all-room-1000", "camera-room-20", "blind-room-20", "asleep-1000"],
     "drops": ["drop-10", "drop-30", "drop-100", "drop-300", "drop-1000"],
     "meshes": [1000, 10000, 110000, 1000000],
     "runs": ["all-room-20", "all-room-1000"],

@@ -136,8 +136,9 @@ def agreement(results):
 
 def steps(results):
     rows = []
-    what = {"drive": "no sensor", "lidar": "a LIDAR", "all": "everything"}
-    for equipment in ("drive", "lidar", "all"):
+    what = {"drive": "no sensor", "lidar": "a LIDAR", "all": "everything", "camera": "a camera, each picture read",
+            "blind": "a camera, no picture read"}
+    for equipment in ("drive", "lidar", "camera", "blind", "all"):
         for world in results.worlds(equipment + "-room"):
             rate = results.rate("SEAR", world)
             rows.append(["%s, %d boxes" % (what[equipment], size_of(world)), results.ratio("SEAR", "MuJoCo", world),

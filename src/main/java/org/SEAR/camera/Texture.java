@@ -189,16 +189,19 @@ public final class Texture {
      */
     private static void addWithin(int[] pixels, int width, double firstAcross, double firstDown, double stepAcross, double stepDown, int places,
             double scale, Spot spot) {
-        double across = firstAcross;
-        double down = firstDown;
+        // in 256ths of a pixel: their lower bits are the shares of the pixel to the right and of the one below
+        double across = firstAcross * ONE;
+        double down = firstDown * ONE;
+        double toRight = stepAcross * ONE;
+        double toBottom = stepDown * ONE;
         long redBlue = 0;
         int green = 0;
         for (int i = 0; i < places; i++) {
-            int left = (int) across;
-            int top = (int) down;
-            int right = (int) ((across - left) * ONE);
-            int below = (int) ((down - top) * ONE);
-            int at = top * width + left;
+            int x = (int) across;
+            int y = (int) down;
+            int right = x & ONE - 1;
+            int below = y & ONE - 1;
+            int at = (y >> BITS) * width + (x >> BITS);
             int a = pixels[at];
             int b = pixels[at + 1];
             int c = pixels[at + width];
@@ -209,8 +212,8 @@ public final class Texture {
             int wa = ONE * ONE - wb - wc - wd;
             redBlue += apart(a) * wa + apart(b) * wb + apart(c) * wc + apart(d) * wd;
             green += (a >> 8 & 0xff) * wa + (b >> 8 & 0xff) * wb + (c >> 8 & 0xff) * wc + (d >> 8 & 0xff) * wd;
-            across += stepAcross;
-            down += stepDown;
+            across += toRight;
+            down += toBottom;
         }
         spot.red += scale * (redBlue >>> 32);
         spot.green += scale * green;

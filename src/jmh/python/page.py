@@ -3,6 +3,7 @@ import os
 import re
 
 import bodies
+import cameras
 import curves
 import goals
 
@@ -197,6 +198,14 @@ def resting(results):
             "else it stands in brackets.", ""] + bodies.table(found) + [""]
 
 
+def seen(results):
+    """Pictures of cameras; nothing of a run that has not measured them."""
+    found = results.found.get("cameras")
+    if not found:
+        return []
+    return ["### Pictures of cameras", "", *cameras.ABOUT, ""] + cameras.table(found) + [""]
+
+
 def meshes(results):
     rows = []
     for mesh in results.found["meshes"]:
@@ -337,7 +346,7 @@ def measured(results, drawn):
     shown = {name: ["![%s](images/%s)" % (title, name), ""] for name, (title, _) in drawn.items()}
     body = beams(results) + shown.get("speed-boxes.svg", []) + shown.get("speed-triangles.svg", []) + growth(results) + agreement(results)
     body += steps(results) + shown.get("speed-steps.svg", []) + shown.get("speed-lidars.svg", [])
-    body += moving(results) + shown.get("speed-moving.svg", []) + resting(results) + meshes(results) + start(results)
+    body += moving(results) + shown.get("speed-moving.svg", []) + resting(results) + seen(results) + meshes(results) + start(results)
     return machine(results) + summary(results) + missed(results) + body
 
 

@@ -18,8 +18,8 @@ import org.SEAR.simulator.Simulation;
 /**
  * The world of the step benchmark: a {@link Room} in which a robot with four wheels drives in circles of 1 m radius. Its name is EQUIPMENT-ROOM, for
  * example {@code lidar-room-20}; equipment is {@code drive} (no sensor), {@code lidar}, {@code lidarsN} (N LIDARs of 361 beams, read ten times a
- * simulated second), {@code camera} (a colour camera of 320 x 240 at 10 Hz, each of its pictures read), {@code blind} (the same, none of them read) or
- * {@code all} (every sensor, and serial devices that send all the time).
+ * simulated second), {@code camera} (a colour camera of 320 x 240 at 10 Hz, each of its pictures read), {@code blind} (the same, none of them
+ * read) or {@code all} (every sensor, and serial devices that send all the time).
  */
 public final class StepWorld implements AutoCloseable {
     /** Radius of the circle, metres. */
@@ -78,7 +78,10 @@ public final class StepWorld implements AutoCloseable {
     /** How many LIDARs the robot of this world has. */
     static int lidars(String name) {
         String equipment = name.substring(0, name.indexOf('-'));
-        return equipment.matches("drive|camera|blind") ? 0 : equipment.startsWith("lidars") ? Integer.parseInt(equipment.substring("lidars".length())) : 1;
+        if (equipment.startsWith("lidars")) {
+            return Integer.parseInt(equipment.substring("lidars".length()));
+        }
+        return equipment.matches("drive|camera|blind") ? 0 : 1;
     }
 
     /** The still things of this world. */

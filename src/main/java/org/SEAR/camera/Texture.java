@@ -127,7 +127,6 @@ public final class Texture {
     private void add(int level, double u, double v, double stepU, double stepV, int places, double share, Spot spot) {
         int width = widths[level];
         int height = heights[level];
-        int[] pixels = levels[level];
         double first = 0.5 / places - 0.5;
         double across = ((repeated ? u - Math.floor(u) : u) + first * stepU) * width - 0.5;
         double down = height - 0.5 - ((repeated ? v - Math.floor(v) : v) + first * stepV) * height;

@@ -136,7 +136,7 @@ public final class HeightsTile {
             if (level < 0) {
                 cell(rows[depth], columns[depth], lows[depth], highs[depth]);
             } else if (size < SMALL * wide * nears[depth]) {
-                block(level, rows[depth], columns[depth], lows[depth], highs[depth]);
+                ask(level, rows[depth], columns[depth], lows[depth], highs[depth]);
             } else {
                 open(level, rows[depth], columns[depth]);
             }
@@ -230,10 +230,6 @@ public final class HeightsTile {
         field.triangle(row, column, 0, eastern);
         field.triangle(row, column, 1, western);
         ask(-1, row, column, low, high);
-    }
-
-    private void block(int level, int row, int column, float low, float high) {
-        ask(level, row, column, low, high);
     }
 
     /** Asks a block by each beam that comes between its sides and its heights. */

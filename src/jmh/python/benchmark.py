@@ -9,13 +9,14 @@ import sys
 import time
 
 import bodies
+import cameras
 import machine
 import page
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", "..", ".."))
 HERE = os.path.dirname(os.path.abspath(__file__))
 PACKAGE = "org.SEAR.benchmark."
-PEERS = {"mujoco": (("mujoco", "mujocoVersion"), ("mujoco-core", "mujocoCoreVersion"), ("numpy", "numpyVersion")),
+PEERS = {"mujoco": (("mujoco", "mujocoVersion"), ("mujoco-core", "mujocoCoreVersion"), ("PyOpenGL", "pyOpenGlVersion"), ("numpy", "numpyVersion")),
          "pybullet": (("pybullet", "pybulletVersion"), ("numpy", "numpyVersion"))}
 # Load a core above which the machine is too busy to measure
 BUSY = 0.25
@@ -28,7 +29,7 @@ FULL = {
     "fields": ["field-100000", "field-13000000"],
     "drives": ["drive-room-20", "drive-room-1000", "lidar-room-20", "lidar-room-1000", "lidar-hall-10", "lidar-hall-100", "lidar-hall-1000",
                "lidar-hall-9900", "lidars2-room-20", "lidars4-room-20", "lidars8-room-20"],
-    "own": ["all-room-20", "all-room-1000", "asleep-1000"],
+    "own": ["all-room-20", "all-room-1000", "camera-room-20", "blind-room-20", "asleep-1000"],
     "drops": ["drop-10", "drop-30", "drop-100", "drop-300", "drop-1000"],
     "meshes": [1000, 10000, 110000, 1000000],
     "runs": ["all-room-20", "all-room-1000"],
@@ -257,6 +258,8 @@ class Run:
         found["rates"] += peers
         found["bodies"], missing = self.bodies()
         found["missing"].update(missing)
+        found["cameras"], missing = cameras.Cameras(self, self.options.quick).measure()
+        found["missing"].update(missing)
         found["minutes"] = (time.time() - self.began) / 60
         return found
 
@@ -291,6 +294,7 @@ def main():
                         help="measure only bodies that end at rest, in these engines (default: sear,bullet,mujoco), and"
                         " print the table; writes nothing into docs")
     parser.add_argument("--scenes", metavar="SCENES", help="of bodies, such as pile-100,stack-10 (default: all; with --quick two)")
+    parser.add_argument("--cameras", action="store_true", help="measure only pictures of cameras, and print the table; writes nothing into docs")
     parser.add_argument("--page-only", metavar="JSON", help="measure nothing: make the page from an earlier run's JSON")
     parser.add_argument("--docs", help="the folder for performance.md, performance.json and images (default: docs; with --quick: that of --work)")
     parser.add_argument("--work", default=os.path.join(ROOT, "build", "benchmark"), help="the folder for worlds and logs (default: build/benchmark)")
@@ -306,6 +310,10 @@ def main():
         if options.bodies:
             results, missing = run.bodies()
             print("\n".join(bodies.table(results) + ["%s: %s" % one for one in missing.items()]))
+            return
+        if options.cameras:
+            results, missing = cameras.Cameras(run, options.quick).measure()
+            print("\n".join(cameras.table(results) + ["%s: %s" % one for one in missing.items()]))
             return
         found = run.everything()
         os.makedirs(docs, exist_ok=True)

@@ -3,6 +3,7 @@ import os
 import re
 
 import bodies
+import cameras
 import curves
 import goals
 
@@ -136,8 +137,9 @@ def agreement(results):
 
 def steps(results):
     rows = []
-    what = {"drive": "no sensor", "lidar": "a LIDAR", "all": "everything"}
-    for equipment in ("drive", "lidar", "all"):
+    what = {"drive": "no sensor", "lidar": "a LIDAR", "all": "everything", "camera": "a camera, each picture read",
+            "blind": "a camera, no picture read"}
+    for equipment in ("drive", "lidar", "camera", "blind", "all"):
         for world in results.worlds(equipment + "-room"):
             rate = results.rate("SEAR", world)
             rows.append(["%s, %d boxes" % (what[equipment], size_of(world)), results.ratio("SEAR", "MuJoCo", world),
@@ -194,6 +196,14 @@ def resting(results):
             "all lies: 10 simulated seconds, of a heap 15. Processor time of the thread that steps, at 1/60 s, Bullet and MuJoCo with their defaults. A",
             "speed counts only where the deepest overlap at the end, by exact geometry, is below 1 mm, and nothing goes 0.1 mm in the last half second;",
             "else it stands in brackets.", ""] + bodies.table(found) + [""]
+
+
+def seen(results):
+    """Pictures of cameras; nothing of a run that has not measured them."""
+    found = results.found.get("cameras")
+    if not found:
+        return []
+    return ["### Pictures of cameras", "", *cameras.ABOUT, ""] + cameras.table(found) + [""]
 
 
 def meshes(results):
@@ -336,7 +346,7 @@ def measured(results, drawn):
     shown = {name: ["![%s](images/%s)" % (title, name), ""] for name, (title, _) in drawn.items()}
     body = beams(results) + shown.get("speed-boxes.svg", []) + shown.get("speed-triangles.svg", []) + growth(results) + agreement(results)
     body += steps(results) + shown.get("speed-steps.svg", []) + shown.get("speed-lidars.svg", [])
-    body += moving(results) + shown.get("speed-moving.svg", []) + resting(results) + meshes(results) + start(results)
+    body += moving(results) + shown.get("speed-moving.svg", []) + resting(results) + seen(results) + meshes(results) + start(results)
     return machine(results) + summary(results) + missed(results) + body
 
 

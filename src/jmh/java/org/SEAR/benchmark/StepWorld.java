@@ -2,6 +2,7 @@ package org.SEAR.benchmark;
 
 import java.nio.file.Path;
 import org.SEAR.POJOs.Accelerometer;
+import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Distance;
@@ -17,7 +18,8 @@ import org.SEAR.simulator.Simulation;
 /**
  * The world of the step benchmark: a {@link Room} in which a robot with four wheels drives in circles of 1 m radius. Its name is EQUIPMENT-ROOM, for
  * example {@code lidar-room-20}; equipment is {@code drive} (no sensor), {@code lidar}, {@code lidarsN} (N LIDARs of 361 beams, read ten times a
- * simulated second) or {@code all} (every sensor, and serial devices that send all the time).
+ * simulated second), {@code camera} (a colour camera of 320 x 240 at 10 Hz, each of its pictures read), {@code blind} (the same, none of them
+ * read) or {@code all} (every sensor, and serial devices that send all the time).
  */
 public final class StepWorld implements AutoCloseable {
     /** Radius of the circle, metres. */
@@ -43,6 +45,8 @@ public final class StepWorld implements AutoCloseable {
     private final BenchmarkProject project;
     private final Simulation simulation;
     private final boolean all;
+    private final boolean camera;
+    private final boolean blind;
 
     /** Fills a folder of its own with the objects. */
     public StepWorld(String name) {
@@ -53,6 +57,8 @@ public final class StepWorld implements AutoCloseable {
     StepWorld(String name, Path kept) {
         room = room(name);
         all = name.startsWith("all-");
+        blind = name.startsWith("blind-");
+        camera = blind || name.startsWith("camera-");
         lidars = lidars(name);
         project = new BenchmarkProject(kept, () -> {
             room.build();
@@ -72,7 +78,10 @@ public final class StepWorld implements AutoCloseable {
     /** How many LIDARs the robot of this world has. */
     static int lidars(String name) {
         String equipment = name.substring(0, name.indexOf('-'));
-        return equipment.equals("drive") ? 0 : equipment.startsWith("lidars") ? Integer.parseInt(equipment.substring("lidars".length())) : 1;
+        if (equipment.startsWith("lidars")) {
+            return Integer.parseInt(equipment.substring("lidars".length()));
+        }
+        return equipment.matches("drive|camera|blind") ? 0 : 1;
     }
 
     /** The still things of this world. */
@@ -104,6 +113,9 @@ public final class StepWorld implements AutoCloseable {
             }
             robot.addComponent(scanner);
         }
+        if (camera) {
+            robot.addComponent(new Camera("eye", 0, LIDAR_HEIGHT, 0, 10, 0, 0));
+        }
         if (all) {
             dynamics.setPorts("oiUart", "oiUser");
             for (int i = 0; i < 4; i++) {
@@ -119,7 +131,7 @@ public final class StepWorld implements AutoCloseable {
     /** A step, and what a script reads after it. */
     public void step() {
         simulation.step();
-        if (simulation.getStep() % SCAN_EVERY == 0) {
+        if (simulation.getStep() % SCAN_EVERY == 0 && !blind) {
             for (String name : simulation.getSensorNames()) {
                 simulation.read(name);
             }

@@ -10,6 +10,8 @@ public final class Texture {
     private static final int MOST_PLACES = 8;
     private static final int BITS = 8;
     private static final int ONE = 1 << BITS;
+    /** Pixels by which a place in a row may be off what is reckoned for it at once. */
+    private static final double ROUNDING = 1e-3;
     private static final int MANTISSA = 52;
     private static final int BIAS = 1023;
 
@@ -125,12 +127,30 @@ public final class Texture {
     private void add(int level, double u, double v, double stepU, double stepV, int places, double share, Spot spot) {
         int width = widths[level];
         int height = heights[level];
-        int[] pixels = levels[level];
         double first = 0.5 / places - 0.5;
         double across = ((repeated ? u - Math.floor(u) : u) + first * stepU) * width - 0.5;
         double down = height - 0.5 - ((repeated ? v - Math.floor(v) : v) + first * stepV) * height;
         double stepAcross = stepU * width / places;
         double stepDown = -stepV * height / places;
+        double lastAcross = across + (places - 1) * stepAcross;
+        double lastDown = down + (places - 1) * stepDown;
+        boolean within = Math.min(across, lastAcross) >= ROUNDING && Math.max(across, lastAcross) < width - 1 - ROUNDING
+            && Math.min(down, lastDown) >= ROUNDING && Math.max(down, lastDown) < height - 1 - ROUNDING;
+        double scale = share / (ONE * ONE * places);
+        if (within) {
+            addWithin(levels[level], width, across, down, stepAcross, stepDown, places, scale, spot);
+        } else {
+            addAnywhere(level, across, down, stepAcross, stepDown, places, scale, spot);
+        }
+    }
+
+    private void addAnywhere(int level, double firstAcross, double firstDown, double stepAcross, double stepDown, int places, double scale,
+            Spot spot) {
+        int width = widths[level];
+        int height = heights[level];
+        int[] pixels = levels[level];
+        double across = firstAcross;
+        double down = firstDown;
         int red = 0;
         int green = 0;
         int blue = 0;
@@ -157,10 +177,51 @@ public final class Texture {
             across += stepAcross;
             down += stepDown;
         }
-        double scale = share / (ONE * ONE * places);
         spot.red += scale * red;
         spot.green += scale * green;
         spot.blue += scale * blue;
+    }
+
+    /**
+     * The same numbers where no place is at an edge. Red and blue are reckoned side by side, 32 bits apart, so that one multiplication does for
+     * both: a mean of two pixels takes 16 bits, one of four 24, and the sum of {@link #MOST_PLACES} of those 27.
+     */
+    private static void addWithin(int[] pixels, int width, double firstAcross, double firstDown, double stepAcross, double stepDown, int places,
+            double scale, Spot spot) {
+        // in 256ths of a pixel: their lower bits are the shares of the pixel to the right and of the one below
+        double across = firstAcross * ONE;
+        double down = firstDown * ONE;
+        double toRight = stepAcross * ONE;
+        double toBottom = stepDown * ONE;
+        long redBlue = 0;
+        int green = 0;
+        for (int i = 0; i < places; i++) {
+            int x = (int) across;
+            int y = (int) down;
+            int right = x & ONE - 1;
+            int below = y & ONE - 1;
+            int at = (y >> BITS) * width + (x >> BITS);
+            int a = pixels[at];
+            int b = pixels[at + 1];
+            int c = pixels[at + width];
+            int d = pixels[at + width + 1];
+            int wd = right * below;
+            int wb = right * ONE - wd;
+            int wc = below * ONE - wd;
+            int wa = ONE * ONE - wb - wc - wd;
+            redBlue += apart(a) * wa + apart(b) * wb + apart(c) * wc + apart(d) * wd;
+            green += (a >> 8 & 0xff) * wa + (b >> 8 & 0xff) * wb + (c >> 8 & 0xff) * wc + (d >> 8 & 0xff) * wd;
+            across += toRight;
+            down += toBottom;
+        }
+        spot.red += scale * (redBlue >>> 32);
+        spot.green += scale * green;
+        spot.blue += scale * (int) redBlue;
+    }
+
+    /** Red above the lower 32 bits, blue in them. */
+    private static long apart(int rgb) {
+        return (long) (rgb & 0xff0000) << 16 | rgb & 0xff;
     }
 
     private static int floor(double value) {

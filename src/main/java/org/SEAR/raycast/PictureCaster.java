@@ -2,6 +2,7 @@ package org.SEAR.raycast;
 
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Rotation;
+import org.SEAR.raycast.solid.HeightsTile;
 import org.SEAR.raycast.tree.Bvh;
 
 /**
@@ -26,6 +27,24 @@ final class PictureCaster {
     private final double[] planes = new double[PLANES * PLANE];
     /** A beam's direction in the frame of a box: the nine numbers that its three are made of. */
     private final double[] own = new double[9];
+    /** The eye in the frame of a box. */
+    private final double[] place = new double[3];
+    /** Of the three pairs of sides of a box: where the last beam comes in between them. */
+    private final double[] mostIns = new double[3];
+    private double leastIn;
+    private double mostOut;
+    /** Where all beams have come in between all sides, and where the first one leaves. */
+    private double allIn;
+    private double allOut;
+    private final HeightsTile ground;
+    private final double[] groundPlanes = new double[HeightsTile.PLANES * PLANE];
+    /** Width of the tile, one metre ahead. */
+    private double wide;
+    /** The middle of the tile's bounds one metre ahead, and half of what they are apart. */
+    private double midLeft;
+    private double midUp;
+    private double halfLeft;
+    private double halfUp;
     private PictureBeams beams;
     private Shapes shapes;
     private double ox;
@@ -44,9 +63,12 @@ final class PictureCaster {
     private int base;
     /** The farthest of a tile's beams; the range while one of them has met nothing. */
     private double worst;
+    /** Whether a beam has met the shape that was asked last. */
+    private boolean changed;
 
     PictureCaster(RayCaster rays) {
         this.rays = rays;
+        ground = new HeightsTile(rays.heights);
     }
 
     /** Where the beams come from and how far they go, see {@link BeamScene#castPicture}. */
@@ -129,6 +151,11 @@ final class PictureCaster {
         plane(2 * PLANE, 0, 1, -beams.bounds[at + 2]);
         plane(3 * PLANE, 0, -1, beams.bounds[at + 3]);
         plane(AHEAD, 0, 0, 1);
+        midLeft = (beams.bounds[at] + beams.bounds[at + 1]) / 2;
+        midUp = (beams.bounds[at + 2] + beams.bounds[at + 3]) / 2;
+        halfLeft = (beams.bounds[at + 1] - beams.bounds[at]) / 2;
+        halfUp = (beams.bounds[at + 3] - beams.bounds[at + 2]) / 2;
+        wide = Math.max(beams.bounds[at + 1] - beams.bounds[at], beams.bounds[at + 3] - beams.bounds[at + 2]);
     }
 
     /** A plane through the origin, by its normal in the picture's frame, which looks into the pyramid. */
@@ -166,10 +193,16 @@ final class PictureCaster {
 
     private void shape(int shape) {
         rays.tested++;
+        changed = false;
         if (shapes.kind[shape] == Shapes.BOX) {
             box(shape);
+        } else if (shapes.kind[shape] == Shapes.HEIGHTS) {
+            heights(shape);
         } else {
             beams(shape, shapes.kind[shape] == Shapes.MESH);
+        }
+        if (!changed) {
+            return;
         }
         double farthest = 0;
         for (int row = top; row < bottom; row++) {
@@ -195,6 +228,7 @@ final class PictureCaster {
                 double t = start + rays.test(shapes, shape, sx + start * dx, sy + start * dy, sz + start * dz, dx + axes[2], dy + axes[5],
                     dz + axes[8], limit * (1 + SLACK));
                 if (t <= range && (t < depth[i - base] || t == depth[i - base] && shape < found[i - base])) {
+                    changed = true;
                     depth[i - base] = t;
                     found[i - base] = shape;
                     part[i - base] = mesh ? rays.triangle(shapes.mesh[shape]) : -1;
@@ -203,24 +237,152 @@ final class PictureCaster {
         }
     }
 
+    /** The ground, whose blocks are walked for all beams together. */
+    private void heights(int shape) {
+        double[] m = shapes.data;
+        int at = shape * Shapes.STRIDE;
+        for (int k = 0; k < groundPlanes.length; k += PLANE) {
+            for (int axis = 0; axis < 3; axis++) {
+                groundPlanes[k + axis] = m[at + axis] * planes[k] + m[at + 3 + axis] * planes[k + 1] + m[at + 6 + axis] * planes[k + 2];
+            }
+            groundPlanes[k + 3] = planes[k + 3] + planes[k] * m[at + 9] + planes[k + 1] * m[at + 10] + planes[k + 2] * m[at + 11];
+        }
+        ground.begin(shapes.heights[shape], groundPlanes, wide, start);
+        for (int row = top; row < bottom; row++) {
+            for (int i = row * beams.width + first; i < row * beams.width + end; i++) {
+                double x = beams.left[i];
+                double y = beams.up[i];
+                double ax = axes[0] * x + axes[1] * y;
+                double ay = axes[3] * x + axes[4] * y;
+                double az = axes[6] * x + axes[7] * y;
+                double wx = ox + start * axes[2] + start * ax - m[at + 9];
+                double wy = oy + start * axes[5] + start * ay - m[at + 10];
+                double wz = oz + start * axes[8] + start * az - m[at + 11];
+                double dx = ax + axes[2];
+                double dy = ay + axes[5];
+                double dz = az + axes[8];
+                ground.add(m[at] * wx + m[at + 3] * wy + m[at + 6] * wz, m[at + 1] * wx + m[at + 4] * wy + m[at + 7] * wz,
+                    m[at + 2] * wx + m[at + 5] * wy + m[at + 8] * wz, m[at] * dx + m[at + 3] * dy + m[at + 6] * dz,
+                    m[at + 1] * dx + m[at + 4] * dy + m[at + 7] * dz, m[at + 2] * dx + m[at + 5] * dy + m[at + 8] * dz,
+                    (Math.min(range, depth[i - base]) - start) * (1 + SLACK));
+            }
+        }
+        long before = rays.heights.triangles;
+        ground.cast();
+        rays.triangles += rays.heights.triangles - before;
+        int beam = 0;
+        for (int row = top; row < bottom; row++) {
+            for (int i = row * beams.width + first; i < row * beams.width + end; i++) {
+                take(i - base, start + ground.distance(beam++), shape);
+            }
+        }
+    }
+
+    private void take(int pixel, double t, int shape) {
+        if (t <= range && (t < depth[pixel] || t == depth[pixel] && shape < found[pixel])) {
+            changed = true;
+            depth[pixel] = t;
+            found[pixel] = shape;
+            part[pixel] = -1;
+        }
+    }
+
     /** Boxes are what rooms are made of: one origin for all beams, and a direction that is made of two. */
     private void box(int shape) {
         double[] m = shapes.data;
         int at = shape * Shapes.STRIDE;
+        double wx = ox - m[at + 9];
+        double wy = oy - m[at + 10];
+        double wz = oz - m[at + 11];
+        allIn = Double.NEGATIVE_INFINITY;
+        allOut = Double.POSITIVE_INFINITY;
+        double firstIn = Double.NEGATIVE_INFINITY;
+        double lastOut = Double.POSITIVE_INFINITY;
+        int side = -1;
         for (int k = 0; k < 3; k++) {
             for (int axis = 0; axis < 3; axis++) {
                 own[3 * k + axis] = m[at + k] * axes[axis] + m[at + 3 + k] * axes[3 + axis] + m[at + 6 + k] * axes[6 + axis];
             }
+            place[k] = m[at + k] * wx + m[at + 3 + k] * wy + m[at + 6 + k] * wz;
+            slab(k, m[at + 12 + k]);
+            if (leastIn > firstIn) {
+                firstIn = leastIn;
+                side = k;
+            }
+            lastOut = Math.min(lastOut, mostOut);
         }
-        double wx = ox - m[at + 9];
-        double wy = oy - m[at + 10];
-        double wz = oz - m[at + 11];
-        double px = m[at] * wx + m[at + 3] * wy + m[at + 6] * wz;
-        double py = m[at + 1] * wx + m[at + 4] * wy + m[at + 7] * wz;
-        double pz = m[at + 2] * wx + m[at + 5] * wy + m[at + 8] * wz;
-        double a = m[at + 12];
-        double b = m[at + 13];
-        double c = m[at + 14];
+        if (firstIn > lastOut + SLACK * (1 + Math.abs(lastOut)) || lastOut < start - SLACK * (1 + start)) {
+            return;
+        }
+        boolean through = firstIn > start + SLACK * (1 + start) && allIn + SLACK * (1 + Math.abs(allIn)) < allOut;
+        for (int k = 0; k < 3 && through; k++) {
+            through = k == side || firstIn > mostIns[k] + SLACK * (1 + Math.abs(mostIns[k]));
+        }
+        rays.boxes++;
+        if (through) {
+            side(shape, side, m[at + 12 + side]);
+        } else {
+            rays.asked++;
+            sides(shape, m[at + 12], m[at + 13], m[at + 14]);
+        }
+    }
+
+    /**
+     * Where the beams of the tile come in between two opposite sides of a box, and where they leave them: bounds for all of them.
+     *
+     * @param k the axis, of which the direction's numbers and the origin are known
+     */
+    private void slab(int k, double half) {
+        double middle = own[3 * k] * midLeft + own[3 * k + 1] * midUp + own[3 * k + 2];
+        double apart = (Math.abs(own[3 * k]) * halfLeft + Math.abs(own[3 * k + 1]) * halfUp) * (1 + SLACK) + SLACK;
+        double from = place[k];
+        double most = Math.abs(middle) + apart;
+        double least = Math.abs(middle) - apart;
+        double mostIn;
+        double leastOut;
+        if (least > 0) {
+            // away from the origin's side of the slab, in units of the direction
+            double near = -half - Math.copySign(1, middle) * from;
+            double far = half - Math.copySign(1, middle) * from;
+            leastIn = near > 0 ? near / most : near / least;
+            mostIn = near > 0 ? near / least : near / most;
+            leastOut = far > 0 ? far / most : far / least;
+            mostOut = far > 0 ? far / least : far / most;
+        } else {
+            boolean inside = Math.abs(from) < half;
+            leastIn = Double.NEGATIVE_INFINITY;
+            mostOut = Double.POSITIVE_INFINITY;
+            mostIn = inside ? (Math.abs(from) - half) / most : Double.POSITIVE_INFINITY;
+            leastOut = inside ? (half - Math.abs(from)) / most : Double.NEGATIVE_INFINITY;
+        }
+        mostIns[k] = mostIn;
+        allIn = Math.max(allIn, mostIn);
+        allOut = Math.min(allOut, leastOut);
+    }
+
+    /** All beams come in through one side. */
+    private void side(int shape, int k, double half) {
+        double x1 = own[3 * k];
+        double y1 = own[3 * k + 1];
+        double z1 = own[3 * k + 2];
+        double to = (x1 * midLeft + y1 * midUp + z1 < 0 ? half : -half) - place[k];
+        for (int row = top; row < bottom; row++) {
+            for (int i = row * beams.width + first; i < row * beams.width + end; i++) {
+                double t = to * (1 / (x1 * beams.left[i] + y1 * beams.up[i] + z1));
+                if (t <= range && (t < depth[i - base] || t == depth[i - base] && shape < found[i - base])) {
+                    changed = true;
+                    depth[i - base] = t;
+                    found[i - base] = shape;
+                    part[i - base] = -1;
+                }
+            }
+        }
+    }
+
+    private void sides(int shape, double a, double b, double c) {
+        double px = place[0];
+        double py = place[1];
+        double pz = place[2];
         double xx = own[0];
         double xy = own[1];
         double xz = own[2];
@@ -244,6 +406,7 @@ final class PictureCaster {
                 double out = Math.min((-nearX - px) * ix, Math.min((-nearY - py) * iy, (-nearZ - pz) * iz));
                 double t = in >= start ? in : out;
                 if (in <= out && out >= start && t <= range && (t < depth[i - base] || t == depth[i - base] && shape < found[i - base])) {
+                    changed = true;
                     depth[i - base] = t;
                     found[i - base] = shape;
                     part[i - base] = -1;

@@ -13,11 +13,14 @@ final class RayCaster {
     long fanNodes;
     long tested;
     long triangles;
+    /** Boxes that reach into a tile of a picture, and those of them whose three pairs of sides each of its beams was asked for. */
+    long boxes;
+    long asked;
 
     /** Ways through the hierarchies of the scene and of a mesh in it. */
     private final RayTraversal scene = new RayTraversal();
     private final RayTraversal inside = new RayTraversal();
-    private final RayHeights heights = new RayHeights();
+    final RayHeights heights = new RayHeights();
     private final double[] point = new double[3];
     /** The triangle that the last successful {@link #mesh} met. */
     private int triangle;

@@ -1,13 +1,18 @@
 package org.SEAR.camera;
 
+import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import java.util.concurrent.ForkJoinPool;
+import java.util.stream.IntStream;
 import org.SEAR.POJOs.BrownLens;
+import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.Pose;
 import org.SEAR.raycast.BeamScene;
+import org.SEAR.raycast.solid.RayRound;
 import org.junit.Test;
 
 /** What pixels see: the lens, light and shadow, the sky. */
@@ -97,6 +102,39 @@ public class EyeTest {
         assertEquals(255 * ring[3], middle & 0xff, 3);
         int land = eye().colors(new Sight(new BeamScene(), shape -> null, Pose.ofDegrees(0, 1, 0, 60, 0, 0), BeamScene.WORLD))[0];
         assertTrue("below the horizon is land", (land >> 8 & 0xff) > (land & 0xff));
+    }
+
+    /** Boxes and a cylinder on hills: each strip has the same pixels, whichever thread makes it and what it made before. */
+    @Test
+    public void anyNumberOfThreadsMakesTheSameBytes() throws Exception {
+        float[] heights = new float[60 * 60];
+        for (int i = 0; i < heights.length; i++) {
+            heights[i] = (float) (0.3 * Math.sin(i / 60 * 0.3) * Math.cos(i % 60 * 0.2));
+        }
+        BeamScene scene = plate();
+        scene.setPose(scene.addHeights(new HeightField(60, 60, -15, -15, 0.5, 0.5, heights), BeamScene.WORLD), 0, 0.2, 0, 0, 0, 0, 1);
+        scene.setPose(scene.addSolid(RayRound.cylinder(0.3, 0.8), BeamScene.WORLD), 1, 1, 3, 0, 0, 0, 1);
+        scene.commit();
+        BrownLens lens = new BrownLens(277, 159.5, 119.5, new double[] {-0.1, 0.01, 0, 0});
+        Sight sight = new Sight(scene, shape -> new Flat(0, 1, 0), Pose.ofDegrees(0, 1, -4, 8, 10, 0), BeamScene.WORLD);
+        Eye alone = new Eye(320, 240, lens, 0.01, 1000);
+        alone.setShared(false);
+        int[] colors = alone.colors(sight);
+        float[] depths = alone.depths(sight);
+        assertTrue("hills, things and sky", IntStream.of(colors).distinct().count() > 100);
+        for (int threads : new int[] {1, 2, 4}) {
+            Eye eye = new Eye(320, 240, lens, 0.01, 1000);
+            eye.setShared(true);
+            ForkJoinPool pool = new ForkJoinPool(threads);
+            try {
+                for (int picture = 0; picture < 3; picture++) {
+                    assertArrayEquals(threads + " threads", colors, pool.submit(() -> eye.colors(sight)).get());
+                    assertArrayEquals(threads + " threads", depths, pool.submit(() -> eye.depths(sight)).get(), 0);
+                }
+            } finally {
+                pool.shutdown();
+            }
+        }
     }
 
     @Test

@@ -12,7 +12,7 @@ public final class RayHeights {
     /** Stands for 1 / 0. */
     private static final double LARGEST = 1e30;
     /** More than the rounding of a place on the beam, relative to how far out the field and the origin are. */
-    private static final double ROUNDING = 1e-12;
+    static final double ROUNDING = 1e-12;
     /** Four blocks of each level at most, and four cells. */
     private static final int DEPTH = 4 * Integer.SIZE;
 
@@ -62,9 +62,52 @@ public final class RayHeights {
 
     /** The distance to the nearest triangle up to a distance, both in units of the direction's length; the first of two that are equally near. */
     public double meet(HeightField heights, double px, double py, double pz, double vx, double vy, double vz, double maxRange) {
+        look(heights);
+        aim(px, py, pz, vx, vy, vz);
+        best = Double.POSITIVE_INFINITY;
+        limit = maxRange;
+        depth = 0;
+        start();
+        return run();
+    }
+
+    /**
+     * The same of a block alone, in which the beam is known to come between the least and the greatest height.
+     *
+     * @param ray the beam: origin and direction
+     * @param from where it begins in ray
+     * @param in where the beam comes over the block, likewise out
+     */
+    double within(double[] ray, int from, int level, int row, int column, double in, double out, double maxRange) {
+        aim(ray[from], ray[from + 1], ray[from + 2], ray[from + 3], ray[from + 4], ray[from + 5]);
+        best = Double.POSITIVE_INFINITY;
+        limit = maxRange;
+        depth = 0;
+        open(level, row, column, in, out);
+        return run();
+    }
+
+    /** Takes a field. */
+    void look(HeightField heights) {
         if (heights != field) {
             measure(heights);
         }
+    }
+
+    /** By what a place is taken to be off a beam which begins so far out, metres. */
+    double slackX(double distance) {
+        return ulpX + ROUNDING * distance;
+    }
+
+    double slackY(double distance) {
+        return ROUNDING * (far + distance);
+    }
+
+    double slackZ(double distance) {
+        return ulpZ + ROUNDING * distance;
+    }
+
+    private void aim(double px, double py, double pz, double vx, double vy, double vz) {
         ox = px;
         oy = py;
         oz = pz;
@@ -75,15 +118,14 @@ public final class RayHeights {
         iz = inverse(vz);
         north = ix < 0 ? 0 : 1;
         east = iz < 0 ? 0 : 1;
-        slackX = ulpX + ROUNDING * Math.abs(ox);
-        slackZ = ulpZ + ROUNDING * Math.abs(oz);
-        slackY = ROUNDING * (far + Math.abs(oy) + Math.abs(ox) + Math.abs(oz));
+        slackX = slackX(Math.abs(ox));
+        slackZ = slackZ(Math.abs(oz));
+        slackY = slackY(Math.abs(oy) + Math.abs(ox) + Math.abs(oz));
         aheadX = north == 1 ? slackX : -slackX;
         aheadZ = east == 1 ? slackZ : -slackZ;
-        best = Double.POSITIVE_INFINITY;
-        limit = maxRange;
-        depth = 0;
-        start();
+    }
+
+    private double run() {
         while (depth > 0) {
             depth--;
             nodes++;

@@ -68,7 +68,7 @@ public final class DocumentPictures {
             view.press("F6");
             Views.until("its picture", () -> view.is(() -> view.scene().hud().camera().shown() != null));
             view.world.runner.setPaused(true);
-            onWindow(view, () -> view.scene().camera().orbit(3.4f, 2.4f, 0.5f));
+            onWindow(view, () -> view.scene().camera().orbit(3.2f, -0.9f, 0.5f));
         });
         draw("terrain", DocumentPictures::mountains, folder, view -> {
             view.press("F4");

@@ -32,8 +32,8 @@ final class CameraPictures {
             browser.script("document.querySelector(\"[data-eye='kinect']\").scrollIntoView()");
             browser.until("that of depths", () -> browser.all("[data-eye='kinect'] img").size() == 1);
             browser.script("var button = document.querySelector(\"[data-eye='kinect'] button\"), box = button.getBoundingClientRect();"
-                + "button.dispatchEvent(new MouseEvent('click', {detail: 1, bubbles: true, clientX: box.left + 0.62 * box.width,"
-                + " clientY: box.top + 0.6 * box.height}))");
+                + "button.dispatchEvent(new MouseEvent('click', {detail: 1, bubbles: true, clientX: box.left + 0.9 * box.width,"
+                + " clientY: box.top + 0.5 * box.height}))");
             browser.seeText("[data-eye='kinect'] .sear-eye-words", "ahead");
             browser.click("[data-eye='eye']:not([data-large]) .sear-enlarge");
             browser.see(".sear-eye-large img");
@@ -42,6 +42,7 @@ final class CameraPictures {
             browser.until("everything is drawn", () -> Boolean.TRUE.equals(
                 browser.script("var scene = angular.element(document.querySelector('.sear-main')).scope().view.scene();"
                     + "return Object.keys(scene.looks.wanted).length === 0 && scene.objects.every(function(item) { return item.dressed })")));
+            browser.script("angular.element(document.querySelector('.sear-main')).scope().view.zoom(2.2)");
             take(browser, folder.resolve("tab-cameras.png"));
             browser.setTheme("dark");
             take(browser, LOOKED_AT.resolve("cameras-dark.png"));

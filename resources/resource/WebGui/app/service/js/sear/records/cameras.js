@@ -4,6 +4,8 @@ var REST_MILLIS = 200       // between an answer and the next question; longer i
 var PATIENCE_MILLIS = 10000 // an answer that takes longer is asked for again
 var SMALL = 320             // pixels of the longer side in the drawer
 var LARGE = 640             // and over the view
+var SMALLEST = 200          // on the page, over the view
+var AROUND = 170            // above and below it there
 var STEPS = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}
 
 /** Of one panel. @param $interval Angular's */
@@ -34,6 +36,12 @@ export function makeCameras(panel, world, replay, picture, $interval) {
     /** Of the camera that is shown over the view. */
     cameras.ofLarge = function() {
         return replay.sensors().filter(sensor => sensor.name === cameras.large && sensor.eye)[0] || null
+    }
+    /** How wide that is, so that it fits between what else stands over the view. */
+    cameras.largeSize = function(sensor) {
+        var canvas = picture.canvas()
+        var room = canvas ? Math.min(0.46 * canvas.clientWidth, (canvas.clientHeight - AROUND) * sensor.eye.width / sensor.eye.height, LARGE) : 0
+        return {width: Math.max(SMALLEST, Math.round(room)) + 'px'}
     }
     cameras.enlarge = function(name) {
         cameras.large = cameras.large === name ? '' : name

@@ -70,9 +70,9 @@ function eyeOf(edge) {
         point(i)
         point(i + 1)
     }
-    for (var corner = 0; corner < CORNERS; corner++) {
+    for (var side = 0; side < CORNERS; side++) {
         points.push(0, 0, 0)
-        point(corner * count / CORNERS)
+        point(side * count / CORNERS)
     }
     var shape = new THREE.BufferGeometry()
     shape.addAttribute('position', new THREE.BufferAttribute(new window.Float32Array(points), 3))

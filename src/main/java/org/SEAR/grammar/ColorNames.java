@@ -13,6 +13,8 @@ import java.util.regex.Pattern;
  */
 public final class ColorNames {
     private static final Pattern HEX = Pattern.compile("#[0-9a-f]{6}");
+    private static final int HEXADECIMAL = 16;
+    private static final int BYTE = 0xff;
     private static final Map<String, String> NAMES = new LinkedHashMap<>();
 
     static {
@@ -45,5 +47,29 @@ public final class ColorNames {
     public static String hex(String color) {
         String small = color.toLowerCase(Locale.ROOT);
         return HEX.matcher(small).matches() ? small : NAMES.get(small);
+    }
+
+    /**
+     * The name of the colour that is nearest to one, by its parts of red, green and blue.
+     *
+     * @param rgb 0xRRGGBB
+     */
+    public static String near(int rgb) {
+        String nearest = "";
+        int least = Integer.MAX_VALUE;
+        for (Map.Entry<String, String> entry : NAMES.entrySet()) {
+            int other = Integer.parseInt(entry.getValue().substring(1), HEXADECIMAL);
+            int off = square(rgb >> 16, other >> 16) + square(rgb >> 8, other >> 8) + square(rgb, other);
+            if (off < least) {
+                least = off;
+                nearest = entry.getKey();
+            }
+        }
+        return nearest;
+    }
+
+    private static int square(int shifted, int other) {
+        int off = (shifted & BYTE) - (other & BYTE);
+        return off * off;
     }
 }

@@ -18,8 +18,9 @@ final class EventKind {
     static final int MOVED = 14;
     static final int ATTENDED = 15;
     static final int BODY_ORDER = 16;
+    static final int PICTURE = 17;
     /** The last one. */
-    static final int MOST = BODY_ORDER;
+    static final int MOST = PICTURE;
 
     private EventKind() {
     }

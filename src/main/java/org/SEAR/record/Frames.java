@@ -6,6 +6,8 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import org.SEAR.simulator.Simulation;
 
 /** Where everything was and what was read at some times of a record, for panels that show it again. Not changed once made, any thread. */
@@ -32,6 +34,8 @@ public final class Frames {
     public final List<Integer> moved = new ArrayList<>();
     /** Numbers of robots and of their lights, {robot, light}; at most 10000. */
     public final List<int[]> lights = new ArrayList<>();
+    /** Numbers of the sensors of which it has pictures, see {@link RecordPictures}. */
+    public final Set<Integer> pictured = new TreeSet<>();
     /** Whether the record is whole; it was cut off, or is being written, otherwise. */
     public final boolean whole;
 
@@ -85,6 +89,11 @@ public final class Frames {
                     moved.add(i);
                 }
             }
+        }
+
+        @Override
+        public void picture(int sensor, String kind, double time, long offset, int length) {
+            pictured.add(sensor);
         }
 
         @Override

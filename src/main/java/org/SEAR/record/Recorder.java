@@ -49,13 +49,15 @@ public final class Recorder implements RunTap {
     private final List<String> sensors;
     private final List<List<String>> numbers = new ArrayList<>();
     private final Pose[] seen;
+    /** Null if no pictures are kept. */
+    private final PictureKeeper pictures;
     /** How bright the lights of each robot were at the last frame. */
     private final List<List<Double>> lit = new ArrayList<>();
     private long steps;
     private long flushed;
     private boolean ended;
 
-    private Recorder(Simulation simulation, Path path, long limit, Consumer<String> told) throws IOException {
+    private Recorder(Simulation simulation, Path path, long limit, double rate, Consumer<String> told) throws IOException {
         this.simulation = simulation;
         this.path = path;
         this.limit = limit;
@@ -67,6 +69,7 @@ public final class Recorder implements RunTap {
         byte[] header = header();
         out = new LogBuffer(path);
         out.putBytes(header, header.length);
+        pictures = rate > 0 ? new PictureKeeper(simulation, sensors, rate, out) : null;
     }
 
     /**
@@ -78,8 +81,17 @@ public final class Recorder implements RunTap {
      * @throws IOException if there is another file, or it can't be written
      */
     public static Recorder begin(Simulation simulation, Path path, long limit, Consumer<String> told) throws IOException {
+        return begin(simulation, path, limit, 0, told);
+    }
+
+    /**
+     * The same with pictures of cameras.
+     *
+     * @param rate pictures of each camera a simulated second, as far as it takes so many; 0 for none
+     */
+    public static Recorder begin(Simulation simulation, Path path, long limit, double rate, Consumer<String> told) throws IOException {
         check(path);
-        Recorder recorder = new Recorder(simulation, path, limit, told);
+        Recorder recorder = new Recorder(simulation, path, limit, rate, told);
         recorder.frame(simulation.snapshot());
         recorder.flush();
         simulation.setTap(recorder);
@@ -175,6 +187,9 @@ public final class Recorder implements RunTap {
             for (int k = 0; k < size; k++) {
                 out.putDouble(k < now.length ? now[k] : Double.NaN);
             }
+        }
+        if (pictures != null) {
+            pictures.look(getSeconds());
         }
     }
 
@@ -296,6 +311,9 @@ public final class Recorder implements RunTap {
         if (!ended) {
             ended = true;
             simulation.setTap(null);
+            if (pictures != null) {
+                pictures.end();
+            }
             out.put(EventKind.END).putLong(steps);
         }
     }

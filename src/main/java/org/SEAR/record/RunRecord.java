@@ -3,6 +3,7 @@ package org.SEAR.record;
 import java.io.BufferedInputStream;
 import java.io.DataInputStream;
 import java.io.EOFException;
+import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -12,6 +13,7 @@ import java.util.Arrays;
 import org.SEAR.geometry.Pose;
 import org.SEAR.simulator.ActuatorOrder;
 import org.SEAR.simulator.DriveCommand;
+import org.SEAR.simulator.Simulation;
 import org.SEAR.simulator.orders.BodyOrder;
 
 /**
@@ -20,6 +22,8 @@ import org.SEAR.simulator.orders.BodyOrder;
  */
 public final class RunRecord {
     private static final int BUFFER = 1 << 16;
+    /** Bytes of a picture that are passed at once. */
+    private static final int PASSED = 1 << 13;
     private static final int POSE = 7;
     /** Of one robot; it can't have more components. */
     private static final int MOST_LIGHTS = 1000;
@@ -99,6 +103,18 @@ public final class RunRecord {
          */
         default void light(int robot, int light, double brightness) {
         }
+
+        /**
+         * A picture of a camera has been kept; it may have been taken some frames before.
+         *
+         * @param sensor number of the camera
+         * @param kind of the camera, as its object has it
+         * @param time simulated seconds since the record began at which it was taken
+         * @param offset where its file begins in that of the record, see {@link org.SEAR.sensors.PixelGrid#file}
+         * @param length bytes
+         */
+        default void picture(int sensor, String kind, double time, long offset, int length) {
+        }
     }
 
     /** Numbers of a robot in a frame. */
@@ -134,7 +150,34 @@ public final class RunRecord {
     }
 
     private static DataInputStream stream(Path path) throws IOException {
-        return new DataInputStream(new BufferedInputStream(Files.newInputStream(path), BUFFER));
+        return new DataInputStream(counted(path));
+    }
+
+    private static Counted counted(Path path) throws IOException {
+        return new Counted(new BufferedInputStream(Files.newInputStream(path), BUFFER));
+    }
+
+    /** Counts the bytes that were read. */
+    private static final class Counted extends FilterInputStream {
+        private long count;
+
+        Counted(InputStream in) {
+            super(in);
+        }
+
+        @Override
+        public int read() throws IOException {
+            int one = super.read();
+            count += one < 0 ? 0 : 1;
+            return one;
+        }
+
+        @Override
+        public int read(byte[] into, int from, int most) throws IOException {
+            int got = super.read(into, from, most);
+            count += Math.max(0, got);
+            return got;
+        }
     }
 
     public Path getPath() {
@@ -157,9 +200,9 @@ public final class RunRecord {
      * @throws RecordException if it says what can't be
      */
     public boolean read(Visitor visitor) throws IOException {
-        try (DataInputStream in = stream(path)) {
+        try (Counted counted = counted(path); DataInputStream in = new DataInputStream(counted)) {
             RecordHeader.read(in);
-            Events events = new Events(in, visitor);
+            Events events = new Events(counted, in, visitor);
             while (events.next()) {
                 // each is handed to the visitor
             }
@@ -170,8 +213,10 @@ public final class RunRecord {
     }
 
     private final class Events {
+        private final Counted counted;
         private final DataInputStream in;
         private final Visitor visitor;
+        private final byte[] passed = new byte[PASSED];
         private final double[] robots = new double[header.robots.size() * ROBOT];
         private final double[] objects = new double[header.objects.size() * POSE];
         private final double[] readings = new double[header.sizes.stream().mapToInt(Integer::intValue).sum()];
@@ -179,7 +224,8 @@ public final class RunRecord {
         private boolean begun;
         private boolean whole;
 
-        Events(DataInputStream in, Visitor visitor) {
+        Events(Counted counted, DataInputStream in, Visitor visitor) {
+            this.counted = counted;
             this.in = in;
             this.visitor = visitor;
         }
@@ -249,6 +295,9 @@ public final class RunRecord {
                     return true;
                 case EventKind.LIGHT:
                     light();
+                    return true;
+                case EventKind.PICTURE:
+                    picture();
                     return true;
                 case EventKind.END:
                     whole = in.readLong() == steps;
@@ -335,6 +384,28 @@ public final class RunRecord {
                 throw new RecordException("after " + steps + " steps a light has the brightness " + brightness + ", legal: 0 to 1");
             }
             visitor.light(robot, light, brightness);
+        }
+
+        private void picture() throws IOException {
+            int sensor = in.readUnsignedShort();
+            if (sensor >= header.sensors.size()) {
+                throw illegal("sensor", sensor, header.sensors.size());
+            }
+            int kind = in.readUnsignedByte();
+            if (kind >= PictureKeeper.KINDS.size()) {
+                throw illegal("kind of pictures", kind, PictureKeeper.KINDS.size());
+            }
+            double time = in.readDouble();
+            int length = in.readInt();
+            if (!(time >= 0 && time <= steps * Simulation.STEP + ROUNDED) || length < 1 || length > PictureKeeper.LONGEST_PICTURE) {
+                throw new RecordException("after " + steps + " steps comes a picture of " + time + " s with " + length
+                    + " bytes, legal: 0 s to then, 1 to " + PictureKeeper.LONGEST_PICTURE + " bytes");
+            }
+            long offset = counted.count;
+            for (int left = length; left > 0; left -= Math.min(left, PASSED)) {
+                in.readFully(passed, 0, Math.min(left, PASSED));
+            }
+            visitor.picture(sensor, PictureKeeper.KINDS.get(kind), time, offset, length);
         }
 
         private int robot() throws IOException {

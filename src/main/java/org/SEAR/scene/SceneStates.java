@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.project.Project;
@@ -17,12 +18,17 @@ import org.SEAR.simulator.Snapshot;
 public final class SceneStates {
     /** The unit of each sensor's reading. */
     private final Map<String, String> units = new LinkedHashMap<>();
+    /** Of each camera what is told while nobody looks through it. */
+    private final Map<String, String> cameras = new LinkedHashMap<>();
 
     public SceneStates(Project project) {
         SensorTypes types = SensorTypes.load();
         for (SEARrobot robot : project.getRobots()) {
             for (SearObject part : robot.getComponents()) {
                 units.put(part.getFullName(), types.unit(part));
+                if (part instanceof Camera) {
+                    cameras.put(part.getFullName(), ((Camera) part).getWidth() + " x " + ((Camera) part).getHeight());
+                }
             }
         }
     }
@@ -42,6 +48,9 @@ public final class SceneStates {
         Map<String, String> values = new LinkedHashMap<>();
         for (Map.Entry<String, String> sensor : units.entrySet()) {
             Reading reading = readings.apply(sensor.getKey());
+            if (reading == null && cameras.containsKey(sensor.getKey())) {
+                values.put(sensor.getKey(), cameras.get(sensor.getKey()));
+            }
             if (reading != null) {
                 values.put(sensor.getKey(), reading.words(sensor.getValue()));
                 double[] lengths = reading.beams();

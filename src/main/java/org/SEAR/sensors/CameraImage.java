@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.List;
 import org.SEAR.POJOs.Camera;
 import org.SEAR.camera.image.Blobs;
-import org.SEAR.camera.image.Png;
 import org.SEAR.geometry.Pose;
 
 /**
@@ -16,11 +15,6 @@ public final class CameraImage implements Reading {
     private static final double RED = 0.299;
     private static final double GREEN = 0.587;
     private static final double BLUE = 0.114;
-
-    private static final double MILLI = 1000;
-    private static final double CENTI = 100;
-    private static final double GREYS = 65535.5;
-    private static final double ABSOLUTE_ZERO = -273.15;
 
     private final Camera camera;
     private final double time;
@@ -122,16 +116,12 @@ public final class CameraImage implements Reading {
      * 65.535 m; temperatures as 16 bits of grey, hundredths of a kelvin above absolute zero, 0 for a pixel that is missing.
      */
     public byte[] png() {
-        if (pixels != null) {
-            return Png.ofColors(getWidth(), pixels);
-        }
-        boolean depths = Camera.DEPTH.equals(getKind());
-        int[] grey = new int[values.length];
-        for (int i = 0; i < grey.length; i++) {
-            double value = depths ? values[i] * MILLI : (values[i] - ABSOLUTE_ZERO) * CENTI;
-            grey[i] = value >= 0 && value < GREYS ? (int) Math.round(value) : 0;
-        }
-        return Png.ofGrey(getWidth(), grey);
+        return grid().png();
+    }
+
+    /** What its pixels have, apart from camera and place. */
+    public PixelGrid grid() {
+        return new PixelGrid(getKind(), getWidth(), pixels, values);
     }
 
     /**
@@ -174,7 +164,12 @@ public final class CameraImage implements Reading {
 
     @Override
     public List<String> names() {
-        return pixels != null ? List.of(".brightness") : Camera.DEPTH.equals(getKind()) ? List.of(".nearest") : List.of(".coldest", ".warmest");
+        return names(getKind());
+    }
+
+    /** What the numbers of cameras of a kind are called. */
+    public static List<String> names(String kind) {
+        return Camera.COLOR.equals(kind) ? List.of(".brightness") : Camera.DEPTH.equals(kind) ? List.of(".nearest") : List.of(".coldest", ".warmest");
     }
 
     /** Of colours the pixels, 0xRRGGBB each; else the metres or degrees Celsius. */
@@ -198,6 +193,6 @@ public final class CameraImage implements Reading {
     /** Depths and temperatures in false colours: from red, near or warm, to blue; black where nothing came back. */
     @Override
     public Picture picture() {
-        return new Picture(getWidth(), pixels != null ? getPixels() : FalseColors.of(values, Camera.DEPTH.equals(getKind())));
+        return grid().picture();
     }
 }

@@ -75,9 +75,12 @@ final class RemoteWindow implements WindowHandle {
 
     private void feed() {
         try (DataOutputStream out = new DataOutputStream(new BufferedOutputStream(process.getOutputStream()))) {
+            StateMessage before = null;
             while (process.isAlive() && !closing) {
                 if (world.sceneState() != null) {
-                    StateMessage.of(world).write(out);
+                    StateMessage now = StateMessage.of(world);
+                    now.write(out, before);
+                    before = now;
                     out.flush();
                 }
                 LockSupport.parkNanos(FEED_PERIOD);

@@ -4,6 +4,7 @@ import com.jme3.font.BitmapFont;
 import com.jme3.math.Quaternion;
 import com.jme3.math.Vector3f;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
 import org.SEAR.project.models.ModelLoader;
@@ -49,6 +50,8 @@ final class WindowScene {
     private final Vector3f target = new Vector3f();
     private final Vector3f heading = new Vector3f(Vector3f.UNIT_X);
     private int robot;
+    /** Number of the camera whose picture is shown; -1 for none. */
+    private int picture = -1;
     /** Null where there is no terrain, likewise what lies far off. */
     private final TerrainView terrain;
     private final FarView far;
@@ -79,6 +82,7 @@ final class WindowScene {
         screenshots = new Screenshots(options.getScreenshotFolder(), background, tell);
         window.getGuiViewPort().addProcessor(screenshots);
         state.beamSensors = world.beamSensors();
+        state.hasCameras = !world.cameras().isEmpty();
     }
 
     /** Draws the newest state; does nothing while there is none. */
@@ -93,6 +97,7 @@ final class WindowScene {
         state.scriptDrives = link.scriptDrives();
         state.flying = camera.isFlying();
         state.robot = robot;
+        state.picture = picture < 0 ? null : link.picture();
         state.hidden = world.hiddenSensors();
         movement.advance(sceneState, state.paused ? 0 : state.measuredSpeed, frameTime);
         world.update(movement);
@@ -186,6 +191,9 @@ final class WindowScene {
             case LABELS:
                 labels.toggle();
                 break;
+            case CAMERA:
+                nextCamera();
+                break;
             case SCREENSHOT:
                 screenshots.take();
                 break;
@@ -228,6 +236,14 @@ final class WindowScene {
             robot = (robot + 1) % world.robots().size();
             hud.say("following " + world.robot(robot).getName());
         }
+    }
+
+    private void nextCamera() {
+        List<String> cameras = world.cameras();
+        picture = picture + 1 < cameras.size() ? picture + 1 : -1;
+        state.camera = picture < 0 ? null : cameras.get(picture);
+        link.wantPicture(state.camera);
+        hud.say(cameras.isEmpty() ? "there is no camera" : picture < 0 ? "no picture of a camera" : "picture of " + state.camera);
     }
 
     /** The next picture goes to this file. */

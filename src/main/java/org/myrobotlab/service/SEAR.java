@@ -983,7 +983,19 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @example sear.recordRun("run.searlog", 20); sear.endRecord()
      */
     public String recordRun(String path, double megabytes) {
-        String file = calls.attempt(() -> parts.recording().begin(ScriptText.of(path), megabytes));
+        return recordRun(path, megabytes, 0);
+    }
+
+    /**
+     * The same with the pictures of all cameras, which a replay in the tab shows.
+     *
+     * @param path of the file
+     * @param megabytes above 0; there the record ends by itself, whole, and a warning says so
+     * @param pictures of each camera a simulated second, 0 to 30, as far as it takes so many
+     * @example sear.recordRun("run.searlog", 200, 5); sear.endRecord()
+     */
+    public String recordRun(String path, double megabytes, double pictures) {
+        String file = calls.attempt(() -> parts.recording().begin(ScriptText.of(path), megabytes, pictures));
         changed();
         return file;
     }
@@ -1306,6 +1318,16 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         return calls.attempt(() -> parts.looks(wanted));
     }
 
+    /**
+     * The last picture of a camera that was due, for panels that show it; the form stands at {@code CameraPicture}; empty if there is none.
+     *
+     * @param longest pixels of the longer side; a smaller one is not enlarged
+     * @param column of the pixel that is to be told in words; below 0 for none
+     */
+    public Map<String, Object> getCameraPicture(String name, int longest, int column, int row) {
+        return calls.attempt(() -> parts.cameraPicture(ScriptText.of(name), longest, column, row));
+    }
+
     /** An edit by a panel; its answer, also what is wrong with it, goes to all panels by {@link #publishEdit}. */
     public void tryEdit(Map<String, Object> edit) {
         edited(calls.attempt(() -> parts.edits().attempt(edit)));
@@ -1334,6 +1356,17 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     /** Where everything was over time, for panels that show a record; the form stands at {@code Records}. */
     public Map<String, Object> getRecordFrames(String path) {
         return calls.attempt(() -> parts.recordFrames(path));
+    }
+
+    /**
+     * The picture that a camera had taken last at a time of a record, for panels; the form stands at {@code CameraPicture}; empty if there is none.
+     *
+     * @param time seconds since the record began
+     * @param longest pixels of the longer side; a smaller one is not enlarged
+     * @param column of the pixel that is to be told in words; below 0 for none
+     */
+    public Map<String, Object> getRecordPicture(String path, String name, double time, int longest, int column, int row) {
+        return calls.attempt(() -> parts.recordPicture(path, ScriptText.of(name), time, longest, column, row));
     }
 
     /** How things turned and what sensors saw in a record, for panels that share it; the form stands at {@code Motion}. */

@@ -10,6 +10,8 @@ import org.SEAR.project.Project;
 import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.record.RecordPictures;
+import org.SEAR.sensors.CameraImage;
 import org.SEAR.simulator.ProjectCheck;
 import org.SEAR.simulator.Simulation;
 import org.myrobotlab.framework.Message;
@@ -21,6 +23,7 @@ import org.myrobotlab.service.sear.files.Projects;
 import org.myrobotlab.service.sear.lockstep.Fence;
 import org.myrobotlab.service.sear.lockstep.FencePass;
 import org.myrobotlab.service.sear.netcam.CameraExports;
+import org.myrobotlab.service.sear.panel.CameraPicture;
 import org.myrobotlab.service.sear.panel.Motion;
 import org.myrobotlab.service.sear.panel.Preview;
 import org.myrobotlab.service.sear.panel.TerrainMap;
@@ -31,6 +34,7 @@ import org.myrobotlab.service.sear.readings.ScriptBodies;
 import org.myrobotlab.service.sear.readings.ScriptCameras;
 import org.myrobotlab.service.sear.readings.ScriptDriving;
 import org.myrobotlab.service.sear.readings.ScriptReadings;
+import org.myrobotlab.service.sear.records.KeptPictures;
 import org.myrobotlab.service.sear.records.Plots;
 import org.myrobotlab.service.sear.records.Recording;
 import org.myrobotlab.service.sear.records.Records;
@@ -59,6 +63,7 @@ final class SearParts {
     private final BundleTransfers transfers;
     private final Recording recording;
     private final Records records;
+    private final KeptPictures kept = new KeptPictures();
     private final WorldFeed feed = new WorldFeed();
     private final Preview preview = new Preview();
     private final TerrainMap terrain = new TerrainMap();
@@ -173,6 +178,12 @@ final class SearParts {
         return control.look(feed::whole, WorldFeed.nothing());
     }
 
+    /** A camera's last picture, as {@link CameraPicture} has it; empty if no simulation with such a camera runs. */
+    public Map<String, Object> cameraPicture(String name, int longest, int column, int row) throws InterruptedException {
+        CameraImage image = cameras.look(name);
+        return image == null ? Collections.emptyMap() : CameraPicture.of(name, image, new CameraPicture.Wish(longest, column, row));
+    }
+
     /**
      * The world as it would start, for panels while nothing runs; nothing while a simulation does.
      *
@@ -193,6 +204,14 @@ final class SearParts {
     /** How things turned, and what sensors saw in a record, as {@link Motion#of} has it. */
     public Map<String, Object> recordMotion(String path) throws IOException {
         return Motion.of(path, Records.open(path), control.getFolder());
+    }
+
+    /** A camera's picture in a record, as {@link CameraPicture} has it; empty if there is none. */
+    public Map<String, Object> recordPicture(String path, String name, double time, int longest, int column, int row) throws IOException {
+        RecordPictures pictures = kept.of(path);
+        RecordPictures.Place place = pictures.at(name, time);
+        return place == null ? Collections.emptyMap()
+            : CameraPicture.of(path, name, time, place.time, pictures.read(place), new CameraPicture.Wish(longest, column, row));
     }
 
     /** Draws values of a record, see {@link Plots}; units are those of the running world's sensors, or else of the project's. */

@@ -64,6 +64,12 @@ public final class DocumentPictures {
             view.world.runner.setPaused(true);
             onWindow(view, () -> view.scene().camera().fly(new Vector3f(-4.2f, 3.4f, -3.6f), 0.85f, 0.42f));
         });
+        draw("window-camera", () -> Examples.folder("ball"), folder, view -> {
+            view.press("F6");
+            Views.until("its picture", () -> view.is(() -> view.scene().hud().camera().shown() != null));
+            view.world.runner.setPaused(true);
+            onWindow(view, () -> view.scene().camera().orbit(3.2f, -0.9f, 0.5f));
+        });
         draw("terrain", DocumentPictures::mountains, folder, view -> {
             view.press("F4");
             view.world.runner.setPaused(true);

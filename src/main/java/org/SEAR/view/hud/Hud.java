@@ -8,6 +8,7 @@ import java.util.Deque;
 import java.util.List;
 import org.SEAR.scene.SceneState;
 import org.SEAR.view.input.Key;
+import org.SEAR.view.link.CameraShot;
 import org.SEAR.view.scene.Materials;
 
 /** The words on the window: numbers of the simulation, warnings, messages, help. Window thread only. */
@@ -30,11 +31,13 @@ public final class Hud {
     private final TextPanel messages;
     private final TextPanel help;
     private final TextPanel hint;
+    private final CameraPanel camera;
     private final Deque<String> recent = new ArrayDeque<>();
     private float sinceRefresh = REFRESH;
     private float sinceMessage;
     private boolean helpShown;
     private boolean folded;
+    private boolean cameras;
     private String statusWords = "";
     private String sensorWords = "";
     private String warningWords = "";
@@ -47,6 +50,7 @@ public final class Hud {
         help = panel(font, materials, gui, INK);
         hint = panel(font, materials, gui, INK);
         hint.setText(hintText());
+        camera = new CameraPanel(font, materials, gui, INK, SIZE);
     }
 
     private static TextPanel panel(BitmapFont font, Materials materials, Node gui, ColorRGBA color) {
@@ -66,11 +70,22 @@ public final class Hud {
         public int robot;
         /** Names of the beam sensors, in the order of their number keys. */
         public List<String> beamSensors = List.of();
+        /** Whether there is a camera. */
+        public boolean hasCameras;
+        /** The one whose picture is shown; null for none. */
+        public String camera;
+        /** That picture; null if there is none. */
+        public CameraShot picture;
         /** Which of them are hidden. */
         public List<String> hidden = List.of();
     }
 
     public void update(float frameTime, int width, int height, SceneState sceneState, State state) {
+        if (state.hasCameras != cameras) {
+            cameras = state.hasCameras;
+            hint.setText(hintText());
+        }
+        camera.show(helpShown ? null : state.picture, helpShown ? null : state.camera);
         sinceRefresh += frameTime;
         sinceMessage += frameTime;
         if (sinceMessage > STAY && !recent.isEmpty()) {
@@ -109,7 +124,9 @@ public final class Hud {
         help.node().setLocalScale(helpScale);
         help.place((width - help.width() * helpScale) / 2, (height + help.height() * helpScale) / 2);
         boolean beneath = warningWords.isEmpty() || EDGE + warnings.width() < width - hint.width() - EDGE;
-        hint.place(width - hint.width() - EDGE, EDGE + hint.height() + (beneath ? 0 : warnings.height() + EDGE));
+        float above = EDGE + hint.height() + (beneath ? 0 : warnings.height() + EDGE);
+        hint.place(width - hint.width() - EDGE, above);
+        camera.place(width, height, EDGE, above + EDGE);
     }
 
     /** Shows a line for some seconds. */
@@ -137,7 +154,7 @@ public final class Hud {
     }
 
     private String hintText() {
-        return helpShown ? "" : folded ? "F4 numbers   F1 help" : "F1 help";
+        return helpShown ? "" : (folded ? "F4 numbers   " : "") + (cameras ? "F6 cameras   " : "") + "F1 help";
     }
 
     /** What can be read on the panels of numbers now. */
@@ -151,6 +168,11 @@ public final class Hud {
 
     public String statusText() {
         return statusWords + "\n" + sensorWords;
+    }
+
+    /** The picture of a camera in the corner. */
+    public CameraPanel camera() {
+        return camera;
     }
 
     public String messagesText() {

@@ -1,5 +1,5 @@
 /**
- * The words on the window: numbers, warnings, messages, help. Uses {@link org.SEAR.view.input}, and what that uses. It takes the names of keys from
- * there. On the window's thread only.
+ * The words on the window, and the picture of a camera: numbers, warnings, messages, help. Uses {@link org.SEAR.view.input} and
+ * {@link org.SEAR.view.link}, and what these use. It takes the names of keys from the first. On the window's thread only.
  */
 package org.SEAR.view.hud;

@@ -28,6 +28,7 @@ public enum Key {
     SHAPES("F3", "shapes of the physics, contacts, wheel rays", KeyInput.KEY_F3),
     FOLD("F4", "fold the panels to one line, unfold them", KeyInput.KEY_F4),
     LABELS("F5", "labels at the sensors", KeyInput.KEY_F5),
+    CAMERA("F6", "picture of the first camera, of the next one, none", KeyInput.KEY_F6),
     SCREENSHOT("F12", "picture of the window to a file", KeyInput.KEY_F12),
     SENSOR("1 to 9", "beams of one sensor", KeyInput.KEY_1, KeyInput.KEY_2, KeyInput.KEY_3, KeyInput.KEY_4, KeyInput.KEY_5, KeyInput.KEY_6,
         KeyInput.KEY_7, KeyInput.KEY_8, KeyInput.KEY_9);

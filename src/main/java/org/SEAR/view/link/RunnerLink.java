@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.BooleanSupplier;
+import org.SEAR.POJOs.Camera;
 import org.SEAR.project.Project;
 import org.SEAR.scene.BeamFan;
 import org.SEAR.scene.BeamFans;
@@ -21,6 +22,7 @@ public final class RunnerLink implements WorldLink {
     private final BooleanSupplier scriptDrives;
     private final ExecutorService steps;
     private final SceneStates states;
+    private final CameraWatch watch;
     private Snapshot last;
     private SceneState sceneState;
 
@@ -34,12 +36,16 @@ public final class RunnerLink implements WorldLink {
             return stepper;
         });
         states = new SceneStates(project());
+        watch = new CameraWatch(simulation);
         simulation.post(world -> watch(world, true));
     }
 
+    /** All but cameras, whose pictures are made when they are wanted. */
     private static void watch(Simulation world, boolean on) {
         for (String name : world.getSensorNames()) {
-            world.watch(name, on);
+            if (!(world.getSensor(name).getParameters() instanceof Camera)) {
+                world.watch(name, on);
+            }
         }
     }
 
@@ -129,7 +135,18 @@ public final class RunnerLink implements WorldLink {
     }
 
     @Override
+    public void wantPicture(String camera) {
+        watch.want(camera);
+    }
+
+    @Override
+    public CameraShot picture() {
+        return watch.shot();
+    }
+
+    @Override
     public void close() {
+        watch.close();
         steps.shutdownNow();
         simulation.post(world -> watch(world, false));
     }

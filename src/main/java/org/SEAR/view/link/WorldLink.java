@@ -50,6 +50,16 @@ public interface WorldLink {
     /** Whether states carry contact points from now on. */
     void wantContacts(boolean on);
 
+    /**
+     * Whose pictures are made from now on; at first nobody's.
+     *
+     * @param camera full name of a camera; null for none
+     */
+    void wantPicture(String camera);
+
+    /** The newest picture of the camera that is wanted; null if there is none. */
+    CameraShot picture();
+
     /** The window goes: stops asking for readings. */
     void close();
 }

@@ -8,6 +8,7 @@ import org.SEAR.project.Project;
 import org.SEAR.scene.BeamFan;
 import org.SEAR.scene.BeamFans;
 import org.SEAR.scene.SceneState;
+import org.SEAR.view.link.CameraShot;
 import org.SEAR.view.link.WorldLink;
 
 /** The world of another process: its states come in, commands go out. In the window's process. */
@@ -30,7 +31,7 @@ public final class PipeLink implements WorldLink {
     /** Takes states until there are no more. */
     public void receive(DataInputStream in) throws IOException {
         while (true) {
-            state = StateMessage.read(in);
+            state = StateMessage.read(in, state);
         }
     }
 
@@ -121,6 +122,16 @@ public final class PipeLink implements WorldLink {
     @Override
     public void wantContacts(boolean on) {
         send(WindowProtocol.CONTACTS, () -> out.writeBoolean(on));
+    }
+
+    @Override
+    public void wantPicture(String camera) {
+        send(WindowProtocol.PICTURE, () -> out.writeUTF(camera == null ? "" : camera));
+    }
+
+    @Override
+    public CameraShot picture() {
+        return state == null ? null : state.picture;
     }
 
     @Override

@@ -9,27 +9,38 @@ import java.util.List;
 import java.util.Map;
 import org.SEAR.geometry.Pose;
 import org.SEAR.scene.SceneState;
+import org.SEAR.view.link.CameraShot;
 import org.SEAR.view.link.WorldLink;
 
 /** Everything that a {@link WorldLink} answers at one time, as it travels to a window in a process of its own. Immutable, any thread. */
 public final class StateMessage {
+    /** Which picture belongs to a message: that of the one before, none, or one that follows. */
+    private static final int SAME = 0;
+    private static final int NONE = 1;
+    private static final int ANOTHER = 2;
+    private static final int BYTE = 0xff;
+
     final SceneState sceneState;
     final boolean paused;
     final double measuredSpeed;
     final double wantedSpeed;
     final boolean scriptDrives;
+    /** The newest picture of a camera; null if there is none. */
+    final CameraShot picture;
 
-    StateMessage(SceneState sceneState, boolean paused, double measuredSpeed, double wantedSpeed, boolean scriptDrives) {
+    StateMessage(SceneState sceneState, boolean paused, double measuredSpeed, double wantedSpeed, boolean scriptDrives, CameraShot picture) {
         this.sceneState = sceneState;
         this.paused = paused;
         this.measuredSpeed = measuredSpeed;
         this.wantedSpeed = wantedSpeed;
         this.scriptDrives = scriptDrives;
+        this.picture = picture;
     }
 
     /** The present state of a world that has had its first step. */
     public static StateMessage of(WorldLink world) {
-        return new StateMessage(world.sceneState(), world.isPaused(), world.measuredSpeed(), world.wantedSpeed(), world.scriptDrives());
+        return new StateMessage(world.sceneState(), world.isPaused(), world.measuredSpeed(), world.wantedSpeed(), world.scriptDrives(),
+            world.picture());
     }
 
     private interface Writer<T> {
@@ -56,7 +67,17 @@ public final class StateMessage {
         return values;
     }
 
-    public void write(DataOutputStream out) throws IOException {
+    /**
+     * Writes it.
+     *
+     * @param before the message that was written last, whose picture is not sent again; null for none
+     */
+    public void write(DataOutputStream out, StateMessage before) throws IOException {
+        boolean same = picture == (before == null ? null : before.picture);
+        out.writeByte(same ? SAME : picture == null ? NONE : ANOTHER);
+        if (!same && picture != null) {
+            write(out, picture);
+        }
         out.writeBoolean(paused);
         out.writeDouble(measuredSpeed);
         out.writeDouble(wantedSpeed);
@@ -77,7 +98,10 @@ public final class StateMessage {
         writeAll(out, sceneState.warnings, sceneState.warnings.size(), out::writeUTF);
     }
 
-    static StateMessage read(DataInputStream in) throws IOException {
+    /** @param before the message that was read last; null for none */
+    static StateMessage read(DataInputStream in, StateMessage before) throws IOException {
+        int pictures = in.readUnsignedByte();
+        CameraShot picture = pictures == ANOTHER ? picture(in) : pictures == SAME && before != null ? before.picture : null;
         boolean paused = in.readBoolean();
         double measuredSpeed = in.readDouble();
         double wantedSpeed = in.readDouble();
@@ -92,7 +116,39 @@ public final class StateMessage {
         readAll(in, () -> values.put(in.readUTF(), in.readUTF()));
         List<double[]> contacts = readAll(in, () -> numbers(in));
         SceneState sceneState = new SceneState(step, time, environment, robots, beams, values, contacts, readAll(in, in::readUTF));
-        return new StateMessage(sceneState, paused, measuredSpeed, wantedSpeed, scriptDrives);
+        return new StateMessage(sceneState, paused, measuredSpeed, wantedSpeed, scriptDrives, picture);
+    }
+
+    private static void write(DataOutputStream out, CameraShot picture) throws IOException {
+        out.writeUTF(picture.camera);
+        out.writeUTF(picture.words);
+        out.writeShort(picture.width);
+        out.writeShort(picture.height);
+        byte[] bytes = new byte[3 * picture.width * picture.height];
+        for (int i = 0; i < bytes.length; i += 3) {
+            int rgb = picture.pixel(i / 3 % picture.width, i / 3 / picture.width);
+            bytes[i] = (byte) (rgb >> 16);
+            bytes[i + 1] = (byte) (rgb >> 8);
+            bytes[i + 2] = (byte) rgb;
+        }
+        out.write(bytes);
+    }
+
+    private static CameraShot picture(DataInputStream in) throws IOException {
+        String camera = in.readUTF();
+        String words = in.readUTF();
+        int width = in.readUnsignedShort();
+        int height = in.readUnsignedShort();
+        if (width > CameraShot.LONGEST || height > CameraShot.LONGEST) {
+            throw new IOException("a picture of " + width + " x " + height + " comes, legal: at most " + CameraShot.LONGEST + " each way");
+        }
+        byte[] bytes = new byte[3 * width * height];
+        in.readFully(bytes);
+        int[] pixels = new int[width * height];
+        for (int i = 0; i < pixels.length; i++) {
+            pixels[i] = (bytes[3 * i] & BYTE) << 16 | (bytes[3 * i + 1] & BYTE) << 8 | bytes[3 * i + 2] & BYTE;
+        }
+        return new CameraShot(camera, words, width, height, pixels);
     }
 
     private static void write(DataOutputStream out, SceneState.RobotState robot) throws IOException {

@@ -30,6 +30,8 @@ public final class WindowProtocol {
     static final int CONTACTS = 9;
     /** The user has closed the window. */
     public static final int CLOSED = 10;
+    /** UTF: the camera whose pictures are wanted; empty for none. */
+    static final int PICTURE = 11;
 
     private WindowProtocol() {
     }
@@ -58,6 +60,10 @@ public final class WindowProtocol {
                 return true;
             case CONTACTS:
                 world.wantContacts(in.readBoolean());
+                return true;
+            case PICTURE:
+                String camera = in.readUTF();
+                world.wantPicture(camera.isEmpty() ? null : camera);
                 return true;
             default:
                 return false;

@@ -18,6 +18,7 @@ import org.SEAR.project.Project;
 import org.SEAR.scene.BeamFan;
 import org.SEAR.scene.Movement;
 import org.SEAR.scene.SceneState;
+import org.SEAR.scene.ViewCone;
 
 /** The scene of a project: its objects, robots and beams, put where they are between two steps. Window thread only. */
 public final class WorldView {
@@ -30,6 +31,7 @@ public final class WorldView {
     private final List<List<Node>> parts = new ArrayList<>();
     private final List<List<Bulb>> lights = new ArrayList<>();
     private final List<BeamView> beams = new ArrayList<>();
+    private final List<ConeView> cones = new ArrayList<>();
     private final Vector3f place = new Vector3f();
     private final Quaternion turn = new Quaternion();
     private boolean beamsShown = true;
@@ -54,6 +56,11 @@ public final class WorldView {
             BeamView view = new BeamView(fan, materials);
             robots.get(fan.robot).attachChild(view.node());
             beams.add(view);
+        }
+        for (ViewCone cone : ViewCone.of(project)) {
+            ConeView view = new ConeView(cone, materials);
+            robots.get(cone.robot).attachChild(view.node());
+            cones.add(view);
         }
     }
 
@@ -124,6 +131,16 @@ public final class WorldView {
         return beams;
     }
 
+    /** Of cameras. */
+    public List<ConeView> cones() {
+        return cones;
+    }
+
+    /** Full names of the cameras. */
+    public List<String> cameras() {
+        return cones.stream().map(view -> view.cone().sensor).collect(Collectors.toList());
+    }
+
     /** Puts everything where it is now. */
     public void update(Movement movement) {
         SceneState shown = movement.shown();
@@ -147,6 +164,9 @@ public final class WorldView {
             if (beam.isVisible()) {
                 beam.update(shown.beams.get(beam.fan().sensor));
             }
+        }
+        for (ConeView view : cones) {
+            move(view.node(), movement.part(view.cone().robot, view.cone().part));
         }
     }
 
@@ -209,6 +229,7 @@ public final class WorldView {
         for (BeamView beam : beams) {
             beam.setVisible(beamsShown && !hidden.contains(beam));
         }
+        cones.forEach(cone -> cone.setVisible(beamsShown));
     }
 
     public List<String> beamSensors() {

@@ -33,7 +33,7 @@ public final class TabPictures {
 
     /**
      * @param arguments the folder for the pictures and, if not all are wanted, some of {@code tabs}, {@code terrain-tab}, {@code building},
-     *     {@code tiles}, {@code palette} and {@code first}
+     *     {@code cameras}, {@code tiles}, {@code palette} and {@code first}
      */
     public static void main(String[] arguments) throws Exception {
         Path folder = Paths.get(arguments[0]);
@@ -46,6 +46,9 @@ public final class TabPictures {
         }
         if (wanted.isEmpty() || wanted.contains("building")) {
             BuildingPictures.take(folder);
+        }
+        if (wanted.isEmpty() || wanted.contains("cameras")) {
+            CameraPictures.take(folder);
         }
         if (wanted.isEmpty() || wanted.contains("tiles")) {
             TilePictures.take();

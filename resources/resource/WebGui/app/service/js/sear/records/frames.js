@@ -6,7 +6,8 @@
 export function sensorsAt(sensors, record, index) {
     return sensors.map(function(sensor) {
         var place = record.sensors.indexOf(sensor.name)
-        return {name: sensor.name, type: sensor.type, robot: sensor.robot, words: place >= 0 && record.words[index][place] || 'not in the record'}
+        return {name: sensor.name, type: sensor.type, robot: sensor.robot, eye: sensor.eye,
+            words: place >= 0 && record.words[index][place] || 'not in the record'}
     })
 }
 

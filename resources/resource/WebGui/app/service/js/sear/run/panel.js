@@ -2,6 +2,7 @@
 import '../shared/style.js'
 import {makeBadge} from '../records/badge.js'
 import {makeBuilding} from '../build/building.js'
+import {makeCameras} from '../records/cameras.js'
 import {makeDriving} from './driving.js'
 import {makeEdits} from '../build/edits.js'
 import {makeGround} from '../world/ground.js'
@@ -32,7 +33,7 @@ import {count} from '../shared/words.js'
 var TOPICS = ['publishSimulation', 'getWorld', 'publishStatus', 'publishProblems', 'publishUploaded', 'getPreview', 'checkProject', 'getBundle',
     'getTerrain', 'getLooks', 'saveProject', 'saveProjectAs', 'loadProject', 'newProject', 'copyTemplate', 'startSimulation', 'stopSimulation',
     'publishEdit', 'getProjectObject', 'getScript', 'getExampleScript', 'recordRun', 'endRecord', 'getRecords', 'getRecordFrames',
-    'getRecordMotion', 'getRecordValues']
+    'getRecordMotion', 'getRecordValues', 'getCameraPicture', 'getRecordPicture']
 var ASKED = ['getExamples', 'getExampleScripts', 'getGrammar', 'getEdits']
 var LOOK_MILLIS = 1000      // how often a page that shows the project asks whether that has changed
 var SETTLED_MILLIS = 12000  // how long the line of status has what was only told
@@ -58,6 +59,7 @@ export function open(controller, $scope, $timeout, $interval) {
     var replay = makeReplay(panel, messages, world, picture)
     var badge = makeBadge(panel, replay)
     var plot = makePlot(panel, world, records, replay, layout)
+    var cameras = makeCameras(panel, world, replay, picture, $interval)
     var project = makeProject(panel, messages, problems, view)
     var script = makeScript(panel, messages, project)
     var tour = makeTour(panel, world, view, palette, script, layout)
@@ -68,6 +70,7 @@ export function open(controller, $scope, $timeout, $interval) {
     var video = makeVideo(panel, messages, view, picture)
     var share = makeShare(panel, messages, replay, ground)
 
+    cameras.plottedBy(() => plot.open && !plot.source ? plot.lines : [])
     // a replay ends when its user turns to what is now
     project.left.hear(plot.showNow)
     run.begun.hear(plot.showNow)
@@ -121,8 +124,8 @@ export function open(controller, $scope, $timeout, $interval) {
         $timeout.cancel(first)
     })
 
-    var parts = {messages, world, problems, ground, view, pointed, edits, inspector, palette, building, layout, records, replay, plot, project,
-        script, run, video, share, tour, welcome}
+    var parts = {messages, world, problems, ground, view, pointed, edits, inspector, palette, building, layout, records, replay, plot, cameras,
+        project, script, run, video, share, tour, welcome}
     angular.extend($scope, parts, {key})
     function onLooks(sent) {
         view.handlers.onLooks(sent)

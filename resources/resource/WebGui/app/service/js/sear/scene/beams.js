@@ -1,7 +1,9 @@
-// What sensors see, in the view in space of the SEAR panel: fans of LIDARs, cones of distance sensors and what they hit.
+// What sensors see, in the view in space of the SEAR panel: fans of LIDARs, cones of distance sensors and what they hit, how far cameras see around.
 var HIT = '#d9534f'
 var BEAM = '#f0ad4e'
 var CONE = '#d9534f'
+var EYE = '#2e9bd6'        // as the window has it
+var CORNERS = 4
 
 function seeThrough(color, opacity) {
     return new window.THREE.MeshBasicMaterial({color: color, transparent: true, opacity: opacity, side: window.THREE.DoubleSide, depthWrite: false})
@@ -15,6 +17,9 @@ export function show(scene, item, sensor, beams) {
         angular.forEach(sensor.cones, function(cone) {
             item.holder.add(coneOf(cone))
         })
+        if (sensor.eye) {
+            item.holder.add(eyeOf(sensor.eye.edge))
+        }
         if (sensor.ranges) {
             item.fan = new THREE.Mesh(new THREE.BufferGeometry(), seeThrough(BEAM, 0.22))
             item.fan.frustumCulled = false
@@ -51,6 +56,28 @@ function coneOf(cone) {
     var mesh = new THREE.Mesh(shape, seeThrough(CONE, 0.13))
     mesh.rotation.y = (cone.yaw || 0) * Math.PI / 180
     return mesh
+}
+
+/** Lines around what a camera sees. @param edge x, y, z of points around its picture, as many from corner to corner */
+function eyeOf(edge) {
+    var THREE = window.THREE
+    var count = edge.length / 3
+    var points = []
+    function point(i) {
+        points.push(edge[3 * (i % count)], edge[3 * (i % count) + 1], edge[3 * (i % count) + 2])
+    }
+    for (var i = 0; i < count; i++) {
+        point(i)
+        point(i + 1)
+    }
+    for (var side = 0; side < CORNERS; side++) {
+        points.push(0, 0, 0)
+        point(side * count / CORNERS)
+    }
+    var shape = new THREE.BufferGeometry()
+    shape.addAttribute('position', new THREE.BufferAttribute(new window.Float32Array(points), 3))
+    var material = new THREE.LineBasicMaterial({color: EYE})
+    return THREE.LineSegments ? new THREE.LineSegments(shape, material) : new THREE.Line(shape, material, THREE.LinePieces)
 }
 
 /** A triangle for each two beams that met something; where nothing was met there is a gap. */

@@ -4,6 +4,7 @@ import {penOf} from '../shared/page.js'
 import {lay} from './pictures.js'
 
 var PATH = '#337ab7'
+var EYE = '#2e9bd6'
 var AXES = [['x north', ['#c62828', '#ff8a80'], [1, 0]], ['z east', ['#1565c0', '#7ab8ff'], [0, 1]]]    // on light and on dark ground
 var AXIS = 1.5              // metres that they are long: less than what an empty map shows
 var SMALLEST_ROBOT = 4      // pixels: one that looks smaller is a dot
@@ -136,6 +137,9 @@ function drawBeams(pen, at, sensor) {
     angular.forEach(sensor.cones, function(cone) {
         drawCone(pen, at, pose, cone)
     })
+    if (sensor.eye) {
+        drawEye(pen, at, pose, sensor.eye.edge)
+    }
     if (sensor.hit) {
         var hit = at(sensor.hit[0], sensor.hit[2])
         pen.fillStyle = '#d9534f'
@@ -177,6 +181,20 @@ function drawCone(pen, at, pose, cone) {
     pen.fillStyle = 'rgba(217, 83, 79, 0.12)'
     pen.fill()
     pen.strokeStyle = 'rgba(217, 83, 79, 0.25)'
+    pen.stroke()
+}
+
+/** What a camera sees between its left and its right edge. @param edge x, y, z of points around its picture */
+function drawEye(pen, at, pose, edge) {
+    var half = edge.length / 6
+    var points = [at(pose[0], pose[2])]
+    for (var i = 0; i <= half / 2; i++) {       // along the upper side
+        var end = geometry.onGround(pose, [edge[3 * i], 0, edge[3 * i + 2]])
+        points.push(at(end[0], end[1]))
+    }
+    trace(pen, points)
+    pen.closePath()
+    pen.strokeStyle = EYE
     pen.stroke()
 }
 

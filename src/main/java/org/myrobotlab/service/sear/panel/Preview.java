@@ -49,7 +49,7 @@ public final class Preview {
             return new Answer(stamp, new WorldState(), List.of(), null).map();
         }
         try (Simulation start = Simulation.load(folder, RunSettings.fromSystem().seed)) {
-            return new Answer(stamp, new WorldJson(looks).whole(start, new WorldState()), List.of(), null).map();
+            return new Answer(stamp, new WorldJson(looks, true).whole(start, new WorldState()), List.of(), null).map();
         } catch (ProjectException e) {
             return new Answer(stamp, null, e.getProblems(), null).map();
         } catch (RuntimeException e) {

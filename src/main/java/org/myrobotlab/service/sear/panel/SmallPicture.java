@@ -68,10 +68,19 @@ final class SmallPicture {
 
     /** The picture of a sensor: each pixel of a small one as it is, larger ones smaller than they are, because they come again and again. */
     static String of(Picture picture) {
+        return of(picture, LONGEST_OF_SENSOR);
+    }
+
+    /**
+     * The same.
+     *
+     * @param most pixels of the longer side of a large one
+     */
+    static String of(Picture picture, int most) {
         BufferedImage image = new BufferedImage(picture.getWidth(), picture.getHeight(), BufferedImage.TYPE_INT_RGB);
         image.setRGB(0, 0, picture.getWidth(), picture.getHeight(), picture.getPixels(), 0, picture.getWidth());
         int longest = Math.max(picture.getWidth(), picture.getHeight());
-        return longest <= EXACT ? address("png", png(image)) : of(image, Math.min(LONGEST_OF_SENSOR, longest));
+        return longest <= EXACT ? address("png", png(image)) : of(image, Math.min(most, longest));
     }
 
     private static byte[] png(BufferedImage image) {

@@ -2,11 +2,13 @@ package org.myrobotlab.service.sear.panel;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.SEAR.POJOs.BeamCone;
+import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.Distance;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Led;
@@ -29,6 +31,8 @@ import org.SEAR.scene.BeamFans;
 import org.SEAR.scene.Glow;
 import org.SEAR.scene.SceneState;
 import org.SEAR.scene.SceneStates;
+import org.SEAR.scene.ViewCone;
+import org.SEAR.sensors.CameraImage;
 import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
@@ -51,12 +55,19 @@ final class WorldJson {
 
     private final Map<String, List<double[]>> paths = new LinkedHashMap<>();
     private final Looks looks;
+    private final boolean looking;
     private Project project;
     private SceneStates states;
     private double lastTime;
 
     WorldJson(Looks looks) {
+        this(looks, false);
+    }
+
+    /** @param looking whether it has cameras take pictures; else who wants one asks for it, see {@link CameraPicture} */
+    WorldJson(Looks looks, boolean looking) {
         this.looks = looks;
+        this.looking = looking;
     }
 
     /** The world without what only a running simulation has. */
@@ -84,7 +95,8 @@ final class WorldJson {
     synchronized <T extends WorldState> T moving(Simulation world, T state) {
         Snapshot snapshot = world.snapshot();
         Map<String, Reading> readings = new LinkedHashMap<>();
-        world.getSensorNames().forEach(name -> readings.put(name, world.read(name)));
+        world.getSensorNames().stream().filter(name -> looking || !(world.getSensor(name).getParameters() instanceof Camera))
+            .forEach(name -> readings.put(name, world.read(name)));
         SceneState scene = states(world.getProject()).of(snapshot, readings::get);
         if (scene.time < lastTime) {
             paths.clear();
@@ -297,8 +309,18 @@ final class WorldJson {
         probe.type = sensor.getClass().getSimpleName();
         probe.robot = robot.getObject().getName();
         probe.unit = world.getUnit(of.getName());
-        probe.names = world.read(of.getName()).names();
+        probe.names = sensor instanceof Camera ? CameraImage.names(((Camera) sensor).getKind()) : world.read(of.getName()).names();
+        probe.eye = sensor instanceof Camera ? eye((Camera) sensor) : null;
         probe.cones = sensor instanceof Distance ? cones((Distance) sensor) : null;
+    }
+
+    private static WorldState.EyeForm eye(Camera camera) {
+        WorldState.EyeForm form = new WorldState.EyeForm();
+        form.kind = camera.getKind();
+        form.width = camera.getWidth();
+        form.height = camera.getHeight();
+        form.edge = ViewCone.edge(camera);
+        return form;
     }
 
     private static List<float[]> fan(BeamFan of) {
@@ -323,8 +345,12 @@ final class WorldJson {
 
     private static WorldState.Probe probe(Robot robot, Sensor<?> sensor, Reading reading, SceneState scene) {
         WorldState.Probe probe = new WorldState.Probe();
-        LidarScan scan = reading.scan();
         probe.pose = numbers(robot.getPose().times(sensor.getMount()));
+        if (sensor.getParameters() instanceof Camera) {
+            addSeen(probe, (Camera) sensor.getParameters(), reading);
+            return probe;
+        }
+        LidarScan scan = reading.scan();
         if (scan == null) {
             probe.value = Optional.ofNullable(reading.value());
         } else {
@@ -334,9 +360,30 @@ final class WorldJson {
             probe.hit = reading.hits().stream().findFirst().map(hit -> point(hit, MILLIMETRES));
         }
         probe.words = scene.values.get(sensor.getName());
-        probe.numbers = numbers(reading.numbers(), FINEST);
+        probe.numbers = numbers(reading.numbers());
         probe.picture = reading.picture() == null ? null : SmallPicture.of(reading.picture());
         return probe;
+    }
+
+    /**
+     * Its pixels are not told: they are very many, and the picture shows them.
+     *
+     * @param reading null if it takes no picture
+     */
+    private static void addSeen(WorldState.Probe probe, Camera camera, Reading reading) {
+        if (reading == null) {
+            probe.words = camera.getWidth() + " x " + camera.getHeight();
+            probe.numbers = new ArrayList<>(Collections.nCopies(CameraImage.names(camera.getKind()).size(), null));
+        } else {
+            probe.words = reading.words("");
+            probe.numbers = numbers(reading.numbers());
+            probe.picture = SmallPicture.of(reading.picture());
+        }
+    }
+
+    /** The numbers of a reading as panels get them. */
+    static List<Double> numbers(double[] exact) {
+        return numbers(exact, FINEST);
     }
 
     /** Null for what is no number, or infinite. */

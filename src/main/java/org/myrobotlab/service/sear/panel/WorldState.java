@@ -152,6 +152,20 @@ class WorldState extends JsonForm {
         List<BeamForm> cones;
         /** Of a scanner: unit vectors of its beams in its own frame. */
         List<float[]> fan;
+        /** Of a camera. */
+        EyeForm eye;
+    }
+
+    /** What a camera is: its pictures are asked for, see {@link CameraPicture}. */
+    static final class EyeForm extends JsonForm {
+        /** {@code depth}. */
+        String kind;
+        /** Pixels of a row. */
+        int width;
+        /** Rows. */
+        int height;
+        /** The edge of its picture, as {@link org.SEAR.scene.ViewCone} has it: x, y, z of each point. */
+        float[] edge;
     }
 
     /** A cone of beams. */

@@ -17,11 +17,14 @@ public final class Recording {
     private static final String ENDING = ".searlog";
     private static final long MEGABYTE = 1 << 20;
     private static final double MOST_MEGABYTES = 100000;
+    /** As many as a record has frames. */
+    private static final double MOST_PICTURES = 30;
 
     private final SimulationControl control;
     private final Host host;
     private Path wanted;
     private long limit;
+    private double rate;
     private Recorder recorder;
 
     public Recording(SimulationControl control, Host host) {
@@ -35,14 +38,18 @@ public final class Recording {
      *
      * @param path gets the ending .searlog, if it has it not; its folder must be there
      * @param megabytes at which it ends by itself
+     * @param pictures of each camera a simulated second, 0 for none
      * @return the path with its ending
      */
-    public synchronized String begin(String path, double megabytes) throws IOException, InterruptedException {
+    public synchronized String begin(String path, double megabytes, double pictures) throws IOException, InterruptedException {
         if (path == null || path.isEmpty()) {
             throw new IllegalArgumentException("the path is missing, legal: the path of a file, such as \"run.searlog\"");
         }
         if (!(megabytes > 0 && megabytes <= MOST_MEGABYTES)) {
             throw new IllegalArgumentException("recordRun: megabytes is " + megabytes + ", legal: above 0 to " + MOST_MEGABYTES);
+        }
+        if (!(pictures >= 0 && pictures <= MOST_PICTURES)) {
+            throw new IllegalArgumentException("recordRun: pictures is " + pictures + ", legal: 0 to " + MOST_PICTURES + " a second");
         }
         if (wanted != null) {
             throw new IllegalStateException("a record is being written to " + wanted + " already: endRecord() first");
@@ -54,6 +61,7 @@ public final class Recording {
         }
         Recorder.check(file);
         limit = (long) (megabytes * MEGABYTE);
+        rate = pictures;
         SimulationSession session = control.sessionOrNull();
         if (session != null) {
             recorder = session.ask(world -> made(world, file));
@@ -65,7 +73,7 @@ public final class Recording {
     /** What {@link #begin} could not tell its caller is thrown as IllegalStateException. */
     private Recorder made(Simulation world, Path file) {
         try {
-            return Recorder.begin(world, file, limit, host::warn);
+            return Recorder.begin(world, file, limit, rate, host::warn);
         } catch (IOException e) {
             throw new IllegalStateException("the record can't be written: " + e.getMessage(), e);
         }

@@ -144,6 +144,7 @@ public final class Records {
      * {"path", "whole", "written" (just now), "names": [..], "robots": [name, ..], "objects": [name of one that moves, ..], "sensors": [name, ..],
      *  "lights": [[number of a robot, of its light], ..], "times": [..], and by time:
      *  "robotPoses": [[[x, y, z, rx, ry, rz], ..], ..], "objectPoses": likewise, "speeds": [[[m/s, rad/s] of each robot, ..], ..],
+     *  "pictures": [name of a camera of which it has some, ..],
      *  "words": [[what each sensor read, null if none of that name is known, ..], ..], "brightness": [[of each light, 0 to 1, ..], ..]}
      * </pre>
      *
@@ -164,6 +165,7 @@ public final class Records {
         answer.put("objects", moved);
         answer.put("sensors", record.getHeader().sensors);
         answer.put("lights", frames.lights);
+        answer.put("pictures", frames.pictured.stream().map(record.getHeader().sensors::get).collect(Collectors.toList()));
         answer.put("times", frames.times);
         answer.put("speeds", frames.speeds.stream().map(robots -> numbers(robots, FINE)).collect(Collectors.toList()));
         answer.put("words", frames.readings.stream().map(read -> words(record.getHeader(), read, known)).collect(Collectors.toList()));

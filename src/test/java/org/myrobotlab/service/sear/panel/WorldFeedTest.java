@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.sensors.CameraImage;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
@@ -177,6 +178,35 @@ public class WorldFeedTest {
             step(world, STEPS_BETWEEN);
             Map<?, ?> still = (Map<?, ?>) ((Map<?, ?>) ((Map<?, ?>) next(world).get("changes")).get("robots")).get(0);
             assertFalse(still.containsKey("lights"));
+        }
+    }
+
+    /** Its pictures are asked for, one by one; so a camera that nobody looks at costs next to nothing. */
+    @Test
+    public void aCameraIsToldWithoutAPictureBeingTaken() throws Exception {
+        Path folder = temporary.newFolder().toPath();
+        Path robot = Files.createDirectories(folder.resolve("robot"));
+        Files.writeString(robot.resolve("r.xml"), "<SEARrobot><name>r</name><component>d</component><component>eye</component></SEARrobot>");
+        Files.writeString(robot.resolve("d.xml"), "<Dynamics><name>d</name><mass>1</mass></Dynamics>");
+        Files.writeString(robot.resolve("eye.xml"), "<Camera><name>eye</name><width>1920</width><height>1080</height></Camera>");
+        try (Simulation world = Simulation.load(folder, 1)) {
+            Map<?, ?> eye = (Map<?, ?>) ((List<?>) next(world).get("sensors")).get(0);
+            assertEquals("1920 x 1080", eye.get("words"));
+            assertEquals("[.brightness]", eye.get("names").toString());
+            assertEquals("[null]", eye.get("numbers").toString());
+            assertFalse(eye.containsKey("value") || eye.containsKey("picture"));
+            Map<?, ?> form = (Map<?, ?>) eye.get("eye");
+            assertEquals("color", form.get("kind"));
+            float[] edge = (float[]) form.get("edge");
+            assertEquals("to the left by half of 60 degrees", Math.tan(Math.PI / 6), edge[0] / edge[2], 1e-6);
+            assertEquals("and up by the share of the rows", edge[0] * 1080 / 1920, edge[1], 1e-6);
+            step(world, STEPS_BETWEEN);
+            assertFalse(((Map<?, ?>) next(world).get("changes")).toString().contains("eye"));
+            CameraImage image = (CameraImage) world.read("eye");
+            Map<String, Object> told = CameraPicture.of("eye", image, new CameraPicture.Wish(320, 7, 8));
+            assertTrue("small: " + told.get("picture").toString().length(), told.get("picture").toString().length() < 40_000);
+            assertEquals(1920, told.get("width"));
+            assertTrue(told.toString(), told.get("pixel").toString().matches("#[0-9a-f]{6}, .*"));
         }
     }
 

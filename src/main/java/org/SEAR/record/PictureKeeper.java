@@ -1,0 +1,117 @@
+package org.SEAR.record;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import org.SEAR.POJOs.Camera;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.sensors.CameraImage;
+import org.SEAR.simulator.Simulation;
+
+/**
+ * Pictures of cameras on their way into a record. A thread of its own makes files of them, of each camera one at a time; when the next one is there,
+ * the one before goes into the record, and is waited for if that has to be: so the record has the same bytes each time, and memory for one picture a
+ * camera. Simulation thread.
+ */
+final class PictureKeeper {
+    /** In the order of their numbers in the file. */
+    static final List<String> KINDS = List.of(Camera.COLOR, Camera.DEPTH, Camera.INFRARED);
+    /** Bytes of one picture; the largest camera's is smaller. */
+    static final int LONGEST_PICTURE = 1 << 23;
+    /** More than the rounding of a number of pictures. */
+    private static final double ROUNDING = 1e-9;
+
+    private final Simulation simulation;
+    private final double rate;
+    private final LogBuffer out;
+    private final List<Eye> eyes = new ArrayList<>();
+    private final ExecutorService maker = Executors.newSingleThreadExecutor(work -> {
+        Thread thread = new Thread(work, "pictures of a record");
+        thread.setDaemon(true);
+        return thread;
+    });
+
+    /** One camera. */
+    private static final class Eye {
+        final int sensor;
+        final String name;
+        final int kind;
+        /** Pictures a second that the camera takes. */
+        final double rate;
+        /** How many of them had been due when the last one was kept; likewise of those that are to be kept. */
+        long due = -1;
+        long number = -1;
+        double time;
+        Future<byte[]> file;
+
+        Eye(int sensor, Camera camera) {
+            this.sensor = sensor;
+            name = camera.getFullName();
+            kind = KINDS.indexOf(camera.getKind());
+            rate = camera.getRate();
+        }
+    }
+
+    /**
+     * Begins with the next {@link #look}.
+     *
+     * @param sensors of the record, in its order
+     * @param rate pictures of each camera a simulated second, above 0
+     */
+    PictureKeeper(Simulation simulation, List<String> sensors, double rate, LogBuffer out) {
+        this.simulation = simulation;
+        this.rate = rate;
+        this.out = out;
+        for (int i = 0; i < sensors.size(); i++) {
+            SearObject object = simulation.getSensor(sensors.get(i)).getParameters();
+            if (object instanceof Camera) {
+                eyes.add(new Eye(i, (Camera) object));
+            }
+        }
+    }
+
+    /**
+     * Takes what there is to keep.
+     *
+     * @param now seconds since the record began
+     */
+    void look(double now) {
+        for (Eye eye : eyes) {
+            CameraImage image = (CameraImage) simulation.read(eye.name);
+            double time = Math.max(0, now - (simulation.snapshot().time - image.getTime()));
+            long number = (long) Math.floor(time * rate + ROUNDING);
+            long due = (long) Math.floor(image.getTime() * eye.rate + ROUNDING);      // before the first there is one of each moment
+            if (due != eye.due && number > eye.number) {
+                put(eye);
+                eye.due = due;
+                eye.number = number;
+                eye.time = time;
+                eye.file = maker.submit(() -> image.grid().file());
+            }
+        }
+    }
+
+    private void put(Eye eye) {
+        if (eye.file == null) {
+            return;
+        }
+        try {
+            byte[] file = eye.file.get();
+            out.put(EventKind.PICTURE).putShort(eye.sensor).put(eye.kind).putDouble(eye.time).putInt(file.length).putBytes(file, file.length);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } catch (ExecutionException e) {
+            throw new IllegalStateException("a picture of camera " + eye.name + " could not be kept: " + e.getCause(), e);
+        }
+        eye.file = null;
+    }
+
+    /** Puts the last ones into the record, and ends. */
+    void end() {
+        eyes.forEach(this::put);
+        maker.shutdown();
+    }
+}

@@ -1,0 +1,84 @@
+package org.SEAR.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.SEAR.POJOs.BrownLens;
+import org.SEAR.POJOs.Camera;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.geometry.Pose;
+import org.SEAR.project.ObjectPose;
+import org.SEAR.project.Project;
+
+/** What a camera sees, as it is drawn: the edge of its picture, some way ahead, and lines from the camera to its corners. Immutable, any thread. */
+public final class ViewCone {
+    /** Colour of the lines, 0xrrggbb. */
+    public static final int COLOR = 0x2e9bd6;
+    /** Corners of a picture, at the beginning of each side. */
+    public static final int CORNERS = 4;
+    /** Points of a side: a lens may bow it. */
+    public static final int SIDE = 8;
+    /** Metres ahead at which the edge is drawn; of a camera that sees less far, there. */
+    private static final double REACH = 1.5;
+
+    public final String sensor;
+    /** Number of the robot that carries the camera. */
+    public final int robot;
+    /** Number of the camera among the robot's components. */
+    public final int part;
+    /** The camera in the robot's body frame, unless a servo turns it. */
+    public final Pose mount;
+    /** x, y, z of the points of the edge, from the upper left corner on around it, {@link #SIDE} a side; camera frame, metres. */
+    public final float[] edge;
+
+    private ViewCone(Camera camera, int robot, int part) {
+        this.sensor = camera.getFullName();
+        this.robot = robot;
+        this.part = part;
+        mount = ObjectPose.of(camera);
+        edge = edge(camera);
+    }
+
+    /** In the order of the robots and their components. */
+    public static List<ViewCone> of(Project project) {
+        List<ViewCone> cones = new ArrayList<>();
+        List<SEARrobot> robots = project.getRobots();
+        for (int robot = 0; robot < robots.size(); robot++) {
+            List<SearObject> parts = robots.get(robot).getComponents();
+            for (int i = 0; i < parts.size(); i++) {
+                if (parts.get(i) instanceof Camera) {
+                    cones.add(new ViewCone((Camera) parts.get(i), robot, i));
+                }
+            }
+        }
+        return cones;
+    }
+
+    /** The same as of a camera's project. */
+    public static float[] edge(Camera camera) {
+        double reach = Math.min(REACH, camera.getFar());
+        double right = camera.getWidth() - 1.0;
+        double bottom = camera.getHeight() - 1.0;
+        double[][] corners = {{-0.5, -0.5}, {right + 0.5, -0.5}, {right + 0.5, bottom + 0.5}, {-0.5, bottom + 0.5}};
+        float[] edge = new float[3 * CORNERS * SIDE];
+        BrownLens lens = camera.getLens();
+        double[] point = new double[2];
+        for (int side = 0; side < CORNERS; side++) {
+            double[] from = corners[side];
+            double[] to = corners[(side + 1) % CORNERS];
+            for (int i = 0; i < SIDE; i++) {
+                double share = (double) i / SIDE;
+                double column = from[0] + share * (to[0] - from[0]);
+                double row = from[1] + share * (to[1] - from[1]);
+                if (!lens.point(column, row, point)) {      // half a pixel outside a lens that bends very much: that of the pixel
+                    lens.point(Math.max(0, Math.min(right, column)), Math.max(0, Math.min(bottom, row)), point);
+                }
+                int at = 3 * (side * SIDE + i);
+                edge[at] = (float) (-point[0] * reach);
+                edge[at + 1] = (float) (-point[1] * reach);
+                edge[at + 2] = (float) reach;
+            }
+        }
+        return edge;
+    }
+}

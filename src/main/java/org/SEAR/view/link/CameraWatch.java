@@ -1,0 +1,89 @@
+package org.SEAR.view.link;
+
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import org.SEAR.sensors.CameraImage;
+import org.SEAR.simulator.Simulation;
+
+/**
+ * Has pictures of one camera made while a window shows it, on a thread of its own that asks the simulation: at most ten a second, and for half of the
+ * time at most, so that who looks leaves time for the simulation. Any thread.
+ */
+final class CameraWatch {
+    /** Nanoseconds from one look to the next. */
+    private static final long PERIOD = TimeUnit.MILLISECONDS.toNanos(100);
+    private static final long PATIENCE_SECONDS = 10;
+
+    private final Simulation simulation;
+    private final ScheduledThreadPoolExecutor eyes = new ScheduledThreadPoolExecutor(1, task -> {
+        Thread thread = new Thread(task, "SEAR window pictures");
+        thread.setDaemon(true);
+        return thread;
+    });
+    private volatile String wanted;
+    private volatile CameraShot shot;
+    /** Whether it looks, or is going to. */
+    private boolean looking;
+    private CameraImage last;
+
+    CameraWatch(Simulation simulation) {
+        this.simulation = simulation;
+    }
+
+    /** @param camera null for none */
+    synchronized void want(String camera) {
+        wanted = camera;
+        shot = null;
+        if (camera != null && !looking && !eyes.isShutdown()) {
+            looking = true;
+            eyes.execute(this::look);
+        }
+    }
+
+    /** Looks no more. */
+    synchronized void close() {
+        wanted = null;
+        eyes.shutdownNow();
+    }
+
+    /** The newest one; null if there is none. */
+    CameraShot shot() {
+        return shot;
+    }
+
+    private void look() {
+        long began = System.nanoTime();
+        String camera = wanted;
+        try {
+            if (camera != null) {
+                CameraImage image = simulation.ask(world -> (CameraImage) world.read(camera)).get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+                CameraShot present = shot;
+                if (image != last || present == null || !present.camera.equals(camera)) {
+                    last = image;
+                    show(camera, CameraShot.of(camera, image));
+                }
+            }
+        } catch (ExecutionException | TimeoutException e) {
+            show(camera, null);       // the simulation ends, or is busy: it looks again
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return;
+        }
+        again(Math.max(PERIOD, System.nanoTime() - began));
+    }
+
+    private synchronized void show(String camera, CameraShot now) {
+        if (camera.equals(wanted)) {
+            shot = now;
+        }
+    }
+
+    private synchronized void again(long pause) {
+        looking = wanted != null && !eyes.isShutdown();
+        if (looking) {
+            eyes.schedule(this::look, pause, TimeUnit.NANOSECONDS);
+        }
+    }
+}

@@ -35,6 +35,9 @@ public final class CameraSensor extends Sensor<CameraImage> {
     private double dueTime;
     /** The world as it was when the last picture was due, if it has moved on since. */
     private BeamScene past;
+    /** What the last picture was taken of, and the robot that was not in it. */
+    private BeamScene seen;
+    private int unseen;
     private CameraImage image;
     private long imageStep = -1;
 
@@ -92,15 +95,34 @@ public final class CameraSensor extends Sensor<CameraImage> {
     protected CameraImage measure(Truth truth) {
         long wanted = due < 0 ? truth.step() : due;
         if (image == null || imageStep != wanted) {
-            image = wanted == truth.step() ? take(truth, scene(truth), pose(truth), truth.time()) : take(truth, before(truth), place, dueTime);
+            image = wanted == truth.step() ? take(truth, scene(truth), pose(truth), truth.time()) : take(truth, before(scene(truth)), place, dueTime);
             imageStep = wanted;
         }
         return image;
     }
 
-    private BeamScene before(Truth truth) {
+    /**
+     * How far what a pixel of the last picture sees is, for those who point at it: metres along the axis, infinite where nothing is in range,
+     * not a number without a picture. Simulation thread.
+     */
+    public double depth(int pixel) {
+        if (image == null) {
+            return Double.NaN;
+        }
+        double left = eye.left(pixel);
+        double up = eye.up(pixel);
+        double length = Math.sqrt(1 + left * left + up * up);    // of a beam, for a metre along the axis
+        Pose from = image.getPose();
+        double[] ahead = from.rotate(left / length, up / length, 1 / length);
+        double[] start = from.transform(camera.getNear() * left, camera.getNear() * up, camera.getNear());
+        double range = (camera.getFar() - camera.getNear()) * length;
+        BeamScene scene = due < 0 ? seen : before(seen);
+        return camera.getNear() + scene.cast(start[0], start[1], start[2], ahead[0], ahead[1], ahead[2], range, unseen, null) / length;
+    }
+
+    private BeamScene before(BeamScene now) {
         if (past == null) {
-            past = scene(truth).copy();
+            past = now.copy();
         }
         past.setPoses(poses);
         return past;
@@ -114,7 +136,9 @@ public final class CameraSensor extends Sensor<CameraImage> {
         if (due < 0) {
             noteDrifts();
         }
-        Sight sight = new Sight(scene, truth.looks(), from, camera.isSeesOwnRobot() ? BeamScene.WORLD : truth.owner());
+        seen = scene;
+        unseen = camera.isSeesOwnRobot() ? BeamScene.WORLD : truth.owner();
+        Sight sight = new Sight(scene, truth.looks(), from, unseen);
         int[] pixels = null;
         float[] values = null;
         switch (camera.getKind()) {

@@ -119,8 +119,18 @@ public final class PixelGrid {
     /**
      * What one pixel sees, in words: how far it is, how warm, or of which colour.
      *
+     * @param distance to what it sees, metres along the axis, which only pictures of depths know themselves; not a number if it isn't known
      * @throws IllegalArgumentException if there is no such pixel
      */
+    public String words(int column, int row, double distance) {
+        String told = words(column, row);
+        if (Camera.DEPTH.equals(kind) || Double.isNaN(distance)) {
+            return told;
+        }
+        return told + (distance < Double.POSITIVE_INFINITY ? ", " + ReadingWords.fixed(distance, 3) + " m ahead" : ", nothing in range");
+    }
+
+    /** The same without a distance that the picture doesn't know. */
     public String words(int column, int row) {
         if (column < 0 || row < 0 || column >= width || row >= getHeight()) {
             throw new IllegalArgumentException("the pixel is " + column + ", " + row + ", legal: columns 0 to " + (width - 1) + ", rows 0 to "

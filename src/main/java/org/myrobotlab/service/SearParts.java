@@ -181,7 +181,10 @@ final class SearParts {
     /** A camera's last picture, as {@link CameraPicture} has it; empty if no simulation with such a camera runs. */
     public Map<String, Object> cameraPicture(String name, int longest, int column, int row) throws InterruptedException {
         CameraImage image = cameras.look(name);
-        return image == null ? Collections.emptyMap() : CameraPicture.of(name, image, new CameraPicture.Wish(longest, column, row));
+        if (image == null) {
+            return Collections.emptyMap();
+        }
+        return CameraPicture.of(name, image, cameras.distance(name, image, column, row), new CameraPicture.Wish(longest, column, row));
     }
 
     /**

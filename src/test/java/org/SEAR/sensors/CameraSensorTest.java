@@ -96,6 +96,29 @@ public class CameraSensorTest {
         }
     }
 
+    /** Of the world as it was when the picture was due, though things have moved on; and of the present one before the first picture is due. */
+    @Test
+    public void whoPointsAtAPixelOfColoursIsToldHowFarItIs() throws Exception {
+        new Floor("floor", 20, 20);
+        Box crate = new Box("crate", 0.5, 0.5, 0.5, 1);
+        crate.move(0, 0.3, 2);
+        crate.setVelocity(0, 0, -1);
+        plate(camera("color", Camera.COLOR, 41, 31), camera("depth", Camera.DEPTH, 41, 31));
+        Simulation world = load();
+        CameraSensor eye = (CameraSensor) world.getSensor("color");
+        assertTrue("no picture yet", Double.isNaN(eye.depth(0)));
+        for (int steps : new int[] {1, 9, 10}) {
+            steps(world, steps);
+            float[] depths = image(world, "depth").getValues();
+            image(world, "color");
+            for (int i = 0; i < depths.length; i++) {
+                assertEquals("pixel " + i, depths[i], eye.depth(i), 1e-6 * Math.min(1e4, depths[i]));
+            }
+            image(world, "color");
+            assertTrue("the crate is there", depths[15 * 41 + 20] < 2);
+        }
+    }
+
     @Test
     public void pointsAreWhereTheBeamsEnd() throws Exception {
         new Floor("floor", 20, 20);

@@ -111,12 +111,12 @@ public class CameraTabTest {
         browser.seeText(eye("depth") + ".sear-eye-words", "column 1, row 0: nothing came back");
         waitForPicture("infrared");
         click("infrared", 0.51, 0.51);
-        browser.seeText(eye("infrared") + ".sear-eye-words", ": 80.0 degC");
+        browser.seeText(eye("infrared") + ".sear-eye-words", String.format(Locale.ROOT, ": 80.0 degC, %.2f", straight));
         browser.seeText(eye("infrared") + ".sear-range", "-20.0 degC");
         waitForPicture("color");
         click("color", 0.51, 0.51);
         browser.until("its colour",
-            () -> browser.text(eye("color") + ".sear-eye-words").matches(".*: #[0-9a-f]{6}, (about )?(red|maroon|brown)"));
+            () -> browser.text(eye("color") + ".sear-eye-words").matches(".*: #[0-9a-f]{6}, (about )?(red|maroon|brown), [0-9.]+ m ahead"));
         browser.see(eye("color") + ".sear-cross");
         browser.see(eye("color") + ".sear-eye-picture").sendKeys(Keys.ESCAPE);
         browser.until("no mark", () -> browser.all(eye("color") + ".sear-cross").isEmpty());

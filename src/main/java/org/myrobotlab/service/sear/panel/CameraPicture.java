@@ -13,7 +13,7 @@ import org.SEAR.sensors.PixelGrid;
  * {"name": of the camera, "path": of the record that it is of, "asked": when in that, "time": simulated seconds at which it was taken,
  *  "words": the reading, "numbers": [..], "picture": "data:image/..", "kind": "depth", "width": pixels of the camera, "height": ..,
  *  "range": ["0.410 m", "5.200 m"] that the false colours reach from and to, "column": of the pixel that was asked for, "row": ..,
- *  "pixel": "1.234 m ahead"}
+ *  "pixel": "#b01010, about red, 1.234 m ahead"}
  * </pre>
  *
  * <p>What does not apply is left out. Any thread.
@@ -62,9 +62,13 @@ public final class CameraPicture {
         }
     }
 
-    /** A picture of a running world. */
-    public static Map<String, Object> of(String name, CameraImage image, Wish wish) {
-        Answer answer = answer(image.grid(), wish);
+    /**
+     * A picture of a running world.
+     *
+     * @param distance of what the pixel sees that is to be told, metres along the axis; not a number if it isn't known
+     */
+    public static Map<String, Object> of(String name, CameraImage image, double distance, Wish wish) {
+        Answer answer = answer(image.grid(), distance, wish);
         answer.name = name;
         answer.time = image.getTime();
         answer.words = image.words("");
@@ -79,7 +83,7 @@ public final class CameraPicture {
      * @param time at which it was taken
      */
     public static Map<String, Object> of(String path, String name, double asked, double time, PixelGrid grid, Wish wish) {
-        Answer answer = answer(grid, wish);
+        Answer answer = answer(grid, Double.NaN, wish);
         answer.path = path;
         answer.name = name;
         answer.asked = asked;
@@ -87,7 +91,7 @@ public final class CameraPicture {
         return answer.map();
     }
 
-    private static Answer answer(PixelGrid grid, Wish wish) {
+    private static Answer answer(PixelGrid grid, double distance, Wish wish) {
         Answer answer = new Answer();
         answer.kind = grid.getKind();
         answer.width = grid.getWidth();
@@ -100,7 +104,7 @@ public final class CameraPicture {
         if (wish.column >= 0) {
             answer.column = wish.column;
             answer.row = wish.row;
-            answer.pixel = grid.words(wish.column, wish.row);
+            answer.pixel = grid.words(wish.column, wish.row, distance);
         }
         return answer;
     }

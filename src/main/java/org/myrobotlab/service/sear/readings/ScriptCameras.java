@@ -14,6 +14,7 @@ import org.SEAR.camera.image.Blobs;
 import org.SEAR.grammar.ColorNames;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.sensors.CameraImage;
+import org.SEAR.sensors.CameraSensor;
 import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
@@ -103,6 +104,15 @@ public final class ScriptCameras {
     /** The last picture that was due; null if no simulation with such a camera runs. */
     public CameraImage look(String name) throws InterruptedException {
         return control.look((world, session) -> isThere(world, name) ? (CameraImage) world.read(name) : null, null);
+    }
+
+    /** How far what a pixel of that picture sees is: metres along the axis; not a number without a picture or such a pixel. */
+    public double distance(String name, CameraImage image, int column, int row) throws InterruptedException {
+        if (column < 0 || row < 0 || column >= image.getWidth() || row >= image.getHeight()) {
+            return Double.NaN;
+        }
+        return control.look((world, session) -> isThere(world, name) && world.read(name) == image
+            ? ((CameraSensor) world.getSensor(name)).depth(row * image.getWidth() + column) : Double.NaN, Double.NaN);
     }
 
     private static boolean isThere(Simulation world, String name) {

@@ -203,10 +203,10 @@ public class WorldFeedTest {
             step(world, STEPS_BETWEEN);
             assertFalse(((Map<?, ?>) next(world).get("changes")).toString().contains("eye"));
             CameraImage image = (CameraImage) world.read("eye");
-            Map<String, Object> told = CameraPicture.of("eye", image, new CameraPicture.Wish(320, 7, 8));
+            Map<String, Object> told = CameraPicture.of("eye", image, 1.25, new CameraPicture.Wish(320, 7, 8));
             assertTrue("small: " + told.get("picture").toString().length(), told.get("picture").toString().length() < 40_000);
             assertEquals(1920, told.get("width"));
-            assertTrue(told.toString(), told.get("pixel").toString().matches("#[0-9a-f]{6}, .*"));
+            assertTrue(told.toString(), told.get("pixel").toString().matches("#[0-9a-f]{6}, .*, 1[.]250 m ahead"));
         }
     }
 

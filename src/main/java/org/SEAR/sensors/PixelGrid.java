@@ -6,6 +6,9 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.util.Locale;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.MemoryCacheImageInputStream;
 import org.SEAR.POJOs.Camera;
 import org.SEAR.camera.image.Jpeg;
 import org.SEAR.camera.image.Png;
@@ -47,15 +50,7 @@ public final class PixelGrid {
      * @throws IOException if it is no picture of that kind
      */
     public static PixelGrid read(String kind, byte[] file) throws IOException {
-        BufferedImage image;
-        try {
-            image = ImageIO.read(new ByteArrayInputStream(file));
-        } catch (RuntimeException e) {      // so the JDK says of some broken files what is wrong
-            throw new IOException("a picture can't be read: " + e, e);
-        }
-        if (image == null || (long) image.getWidth() * image.getHeight() > Camera.MOST_PIXELS) {
-            throw new IOException("a picture can't be read, legal: a JPEG or PNG file of at most " + Camera.MOST_PIXELS + " pixels");
-        }
+        BufferedImage image = image(file, Camera.COLOR.equals(kind) ? "jpeg" : "png");
         int width = image.getWidth();
         int height = image.getHeight();
         if (Camera.COLOR.equals(kind)) {
@@ -73,6 +68,23 @@ public final class PixelGrid {
             values[i] = grey == 0 ? depths ? Float.POSITIVE_INFINITY : Float.NaN : (float) (depths ? grey / MILLI : grey / CENTI + ABSOLUTE_ZERO);
         }
         return new PixelGrid(kind, width, null, values);
+    }
+
+    /** Looks at its size before it makes room for it: who has written the file is not known. */
+    private static BufferedImage image(byte[] file, String format) throws IOException {
+        ImageReader reader = ImageIO.getImageReadersByFormatName(format).next();
+        try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
+            reader.setInput(in, true, true);
+            long size = (long) reader.getWidth(0) * reader.getHeight(0);
+            if (size > Camera.MOST_PIXELS) {
+                throw new IOException("a picture has " + size + " pixels, legal: at most " + Camera.MOST_PIXELS);
+            }
+            return reader.read(0);
+        } catch (RuntimeException e) {      // so the JDK says of some broken files what is wrong
+            throw new IOException("a picture can't be read, legal: a " + format + " file: " + e, e);
+        } finally {
+            reader.dispose();
+        }
     }
 
     /** The kind of the camera. */

@@ -9,6 +9,7 @@ import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,6 +17,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
+import java.util.zip.CRC32;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.Floor;
@@ -183,6 +185,17 @@ public class RecordPicturesTest {
                 assertTrue(e.getMessage(), e.getMessage() != null);
             }
         }
+    }
+
+    /** Some bytes that would take gigabytes of memory. */
+    @Test
+    public void aPictureThatIsTooLargeIsRefusedBeforeItIsUnpacked() {
+        ByteBuffer head = ByteBuffer.allocate(17).put("IHDR".getBytes(StandardCharsets.US_ASCII)).putInt(60_000).putInt(60_000).putInt(0x10000000);
+        CRC32 check = new CRC32();
+        check.update(head.array());
+        ByteBuffer file = ByteBuffer.allocate(33).putLong(0x89504e470d0a1a0aL).putInt(13).put(head.array()).putInt((int) check.getValue());
+        String said = assertThrows(IOException.class, () -> PixelGrid.read(Camera.DEPTH, file.array())).getMessage();
+        assertEquals("a picture has 3600000000 pixels, legal: at most " + Camera.MOST_PIXELS, said);
     }
 
     private void refused(byte[] whole, int at, int number, String words) throws IOException {

@@ -7,7 +7,11 @@ package org.SEAR.camera;
  */
 public final class Texture {
     /** Places at most that a pixel at a flat angle is the mean of. */
-    private static final int MOST_PLACES = 8;
+    private static final int MOST_PLACES = 4;
+    /** By number of places: the part that each has of what a pixel covers, squared. */
+    private static final double[] PARTS = {1, 1, 1 / 4.0, 1 / 9.0, 1 / 16.0};
+    /** How much steeper than the size goes from one picture to the next smaller one: near either only that is looked at, which halves the work. */
+    private static final double STEEPER = 3;
     private static final int BITS = 8;
     private static final int ONE = 1 << BITS;
     /** Pixels by which a place in a row may be off what is reckoned for it at once. */
@@ -102,18 +106,24 @@ public final class Texture {
             add(0, u, v, 0, 0, 1, 1, spot);
             return;
         }
-        double major = Math.sqrt(longer);
-        double minor = Math.max(1, Math.min(major, Math.abs(rightU * downV - rightV * downU) / major));
-        int places = (int) Math.min(MOST_PLACES, Math.ceil(major / minor));
-        double level = Math.min(levels.length - 1, logarithm(Math.max(1, major / places)));
+        double area = rightU * downV - rightV * downU;
+        int places = places(longer * longer / Math.max(longer, area * area));
+        double level = Math.min(levels.length - 1, logarithm(Math.max(1, longer * PARTS[places])) / 2);
         int finer = (int) level;
-        double coarse = level - finer;
+        double coarse = Math.max(0, Math.min(1, STEEPER * (level - finer - 0.5) + 0.5));
         double stepU = right >= down ? ux : uy;
         double stepV = right >= down ? vx : vy;
-        add(finer, u, v, stepU, stepV, places, 1 - coarse, spot);
+        if (coarse < 1) {
+            add(finer, u, v, stepU, stepV, places, 1 - coarse, spot);
+        }
         if (coarse > 0) {
             add(finer + 1, u, v, stepU, stepV, places, coarse, spot);
         }
+    }
+
+    /** @param square of how many times longer than wide what a pixel covers is, where it is a pixel wide at least */
+    private static int places(double square) {
+        return square > 9 ? MOST_PLACES : square > 4 ? 3 : square > 1 ? 2 : 1;
     }
 
     /** The logarithm to base 2 of a number of 1 or more, straight between powers of 2. */

@@ -19,7 +19,7 @@ public final class Png {
     public static byte[] ofColors(int width, int[] pixels) {
         BufferedImage image = new BufferedImage(width, pixels.length / width, BufferedImage.TYPE_INT_RGB);
         image.getRaster().setDataElements(0, 0, width, image.getHeight(), pixels);
-        return file(image);
+        return of(image);
     }
 
     /** @param values 0 to 65535 each, row by row from the top left; lower ones become 0, higher ones 65535 */
@@ -30,10 +30,11 @@ public final class Png {
             shades[i] = (short) Math.max(0, Math.min(MOST_GREY, values[i]));
         }
         image.getRaster().setDataElements(0, 0, width, image.getHeight(), shades);
-        return file(image);
+        return of(image);
     }
 
-    private static byte[] file(BufferedImage image) {
+    /** A whole picture; what can be seen through stays so. */
+    public static byte[] of(BufferedImage image) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (ImageOutputStream out = new MemoryCacheImageOutputStream(bytes)) {    // in memory: else each picture is a file for a moment
             ImageIO.write(image, "png", out);

@@ -4,12 +4,11 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.Base64;
 import javax.imageio.ImageIO;
 import org.SEAR.camera.image.Jpeg;
+import org.SEAR.camera.image.Png;
 import org.SEAR.sensors.Picture;
 
 /** Pictures in the form that pages show, small enough for one message. */
@@ -58,7 +57,7 @@ final class SmallPicture {
         pen.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
         pen.drawImage(image, 0, 0, small.getWidth(), small.getHeight(), null);
         pen.dispose();
-        return solid ? address("jpeg", Jpeg.of(small)) : address("png", png(small));
+        return solid ? address("jpeg", Jpeg.of(small)) : address("png", Png.of(small));
     }
 
     /** What a page takes as the address of a picture. */
@@ -80,16 +79,6 @@ final class SmallPicture {
         BufferedImage image = new BufferedImage(picture.getWidth(), picture.getHeight(), BufferedImage.TYPE_INT_RGB);
         image.setRGB(0, 0, picture.getWidth(), picture.getHeight(), picture.getPixels(), 0, picture.getWidth());
         int longest = Math.max(picture.getWidth(), picture.getHeight());
-        return longest <= EXACT ? address("png", png(image)) : of(image, Math.min(most, longest));
-    }
-
-    private static byte[] png(BufferedImage image) {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try {
-            ImageIO.write(image, "png", bytes);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-        return bytes.toByteArray();
+        return longest <= EXACT ? address("png", Png.of(image)) : of(image, Math.min(most, longest));
     }
 }

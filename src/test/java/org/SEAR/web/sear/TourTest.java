@@ -51,14 +51,19 @@ public class TourTest {
         browser.click(".sear-middle");
     }
 
-    @Test
-    public void eachStepThatIsDoneMakesRoomForTheNext() {
+    /** Up to the step in which a box is to be put in its way. */
+    private void goToTheObstacle() {
         put("rover", 1, "Put it on the ground");
         waitForStep(2, "Give it an eye");
         put("Distance", 3, "Mount it");
         waitForStep(4, "An obstacle");
         browser.click("[data-make='Box']");
         waitForStep(5, "In its way");
+    }
+
+    @Test
+    public void eachStepThatIsDoneMakesRoomForTheNext() {
+        goToTheObstacle();
         WebElement view = browser.see(".sear-stage canvas");
         Dimension size = view.getSize();
         new Actions(browser.driver()).moveToElement(view, size.getWidth() / 4, 0).click().perform();
@@ -111,12 +116,7 @@ public class TourTest {
 
     @Test
     public void aBoxThatIsNotInTheWayIsSaidToBeSo() {
-        put("rover", 1, "Put it on the ground");
-        waitForStep(2, "Give it an eye");
-        put("Distance", 3, "Mount it");
-        waitForStep(4, "An obstacle");
-        browser.click("[data-make='Box']");
-        waitForStep(5, "In its way");
+        goToTheObstacle();
         WebElement view = browser.see(".sear-view");
         onMap(view, 0.5, -1.5).click().perform();
         browser.seeText(".driver-popover-description", "That box is not in its way. Drag it");

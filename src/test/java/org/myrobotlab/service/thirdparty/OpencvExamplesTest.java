@@ -38,6 +38,8 @@ public class OpencvExamplesTest {
     private static final double DOCK_X = 2.997;
     /** From the robot's middle to its front. */
     private static final double FRONT = 0.17;
+    /** From the robot's middle back to its camera. */
+    private static final double EYE = 0.1;
 
     private static MyRobotLab robotLab;
 
@@ -138,8 +140,11 @@ public class OpencvExamplesTest {
         assertEquals(text, 0.04, gap, 0.02);
         assertEquals(text, DOCK_Z, pose.get(2).asDouble(), 0.03);
         assertEquals(text, 90, pose.get(4).asDouble(), 5);
-        assertEquals("what it measured", gap, told[0], 0.01);
-        assertEquals("what it measured", Math.abs(pose.get(4).asDouble() - 90), told[2], 1);
+        assertEquals("what it measured", gap, told[0], 0.005);
+        double turn = pose.get(4).asDouble() - 90;
+        double beside = pose.get(2).asDouble() - DOCK_Z + EYE * Math.sin(Math.toRadians(turn));
+        assertEquals("what it measured: " + text, Math.abs(turn), told[2], 0.3);
+        assertEquals("what it measured: " + text, Math.abs(beside), told[1], 0.003);
         robotLab.run("sear.simSleep(0.5)");
         assertEquals("it stands", pose.get(0).asDouble(), robotLab.call("sear", "getPose", "docker").get(0).asDouble(), 0.001);
     }

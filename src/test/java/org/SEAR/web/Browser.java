@@ -39,7 +39,7 @@ import org.openqa.selenium.support.ui.WebDriverWait;
 /** A headless Chromium without display and without memory of earlier runs. Elements are named by CSS selectors and waited for. */
 public final class Browser implements AutoCloseable {
     /** For everything that takes time: slow machines get all they need. */
-    private static final Duration LIMIT = Duration.ofSeconds(180);
+    private static final Duration LIMIT = Duration.ofSeconds(400);
     private static final Duration LOOK = Duration.ofMillis(100);
     private static final int ATTEMPTS = 2;
     private static final List<String> BROWSERS = List.of("chromium", "chromium-browser", "google-chrome", "google-chrome-stable");

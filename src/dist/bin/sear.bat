@@ -16,8 +16,7 @@ set "QUIET=-Xlog:cds=off -XX:+IgnoreUnrecognizedVMOptions --sun-misc-unsafe-memo
 rem A simulation lives in some 20 MB: the collector that big machines get by default would take 300 before it tidies up.
 set "MEMORY=-XX:+UseSerialGC -Xms64m"
 rem The JVM's best compiler takes what has run ten times as often as it would by itself: at the start it took more time than all else.
-set "COMPILER=-XX:Tier4InvocationThreshold=50000 -XX:Tier4MinInvocationThreshold=6000 -XX:Tier4CompileThreshold=150000"
-set "COMPILER=%COMPILER% -XX:Tier4BackEdgeThreshold=400000 -XX:Tier3DelayOn=0"
+set "COMPILER=-XX:Tier4InvocationThreshold=50000 -XX:Tier4CompileThreshold=150000 -XX:Tier4BackEdgeThreshold=400000 -XX:Tier3DelayOn=0"
 rem The build writes down what the JVM knows of these classes; another Java passes over that without a word.
 set "ARCHIVE="
 if exist "%HOME_DIR%\lib\sear.jsa" set ARCHIVE="-XX:SharedArchiveFile=%HOME_DIR%\lib\sear.jsa"

@@ -59,7 +59,7 @@ QUICK = {
 def launcher_options(installed):
     """What the launcher tells the JVM about memory and its compiler, and the archive of classes that it has; installed: where sear is, or None."""
     with open(os.path.join(ROOT, "src", "dist", "bin", "sear")) as launcher:
-        told = " ".join(re.findall('^(?:memory|compiler)="([^"]*)"$', launcher.read(), re.MULTILINE)).split()
+        told = " ".join(re.findall('^(?:memory|compiler)="(.*)"$', launcher.read(), re.MULTILINE)).split()
     return told + (["-Xlog:cds=off", "-XX:SharedArchiveFile=" + os.path.join(installed, "lib", "sear.jsa")] if installed else [])
 
 

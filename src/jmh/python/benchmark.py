@@ -14,6 +14,7 @@ import machine
 import page
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", "..", ".."))
+INSTALLED = os.path.join(ROOT, "build", "install", "sear")
 HERE = os.path.dirname(os.path.abspath(__file__))
 PACKAGE = "org.SEAR.benchmark."
 PEERS = {"mujoco": (("mujoco", "mujocoVersion"), ("mujoco-core", "mujocoCoreVersion"), ("PyOpenGL", "pyOpenGlVersion"), ("numpy", "numpyVersion")),
@@ -55,10 +56,11 @@ QUICK = {
 }
 
 
-def launcher_options():
-    """What the launcher tells the JVM about memory."""
+def launcher_options(installed):
+    """What the launcher tells the JVM about memory and its compiler, and the archive of classes that it has; installed: where sear is, or None."""
     with open(os.path.join(ROOT, "src", "dist", "bin", "sear")) as launcher:
-        return re.search('^memory="(.*)"$', launcher.read(), re.MULTILINE).group(1).split()
+        told = " ".join(re.findall('^(?:memory|compiler)="(.*)"$', launcher.read(), re.MULTILINE)).split()
+    return told + (["-Xlog:cds=off", "-XX:SharedArchiveFile=" + os.path.join(installed, "lib", "sear.jsa")] if installed else [])
 
 
 class Run:
@@ -80,15 +82,16 @@ class Run:
     def path(self, name):
         return os.path.join(self.folder, name)
 
-    def call_java(self, name, *args, options=()):
-        command = [self.java, *options, "-Djmh.ignoreLock=true", "-cp", self.options.classpath, PACKAGE + name] + [str(arg) for arg in args]
+    def call_java(self, name, *args, options=(), before=""):
+        """before: what the class path begins with"""
+        command = [self.java, *options, "-Djmh.ignoreLock=true", "-cp", before + self.options.classpath, PACKAGE + name] + [str(arg) for arg in args]
         with open(self.path("java.log"), "a") as log:
             if subprocess.call(command, stdout=log, stderr=log, cwd=self.folder) != 0:
                 raise SystemExit("benchmark: %s failed; its messages are in %s" % (name, log.name))
 
-    def measure(self, *args, options=()):
+    def measure(self, *args, options=(), before=""):
         target = self.path("measure.json")
-        self.call_java("Measures", target, *args, options=options)
+        self.call_java("Measures", target, *args, options=options, before=before)
         return read(target)
 
     # ---- what is measured ------------------------------------------------------------------------------------------------
@@ -124,13 +127,15 @@ class Run:
 
     def runs(self):
         found = {}
+        installed = None if self.options.no_script else INSTALLED
+        before = os.path.join(INSTALLED, "plugin", "*") + ":" + os.path.join(INSTALLED, "lib", "*") + ":" if installed else ""
         for world in self.plan["runs"]:
             self.say("start and memory, " + world)
             folder = self.project(world)
             shutil.rmtree(folder, ignore_errors=True)
             os.makedirs(folder)
             self.measure("project", world, folder)
-            found[world] = self.measure("run", world, folder, self.plan["steps"], options=launcher_options())
+            found[world] = self.measure("run", world, folder, self.plan["steps"], options=launcher_options(installed), before=before)
         return found
 
     def project(self, world):
@@ -145,7 +150,7 @@ class Run:
         environment = dict(os.environ, SEAR_BENCHMARK_OUT=target, SEAR_BENCHMARK_SCANS=str(self.plan["scans"]))
         launched = time.time()
         with open(self.path("sear.log"), "w") as log:
-            status = subprocess.call([os.path.join(ROOT, "build", "install", "sear", "bin", "sear"),
+            status = subprocess.call([os.path.join(INSTALLED, "bin", "sear"),
                                       os.path.join(ROOT, "src", "jmh", "jython", "latency.py"), "--headless", "--port", "none"],
                                      cwd=self.project(self.plan["runs"][0]), env=environment, stdout=log, stderr=log)
         if status != 0:

@@ -5,11 +5,11 @@ GOALS = {
     "single room-20": 4, "single room-100": 3.5, "single room-1000": 3, "single hills-110000": 2.5,
     "lidar-room-20": 1000, "lidar-room-1000": 500, "all-room-20": 300, "all-room-1000": 200,
     "camera-room-20": 10, "blind-room-20": 10,
-    "mesh seconds": 3, "mesh bytes": 150, "start": 1, "memory": 256,
+    "mesh seconds": 3, "mesh bytes": 150, "start": 1, "launch": 1.2, "memory": 256,
 }
-UNITS = {"mesh seconds": "below %g s", "mesh bytes": "below %g", "start": "below %g s", "memory": "below %g MiB"}
+UNITS = {"mesh seconds": "below %g s", "mesh bytes": "below %g", "start": "below %g s", "launch": "below %g s", "memory": "below %g MiB"}
 NAMES = {"mesh seconds": "seconds to build the hierarchy of a million triangles", "mesh bytes": "bytes a triangle",
-         "start": "seconds from the start to the first reading", "memory": "MiB of memory"}
+         "start": "seconds from the start to the first reading", "launch": "seconds from the command to the script's first reading", "memory": "MiB of memory"}
 # By the start of the goal's name, the longest that fits; what was counted, not guessed
 REASONS = {
     "fan hills": "The plane of a scan cuts about 290 triangles and opens 570 nodes for its 361 beams, so that nearly every beam meets a triangle of "
@@ -26,8 +26,9 @@ REASONS = {
     "lidar-room-1000": "LIDAR and wheels look among 1000 boxes that overlap; `1000 boxes in a hall` has as many with room between them.",
     "all-room": "Beams and wheels look among 1000 boxes that overlap.",
     "camera-room": "A picture of 320 x 240 with shadows takes some 15 ms of one core; two cores share it.",
-    "start": "Each object is a file of its own, read and checked while the JVM still compiles; a third of the time XStream sets itself up. The longest "
-             "is that of the project with 1000 objects.",
+    "start": "Each object is a file of its own, read and checked while the JVM still compiles. The longest is that of the project with 1000 "
+             "objects.",
+    "launch": "The JVM, Jython, the tabs' server and SEAR are loaded at once as far as one does not need the other; two cores share it.",
     "mesh seconds": "One thread builds the hierarchy.",
     "memory": "Garbage gathers between two collections; the table has what the heap's objects themselves need.",
 }

@@ -248,7 +248,7 @@ def start(results):
         rows.append(["in the embedded MyRobotLab: `sear.startSimulation()` to the first LIDAR reading",
                      digits(seconds) + " s" + ("*" if busy else ""), results.judge("start", seconds, False)])
         rows.append(["from the command `sear SCRIPT.py` to that reading, JVM, Jython and MyRobotLab included",
-                     digits(script["launchToReading"]) + " s", NOTHING])
+                     digits(script["launchToReading"]) + " s", results.judge("launch", script["launchToReading"], False)])
         rows.append(["its most memory ever in use", digits(script["peakResident"] / mebi) + " MiB", NOTHING])
         rows.append(["`sear.getLidarResult(name)` in real time: median (longest of %d)" % script["call"]["count"],
                      "%s ms (%s ms)" % (digits(1e3 * script["call"]["median"]), digits(1e3 * script["call"]["max"])), NOTHING])

@@ -47,10 +47,10 @@ final class MrlRun {
     private Python start() {
         Shutdown.then(shutdown::countDown);
         java.lang.Runtime.getRuntime().addShutdownHook(new Thread(this::release, "release"));
-        ServiceInterface python = Runtime.start(PYTHON, "Python");
         if (port != NO_PORT) {
             address = Tabs.start(port, token, err);
         }
+        ServiceInterface python = Runtime.start(PYTHON, "Python");
         return python instanceof Python ? (Python) python : null;
     }
 

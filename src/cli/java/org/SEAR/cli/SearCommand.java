@@ -3,9 +3,12 @@ package org.SEAR.cli;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.SEAR.cli.install.InstallCommand;
+import org.SEAR.project.xml.Xml;
+import org.myrobotlab.embedded.python.JythonStart;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -49,6 +52,10 @@ public final class SearCommand implements Callable<Integer> {
 
     public static void main(String[] arguments) {
         Console.quiet();
+        if (arguments.length == 0 || Arrays.stream(arguments).anyMatch(one -> one.endsWith(".py") || one.endsWith(".sear"))) {
+            JythonStart.begin();
+            Xml.begin();
+        }
         int status = commandLine().execute(arguments);
         System.out.flush();
         System.exit(status);

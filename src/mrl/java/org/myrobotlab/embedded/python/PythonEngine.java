@@ -10,14 +10,12 @@ import java.nio.file.Paths;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Properties;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.myrobotlab.embedded.OutOfMemory;
 import org.python.core.CompileMode;
 import org.python.core.CompilerFlags;
-import org.python.core.Options;
 import org.python.core.Py;
 import org.python.core.PyCode;
 import org.python.core.PyException;
@@ -25,7 +23,6 @@ import org.python.core.PyFrame;
 import org.python.core.PyList;
 import org.python.core.PyObject;
 import org.python.core.PyString;
-import org.python.core.PySystemState;
 import org.python.core.ThreadState;
 import org.python.core.TraceFunction;
 import org.python.util.PythonInterpreter;
@@ -37,8 +34,6 @@ import org.slf4j.LoggerFactory;
  */
 public final class PythonEngine {
     private static final Logger LOG = LoggerFactory.getLogger(PythonEngine.class);
-    /** Whose classes scripts import all at once. */
-    private static final String OBJECTS = "org.SEAR.POJOs";
     /** So begin the names of what services call back for themselves: no function of the script. */
     private static final String OF_SERVICES = "_";
     private static final Map<String, PythonEngine> ENGINES = new ConcurrentHashMap<>();
@@ -62,27 +57,12 @@ public final class PythonEngine {
      */
     public PythonEngine(String name, OutputStream out, OutputStream err) {
         this.name = name;
-        initialize();
-        PySystemState state = new PySystemState();
-        state.setClassLoader(PythonEngine.class.getClassLoader());
-        interpreter = new PythonInterpreter(null, state);
+        JythonStart.await();
+        interpreter = new PythonInterpreter(null, JythonStart.newState());
         interpreter.setOut(Py.java2py(new ScriptConsole(out)));
         interpreter.setErr(Py.java2py(new ScriptConsole(err)));
         interpreter.set("__name__", new PyString("__main__"));
         ENGINES.put(name, this);
-    }
-
-    private static synchronized void initialize() {
-        Properties settings = new Properties();
-        settings.setProperty("python.import.site", "false");
-        settings.setProperty("python.console.encoding", "UTF-8");
-        Options.importSite = false;
-        PySystemState.initialize(System.getProperties(), settings, new String[] {""});
-        try {
-            PySystemState.add_package(OBJECTS, String.join(",", PackageClasses.of(OBJECTS, PythonEngine.class.getClassLoader())));
-        } catch (IOException e) {
-            LOG.warn("\"from {} import *\" finds nothing: {}", OBJECTS, e.toString());
-        }
     }
 
     /** The interpreter of a running Python service; null if there is none of that name. */

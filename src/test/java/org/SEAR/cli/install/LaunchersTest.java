@@ -29,7 +29,7 @@ public class LaunchersTest {
         Matcher word = Pattern.compile("(?:[^\\s\"]|\"[^\"]*\")+").matcher(line);
         while (word.find()) {
             words.add(word.group().replace("%HOME_DIR%", "$home").replace("%JAVA_CMD%", "$java").replace("%JAVA_OPTS%", "$JAVA_OPTS")
-                .replace("%QUIET%", "$quiet").replace("%MEMORY%", "$memory")
+                .replace("%QUIET%", "$quiet").replace("%MEMORY%", "$memory").replace("%COMPILER%", "$compiler")
                 .replace("%ARCHIVE%", "${archive:+\"$archive\"}").replace("%*", "\"$@\"").replace("\\", "/").replace(";", ":")
                 .replace("-Dsear.home=\"$home\"", "-Dsear.home=$home"));
         }
@@ -39,12 +39,13 @@ public class LaunchersTest {
 
     @Test
     public void bothStartJavaAlike() throws IOException {
-        List<String> expected = List.of("\"$java\"", "$quiet", "$memory", "${archive:+\"$archive\"}", "$JAVA_OPTS", "-Dsear.home=$home", "-cp",
-            "\"$home/plugin/*:$home/lib/*\"", "org.SEAR.cli.SearCommand", "\"$@\"");
+        List<String> expected = List.of("\"$java\"", "$quiet", "$memory", "$compiler", "${archive:+\"$archive\"}", "$JAVA_OPTS", "-Dsear.home=$home",
+            "-cp", "\"$home/plugin/*:$home/lib/*\"", "org.SEAR.cli.SearCommand", "\"$@\"");
         assertEquals(expected, javaLine(text("sear")));
         assertEquals(expected, javaLine(text("sear.bat")));
         assertEquals(options("quiet=\"(.*)\"", text("sear")), options("set \"QUIET=(.*)\"", text("sear.bat")));
         assertEquals(options("memory=\"(.*)\"", text("sear")), options("set \"MEMORY=(.*)\"", text("sear.bat")));
+        assertEquals(options("compiler=\"(.*)\"", text("sear")), options("set \"COMPILER=(.*)\"", text("sear.bat")));
     }
 
     private static String options(String pattern, String text) {

@@ -12,6 +12,11 @@ varying vec2 grain;
 const float FAR = 150.0;
 #endif
 
+#if defined(SHADOWED) && defined(SUN_SHADOW)
+#import "org/SEAR/view/scene/SunShadow.glsllib"
+varying vec3 sunPlace;
+#endif
+
 const vec3 AIR = vec3(0.75, 0.82, 0.87);
 
 void main() {
@@ -20,5 +25,9 @@ void main() {
     float near = max(0.0, 1.0 - 1.0 / (gl_FragCoord.w * FAR));
     color *= 1.0 + near * near * 0.8 * (texture2D(m_Grain, grain).r - 0.5);
 #endif
-    gl_FragColor = vec4(mix(color, AIR, haze), 1.0);
+    color = mix(color, AIR, haze);
+#if defined(SHADOWED) && defined(SUN_SHADOW)
+    color *= sunlit(sunPlace);
+#endif
+    gl_FragColor = vec4(color, 1.0);
 }

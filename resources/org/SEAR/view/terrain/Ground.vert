@@ -16,6 +16,11 @@ varying vec2 grain;
 const float REPEATED = 9.6;
 #endif
 
+#if defined(SHADOWED) && defined(SUN_SHADOW)
+uniform mat4 m_SunView;
+varying vec3 sunPlace;
+#endif
+
 // Metres of height that halve the haze.
 const float THIN = 3000.0;
 
@@ -28,4 +33,8 @@ void main() {
 #endif
     // from high up one looks through less of the air
     haze = 1.0 - exp(-distance(inPosition, g_CameraPosition) / (m_Clear * (1.0 + max(0.0, g_CameraPosition.y - inPosition.y) / THIN)));
+#if defined(SHADOWED) && defined(SUN_SHADOW)
+    // ground is not moved: its corners are where it is in the world
+    sunPlace = (m_SunView * vec4(inPosition, 1.0)).xyz;
+#endif
 }

@@ -1,6 +1,6 @@
 package org.SEAR.view;
 
-/** Notices a machine that draws too slowly for shadows. Window thread only. */
+/** Notices a machine that draws so slowly that shadows should take less time. Window thread only. */
 final class FrameRateMonitor {
     /** Real seconds in which shaders are compiled and textures loaded: they don't count. */
     private static final float WARM_UP = 2;

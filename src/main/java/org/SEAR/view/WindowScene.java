@@ -108,9 +108,8 @@ final class WindowScene {
             far.update(frameTime);
             terrain.update(window.getCamera());
         }
-        if (frameRate.count(frameTime) && lighting.hasShadows()) {
-            lighting.setShadows(false);
-            hud.say("this machine draws slowly: no shadows from now on");
+        if (frameRate.count(frameTime)) {
+            lighting.hurryShadows();
         }
         world.label(labels, movement.newest(), window.getCamera());
         hud.update(frameTime, window.getCamera().getWidth(), window.getCamera().getHeight(), movement.newest(), state);

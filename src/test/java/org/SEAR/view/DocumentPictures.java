@@ -122,11 +122,8 @@ public final class DocumentPictures {
             view.frames(SETTLE);
             scene.set(view);
             view.frames(SETTLE);
-            do {
-                Views.until("no message is left", () -> view.is(() -> view.scene().hud().messagesText().isEmpty()));
-                onWindow(view, () -> view.scene().lighting().setShadows(true));
-                view.picture(name);
-            } while (!view.is(() -> view.scene().lighting().hasShadows())); // a slow machine may have given them up just then
+            Views.until("no message is left", () -> view.is(() -> view.scene().hud().messagesText().isEmpty()));
+            view.picture(name);
             Files.copy(Views.report().resolve(name + ".png"), folder.resolve(name + ".png"),
                 StandardCopyOption.REPLACE_EXISTING);
             System.out.println(folder.resolve(name + ".png"));

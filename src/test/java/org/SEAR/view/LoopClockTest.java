@@ -49,17 +49,12 @@ public class LoopClockTest {
     private static final long STEP_LENGTH = 16_666_667L;
 
     /**
-     * Counted in processor time, because the machine that runs the tests has other work as well, and without the simulation's; also without shadows,
-     * which the window gives up by itself where it can't draw 30 pictures a second.
+     * Counted in processor time, because the machine that runs the tests has other work as well, and without the simulation's.
      */
     @Test
     public void thirtyPicturesASecondOnSoftwareOpenGlLeaveTheSimulationItsShareOfTwoCores() throws Exception {
         try (Views view = new Views(Examples.folder(EXAMPLE), new WindowOptions())) {
             view.press("u");
-            view.ask(() -> {
-                view.scene().lighting().setShadows(false);
-                return null;
-            });
             double cores = Double.POSITIVE_INFINITY;
             double ratio = Double.POSITIVE_INFINITY;
             for (int i = 0; i < TRIES && cores > CORES && ratio > YARDSTICKS; i++) {

@@ -13,6 +13,9 @@ import com.jme3.scene.VertexBuffer.Usage;
 import com.jme3.scene.VertexBuffer;
 import com.jme3.util.BufferUtils;
 import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+import java.util.ArrayList;
+import java.util.List;
 import org.SEAR.scene.BeamFan;
 
 /** One sensor's beams as lines, and a sphere where a beam has hit. Window thread only. */
@@ -20,6 +23,7 @@ public final class BeamView {
     private static final float OPAQUE = 0.75f;
     private static final float FAINT = 0.28f;
     /** A small round thing: an octahedron whose faces are halved once. */
+    private static final int[] BALL_TRIANGLES = new int[8 * 4 * 3];
     private static final float[] BALL = ball();
     private static final int BALL_CORNERS = BALL.length / 3;
 
@@ -45,6 +49,7 @@ public final class BeamView {
         lines.setBuffer(stream(Type.Position, 3, ends));
         lines.setBuffer(stream(Type.Color, 4, colors));
         hits.setBuffer(stream(Type.Position, 3, spheres));
+        hits.setBuffer(Type.Index, 3, triangles(fan.size()));
         float reach = 0;
         for (float range : fan.ranges) {
             reach = Math.max(reach, range);
@@ -118,6 +123,9 @@ public final class BeamView {
         hitGeometry.setCullHint(hitCount > 0 ? CullHint.Inherit : CullHint.Always);
         if (hitCount > 0) {
             hits.getBuffer(Type.Position).updateData(spheres);
+            IntBuffer seen = (IntBuffer) hits.getBuffer(Type.Index).getData();
+            seen.limit(hitCount * BALL_TRIANGLES.length);
+            hits.getBuffer(Type.Index).updateData(seen);
             hits.updateCounts();
         }
         lines.updateCounts();
@@ -145,31 +153,50 @@ public final class BeamView {
         }
     }
 
-    /** Triangles of a unit ball, corner by corner. */
+    /** Corners of a unit ball. */
     private static float[] ball() {
-        float[] ball = new float[8 * 4 * 9];
+        List<Vector3f> corners = new ArrayList<>();
         int at = 0;
         for (int octant = 0; octant < 8; octant++) {
             Vector3f a = new Vector3f((octant & 1) == 0 ? 1 : -1, 0, 0);
             Vector3f b = new Vector3f(0, (octant & 2) == 0 ? 1 : -1, 0);
             Vector3f c = new Vector3f(0, 0, (octant & 4) == 0 ? 1 : -1);
             boolean mirrored = Integer.bitCount(octant) % 2 == 1;
-            at = face(ball, at, mirrored ? new Vector3f[] {a, c, b} : new Vector3f[] {a, b, c});
+            at = face(corners, BALL_TRIANGLES, at, mirrored ? new Vector3f[] {a, c, b} : new Vector3f[] {a, b, c});
+        }
+        float[] ball = new float[3 * corners.size()];
+        for (int i = 0; i < ball.length; i++) {
+            ball[i] = corners.get(i / 3).get(i % 3);
         }
         return ball;
     }
 
-    private static int face(float[] ball, int start, Vector3f[] corner) {
+    /** Adds a face's four triangles; corners are shared with other faces, so that each is worked out once. */
+    private static int face(List<Vector3f> corners, int[] triangles, int start, Vector3f[] corner) {
         Vector3f ab = corner[0].add(corner[1]).normalizeLocal();
         Vector3f bc = corner[1].add(corner[2]).normalizeLocal();
         Vector3f ca = corner[2].add(corner[0]).normalizeLocal();
-        Vector3f[] all = {corner[0], ab, ca, ab, corner[1], bc, ca, bc, corner[2], ab, bc, ca};
         int at = start;
-        for (Vector3f one : all) {
-            ball[at++] = one.x;
-            ball[at++] = one.y;
-            ball[at++] = one.z;
+        for (Vector3f one : new Vector3f[] {corner[0], ab, ca, ab, corner[1], bc, ca, bc, corner[2], ab, bc, ca}) {
+            int known = corners.indexOf(one);
+            if (known < 0) {
+                known = corners.size();
+                corners.add(one);
+            }
+            triangles[at++] = known;
         }
         return at;
+    }
+
+    /** The triangles of so many balls, three corners each. */
+    private static IntBuffer triangles(int balls) {
+        IntBuffer all = BufferUtils.createIntBuffer(balls * BALL_TRIANGLES.length);
+        for (int ball = 0; ball < balls; ball++) {
+            for (int corner : BALL_TRIANGLES) {
+                all.put(ball * BALL_CORNERS + corner);
+            }
+        }
+        all.flip();
+        return all;
     }
 }

@@ -3,6 +3,7 @@ package org.SEAR.view.scene;
 import com.jme3.asset.AssetManager;
 import com.jme3.light.AmbientLight;
 import com.jme3.light.DirectionalLight;
+import com.jme3.material.MatParamOverride;
 import com.jme3.math.ColorRGBA;
 import com.jme3.math.Vector3f;
 import com.jme3.renderer.Camera;
@@ -10,18 +11,14 @@ import com.jme3.renderer.ViewPort;
 import com.jme3.scene.Geometry;
 import com.jme3.scene.Node;
 import com.jme3.scene.Spatial;
-import com.jme3.shadow.DirectionalLightShadowRenderer;
-import com.jme3.shadow.EdgeFilteringMode;
+import com.jme3.shader.VarType;
 import org.SEAR.camera.Daylight;
 
 /** Sun, sky, and the sun's shadows. Window thread only. */
 public final class Lighting {
-    private static final int SHADOW_MAP = 1024;
-    private static final float SHADOW_DISTANCE = 25;
-
     private final Geometry sky;
     private final ViewPort view;
-    private final DirectionalLightShadowRenderer shadows;
+    private final SunShadow shadows;
     private boolean shadowsOn;
 
     public Lighting(AssetManager assets, Node root, ViewPort view) {
@@ -29,15 +26,14 @@ public final class Lighting {
         sky = Sky.make(assets);
         root.attachChild(sky);
         double[] toSun = Daylight.toSun();
-        DirectionalLight sun = new DirectionalLight(new Vector3f((float) -toSun[0], (float) -toSun[1], (float) -toSun[2]), color(Daylight.sun()));
-        root.addLight(sun);
+        Vector3f sunlight = new Vector3f((float) -toSun[0], (float) -toSun[1], (float) -toSun[2]);
+        root.addMatParamOverride(new MatParamOverride(VarType.Vector3, "ToSun", sunlight.negate()));
+        root.addMatParamOverride(new MatParamOverride(VarType.Vector3, "SunLight", vector(Daylight.sun())));
+        root.addMatParamOverride(new MatParamOverride(VarType.Vector3, "SkyLight", vector(Daylight.sky())));
+        // for what materials of models' own there are
+        root.addLight(new DirectionalLight(sunlight, color(Daylight.sun())));
         root.addLight(new AmbientLight(color(Daylight.sky())));
-        shadows = new DirectionalLightShadowRenderer(assets, SHADOW_MAP, 2);
-        shadows.setLight(sun);
-        shadows.setShadowZExtend(SHADOW_DISTANCE);
-        shadows.setShadowIntensity(Daylight.SHADOW);
-        shadows.setRenderBackFacesShadows(false); // sides that look away from the sun are dark anyway
-        shadows.setEdgeFilteringMode(EdgeFilteringMode.Bilinear);
+        shadows = new SunShadow(assets, root, sunlight);
         setShadows(true);
     }
 
@@ -45,20 +41,37 @@ public final class Lighting {
         return new ColorRGBA(light[0], light[1], light[2], 1);
     }
 
+    private static Vector3f vector(float[] light) {
+        return new Vector3f(light[0], light[1], light[2]);
+    }
+
     public boolean hasShadows() {
         return shadowsOn;
     }
 
-    /** Shadows cost a slow graphics card a third of its time. */
     public void setShadows(boolean on) {
         if (on != shadowsOn) {
             shadowsOn = on;
             if (on) {
-                view.addProcessor(shadows);
+                shadows.showIn(view);
             } else {
-                view.removeProcessor(shadows);
+                shadows.hideIn(view);
             }
         }
+    }
+
+    /** Shadows take less time from now on: of what moves each third picture has a new one. */
+    public void hurryShadows() {
+        shadows.hurry();
+    }
+
+    public boolean areShadowsHurried() {
+        return shadows.isHurried();
+    }
+
+    /** How many things have been drawn for shadows so far: what casts them is drawn again only where something has moved. */
+    public int shadowDraws() {
+        return shadows.drawn();
     }
 
     /** What is behind everything. */

@@ -4,7 +4,6 @@ import com.jme3.asset.AssetLoadException;
 import com.jme3.asset.AssetManager;
 import com.jme3.asset.AssetNotFoundException;
 import com.jme3.asset.TextureKey;
-import com.jme3.material.MatParam;
 import com.jme3.material.Material;
 import com.jme3.material.RenderState.BlendMode;
 import com.jme3.math.ColorRGBA;
@@ -70,16 +69,10 @@ public final class Materials {
         return new ColorRGBA().fromIntARGB(OPAQUE | rgb);
     }
 
-    /**
-     * Lit, of one colour. By the corner: under a sun that is infinitely far away a flat side looks the same as by the pixel, and software OpenGL
-     * needs a tenth less time.
-     */
+    /** Lit, of one colour. */
     Material lit(ColorRGBA color) {
-        Material material = new Material(assets, "Common/MatDefs/Light/Lighting.j3md");
-        material.setBoolean("UseMaterialColors", true);
-        material.setBoolean("VertexLighting", true);
+        Material material = new Material(assets, "org/SEAR/view/scene/Surface.j3md");
         material.setColor("Diffuse", color);
-        material.setColor("Ambient", color);
         return material;
     }
 
@@ -102,26 +95,43 @@ public final class Materials {
         return material;
     }
 
-    /** Replaces physically based materials, which need light probes, by plainly lit ones of the same colour and picture. */
+    /**
+     * Replaces physically based materials, which need light probes, and shiny ones by plainly lit ones of the same colour and picture: nothing in the
+     * world shines.
+     */
     void simplify(Spatial model) {
         model.depthFirstTraversal(spatial -> {
             if (spatial instanceof Geometry) {
                 Geometry geometry = (Geometry) spatial;
-                if (geometry.getMaterial().getMaterialDef().getAssetName().endsWith("PBRLighting.j3md")) {
-                    geometry.setMaterial(simplified(geometry.getMaterial()));
+                Material own = geometry.getMaterial();
+                if (own.getMaterialDef().getAssetName().endsWith("/PBRLighting.j3md")) {
+                    geometry.setMaterial(simplified(own, color(own, "BaseColor"), "BaseColorMap"));
+                } else if (own.getMaterialDef().getAssetName().endsWith("/Lighting.j3md")) {
+                    boolean colored = Boolean.TRUE.equals(own.getParamValue("UseMaterialColors"));
+                    geometry.setMaterial(simplified(own, colored ? color(own, "Diffuse") : ColorRGBA.White, "DiffuseMap"));
                 }
             }
         });
     }
 
-    private Material simplified(Material physical) {
-        MatParam color = physical.getParam("BaseColor");
-        Material material = lit(color == null ? ColorRGBA.White : (ColorRGBA) color.getValue());
-        MatParam map = physical.getParam("BaseColorMap");
-        if (map != null) {
-            material.setTexture("DiffuseMap", (Texture) map.getValue());
+    private static ColorRGBA color(Material of, String parameter) {
+        ColorRGBA color = of.getParamValue(parameter);
+        return color == null ? ColorRGBA.White : color;
+    }
+
+    private Material simplified(Material own, ColorRGBA color, String picture) {
+        Material material = lit(color);
+        if (own.getParam(picture) != null) {
+            material.setTexture("DiffuseMap", own.getParamValue(picture));
         }
-        material.getAdditionalRenderState().setFaceCullMode(physical.getAdditionalRenderState().getFaceCullMode());
+        if (Boolean.TRUE.equals(own.getParamValue("UseVertexColor"))) {
+            material.setBoolean("CornerColors", true);
+        }
+        if (own.getParam("AlphaDiscardThreshold") != null) {
+            material.setFloat("Opaque", own.getParamValue("AlphaDiscardThreshold"));
+        }
+        material.getAdditionalRenderState().set(own.getAdditionalRenderState());
+        material.setTransparent(own.isTransparent());
         return material;
     }
 }

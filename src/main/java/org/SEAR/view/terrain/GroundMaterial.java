@@ -21,6 +21,8 @@ public final class GroundMaterial {
     private static final float CLEAR = 38_000;
     private static final float NEAREST_HAZE = 2500;
 
+    /** Of what is so near that shadows are seen on it. */
+    final Material shadowed;
     /** Of what is near. */
     final Material near;
     /** Of what is farther than {@link #GRAINY}. */
@@ -36,6 +38,8 @@ public final class GroundMaterial {
         far.setFloat("Clear", Math.max(NEAREST_HAZE, Math.min(CLEAR, 2.2f * (float) Math.hypot(extentX, extentZ))));
         near = far.clone();
         near.setTexture("Grain", texture(grain(), fine, Texture.WrapMode.Repeat));
+        shadowed = near.clone();
+        shadowed.setBoolean("Shadowed", true);
     }
 
     private static Texture texture(Image image, boolean fine, Texture.WrapMode wrap) {

@@ -1,7 +1,6 @@
 package org.SEAR.view.terrain;
 
 import com.jme3.renderer.Camera;
-import com.jme3.renderer.queue.RenderQueue.ShadowMode;
 import com.jme3.scene.Node;
 import com.jme3.scene.Spatial.CullHint;
 import java.util.ArrayList;
@@ -59,8 +58,7 @@ public final class TerrainView {
                 Tile tile = tile(choice.level(i), choice.row(i), choice.column(i));
                 tile.stitch(indices, TileIndices.kind(choice.coarser(i, 0), choice.coarser(i, 1), choice.coarser(i, 2), choice.coarser(i, 3)));
                 float distance = choice.distance(i);
-                tile.geometry.setShadowMode(distance < SHADOWS ? ShadowMode.Receive : ShadowMode.Off);
-                tile.geometry.setMaterial(distance < GroundMaterial.GRAINY ? material.near : material.far);
+                tile.geometry.setMaterial(distance < SHADOWS ? material.shadowed : distance < GroundMaterial.GRAINY ? material.near : material.far);
             }
         }
         for (int i = 0; i < kept.size(); i++) {

@@ -231,6 +231,31 @@ public class SpaceTest {
         browser.see(".sear-view");
     }
 
+    private long told() {
+        return ((Number) browser.script("var now = angular.element(document.querySelector('.sear-main')).scope().world.running;"
+            + "return now ? now.number : 0")).longValue();
+    }
+
+    /** However often the service tells that nothing is otherwise: pictures and shadows are counted, not timed. */
+    @Test
+    public void whatRestsIsDrawnOnceAndShadowsOnlyWhenSomethingHasMoved() {
+        TABS.robotLab().call("sear", "startSimulation");
+        browser.until("the running world", () -> told() > 2);
+        browser.until("no more pictures of a world at rest, while its time goes on", () -> {
+            double pictures = number("scene.pictures");
+            long before = told();
+            browser.until("more messages", () -> told() > before + 5);
+            return number("scene.pictures") == pictures;
+        });
+        double pictures = number("scene.pictures");
+        double shadings = number("scene.shadings");
+        browser.script("angular.element(document.querySelector('.sear-main')).scope().view.drag(40, 0, false)");
+        browser.until("a picture from another side", () -> number("scene.pictures") > pictures);
+        assertEquals("with the same shadows", shadings, number("scene.shadings"), 0);
+        TABS.robotLab().run("sear.driveStraight(0.2)");
+        browser.until("pictures of what moves, with its shadow", () -> number("scene.shadings") > shadings + 5);
+    }
+
     /** What both sides compute: poses from degrees, one after another, and the way between two. */
     @Test
     public void thePageComputesPosesAndTheWayBetweenThemAsTheWindowDoes() {

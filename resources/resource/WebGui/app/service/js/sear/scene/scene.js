@@ -17,6 +17,7 @@ var SUN = [-0.35, 1, -0.25]
 var SHADOW_PIXELS = 2048
 var SKY = {light: ['#7fb2e5', '#e8f1fa', '#cfd3c8', '#b9bdb0'], dark: ['#0d1b2f', '#33475f', '#2c2f2b', '#20231f']}
 var BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i
+var PAUSE_MILLIS = 15       // between two pictures by the processor of what moves: some 30 a second are enough
 var PATH = '#337ab7'
 
 /** Whether the browser draws in space; with a graphics card and not by the processor, if that is asked for. */
@@ -24,11 +25,14 @@ export function isPossible(fast) {
     try {
         var canvas = document.createElement('canvas')
         var gl = window.THREE && (canvas.getContext('webgl') || canvas.getContext('experimental-webgl'))
-        var about = gl && fast && gl.getExtension('WEBGL_debug_renderer_info')
-        return Boolean(gl) && !(about && BY_PROCESSOR.test(gl.getParameter(about.UNMASKED_RENDERER_WEBGL)))
+        return Boolean(gl) && !(fast && isByProcessor(gl))
     } catch (e) {
         return false
     }
+}
+function isByProcessor(gl) {
+    var about = gl.getExtension('WEBGL_debug_renderer_info')
+    return Boolean(about) && BY_PROCESSOR.test(gl.getParameter(about.UNMASKED_RENDERER_WEBGL))
 }
 
 /**
@@ -44,6 +48,7 @@ export function Scene(canvas, ask, repaint) {
     this.renderer.setClearColor(0x000000, 0)
     if (this.renderer.shadowMap) {
         this.renderer.shadowMap.enabled = true
+        this.renderer.shadowMap.autoUpdate = false
     } else {
         this.renderer.shadowMapEnabled = true
     }
@@ -62,6 +67,10 @@ export function Scene(canvas, ask, repaint) {
     this.seconds = 0            // that passed since what was shown before
     this.arrived = 0
     this.period = 100
+    this.byProcessor = isByProcessor(this.renderer.context)
+    this.unshaded = true        // whether shadows are not those of what is shown
+    this.pictures = 0           // drawn so far, and how many of them with other shadows
+    this.shadings = 0
     this.light(10)
 }
 
@@ -85,6 +94,7 @@ Scene.prototype.light = function(reach) {
     this.scene.add(sun)
     this.scene.add(sun.target)
     this.sun = sun
+    this.unshaded = true
 }
 
 /** Brings the scene to a world as the service tells it. @param terrain null without one @param beams whether to show what sensors see */
@@ -94,7 +104,7 @@ Scene.prototype.show = function(world, terrain, beams) {
         var passed = now - this.arrived
         this.period = passed < SLOWEST_MILLIS ? 0.8 * this.period + 0.2 * passed : this.period
         this.arrived = now
-        this.seconds = world.time - this.time
+        this.seconds = world.time - Math.max(this.time, Math.min(world.time, world.restedUntil || 0))
         this.time = world.time
     } else {
         this.seconds = 0
@@ -127,6 +137,7 @@ Scene.prototype.keep = function(list, sources, parent) {
             this.scene.remove(items[i].extra)
             this.scene.remove(items[i].marker)
             items[i] = null
+            this.unshaded = true
         }
         if (!items[i] && i < sources.length) {
             items[i] = new Item(parent, sources[i])
@@ -150,6 +161,7 @@ Scene.prototype.dress = function(item, object) {
         return
     }
     item.dressed = true
+    this.unshaded = true
     var material = new window.THREE.MeshLambertMaterial({color: texture ? 0xffffff : object.color, map: texture,
         side: object.type === 'Model' ? window.THREE.DoubleSide : window.THREE.FrontSide})
     parts.forEach(function(part) {
@@ -323,8 +335,11 @@ Scene.prototype.draw = function(sensor, followed, dark) {
     var now = Date.now()
     var moving = false
     var period = this.period
+    var self = this
     function move(item) {
+        var before = item.shown
         moving = item.move(now, period) || moving
+        self.unshaded = self.unshaded || item.shown !== before
     }
     this.objects.forEach(move)
     this.sensors.forEach(move)
@@ -345,8 +360,16 @@ Scene.prototype.draw = function(sensor, followed, dark) {
         this.renderer.setPixelRatio(ratio)
         this.renderer.setSize(width, height, false)
     }
+    if (this.renderer.shadowMap) {
+        this.renderer.shadowMap.needsUpdate = this.unshaded
+    }
+    this.pictures++
+    this.shadings += this.unshaded ? 1 : 0
+    this.unshaded = false
     this.renderer.render(this.scene, this.camera)
-    if (moving) {
+    if (moving && this.byProcessor) {
+        window.setTimeout(this.repaint, PAUSE_MILLIS)
+    } else if (moving) {
         this.repaint()
     }
 }
@@ -358,6 +381,7 @@ Scene.prototype.shade = function() {
         this.light(reach)
     }
     var target = this.orbit.target
+    this.unshaded = this.unshaded || !this.sun.target.position.equals(target)
     this.sun.target.position.copy(target)
     this.sun.position.set(target.x + SUN[0] * 3 * reach, target.y + SUN[1] * 3 * reach, target.z + SUN[2] * 3 * reach)
     this.sun.target.updateMatrixWorld()

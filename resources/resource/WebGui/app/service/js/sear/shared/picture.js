@@ -20,7 +20,9 @@ export function makePicture($scope) {
             view.draw()
             picture.painted.tell()
             $scope.$applyAsync()
-        })
+        }),
+        /** Nothing that is seen in the view has changed, but words and numbers beside it have. */
+        retell: oncePerPicture(() => $scope.$applyAsync())
     }
     return picture
 }

@@ -1,11 +1,14 @@
 // What the SEAR panel knows of the world: the running one, which the service tells again and again, else the project as it would start.
 import {makeEvent} from '../shared/event.js'
+import {unpackRanges} from './ranges.js'
 import * as words from '../shared/words.js'
 
 var PATH_STEP = 0.02        // metres; as the service has it
 var LONGEST_PATH = 500      // points
 var PATIENCE_MILLIS = 10000 // an answer that takes longer is asked for again
 var WAIT_MILLIS = 1500      // so long time stands still in lock-step before the page says so
+// fields of robots and sensors that the view does not draw
+var UNSEEN = ['speed', 'turnRate', 'devices', 'value', 'words', 'numbers', 'picture']
 
 /** Of one panel. */
 export function makeWorld(panel, messages, picture) {
@@ -33,6 +36,7 @@ export function makeWorld(panel, messages, picture) {
 
     /** Takes the whole of a world, or what has changed in the one that is shown. */
     function onSimulation(state) {
+        unpackRanges(state && (state.changes ? state.changes.sensors : state.sensors))
         if (!state || !state.running || !panel.isSimulating()) {
             world.running = null
         } else if (!state.changes) {
@@ -50,8 +54,17 @@ export function makeWorld(panel, messages, picture) {
         }
         watchTime(world.running)
         world.told.tell(world.running)
-        picture.repaint()
+        if (world.running && state.changes && !isSeen(state.changes)) {
+            world.running.restedUntil = world.running.time
+            picture.retell()
+        } else {
+            picture.repaint()
+        }
         return false            // it may come faster than the screen is drawn
+    }
+    /** Whether changes are of what the view draws, not of words and numbers only. */
+    function isSeen(changes) {
+        return Object.keys(changes).some(list => Object.values(changes[list]).some(one => Object.keys(one).some(field => UNSEEN.indexOf(field) < 0)))
     }
 
     var moved = 0               // when simulated time was seen to pass, by this page's clock
@@ -111,6 +124,7 @@ export function makeWorld(panel, messages, picture) {
     }
     function onPreview(preview) {
         lookedAt = 0
+        unpackRanges(preview && preview.world && preview.world.sensors)
         // each page gets the answers to all pages: only what has a world or says why not is one, else the page that asked has the newest
         if (preview && preview.problems && !panel.isSimulating() && !angular.equals(preview, world.preview)) {
             world.preview = preview

@@ -67,6 +67,9 @@ abstract class JsonForm {
         if (value instanceof List && !((List<?>) value).isEmpty() && ((List<?>) value).get(0) instanceof JsonForm) {
             return ((List<?>) value).stream().map(JsonForm::plain).collect(Collectors.toList());
         }
+        if (value instanceof Ranges) {
+            return ((Ranges) value).text();
+        }
         return value instanceof JsonForm ? ((JsonForm) value).map() : value;
     }
 }

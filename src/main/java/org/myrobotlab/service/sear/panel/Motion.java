@@ -177,11 +177,11 @@ public final class Motion {
         return frame;
     }
 
-    private static String packed(List<Double> ranges, int[] some) {
+    private static String packed(Ranges ranges, int[] some) {
         ByteBuffer bytes = ByteBuffer.allocate(2 * some.length).order(ByteOrder.LITTLE_ENDIAN);
         for (int beam : some) {
-            Double metres = ranges.get(beam);
-            bytes.putShort((short) (metres == null ? NOTHING : Math.min(NOTHING - 1, Math.round(metres * CENTIMETRES))));
+            double metres = ranges.get(beam);
+            bytes.putShort((short) (Ranges.isHit(metres) ? Math.min(NOTHING - 1, Math.round(metres * CENTIMETRES)) : NOTHING));
         }
         return Base64.getEncoder().encodeToString(bytes.array());
     }

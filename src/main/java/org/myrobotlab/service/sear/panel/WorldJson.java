@@ -354,7 +354,7 @@ final class WorldJson {
         if (scan == null) {
             probe.value = Optional.ofNullable(reading.value());
         } else {
-            probe.ranges = numbers(scan.ranges(), FINE);
+            probe.ranges = new Ranges(scan.ranges());
         }
         if (reading.hits() != null) {
             probe.hit = reading.hits().stream().findFirst().map(hit -> point(hit, MILLIMETRES));
@@ -381,16 +381,11 @@ final class WorldJson {
         }
     }
 
-    /** The numbers of a reading as panels get them. */
+    /** The numbers of a reading as panels get them: null for what is no number, or infinite. */
     static List<Double> numbers(double[] exact) {
-        return numbers(exact, FINEST);
-    }
-
-    /** Null for what is no number, or infinite. */
-    private static List<Double> numbers(double[] exact, double per) {
         List<Double> numbers = new ArrayList<>(exact.length);
         for (double number : exact) {
-            numbers.add(Double.isNaN(number) || Double.isInfinite(number) ? null : Double.valueOf(rounded(number, per)));
+            numbers.add(Double.isNaN(number) || Double.isInfinite(number) ? null : Double.valueOf(rounded(number, FINEST)));
         }
         return numbers;
     }

@@ -130,8 +130,8 @@ class WorldState extends JsonForm {
         double[] pose;
         /** What scripts get; of a scanner the ranges stand in its place. */
         Optional<Object> value;
-        /** Of a scanner, null where nothing was hit. */
-        List<Double> ranges;
+        /** Of a scanner. */
+        Ranges ranges;
         /** Where the nearest beam met something; only if beams meet something at a place. */
         Optional<double[]> hit;
         /** {@code 1.250 m}. */

@@ -1,0 +1,46 @@
+#import "Common/ShaderLib/GLSLCompat.glsllib"
+
+uniform mat4 g_WorldViewProjectionMatrix;
+uniform mat4 g_ViewMatrix;
+uniform mat3 g_NormalMatrix;
+uniform vec4 m_Diffuse;
+uniform vec3 m_ToSun;
+uniform vec3 m_SunLight;
+uniform vec3 m_SkyLight;
+
+attribute vec3 inPosition;
+attribute vec3 inNormal;
+
+// Light by the corner: under a sun that is infinitely far away a flat side looks the same as by the pixel.
+varying vec4 color;
+
+#ifdef PICTURE
+attribute vec2 inTexCoord;
+varying vec2 place;
+#endif
+
+#ifdef CORNER_COLORS
+attribute vec4 inColor;
+#endif
+
+#ifdef SUN_SHADOW
+uniform mat4 g_WorldMatrix;
+uniform mat4 m_SunView;
+// Where it is as the sun sees it, and how far it is turned to the sun.
+varying vec4 sunPlace;
+#endif
+
+void main() {
+    gl_Position = g_WorldViewProjectionMatrix * vec4(inPosition, 1.0);
+    float turned = dot(normalize(g_NormalMatrix * inNormal), (g_ViewMatrix * vec4(m_ToSun, 0.0)).xyz);
+    color = vec4(m_SkyLight + m_SunLight * max(0.0, turned), 1.0) * m_Diffuse;
+#ifdef PICTURE
+    place = inTexCoord;
+#endif
+#ifdef CORNER_COLORS
+    color *= inColor;
+#endif
+#ifdef SUN_SHADOW
+    sunPlace = vec4((m_SunView * (g_WorldMatrix * vec4(inPosition, 1.0))).xyz, turned);
+#endif
+}

@@ -3,7 +3,7 @@ package org.SEAR.parallel;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.IntConsumer;
 
@@ -24,17 +24,20 @@ public final class WorkerPool implements AutoCloseable {
     /** A pool of nobody but the caller. */
     public static final WorkerPool ALONE = new WorkerPool(1);
 
-    /** What {@link #claim} has for the next piece when there is none. */
+    /** What {@link #CLAIM} has for the next piece when there is none. */
     private static final int CLOSED = Integer.MAX_VALUE;
     private static final int GENERATION = Integer.SIZE;
     /** So long it is looked for work, or for the others' end, before sleeping: waking a thread takes about as long. */
     private static final long SPIN_NANOS = TimeUnit.MICROSECONDS.toNanos(50);
     private static final long IDLE_NANOS = TimeUnit.SECONDS.toNanos(5);
 
+    /** Places in {@link #counters}, each in a cache line of its own: number of the present work, with that of its next piece below; pieces done. */
+    private static final int CLAIM = 16;
+    private static final int FINISHED = 32;
+    private static final int COUNTERS = 48;
+
     private final AtomicBoolean busy = new AtomicBoolean();
-    /** The number of the present work, and in the lower half that of its next piece. */
-    private final AtomicLong claim = new AtomicLong(CLOSED);
-    private final AtomicInteger finished = new AtomicInteger();
+    private final AtomicLongArray counters = new AtomicLongArray(COUNTERS);
     private IntConsumer work;
     private int count;
     private long shared;
@@ -47,6 +50,7 @@ public final class WorkerPool implements AutoCloseable {
 
     /** @param threads how many work, the caller included, as {@link #setThreads} has it */
     public WorkerPool(int threads) {
+        counters.set(CLAIM, CLOSED);
         setThreads(threads);
     }
 
@@ -101,7 +105,7 @@ public final class WorkerPool implements AutoCloseable {
      * Does all pieces, from 0 on, and returns when they are done.
      *
      * @param pieces how many there are
-     * @throws RuntimeException or an error that a piece has thrown, the first of them if several have; all others have been done
+     * @throws RuntimeException or an error that a piece has thrown, the first of them if several have
      */
     public void forEach(int pieces, IntConsumer piece) {
         if (pieces < 2 || helpers.length == 0 || closed || !busy.compareAndSet(false, true)) {
@@ -121,23 +125,32 @@ public final class WorkerPool implements AutoCloseable {
         shared += pieces;
         work = piece;
         count = pieces;
-        finished.set(0);
-        long generation = (claim.get() >>> GENERATION) + 1;
-        claim.set(generation << GENERATION);
-        Helper[] present = helpers;
-        for (int i = 0; i < present.length && i < pieces - 1; i++) {
-            present[i].wake();
+        counters.set(FINISHED, 0);
+        long generation = (claim() >>> GENERATION) + 1;
+        counters.set(CLAIM, generation << GENERATION);
+        Throwable failed;
+        try {
+            Helper[] present = helpers;
+            for (int i = 0; i < present.length && i < pieces - 1; i++) {
+                present[i].wake();
+            }
+        } finally {    // also where there is no memory for one more thread
+            takePieces();
+            awaitEnd();
+            counters.set(CLAIM, generation << GENERATION | CLOSED);
+            work = null;
+            failed = takeFailure();
         }
-        takePieces();
-        awaitEnd();
-        claim.set(generation << GENERATION | CLOSED);
-        work = null;
-        throwFailure();
+        throwAgain(failed);
     }
 
-    private synchronized void throwFailure() {
+    private synchronized Throwable takeFailure() {
         Throwable thrown = failure;
         failure = null;
+        return thrown;
+    }
+
+    private static void throwAgain(Throwable thrown) {
         if (thrown instanceof Error) {
             throw (Error) thrown;
         }
@@ -148,8 +161,7 @@ public final class WorkerPool implements AutoCloseable {
 
     /** Work is there, and some of its pieces belong to nobody yet. */
     private boolean isOpen() {
-        long now = claim.get();
-        return (int) now < count;
+        return (int) claim() < count;
     }
 
     /**
@@ -157,23 +169,27 @@ public final class WorkerPool implements AutoCloseable {
      * piece has seen those it belongs to.
      */
     private void takePieces() {
-        for (long now = claim.get(); (int) now != CLOSED; now = claim.get()) {
+        int done = 0;
+        int end = 0;
+        for (long now = claim(); (int) now != CLOSED; now = claim()) {
             IntConsumer piece = work;
-            int end = count;
+            end = count;
             int number = (int) now;
             if (number >= end) {
-                return;
+                break;
             }
-            if (claim.compareAndSet(now, now + 1)) {
-                try {
-                    doPiece(piece, number);
-                } finally {
-                    if (finished.incrementAndGet() == end) {
-                        LockSupport.unpark(waiter);
-                    }
-                }
+            if (counters.compareAndSet(CLAIM, now, now + 1)) {
+                done++;
+                doPiece(piece, number);
             }
         }
+        if (done > 0 && counters.addAndGet(FINISHED, done) == end) {
+            LockSupport.unpark(waiter);
+        }
+    }
+
+    private long claim() {
+        return counters.get(CLAIM);
     }
 
     private void doPiece(IntConsumer piece, int number) {
@@ -193,12 +209,12 @@ public final class WorkerPool implements AutoCloseable {
 
     private void awaitEnd() {
         long from = System.nanoTime();
-        while (finished.get() < count) {
+        while (counters.get(FINISHED) < count) {
             if (spinning && System.nanoTime() - from < SPIN_NANOS) {
                 Thread.onSpinWait();
             } else {
                 waiter = Thread.currentThread();
-                if (finished.get() < count) {
+                if (counters.get(FINISHED) < count) {
                     LockSupport.park(this);
                 }
             }
@@ -241,10 +257,22 @@ public final class WorkerPool implements AutoCloseable {
             if (state.compareAndSet(ASLEEP, AWAKE)) {
                 LockSupport.unpark(thread);
             } else if (state.compareAndSet(GONE, AWAKE)) {
-                Thread made = new Thread(this, "SEAR worker " + number);
-                made.setDaemon(true);
-                thread = made;
+                start();
+            }
+        }
+
+        private void start() {
+            Thread made = new Thread(this, "SEAR worker " + number);
+            made.setDaemon(true);
+            thread = made;
+            boolean begun = false;
+            try {
                 made.start();
+                begun = true;
+            } finally {
+                if (!begun) {
+                    state.set(GONE);
+                }
             }
         }
 

@@ -22,7 +22,7 @@ import org.junit.Test;
 /** Sensors that measure at the same time answer what they would one by one. */
 public class SideBySideTest {
     private static final double SPREAD = 180;
-    private static final double RESOLUTION = 0.25;
+    private static final double RESOLUTION = 0.2;
 
     @Rule
     public final ProjectRule project = new ProjectRule();

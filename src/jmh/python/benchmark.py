@@ -10,6 +10,7 @@ import time
 
 import bodies
 import cameras
+import cores
 import machine
 import page
 
@@ -229,6 +230,9 @@ class Run:
                 raise SystemExit("benchmark: --bodies %s, legal: %s" % (engine, ", ".join(bodies.ENGINES)))
         return bodies.Bodies(self, engines, scenes, LONGEST_WORLD).measure()
 
+    def cores(self):
+        return read(cores.measure(self, self.options.quick))
+
     def compare(self, peers):
         """In how many beams each engine differs from SEAR, and what physics came to; takes the long lists out of the peers' results."""
         agreement = []
@@ -265,6 +269,7 @@ class Run:
         found["missing"].update(missing)
         found["cameras"], missing = cameras.Cameras(self, self.options.quick).measure()
         found["missing"].update(missing)
+        found["cores"] = self.cores()
         found["minutes"] = (time.time() - self.began) / 60
         return found
 
@@ -300,6 +305,8 @@ def main():
                         " print the table; writes nothing into docs")
     parser.add_argument("--scenes", metavar="SCENES", help="of bodies, such as pile-100,stack-10 (default: all; with --quick two)")
     parser.add_argument("--cameras", action="store_true", help="measure only pictures of cameras, and print the table; writes nothing into docs")
+    parser.add_argument("--cores", action="store_true", help="measure only what several cores and many robots make of it, and print the tables;"
+                        " writes nothing into docs")
     parser.add_argument("--page-only", metavar="JSON", help="measure nothing: make the page from an earlier run's JSON")
     parser.add_argument("--docs", help="the folder for performance.md, performance.json and images (default: docs; with --quick: that of --work)")
     parser.add_argument("--work", default=os.path.join(ROOT, "build", "benchmark"), help="the folder for worlds and logs (default: build/benchmark)")
@@ -319,6 +326,9 @@ def main():
         if options.cameras:
             results, missing = cameras.Cameras(run, options.quick).measure()
             print("\n".join(cameras.table(results) + ["%s: %s" % one for one in missing.items()]))
+            return
+        if options.cores:
+            print("\n".join(cores.table(run.cores())))
             return
         found = run.everything()
         os.makedirs(docs, exist_ok=True)

@@ -4,6 +4,7 @@ import re
 
 import bodies
 import cameras
+import cores
 import curves
 import goals
 
@@ -206,6 +207,14 @@ def seen(results):
     return ["### Pictures of cameras", "", *cameras.ABOUT, ""] + cameras.table(found) + [""]
 
 
+def fleets(results):
+    """Several cores and many robots; nothing of a run that has not measured them."""
+    found = results.found.get("cores")
+    if not found:
+        return []
+    return ["### Several cores, many robots", ""] + cores.table(found) + [""]
+
+
 def meshes(results):
     rows = []
     for mesh in results.found["meshes"]:
@@ -346,7 +355,7 @@ def measured(results, drawn):
     shown = {name: ["![%s](images/%s)" % (title, name), ""] for name, (title, _) in drawn.items()}
     body = beams(results) + shown.get("speed-boxes.svg", []) + shown.get("speed-triangles.svg", []) + growth(results) + agreement(results)
     body += steps(results) + shown.get("speed-steps.svg", []) + shown.get("speed-lidars.svg", [])
-    body += moving(results) + shown.get("speed-moving.svg", []) + resting(results) + seen(results) + meshes(results) + start(results)
+    body += fleets(results) + moving(results) + shown.get("speed-moving.svg", []) + resting(results) + seen(results) + meshes(results) + start(results)
     return machine(results) + summary(results) + missed(results) + body
 
 

@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.SEAR.cli.install.InstallCommand;
+import org.SEAR.parallel.WorkerPool;
 import org.SEAR.project.xml.Xml;
 import org.myrobotlab.embedded.python.JythonStart;
 import picocli.AutoComplete;
@@ -39,6 +40,9 @@ public final class SearCommand implements Callable<Integer> {
     private String speed;
     @Option(names = "--seed", paramLabel = "N", description = "Where the random numbers of the sensors begin, a whole number.")
     private Long seed;
+    @Option(names = "--threads", paramLabel = "N", description = "How many threads sensors and cameras measure on, 1 to 256; what they measure does "
+        + "not depend on it. Default: as many as there are processors.")
+    private String threads;
     @Option(names = "--port", paramLabel = "N|none", defaultValue = "8888", description = "Port of the tabs in the browser: http://localhost:N. "
         + "Default: ${DEFAULT-VALUE}.")
     private String port;
@@ -79,6 +83,9 @@ public final class SearCommand implements Callable<Integer> {
         if (seed != null) {
             System.setProperty("sear.seed", seed.toString());
         }
+        if (threads != null) {
+            System.setProperty("sear.threads", checkedThreads());
+        }
         System.setProperty("sear.keep", String.valueOf(keep));
         PrintWriter err = spec.commandLine().getErr();
         MrlRun run = new MrlRun(checkedPort(), token, err);
@@ -97,6 +104,13 @@ public final class SearCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--speed is \"" + speed + "\", legal: a number above 0, or max");
         }
         return speed;
+    }
+
+    private String checkedThreads() {
+        if (!WorkerPool.isLegal(threads)) {
+            throw new ParameterException(spec.commandLine(), "--threads is \"" + threads + "\", legal: " + WorkerPool.LEGAL);
+        }
+        return threads;
     }
 
     private int checkedPort() {

@@ -64,7 +64,6 @@ final class PictureWorld {
         truth = simulation.getRobots().get(0).getTruth();
         double focal = WIDTH / (2 * Math.tan(Math.toRadians(FIELD_OF_VIEW / 2)));
         eye = new Eye(WIDTH, HEIGHT, new BrownLens(focal, (WIDTH - 1) / 2.0, (HEIGHT - 1) / 2.0, new double[4]), NEAR, FAR);
-        eye.setShared(false);
     }
 
     /** Where the camera is for a picture: x to its left, y up, z ahead. */

@@ -3,18 +3,18 @@ package org.SEAR.camera;
 import java.util.Deque;
 import java.util.concurrent.ConcurrentLinkedDeque;
 import java.util.function.ObjIntConsumer;
-import java.util.stream.IntStream;
 import org.SEAR.POJOs.BrownLens;
 import org.SEAR.POJOs.Camera;
+import org.SEAR.parallel.WorkerPool;
 import org.SEAR.raycast.PictureBeams;
 
 /**
- * Takes a camera's pictures: without errors, which come later. Large pictures are shared among the threads of the machine, strip by strip; the bytes
+ * Takes a camera's pictures: without errors, which come later. Large pictures are shared among the threads of a pool, strip by strip; the bytes
  * don't depend on how many there are. One picture at a time.
  */
 public final class Eye {
     /** Smaller pictures are made by one thread: to share them takes longer. */
-    private static final int WORTH_SHARING = 16_000;
+    private static final int WORTH_SHARING = 2_000;
 
     private final int width;
     private final int height;
@@ -23,7 +23,7 @@ public final class Eye {
     private final double pitch;
     private final PictureBeams beams;
     private final Deque<Painter> painters = new ConcurrentLinkedDeque<>();
-    private boolean shared = Runtime.getRuntime().availableProcessors() > 1;
+    private WorkerPool workers = WorkerPool.ALONE;
 
     /** @param camera whose lens and size count */
     public Eye(Camera camera) {
@@ -62,9 +62,9 @@ public final class Eye {
         return new PictureBeams(width, left, up);
     }
 
-    /** Whether large pictures are shared among the threads of the machine; at first where it has several. */
-    public void setShared(boolean on) {
-        shared = on;
+    /** Who makes large pictures; at first nobody but the thread that asks for one. */
+    public void setWorkers(WorkerPool pool) {
+        workers = pool;
     }
 
     /** Metres to the left of the axis, one metre ahead, of what a pixel sees. */
@@ -113,11 +113,8 @@ public final class Eye {
     }
 
     private void strips(ObjIntConsumer<Painter> work) {
-        IntStream strips = IntStream.range(0, beams.tilesDown);
-        if (shared && width * height >= WORTH_SHARING) {
-            strips = strips.parallel();
-        }
-        strips.forEach(strip -> {
+        WorkerPool pool = width * height >= WORTH_SHARING ? workers : WorkerPool.ALONE;
+        pool.forEach(beams.tilesDown, strip -> {
             Painter free = painters.poll();
             Painter painter = free == null ? new Painter(beams, pitch, near, far) : free;
             work.accept(painter, strip);

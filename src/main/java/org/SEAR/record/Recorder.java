@@ -10,6 +10,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Iterator;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
@@ -48,6 +49,7 @@ public final class Recorder implements RunTap {
     private final LogBuffer out;
     private final List<String> sensors;
     private final List<List<String>> numbers = new ArrayList<>();
+    private final List<String> withNumbers = new ArrayList<>();
     private final Pose[] seen;
     /** Null if no pictures are kept. */
     private final PictureKeeper pictures;
@@ -63,7 +65,13 @@ public final class Recorder implements RunTap {
         this.limit = limit;
         this.told = told;
         sensors = simulation.getSensorNames();
-        sensors.forEach(name -> numbers.add(names(name, simulation.read(name))));
+        for (String name : sensors) {
+            List<String> kept = names(name, simulation.read(name));
+            numbers.add(kept);
+            if (!kept.isEmpty()) {
+                withNumbers.add(name);
+            }
+        }
         seen = new Pose[simulation.snapshot().environment.size()];
         simulation.snapshot().robots.forEach(robot -> lit.add(List.of()));
         byte[] header = header();
@@ -181,9 +189,10 @@ public final class Recorder implements RunTap {
                 put(pose);
             }
         }
+        Iterator<Reading> readings = simulation.read(withNumbers).iterator();
         for (int i = 0; i < sensors.size(); i++) {
             int size = numbers.get(i).size();
-            double[] now = size == 0 ? null : simulation.read(sensors.get(i)).numbers();
+            double[] now = size == 0 ? null : readings.next().numbers();
             for (int k = 0; k < size; k++) {
                 out.putDouble(k < now.length ? now[k] : Double.NaN);
             }

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import org.SEAR.camera.Looks;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
+import org.SEAR.parallel.WorkerPool;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
@@ -26,6 +27,7 @@ public final class RobotTruth implements Truth {
     private final int owner;
     private final Earth earth;
     private final long epochMillis;
+    private final WorkerPool workers;
     private final double[] velocity = new double[3];
     private final double[] angular = new double[3];
     private final double[] point = new double[3];
@@ -36,7 +38,7 @@ public final class RobotTruth implements Truth {
     private Pose anchor;
     private double heading;
 
-    public RobotTruth(RobotBuilder from, Scenes scenes, SurfaceColors colors, int owner, Earth earth, long epochMillis) {
+    public RobotTruth(RobotBuilder from, Scenes scenes, SurfaceColors colors, int owner, Earth earth, long epochMillis, WorkerPool workers) {
         this.body = from.body;
         this.touches = new PartTouches(from);
         this.scenes = scenes;
@@ -45,6 +47,7 @@ public final class RobotTruth implements Truth {
         this.owner = owner;
         this.earth = earth;
         this.epochMillis = epochMillis;
+        this.workers = workers;
     }
 
     void restart() {
@@ -201,6 +204,11 @@ public final class RobotTruth implements Truth {
     @Override
     public Looks looks() {
         return looks;
+    }
+
+    @Override
+    public WorkerPool workers() {
+        return workers;
     }
 
     @Override

@@ -132,6 +132,7 @@ public final class CameraSensor extends Sensor<CameraImage> {
         if (eye == null) {
             eye = new Eye(camera);
         }
+        eye.setWorkers(truth.workers());
         long step = due < 0 ? truth.step() : due;
         if (due < 0) {
             noteDrifts();

@@ -17,6 +17,13 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
     private static final double ROUNDING = 1e-9;
 
     private final LIDAR lidar;
+    /** When a scan will be asked for, and which. */
+    private double expectedAt = Double.POSITIVE_INFINITY;
+    private double expectedSpread;
+    private double expectedResolution;
+    /** The scan that was made before it is asked for, and where the sensor sat; null if there is none. */
+    private LidarScan ahead;
+    private Pose aheadMount;
 
     /** @param seed of the simulation */
     public LidarSensor(LIDAR parameters, long seed) {
@@ -27,8 +34,7 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
     @Override
     public List<String> warnings(Truth truth) {
         GroundCheck check = new GroundCheck(truth, lidar.isSeesOwnRobot() ? BeamScene.WORLD : truth.owner(), pose(truth));
-        int beams = (int) Math.floor(lidar.getSpread() / lidar.getResolution() + ROUNDING) + 1;
-        for (int i = 0; i < beams; i++) {
+        for (int i = 0; i < beamsAside(); i++) {
             double angle = Math.toRadians(i * lidar.getResolution() - lidar.getSpread() / 2);
             check.look(Math.sin(angle), 0, Math.cos(angle), lidar.getRange());
         }
@@ -37,16 +43,63 @@ public final class LidarSensor extends Sensor<LidarScan> implements LidarSource 
 
     @Override
     protected LidarScan measure(Truth truth) {
-        return scan(truth, lidar.getSpread(), lidar.getResolution());
+        return make(truth, lidar.getSpread(), lidar.getResolution());
+    }
+
+    @Override
+    public int beamsAside() {
+        return beams(lidar.getSpread(), lidar.getResolution());
+    }
+
+    @Override
+    public void reset() {
+        super.reset();
+        expectedAt = Double.POSITIVE_INFINITY;
+        ahead = null;
+    }
+
+    @Override
+    public void expect(double time, double spreadDegrees, double resolutionDegrees) {
+        expectedAt = time;
+        expectedSpread = spreadDegrees;
+        expectedResolution = resolutionDegrees;
+    }
+
+    /** Beams of the scan that will be asked for up to a time; 0 if none is expected. */
+    int beamsExpected(double end) {
+        return expectedAt <= end ? beams(expectedSpread, expectedResolution) : 0;
+    }
+
+    /** Makes the scan that is expected. Any thread, as {@link #measure}. */
+    void scanAhead(Truth truth) {
+        expectedAt = Double.POSITIVE_INFINITY;
+        ahead = make(truth, expectedSpread, expectedResolution);
+        aheadMount = getMount();
+    }
+
+    /** What is asked for from now on is measured then: the world may have changed. */
+    public void forgetAhead() {
+        ahead = null;
+    }
+
+    private static int beams(double spreadDegrees, double resolutionDegrees) {
+        return (int) Math.floor(spreadDegrees / resolutionDegrees + ROUNDING) + 1;
     }
 
     @Override
     public LidarScan scan(Truth truth, double spreadDegrees, double resolutionDegrees) {
+        expectedAt = Double.POSITIVE_INFINITY;
+        boolean isAhead = ahead != null && aheadMount == getMount() && ahead.getSpread() == spreadDegrees
+            && ahead.getResolution() == resolutionDegrees;
+        return isAhead ? ahead : make(truth, spreadDegrees, resolutionDegrees);
+    }
+
+    private LidarScan make(Truth truth, double spreadDegrees, double resolutionDegrees) {
         if (!(spreadDegrees > 0 && spreadDegrees <= 360 && resolutionDegrees > 0 && resolutionDegrees <= spreadDegrees)) {
             throw new IllegalArgumentException("LIDAR " + getName() + ": spread " + spreadDegrees + " and resolution " + resolutionDegrees
                 + " degrees, legal: spread above 0 to 360, resolution above 0 to the spread");
         }
-        double[] ranges = new double[(int) Math.floor(spreadDegrees / resolutionDegrees + ROUNDING) + 1];
+        double[] ranges = new double[beams(spreadDegrees, resolutionDegrees)];
         Pose pose = pose(truth);
         truth.scene().castFan(pose, Math.toRadians(-spreadDegrees / 2), Math.toRadians(resolutionDegrees), ranges.length, lidar.getRange(),
             lidar.isSeesOwnRobot() ? BeamScene.WORLD : truth.owner(), ranges, null);

@@ -13,4 +13,12 @@ public interface LidarSource {
      * @return ranges up to the range of the sensor's object
      */
     LidarScan scan(Truth truth, double spreadDegrees, double resolutionDegrees);
+
+    /**
+     * Says which {@link #scan} will be asked for next, so that it can be made beside those of others. Nothing depends on whether it comes true.
+     *
+     * @param time from when on, simulated seconds; what was expected before is forgotten
+     */
+    default void expect(double time, double spreadDegrees, double resolutionDegrees) {
+    }
 }

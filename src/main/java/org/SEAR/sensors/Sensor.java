@@ -7,7 +7,7 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.project.ObjectPose;
 
 /**
- * One simulated sensor: reading = f(truth, parameters, own random numbers). Simulation thread only.
+ * One simulated sensor: reading = f(truth, parameters, own random numbers). Simulation thread only, but for {@link #beamsAside}.
  *
  * <p>The reading of a step is a pure function of the truth up to that step and of the random numbers of that step, which come from (seed, sensor
  * name, step number). So it does not matter who asks, how often, or which other sensors there are.
@@ -21,6 +21,8 @@ public abstract class Sensor<R extends Reading> {
     private Pose mount;
     private R last;
     private long lastStep = -1;
+    /** Whether {@link SideBySide} has it among those that are to be measured. */
+    boolean isQueued;
 
     /**
      * A sensor with the errors that its object asks for.
@@ -62,11 +64,24 @@ public abstract class Sensor<R extends Reading> {
 
     /** The reading at the present step; computed once a step, and only when somebody asks. */
     public final R read(Truth truth) {
-        if (last == null || lastStep != truth.step()) {
+        if (!isRead(truth)) {
             last = measure(truth);
             lastStep = truth.step();
         }
         return last;
+    }
+
+    /** Whether {@link #read} has its reading already. */
+    final boolean isRead(Truth truth) {
+        return last != null && lastStep == truth.step();
+    }
+
+    /**
+     * How many beams {@link #measure} casts, if it may do so on another thread than the simulation's, at the same time as other sensors: it then
+     * changes nothing but its own sensor. 0, which is so unless a sensor says otherwise: it may not.
+     */
+    public int beamsAside() {
+        return 0;
     }
 
     /**

@@ -4,6 +4,7 @@ import org.SEAR.POJOs.Shape;
 import org.SEAR.camera.Looks;
 import org.SEAR.camera.PlainSkin;
 import org.SEAR.geometry.Pose;
+import org.SEAR.parallel.WorkerPool;
 import org.SEAR.raycast.BeamScene;
 
 /**
@@ -78,6 +79,11 @@ public interface Truth {
     /** What the shapes look like to cameras. */
     default Looks looks() {
         return shape -> new PlainSkin(color(shape, 0, 0, 0), Shape.AMBIENT);
+    }
+
+    /** Who does work that a sensor shares among the machine's cores; at first nobody but the thread that asks. */
+    default WorkerPool workers() {
+        return WorkerPool.ALONE;
     }
 
     /** Name of the object that a shape of the scene belongs to. */

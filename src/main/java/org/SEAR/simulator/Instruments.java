@@ -1,6 +1,7 @@
 package org.SEAR.simulator;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
@@ -15,12 +16,15 @@ import org.SEAR.devices.SerialDevice;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.PartNames;
+import org.SEAR.parallel.WorkerPool;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.Hit;
 import org.SEAR.robot.RobotModel;
+import org.SEAR.sensors.LidarSensor;
 import org.SEAR.sensors.Reading;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.sensors.SensorTypes;
+import org.SEAR.sensors.SideBySide;
 
 /** The sensors of all robots and the devices behind their serial ports. Simulation thread. */
 final class Instruments {
@@ -33,8 +37,11 @@ final class Instruments {
     private final List<String> names;
     private final SensorTypes types = SensorTypes.load();
     private final BiConsumer<String, String> warnings;
+    private final SideBySide sideBySide;
+    private final List<DevicePort> scanners = new ArrayList<>();
 
-    Instruments(List<RobotModel> robots, long seed, BiConsumer<String, String> warnings) {
+    Instruments(List<RobotModel> robots, long seed, WorkerPool workers, BiConsumer<String, String> warnings) {
+        sideBySide = new SideBySide(workers);
         this.robots = robots;
         this.warnings = warnings;
         DeviceTypes deviceTypes = DeviceTypes.load();
@@ -68,6 +75,9 @@ final class Instruments {
         if (device != null) {
             port.getCable().attach(device);
             ports.add(port);
+            if (sensor instanceof LidarSensor) {
+                scanners.add(port);
+            }
             devices.add(robot.getObject().getName(), part.getName(), port.getCable());
             lines.add(port.getCable());
         }
@@ -124,13 +134,24 @@ final class Instruments {
     }
 
     /**
-     * Devices phase.
+     * Devices phase: scans that are expected are made side by side, then each device runs in its turn.
      *
      * @param end of the step
      */
     void run(double end) {
-        for (int i = 0; i < ports.size(); i++) {
-            ports.get(i).getCable().run(end);
+        for (int i = 0; i < scanners.size(); i++) {
+            DevicePort port = scanners.get(i);
+            sideBySide.scan((LidarSensor) port.sensor(), port.truth(), end);
+        }
+        boolean ahead = sideBySide.scanAhead();
+        try {
+            for (int i = 0; i < ports.size(); i++) {
+                ports.get(i).getCable().run(end);
+            }
+        } finally {
+            for (int i = 0; ahead && i < scanners.size(); i++) {
+                ((LidarSensor) scanners.get(i).sensor()).forgetAhead();
+            }
         }
     }
 
@@ -211,6 +232,22 @@ final class Instruments {
     Reading read(String name) {
         Sensor<?> sensor = sensor(name);
         return sensor.read(carriers.get(sensor).truth());
+    }
+
+    List<Reading> read(Collection<String> some) {
+        List<Sensor<?>> found = new ArrayList<>(some.size());
+        for (String name : some) {
+            found.add(sensor(name));
+        }
+        for (Sensor<?> sensor : found) {
+            sideBySide.read(sensor, carriers.get(sensor).truth());
+        }
+        sideBySide.measure();
+        List<Reading> readings = new ArrayList<>(found.size());
+        for (Sensor<?> sensor : found) {
+            readings.add(sensor.read(carriers.get(sensor).truth()));
+        }
+        return readings;
     }
 
     String unit(String name) {

@@ -72,7 +72,7 @@ public final class Simulation implements AutoCloseable {
         this.project = project;
         origin = new RunOrigin(seed, epochMillis, groundVisible);
         world = new World(project, epochMillis, groundVisible, warnings::add);
-        instruments = new Instruments(world.getRobots(), seed, warnings::count);
+        instruments = new Instruments(world.getRobots(), seed, world.getWorkers(), warnings::count);
         places = new Places(project, world);
         actuators = new Actuators(world.getRobots());
         deviceWarnings = warnings.list();
@@ -400,6 +400,15 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
+     * The present readings of several sensors, as {@link #read(String)} answers them; measured side by side where that pays. Simulation thread.
+     *
+     * @throws IllegalArgumentException that names the sensors there are
+     */
+    public List<Reading> read(List<String> sensorNames) {
+        return instruments.read(sensorNames);
+    }
+
+    /**
      * The unit in which a sensor's reading is shown, empty if it has none. Any thread.
      *
      * @throws IllegalArgumentException that names the sensors there are
@@ -421,20 +430,12 @@ public final class Simulation implements AutoCloseable {
      * @throws IllegalArgumentException if there is no ground
      */
     public double getGroundHeight(double x, double z) {
-        return found(world.groundHeight(x, z), x, z);
+        return world.groundHeight(x, z);
     }
 
     /** What {@link #getGroundHeight} answers in the world of a project, of which only the ground is made (which can fail). Any thread. */
     public static double groundHeight(Project project, double x, double z) throws ProjectException {
-        return found(World.ground(project).groundHeight(x, z), x, z);
-    }
-
-    private static double found(double height, double x, double z) {
-        if (Double.isNaN(height)) {
-            throw new IllegalArgumentException("there is no ground at x " + x + ", z " + z + ", legal: a point of the terrain, a floor or a model"
-                + " that is the terrain");
-        }
-        return height;
+        return World.groundHeight(World.ground(project), x, z);
     }
 
     /**
@@ -458,22 +459,12 @@ public final class Simulation implements AutoCloseable {
         return actuators.motor(name);
     }
 
-    /**
-     * A servo by name; any thread, what it does is up to the simulation thread.
-     *
-     * @param name as {@code rover/neck}, or without the robot where only one has a servo of that name
-     * @throws IllegalArgumentException that names the servos there are, or the robots that have one of that name
-     */
+    /** A servo by name, as {@link #getMotor} finds a motor and throws. Any thread, likewise. */
     public ServoHardware getServo(String name) {
         return actuators.servo(name);
     }
 
-    /**
-     * A light by name; any thread, what it does is up to the simulation thread.
-     *
-     * @param name as {@code rover/lamp}, or without the robot where only one has a light of that name
-     * @throws IllegalArgumentException that names the lights there are, or the robots that have one of that name
-     */
+    /** A light by name, as {@link #getMotor} finds a motor and throws. Any thread, likewise. */
     public LightHardware getLight(String name) {
         return actuators.led(name);
     }
@@ -589,9 +580,20 @@ public final class Simulation implements AutoCloseable {
         return world;
     }
 
+    /**
+     * On how many threads sensors measure from now on, that of the simulation included; at first as many as the machine has processors. What they
+     * read does not depend on it. Simulation thread.
+     *
+     * @throws IllegalArgumentException that names the legal range
+     */
+    public void setThreads(int threads) {
+        world.getWorkers().setThreads(threads);
+    }
+
     /** Lets go of everything: questions that are still open fail. Simulation thread, after the last step. */
     @Override
     public void close() {
+        world.getWorkers().close();
         closed = true;
         serve();
     }

@@ -2,10 +2,12 @@ package org.SEAR.simulator;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.SEAR.devices.Cable;
 import org.SEAR.devices.PinState;
 import org.SEAR.geometry.Pose;
@@ -26,6 +28,8 @@ final class SnapshotRecorder {
     private Map<String, Reading> readings = Collections.emptyMap();
     private final Snapshot.RobotState[] states;
     private final List<List<Snapshot.DeviceState>> devices = new ArrayList<>();
+    /** Those of each robot. */
+    private final List<List<Cable>> cables = new ArrayList<>();
     private final boolean[] commanded;
 
     SnapshotRecorder(World world, Instruments instruments, SimulationWarnings warnings) {
@@ -35,7 +39,10 @@ final class SnapshotRecorder {
         states = new Snapshot.RobotState[world.getRobots().size()];
         commanded = new boolean[states.length];
         for (int i = 0; i < states.length; i++) {
+            RobotModel robot = world.getRobots().get(i);
             devices.add(List.of());
+            cables.add(instruments.getPorts().stream().filter(port -> port.getRobot() == robot).map(DevicePort::getCable)
+                .collect(Collectors.toList()));
         }
     }
 
@@ -79,30 +86,26 @@ final class SnapshotRecorder {
 
     private Map<String, Reading> readings() {
         Map<String, Reading> now = new LinkedHashMap<>();
+        Iterator<Reading> read = instruments.read(watched).iterator();
         for (String name : watched) {
-            now.put(name, instruments.read(name));
+            now.put(name, read.next());
         }
         return Collections.unmodifiableMap(now);
     }
 
     private boolean updateDevices(int number) {
-        RobotModel robot = world.getRobots().get(number);
         List<Snapshot.DeviceState> old = devices.get(number);
         List<Snapshot.DeviceState> now = null;
-        int count = 0;
         boolean wasCommanded = commanded[number];
         commanded[number] = false;
-        for (int i = 0; i < instruments.getPorts().size(); i++) {
-            DevicePort port = instruments.getPorts().get(i);
-            if (port.getRobot() == robot) {
-                commanded[number] |= port.getCable().takesDriveCommands();
-                Snapshot.DeviceState before = count < old.size() ? old.get(count) : null;
-                Snapshot.DeviceState after = after(before, port.getCable());
-                if (after != before) {
-                    now = now == null ? new ArrayList<>(old) : now;
-                    put(now, count, after);
-                }
-                count++;
+        for (int i = 0; i < cables.get(number).size(); i++) {
+            Cable cable = cables.get(number).get(i);
+            commanded[number] |= cable.takesDriveCommands();
+            Snapshot.DeviceState before = i < old.size() ? old.get(i) : null;
+            Snapshot.DeviceState after = after(before, cable);
+            if (after != before) {
+                now = now == null ? new ArrayList<>(old) : now;
+                put(now, i, after);
             }
         }
         if (now == null) {

@@ -15,6 +15,7 @@ import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Terrain;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
+import org.SEAR.parallel.WorkerPool;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
@@ -48,6 +49,8 @@ final class World implements PhysicsWorld.Touches {
     /** Those of the environment that can move: what is fixed costs nothing in a step. */
     private final Body[] movable;
     private final List<RobotModel> robots = new ArrayList<>();
+    /** Only looked up, never walked through. */
+    private final Map<Body, RobotModel> robotOf = new IdentityHashMap<>();
     private final List<String> warnings = new ArrayList<>();
     private final VirtualWalls virtualWalls;
     /** Of everything that has a shape; only looked up, never walked through. */
@@ -56,6 +59,8 @@ final class World implements PhysicsWorld.Touches {
     private final List<double[]> contacts = new ArrayList<>();
     private boolean wantsContacts;
 
+    /** Who works for this world: no helpers yet. */
+    private final WorkerPool workers = new WorkerPool(WorkerPool.threadsOfMachine());
     private final Fallen fallen;
     private final Moves moves;
     private final BodyOrders orders = new BodyOrders();
@@ -110,8 +115,11 @@ final class World implements PhysicsWorld.Touches {
             shapes.putAll(builder.shapes);
             builder.shapes.forEach((part, solid) -> colors.add((Shape) part, solid));
             builder.addTo(scenes, robots.size());
-            RobotTruth truth = new RobotTruth(builder, scenes, colors, robots.size(), Earth.of(project, robot), epochMillis);
-            robots.add(new RobotModel(builder, robots.size(), scenes, truth, virtualWalls, told));
+            RobotTruth truth = new RobotTruth(builder, scenes, colors, robots.size(), Earth.of(project, robot), epochMillis,
+                workers);
+            RobotModel model = new RobotModel(builder, robots.size(), scenes, truth, virtualWalls, told);
+            robots.add(model);
+            robotOf.put(model.getBody(), model);
         }
         places.end();
         String crowd = StartPoses.crowd(physics.getBodies());
@@ -158,7 +166,17 @@ final class World implements PhysicsWorld.Touches {
 
     /** See {@link Simulation#getGroundHeight}. */
     double groundHeight(double x, double z) {
-        return scenes.groundHeight(x, z);
+        return groundHeight(scenes, x, z);
+    }
+
+    /** The same of any {@link #ground}. */
+    static double groundHeight(Scenes scenes, double x, double z) {
+        double height = scenes.groundHeight(x, z);
+        if (Double.isNaN(height)) {
+            throw new IllegalArgumentException("there is no ground at x " + x + ", z " + z + ", legal: a point of the terrain, a floor or a model"
+                + " that is the terrain");
+        }
+        return height;
     }
 
     private static boolean hasInvisible(Project project) {
@@ -283,14 +301,17 @@ final class World implements PhysicsWorld.Touches {
 
     @Override
     public void touch(Body a, int solidOfA, Body b, int solidOfB, Vector3f at, Vector3f normal) {
-        for (int i = 0; i < robots.size(); i++) {
-            RobotModel robot = robots.get(i);
-            if (robot.getBody() == a || robot.getBody() == b) {
-                robot.touch(robot.getBody() == a ? solidOfA : solidOfB, at, normal);
-            }
-        }
+        touch(a, solidOfA, at, normal);
+        touch(b, solidOfB, at, normal);
         if (wantsContacts && contacts.size() < MAX_CONTACTS) {
             contacts.add(new double[] {at.x, at.y, at.z});
+        }
+    }
+
+    private void touch(Body body, int solid, Vector3f at, Vector3f normal) {
+        RobotModel robot = body.isRobot() ? robotOf.get(body) : null;
+        if (robot != null) {
+            robot.touch(solid, at, normal);
         }
     }
 
@@ -334,6 +355,10 @@ final class World implements PhysicsWorld.Touches {
     /** What was put right before the start. */
     List<String> getWarnings() {
         return warnings;
+    }
+
+    WorkerPool getWorkers() {
+        return workers;
     }
 
     PhysicsWorld getPhysics() {

@@ -131,6 +131,18 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         calls.act(() -> parts.control().setGroundVisible(on));
     }
 
+    /**
+     * On how many threads, that of the simulation included, sensors and cameras measure, in this and later simulations; as many as the computer has
+     * processors unless set, here or with {@code sear --threads}. What they measure does not depend on it.
+     *
+     * @param number 1 to 256
+     * @throws IllegalArgumentException for another number
+     * @example sear.setThreads(1)
+     */
+    public void setThreads(int number) {
+        calls.act(() -> parts.control().setThreads(number));
+    }
+
     // ---- time (a simulation must run, except for the settings) -----------------------------------------------------
 
     /**

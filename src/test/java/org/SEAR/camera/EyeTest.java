@@ -6,11 +6,11 @@ import static org.junit.Assert.assertTrue;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
-import java.util.concurrent.ForkJoinPool;
 import java.util.stream.IntStream;
 import org.SEAR.POJOs.BrownLens;
 import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.Pose;
+import org.SEAR.parallel.WorkerPool;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.raycast.solid.RayRound;
 import org.junit.Test;
@@ -106,7 +106,7 @@ public class EyeTest {
 
     /** Boxes and a cylinder on hills: each strip has the same pixels, whichever thread makes it and what it made before. */
     @Test
-    public void anyNumberOfThreadsMakesTheSameBytes() throws Exception {
+    public void anyNumberOfThreadsMakesTheSameBytes() {
         float[] heights = new float[60 * 60];
         for (int i = 0; i < heights.length; i++) {
             heights[i] = (float) (0.3 * Math.sin(i / 60 * 0.3) * Math.cos(i % 60 * 0.2));
@@ -118,21 +118,17 @@ public class EyeTest {
         BrownLens lens = new BrownLens(277, 159.5, 119.5, new double[] {-0.1, 0.01, 0, 0});
         Sight sight = new Sight(scene, shape -> new Flat(0, 1, 0), Pose.ofDegrees(0, 1, -4, 8, 10, 0), BeamScene.WORLD);
         Eye alone = new Eye(320, 240, lens, 0.01, 1000);
-        alone.setShared(false);
         int[] colors = alone.colors(sight);
         float[] depths = alone.depths(sight);
         assertTrue("hills, things and sky", IntStream.of(colors).distinct().count() > 100);
         for (int threads : new int[] {1, 2, 4}) {
             Eye eye = new Eye(320, 240, lens, 0.01, 1000);
-            eye.setShared(true);
-            ForkJoinPool pool = new ForkJoinPool(threads);
-            try {
+            try (WorkerPool pool = new WorkerPool(threads)) {
+                eye.setWorkers(pool);
                 for (int picture = 0; picture < 3; picture++) {
-                    assertArrayEquals(threads + " threads", colors, pool.submit(() -> eye.colors(sight)).get());
-                    assertArrayEquals(threads + " threads", depths, pool.submit(() -> eye.depths(sight)).get(), 0);
+                    assertArrayEquals(threads + " threads", colors, eye.colors(sight));
+                    assertArrayEquals(threads + " threads", depths, eye.depths(sight), 0);
                 }
-            } finally {
-                pool.shutdown();
             }
         }
     }

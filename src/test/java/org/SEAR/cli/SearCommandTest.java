@@ -71,9 +71,9 @@ public class SearCommandTest {
 
     @Test
     public void optionsReachTheSimulationAsSystemProperties() throws Exception {
-        String code = "from java.lang import System\nprint [System.getProperty('sear.' + x) for x in ['headless', 'speed', 'seed']]";
-        assertEquals(0, sear(script(code), "--headless", "--speed", "max", "--seed", "42", "--port", "none"));
-        assertEquals("[u'true', u'max', u'42']\n", out);
+        String code = "from java.lang import System\nprint [System.getProperty('sear.' + x) for x in ['headless', 'speed', 'seed', 'threads']]";
+        assertEquals(0, sear(script(code), "--headless", "--speed", "max", "--seed", "42", "--threads", "3", "--port", "none"));
+        assertEquals("[u'true', u'max', u'42', u'3']\n", out);
     }
 
     @Test
@@ -213,6 +213,10 @@ public class SearCommandTest {
         assertTrue(err, err.contains("nix.py can't be read"));
         assertEquals(2, sear(script("pass"), "--speed", "fast"));
         assertTrue(err, err.contains("--speed is \"fast\", legal: a number above 0, or max"));
+        for (String threads : new String[] {"0", "257", "-1", "all", "1000000000000"}) {
+            assertEquals(2, sear(script("pass"), "--threads=" + threads));
+            assertTrue(err, err.contains("--threads is \"" + threads + "\", legal: 1 to 256"));
+        }
         assertEquals(2, sear(script("pass"), "--port", "99999"));
         assertTrue(err, err.contains("--port is \"99999\", legal: 1 to 65535, or none"));
     }

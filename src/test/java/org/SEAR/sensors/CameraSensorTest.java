@@ -23,6 +23,7 @@ import org.SEAR.POJOs.SensorObject;
 import org.SEAR.POJOs.Servo;
 import org.SEAR.camera.image.Blobs;
 import org.SEAR.geometry.Pose;
+import org.SEAR.parallel.WorkerPool;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.raycast.BeamScene;
 import org.SEAR.simulator.ActuatorOrder;
@@ -227,10 +228,12 @@ public class CameraSensorTest {
         CameraImage image = image(world, "eye");
         org.SEAR.camera.Eye alone = new org.SEAR.camera.Eye((Camera) world.getSensor("eye").getParameters());
         Truth truth = world.getRobots().get(0).getTruth();
-        for (boolean shared : new boolean[] {false, true}) {
-            alone.setShared(shared);
-            assertArrayEquals(image.getPixels(),
-                alone.colors(new org.SEAR.camera.Sight(truth.sight(), truth.looks(), image.getPose(), truth.owner())));
+        for (int threads : new int[] {1, 2, 4}) {
+            try (WorkerPool pool = new WorkerPool(threads)) {
+                alone.setWorkers(pool);
+                assertArrayEquals(image.getPixels(),
+                    alone.colors(new org.SEAR.camera.Sight(truth.sight(), truth.looks(), image.getPose(), truth.owner())));
+            }
         }
     }
 

@@ -6,6 +6,7 @@ import java.util.List;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Shape;
 import org.SEAR.geometry.Pose;
+import org.SEAR.parallel.WorkerPool;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
 import org.SEAR.physics.Scenes;
@@ -48,7 +49,8 @@ public final class GroundWorld {
             physics.add(builder.body);
             builder.addTo(scenes, 0);
             robot = new RobotModel(builder, 0, scenes,
-                new RobotTruth(builder, scenes, new SurfaceColors(project.getAssets(), warnings::add), 0, Earth.of(project, object), 0),
+                new RobotTruth(builder, scenes, new SurfaceColors(project.getAssets(), warnings::add), 0, Earth.of(project, object), 0,
+                    WorkerPool.ALONE),
                 new VirtualWalls(scenes), warnings::add);
         }
         StartPoses.lift(physics.getBodies(), warnings);

@@ -538,6 +538,24 @@ public class SearServiceTest {
     }
 
     @Test
+    public void sensorsMeasureOnAsManyThreadsAsAskedFor() throws Exception {
+        for (int threads : new int[] {0, 257}) {
+            assertFails("threads is " + threads + ", legal: 1 to 256", () -> sear.setThreads(threads));
+        }
+        sear.setThreads(1);
+        sear.startSimulation();
+        assertEquals(0, sear.getTime(), 1);
+        sear.setThreads(3);
+        sear.stopSimulation();
+        System.setProperty("sear.threads", "all");
+        try {
+            assertFails("sear.threads is \"all\", legal: 1 to 256", () -> sear.startSimulation());
+        } finally {
+            System.clearProperty("sear.threads");
+        }
+    }
+
+    @Test
     public void templatesAreCopiedOnce() throws Exception {
         String copy = sear.copyTemplate("controller.py", folder.toString());
         assertTrue(Files.readString(Path.of(copy)).startsWith("# controller.py"));

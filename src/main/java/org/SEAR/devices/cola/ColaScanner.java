@@ -232,20 +232,27 @@ public final class ColaScanner extends ScannerFirmware {
 
     /** The beams of the settings, right to left: a fan about the forward axis that has them all, cut to them. */
     private double[] measure() {
-        double step = settings.rate.degrees();
-        int beams = settings.beams();
-        double first = settings.firstAngle();
-        double last = first + (beams - 1) * step;
-        int skipped = (int) Math.max(0, Math.ceil((first + last) / step - SLACK));
-        if (2 * (skipped * step - first) < step) {
-            skipped++;
-        }
-        LidarScan scan = source.scan(context.truth(), 2 * (skipped * step - first), step);
-        double[] ranges = new double[beams];
-        for (int i = 0; i < beams; i++) {
+        int skipped = skipped();
+        LidarScan scan = source.scan(context.truth(), spread(skipped), settings.rate.degrees());
+        double[] ranges = new double[settings.beams()];
+        for (int i = 0; i < ranges.length; i++) {
             ranges[i] = scan.range(skipped + i);
         }
         return ranges;
+    }
+
+    /** How many beams of the fan about the forward axis lie to the right of those of the settings. */
+    private int skipped() {
+        double step = settings.rate.degrees();
+        double first = settings.firstAngle();
+        double last = first + (settings.beams() - 1) * step;
+        int skipped = (int) Math.max(0, Math.ceil((first + last) / step - SLACK));
+        return 2 * (skipped * step - first) < step ? skipped + 1 : skipped;
+    }
+
+    /** Degrees of the fan about the forward axis. */
+    private double spread(int skipped) {
+        return 2 * (skipped * settings.rate.degrees() - settings.firstAngle());
     }
 
     /** Sends every so many-th scan from now on in a dialect; null for none. */
@@ -259,6 +266,9 @@ public final class ColaScanner extends ScannerFirmware {
     private void next(ColaDialect dialect, int stream, double time) {
         double rate = settings.rate.hertz() / settings.every();
         double due = poweredAt + (Math.floor(upTime(time) * rate + SLACK) + 1) / rate;
+        if (state == State.MEASURING) {
+            source.expect(due, spread(skipped()), settings.rate.degrees());
+        }
         events.at(due, t -> {
             if (stream != session) {
                 return;

@@ -222,6 +222,7 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
     }
 
     private void collect(ScanFormat format, ScanReply reply, Variant variant, double time, MeasureListener listener) {
+        expect(variant, time);
         events.at(time, t -> {
             if (reply.add(scan(variant))) {
                 int turn = (int) ((long) (t / Variant.TURN) & 0xFF);
@@ -233,7 +234,15 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
     }
 
     private LidarScan scan(Variant variant) {
-        return source.scan(context.truth(), variant.getSpread(), variant.getResolution() / 100.0);
+        return source.scan(context.truth(), variant.getSpread(), degrees(variant));
+    }
+
+    private void expect(Variant variant, double time) {
+        source.expect(time, variant.getSpread(), degrees(variant));
+    }
+
+    private static double degrees(Variant variant) {
+        return variant.getResolution() / 100.0;
     }
 
     void stopStream() {
@@ -260,7 +269,9 @@ public final class Lms200 extends ScannerFirmware implements TelegramReader.List
                 period = Timing.streamPeriod(payload.length + Telegram.FRAME_SIZE, baud.getRate(), unit);
             }
             double first = t + period - (format.scans - 1) * format.scanTime(variant);
-            events.at(first - format.scanTime(variant) / 2, next -> {
+            double begin = first - format.scanTime(variant) / 2;
+            expect(variant, Timing.scanEnd(begin, format.scanTime(variant)));
+            events.at(begin, next -> {
                 if (session == stream) {
                     cycle(format, session, next);
                 }

@@ -43,14 +43,33 @@ final class Head {
         return NODES / BLOCK_SECONDS / samplesPerTurn;
     }
 
-    /** The next block is the first of a new scan. */
-    void start(boolean express) {
+    /** The next block, measured by {@code time}, is the first of a new scan. */
+    void start(boolean express, double time) {
         perTurn = express ? 2 * samplesPerTurn : samplesPerTurn;
         sample = 0;
+        expectTurn(time, express ? Capsule.SAMPLES : NODES);
+    }
+
+    /**
+     * Says when the next turn will begin.
+     *
+     * @param time when the next block is measured
+     * @param samples of a block
+     */
+    private void expectTurn(double time, int samples) {
+        int blocks = sample == 0 ? 0 : (perTurn - sample) / samples;
+        source.expect(time + blocks * BLOCK_SECONDS, CIRCLE, CIRCLE / perTurn);
+    }
+
+    /** The next block of a scan, measured by {@code time}, of nodes or a capsule. */
+    byte[] block(boolean express, boolean first, double time) {
+        byte[] bytes = express ? capsule(first) : nodes();
+        expectTurn(time + BLOCK_SECONDS, express ? Capsule.SAMPLES : NODES);
+        return bytes;
     }
 
     /** The next nodes. */
-    byte[] nodes() {
+    private byte[] nodes() {
         byte[] bytes = new byte[NODES * Node.SIZE];
         for (int i = 0; i < NODES; i++) {
             boolean first = sample == 0;
@@ -62,7 +81,7 @@ final class Head {
     }
 
     /** @param first whether it is the first one after the request */
-    byte[] capsule(boolean first) {
+    private byte[] capsule(boolean first) {
         double start = sample * CIRCLE / perTurn;
         int[] distances = new int[Capsule.SAMPLES];
         for (int i = 0; i < distances.length; i++) {

@@ -152,7 +152,7 @@ public final class RplidarA1 extends ScannerFirmware {
 
     private void startScan(RplidarCommand command, double time) {
         scan = command;
-        head.start(command == RplidarCommand.EXPRESS_SCAN);
+        head.start(command == RplidarCommand.EXPRESS_SCAN, time + Head.BLOCK_SECONDS);
         send(command, session, true, time + Head.BLOCK_SECONDS);
     }
 
@@ -160,7 +160,7 @@ public final class RplidarA1 extends ScannerFirmware {
     private void send(RplidarCommand command, int wanted, boolean first, double time) {
         events.at(time, t -> {
             if (wanted == session) {
-                context.send(command == RplidarCommand.EXPRESS_SCAN ? head.capsule(first) : head.nodes(), t);
+                context.send(head.block(command == RplidarCommand.EXPRESS_SCAN, first, t), t);
                 send(command, wanted, false, time + Head.BLOCK_SECONDS);
             }
         });

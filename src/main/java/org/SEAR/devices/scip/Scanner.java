@@ -68,6 +68,7 @@ final class Scanner {
         double scanTime = scanTime();
         double ahead = (double) model.getFront() / model.getSteps();
         double turn = Math.ceil(time / scanTime - ahead - SLACK);
+        source.expect((turn + ahead) * scanTime, 2 * half * model.getStepAngle(), model.getStepAngle());
         events.at((turn + ahead) * scanTime, t -> {
             Scan scan = new Scan(clock(turn * scanTime), measure(command), command.getCharacters());
             events.at((turn + (model.getLast() + 1.0) / model.getSteps()) * scanTime, end -> listener.measured(scan, end));

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.SEAR.POJOs.BeamCone;
 import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.Distance;
@@ -94,9 +95,13 @@ final class WorldJson {
     /** What can change from step to step, in the same places as in the whole. */
     synchronized <T extends WorldState> T moving(Simulation world, T state) {
         Snapshot snapshot = world.snapshot();
+        List<String> names = world.getSensorNames().stream()
+            .filter(name -> looking || !(world.getSensor(name).getParameters() instanceof Camera)).collect(Collectors.toList());
+        List<Reading> read = world.read(names);
         Map<String, Reading> readings = new LinkedHashMap<>();
-        world.getSensorNames().stream().filter(name -> looking || !(world.getSensor(name).getParameters() instanceof Camera))
-            .forEach(name -> readings.put(name, world.read(name)));
+        for (int i = 0; i < read.size(); i++) {
+            readings.put(names.get(i), read.get(i));
+        }
         SceneState scene = states(world.getProject()).of(snapshot, readings::get);
         if (scene.time < lastTime) {
             paths.clear();

@@ -1,8 +1,11 @@
 package org.myrobotlab.service.sear.run;
 
+import org.SEAR.parallel.WorkerPool;
+
 /**
  * How simulations are to run, from the system properties that the command line sets: {@code sear.headless} (true or false), {@code sear.speed}
- * (simulated seconds a second, or {@code max}: lock-step, as fast as possible) and {@code sear.seed} (a whole number). Immutable.
+ * (simulated seconds a second, or {@code max}: lock-step, as fast as possible), {@code sear.seed} (a whole number) and {@code sear.threads} (a
+ * whole number; as many as there are processors unless set). Immutable.
  */
 public final class RunSettings {
     /** Seed unless another is given. */
@@ -21,12 +24,16 @@ public final class RunSettings {
     /** Whether beams see floors and terrain. */
     public final boolean groundVisible;
 
-    RunSettings(boolean headless, double speed, boolean lockStep, long seed, boolean groundVisible) {
+    /** How many threads sensors measure on. */
+    public final int threads;
+
+    RunSettings(boolean headless, double speed, boolean lockStep, long seed, boolean groundVisible, int threads) {
         this.headless = headless;
         this.speed = speed;
         this.lockStep = lockStep;
         this.seed = seed;
         this.groundVisible = groundVisible;
+        this.threads = threads;
     }
 
     /**
@@ -37,7 +44,8 @@ public final class RunSettings {
     public static RunSettings fromSystem() {
         String speed = System.getProperty("sear.speed", "1");
         boolean max = MAX.equals(speed);
-        return new RunSettings(Boolean.getBoolean("sear.headless"), max ? Double.POSITIVE_INFINITY : factor(speed), max, seed(), true);
+        return new RunSettings(Boolean.getBoolean("sear.headless"), max ? Double.POSITIVE_INFINITY : factor(speed), max, seed(), true,
+            threads());
     }
 
     private static double factor(String text) {
@@ -55,6 +63,14 @@ public final class RunSettings {
         } catch (NumberFormatException e) {
             throw new IllegalArgumentException("sear.seed is \"" + text + "\", legal: a whole number", e);
         }
+    }
+
+    private static int threads() {
+        String text = System.getProperty("sear.threads", String.valueOf(WorkerPool.threadsOfMachine()));
+        if (!WorkerPool.isLegal(text)) {
+            throw new IllegalArgumentException("sear.threads is \"" + text + "\", legal: " + WorkerPool.LEGAL);
+        }
+        return Integer.parseInt(text);
     }
 
     /**

@@ -9,6 +9,7 @@ import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.SEAR.POJOs.Workbench;
+import org.SEAR.parallel.WorkerPool;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
@@ -25,6 +26,7 @@ public final class SimulationControl {
     private Double speed;
     private Boolean lockStep;
     private volatile boolean groundVisible = true;
+    private volatile Integer threads;
     private Workbench.Acts acts;
     private SimulationSession.StepListener stepListener = published -> { };
     private Consumer<Simulation> startListener = world -> { };
@@ -77,7 +79,8 @@ public final class SimulationControl {
         RunSettings fromSystem = RunSettings.fromSystem();
         boolean stepped = lockStep == null ? fromSystem.lockStep : lockStep;
         double defaultSpeed = stepped ? Double.POSITIVE_INFINITY : fromSystem.speed;
-        return new RunSettings(fromSystem.headless, speed == null ? defaultSpeed : speed, stepped, fromSystem.seed, groundVisible);
+        return new RunSettings(fromSystem.headless, speed == null ? defaultSpeed : speed, stepped, fromSystem.seed, groundVisible,
+            threads == null ? fromSystem.threads : threads);
     }
 
     /** What objects that were made before a start do in its world. Before the first start. */
@@ -186,6 +189,18 @@ public final class SimulationControl {
             throw new IllegalStateException("setGroundVisible needs the simulation to be stopped: call it before startSimulation()");
         }
         groundVisible = on;
+    }
+
+    /**
+     * On how many threads sensors measure in this and the next simulations.
+     *
+     * @throws IllegalArgumentException that names the legal range
+     */
+    public void setThreads(int number) {
+        threads = WorkerPool.checked(number);
+        if (isRunning()) {
+            session().getSimulation().post(world -> world.setThreads(number));
+        }
     }
 
     /** Where the objects of the service are made; closed at first. */

@@ -105,6 +105,7 @@ public final class SimulationSession {
     public static SimulationSession start(Path folder, RunSettings settings, boolean debugShapes, Host host,
             StepListener stepListener, Consumer<Simulation> startListener) throws ProjectException, IOException {
         Simulation world = Simulation.load(folder, settings.seed, settings.groundVisible);
+        world.setThreads(settings.threads);
         SimulationSession session = new SimulationSession(world, settings, host, stepListener);
         try {
             startListener.accept(world);

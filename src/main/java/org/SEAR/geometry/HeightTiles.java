@@ -10,9 +10,14 @@ import java.util.concurrent.atomic.AtomicReferenceArray;
  */
 public final class HeightTiles extends HeightGrid {
     /** Cells on each side of a tile; those at the northern and eastern ends may have fewer. */
-    public static final int CELLS = 256;
-    /** Tiles that are held at most; with the least and greatest heights of their blocks they take 0.45 MB each. */
-    public static final int MOST_HELD = 256;
+    public static final int CELLS = 128;
+    /** Tiles that are held at most; with the least and greatest heights of their blocks they take 0.11 MB each. */
+    public static final int MOST_HELD = 2048;
+    /** What one takes then, bytes. */
+    private static final long TILE = 112_000;
+    /** Part of Java's heap that tiles may take. */
+    private static final int SHARE = 4;
+    private static final int LEAST_HELD = 64;
     /** Of rows, columns and places: whole parts of a metre, few enough that all sums of them are exact. */
     private static final double EXACT = 1 << 24;
 
@@ -90,6 +95,11 @@ public final class HeightTiles extends HeightGrid {
     /** The nearest number of metres by which rows and columns of tiles can stand so that neighbours agree to the bit. */
     public static double exact(double metres) {
         return Math.rint(metres * EXACT) / EXACT;
+    }
+
+    /** How many tiles may be held: {@link #MOST_HELD}, or what fits into a quarter of Java's heap. */
+    public static int room() {
+        return (int) Math.max(LEAST_HELD, Math.min(MOST_HELD, Runtime.getRuntime().maxMemory() / SHARE / TILE));
     }
 
     private void survey(int number, float[] heights) {

@@ -21,7 +21,8 @@ public final class MapCut {
      * The part of the maps that is used, with a rim, as one GeoTIFF that gives the same ground.
      *
      * @param area with a part of maps
-     * @return null if all of the maps is used, or so much that it doesn't fit into the memory, or their coordinate system has no number by which a file could name it
+     * @return null if all of the maps is used, or too much of them for the memory, or their coordinate system has no number by which a file could
+     *     name it
      * @throws IOException that names the map and what is wrong with it
      */
     public static byte[] of(TerrainArea area, Assets assets) throws IOException {

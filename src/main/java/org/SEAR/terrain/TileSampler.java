@@ -2,7 +2,6 @@ package org.SEAR.terrain;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import org.SEAR.files.FileLimits;
 import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.HeightTiles;
 
@@ -83,7 +82,7 @@ final class TileSampler implements HeightTiles.Source {
         float[] coarse = new float[rows * columns];
         try {
             HeightTiles tiles = new HeightTiles(grid.rows, grid.columns, grid.lowX, grid.lowZ, grid.spacingX, grid.spacingZ, this,
-                HeightTiles.MOST_HELD, (tile, row, column) -> look(tile, row, column, rows, columns, coarse));
+                HeightTiles.room(), (tile, row, column) -> look(tile, row, column, rows, columns, coarse));
             ground[0] = new HeightField(rows, columns, grid.lowX, grid.lowZ, (grid.rows - 1) * grid.spacingX / (rows - 1),
                 (grid.columns - 1) * grid.spacingZ / (columns - 1), coarse);
             return tiles;

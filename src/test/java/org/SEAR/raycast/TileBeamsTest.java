@@ -14,9 +14,9 @@ import org.junit.Test;
 
 /** Beams of all kinds meet on tiles, to the bit, what they meet on the field that these are cut out of. */
 public class TileBeamsTest {
-    private static final int HELD = 4;
+    private static final int HELD = 13;
     private static final double SPACING = 2;
-    private static final int SIDE = 640;
+    private static final int SIDE = 500;
     private static final int BEAMS = 361;
     private static final int WIDTH = 48;
     private static final int HEIGHT = 36;
@@ -33,7 +33,7 @@ public class TileBeamsTest {
         for (int i = 0; i < heights.length; i++) {
             heights[i] = (float) (30 * Math.sin(i / SIDE * 0.03) * Math.cos(i % SIDE * 0.02) + 0.7 * noise.nextDouble());
         }
-        return new HeightField(SIDE, SIDE, -640, -640, SPACING, SPACING, heights);
+        return new HeightField(SIDE, SIDE, -SIDE, -SIDE, SPACING, SPACING, heights);
     }
 
     private static BeamScene scene(HeightGrid grid) {
@@ -50,8 +50,8 @@ public class TileBeamsTest {
     }
 
     private Pose pose(int kind) {
-        double x = kind % 5 == 0 ? field.x(256) : between(-620, 620);
-        double z = kind % 7 == 0 ? field.z(512) : between(-620, 620);
+        double x = kind % 5 == 0 ? field.x(256) : between(-480, 480);
+        double z = kind % 7 == 0 ? field.z(384) : between(-480, 480);
         return Pose.ofDegrees(x, field.height(x, z) + between(0.3, kind % 3 == 0 ? 40 : 3), z, between(-180, 180), between(-12, 8), between(-5, 5));
     }
 
@@ -60,7 +60,7 @@ public class TileBeamsTest {
         Hit hit = new Hit();
         Hit expected = new Hit();
         int met = 0;
-        for (int i = 0; i < 4000; i++) {
+        for (int i = 0; i < 2000; i++) {
             Pose at = pose(i);
             double dx = i % 9 == 0 ? 0 : between(-1, 1);
             double dz = i % 11 == 0 ? 0 : between(-1, 1);
@@ -78,7 +78,7 @@ public class TileBeamsTest {
                 }
             }
         }
-        assertTrue("met " + met, met > 2500);
+        assertTrue("met " + met, met > 1200);
         assertTrue(tiles.held() <= HELD);
     }
 
@@ -88,7 +88,7 @@ public class TileBeamsTest {
         double[] ranges = new double[BEAMS];
         int[] shapesExpected = new int[BEAMS];
         int[] shapes = new int[BEAMS];
-        for (int i = 0; i < 200; i++) {
+        for (int i = 0; i < 100; i++) {
             Pose at = pose(i);
             whole.castFan(at, -Math.PI / 2, Math.PI / (BEAMS - 1), BEAMS, 400, BeamScene.WORLD, expected, shapesExpected);
             cut.castFan(at, -Math.PI / 2, Math.PI / (BEAMS - 1), BEAMS, 400, BeamScene.WORLD, ranges, shapes);

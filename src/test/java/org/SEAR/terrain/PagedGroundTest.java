@@ -111,7 +111,8 @@ public class PagedGroundTest {
             for (int column = 0; column < tiles.columns; column++) {
                 double x = tiles.x(row);
                 double z = tiles.z(column);
-                double plane = tiles.y(0, 0) + (tiles.y(tiles.rows - 1, 0) - tiles.y(0, 0)) * (x - tiles.x(0)) / (tiles.x(tiles.rows - 1) - tiles.x(0))
+                double plane = tiles.y(0, 0)
+                    + (tiles.y(tiles.rows - 1, 0) - tiles.y(0, 0)) * (x - tiles.x(0)) / (tiles.x(tiles.rows - 1) - tiles.x(0))
                     + (tiles.y(0, tiles.columns - 1) - tiles.y(0, 0)) * (z - tiles.z(0)) / (tiles.z(tiles.columns - 1) - tiles.z(0));
                 assertEquals("post " + row + ", " + column, plane, tiles.y(row, column), 8);
             }

@@ -22,7 +22,7 @@ import org.SEAR.grammar.TextRule;
  */
 public abstract class SearObject {
     /** Metres from the origin that an object may be away. */
-    static final double FAR = 100000;
+    static final double FAR = 200000;
     /** Degrees that an object may be turned at once. */
     static final double TURNS = 36000;
 

@@ -1,6 +1,6 @@
 package org.SEAR.camera;
 
-import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.HeightGrid;
 import org.SEAR.terrain.relief.GroundGrain;
 import org.SEAR.terrain.relief.GroundPicture;
 
@@ -17,7 +17,7 @@ public final class GroundSkin extends Skin {
     /** Half of the distance over which the ground's slope is taken, as a share of the posts'. */
     private static final double SLOPE = 0.02;
 
-    private final HeightField field;
+    private final HeightGrid field;
     private final Texture picture;
     private final Texture grain;
     private final double sizeX;
@@ -25,7 +25,7 @@ public final class GroundSkin extends Skin {
     private final double clear;
 
     /** @param picture over all of the field */
-    public GroundSkin(HeightField field, GroundPicture picture, double temperature) {
+    public GroundSkin(HeightGrid field, GroundPicture picture, double temperature) {
         super(temperature, false);
         this.field = field;
         this.picture = new Texture(picture.width, picture.height, upsideDown(picture.pixels, picture.width), false);

@@ -2,10 +2,12 @@ package org.SEAR.geometry;
 
 import java.util.function.Predicate;
 
-/** Finds the triangles of a {@link HeightField} that reach into a box, by its pyramid. Allocates nothing while it does. One thread. */
+/** Finds the triangles of a {@link HeightGrid} that reach into a box, by pyramids of heights; makes no objects but tiles. One thread. */
 public final class HeightSearch {
-    private final HeightField field;
-    private final HeightPyramid pyramid;
+    /** Null: one field holds all. */
+    private final HeightTiles tiles;
+    private HeightField field;
+    private HeightPyramid pyramid;
     private final float[] corners = new float[9];
     private Predicate<float[]> visitor;
     private double lowX;
@@ -15,9 +17,16 @@ public final class HeightSearch {
     private double highY;
     private double highZ;
 
-    public HeightSearch(HeightField field) {
-        this.field = field;
-        pyramid = field.getPyramid();
+    public HeightSearch(HeightGrid grid) {
+        tiles = grid instanceof HeightTiles ? (HeightTiles) grid : null;
+        if (tiles == null) {
+            look((HeightField) grid);
+        }
+    }
+
+    private void look(HeightField heights) {
+        field = heights;
+        pyramid = heights.getPyramid();
     }
 
     /**
@@ -35,7 +44,31 @@ public final class HeightSearch {
         highY = top;
         highZ = east;
         visitor = visit;
-        return block(pyramid.top, 0, 0, 0);
+        return tiles == null ? block(pyramid.top, 0, 0, 0) : anyTile();
+    }
+
+    /** Looks into those tiles whose boxes meet the box; which tile has a triangle doesn't depend on rounding. */
+    private boolean anyTile() {
+        int endRow = Math.min(tiles.row(highX) + 1, tiles.rows - 2) / HeightTiles.CELLS;
+        int endColumn = Math.min(tiles.column(highZ) + 1, tiles.columns - 2) / HeightTiles.CELLS;
+        for (int r = Math.max(0, tiles.row(lowX) - 1) / HeightTiles.CELLS; r <= endRow; r++) {
+            for (int c = Math.max(0, tiles.column(lowZ) - 1) / HeightTiles.CELLS; c <= endColumn; c++) {
+                int number = r * tiles.tileColumns + c;
+                if (meets(number)) {
+                    look(tiles.tile(number));
+                    if (block(pyramid.top, 0, 0, 0)) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    private boolean meets(int number) {
+        return tiles.low(number) <= highY && tiles.high(number) >= lowY
+            && tiles.x(tiles.firstRow(number)) <= highX && tiles.x(tiles.lastRow(number)) >= lowX
+            && tiles.z(tiles.firstColumn(number)) <= highZ && tiles.z(tiles.lastColumn(number)) >= lowZ;
     }
 
     private boolean block(int level, int row, int column, int at) {

@@ -2,16 +2,19 @@ package org.SEAR.raycast;
 
 import java.util.Arrays;
 import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.HeightGrid;
+import org.SEAR.geometry.HeightTiles;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Rotation;
 import org.SEAR.geometry.Triangles;
 import org.SEAR.raycast.solid.RaySolid;
+import org.SEAR.raycast.solid.TileTree;
 
 /**
- * The exact geometry that beams meet: boxes, other convex solids, triangle meshes and height fields, each with a pose in the world.
+ * The exact geometry that beams meet: boxes, other convex solids, triangle meshes and heights, each with a pose in the world.
  *
  * <p>Building and moving ({@code add...}, {@link #setPose}, {@link #setVisible}, {@link #commit}) belong to the simulation thread; between two
- * commits any number of threads may cast at the same time and get the same bytes. Casting allocates nothing.
+ * commits any number of threads may cast at the same time and get the same bytes. Casting allocates nothing but tiles of large grounds.
  *
  * <p>A shape has an owner: -1 for the world, else the number of the robot whose beams do not see it. Surfaces belong to their shapes: a beam that
  * starts on one answers 0. Where two surfaces are equally near, the shape that was added first is the one that was hit.
@@ -72,10 +75,16 @@ public final class BeamScene {
         return shape;
     }
 
-    /** Adds the triangles of a height field, seen from both sides. */
-    public int addHeights(HeightField field, int owner) {
+    /** Adds the triangles of heights, seen from both sides. */
+    public int addHeights(HeightGrid grid, int owner) {
+        if (grid instanceof HeightTiles) {
+            int tiled = add(Shapes.TILES, owner, 1, 1, 1);
+            shapes.tiles[tiled] = (HeightTiles) grid;
+            shapes.tileTrees[tiled] = TileTree.of(shapes.tiles[tiled]);
+            return tiled;
+        }
         int shape = add(Shapes.HEIGHTS, owner, 1, 1, 1);
-        shapes.heights[shape] = field;
+        shapes.heights[shape] = (HeightField) grid;
         return shape;
     }
 

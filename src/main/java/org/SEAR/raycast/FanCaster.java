@@ -135,6 +135,9 @@ final class FanCaster {
                 rays.fanNodes += heights.nodes;
                 rays.triangles += heights.triangles;
                 break;
+            case Shapes.TILES:
+                tiles(number);
+                break;
             default:
                 mesh(number, a, b, c);
         }
@@ -193,6 +196,26 @@ final class FanCaster {
         double z = depth.beams.z[beam];
         depth.meet(beam, solid.meet(own[0], own[1], own[2], own[3] * x + own[9] * z, own[4] * x + own[10] * z, own[5] * x + own[11] * z),
             number);
+    }
+
+    private void tiles(int number) {
+        triangles.start(own, number, 1, 1, 1);
+        PlaneCut cut = triangles.plane;
+        Bvh tree = shapes.tileTrees[number].tree;
+        cut.ready(tree);
+        meshStack.start(tree, cut, reachSquared);
+        for (int node = meshStack.pop(depth); node >= 0; node = meshStack.pop(depth)) {
+            rays.fanNodes++;
+            int n = tree.count(node);
+            if (n == 0) {
+                meshStack.pushChildren(tree, node, cut, reachSquared);
+            }
+            for (int i = tree.link(node); i < tree.link(node) + n; i++) {
+                heights.cast(shapes.tiles[number].tile(tree.items[i]), own[0], own[2], range);
+                rays.fanNodes += heights.nodes;
+                rays.triangles += heights.triangles;
+            }
+        }
     }
 
     private void mesh(int number, double sx, double sy, double sz) {

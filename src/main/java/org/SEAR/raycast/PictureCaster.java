@@ -1,5 +1,6 @@
 package org.SEAR.raycast;
 
+import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Rotation;
 import org.SEAR.raycast.solid.HeightsTile;
@@ -37,6 +38,8 @@ final class PictureCaster {
     private double allIn;
     private double allOut;
     private final HeightsTile ground;
+    private final int[] tileStack = new int[Bvh.MAX_DEPTH];
+    private final double[] tileNear = new double[Bvh.MAX_DEPTH];
     private final double[] groundPlanes = new double[HeightsTile.PLANES * PLANE];
     /** Width of the tile, one metre ahead. */
     private double wide;
@@ -104,7 +107,7 @@ final class PictureCaster {
         pyramid(tile);
         int open = 0;
         if (tree.size() > 0) {
-            stackNear[0] = reach(tree.data, 0);
+            stackNear[0] = reach(planes, tree.data, 0);
             open = stackNear[0] == Double.POSITIVE_INFINITY ? 0 : 1;
             stack[0] = 0;
         }
@@ -128,8 +131,8 @@ final class PictureCaster {
     }
 
     private int children(Bvh tree, int left, int open) {
-        double nearLeft = reach(tree.data, left * Bvh.STRIDE);
-        double nearRight = reach(tree.data, (left + 1) * Bvh.STRIDE);
+        double nearLeft = reach(planes, tree.data, left * Bvh.STRIDE);
+        double nearRight = reach(planes, tree.data, (left + 1) * Bvh.STRIDE);
         boolean leftLast = nearLeft >= nearRight;
         int next = push(open, leftLast ? left : left + 1, leftLast ? nearLeft : nearRight);
         return push(next, leftLast ? left + 1 : left, leftLast ? nearRight : nearLeft);
@@ -170,14 +173,13 @@ final class PictureCaster {
     }
 
     /** How far ahead the nearest point of a node may be; infinite beside the pyramid. */
-    private double reach(float[] box, int at) {
+    private double reach(double[] p, float[] box, int at) {
         double hx = ((double) box[at + 3] - box[at]) / 2;
         double hy = ((double) box[at + 4] - box[at + 1]) / 2;
         double hz = ((double) box[at + 5] - box[at + 2]) / 2;
         double x = box[at] + hx;
         double y = box[at + 1] + hy;
         double z = box[at + 2] + hz;
-        double[] p = planes;
         for (int k = 0; k < AHEAD; k += PLANE) {
             double middle = p[k] * x + p[k + 1] * y + p[k + 2] * z + p[k + 3];
             double half = Math.abs(p[k]) * hx + Math.abs(p[k + 1]) * hy + Math.abs(p[k + 2]) * hz;
@@ -197,10 +199,19 @@ final class PictureCaster {
         if (shapes.kind[shape] == Shapes.BOX) {
             box(shape);
         } else if (shapes.kind[shape] == Shapes.HEIGHTS) {
-            heights(shape);
+            groundFrame(shape);
+            heights(shape, shapes.heights[shape]);
+        } else if (shapes.kind[shape] == Shapes.TILES) {
+            tiles(shape);
+            return;
         } else {
             beams(shape, shapes.kind[shape] == Shapes.MESH);
         }
+        narrow();
+    }
+
+    /** Finds the farthest of the tile's beams anew. */
+    private void narrow() {
         if (!changed) {
             return;
         }
@@ -237,8 +248,38 @@ final class PictureCaster {
         }
     }
 
-    /** The ground, whose blocks are walked for all beams together. */
-    private void heights(int shape) {
+    /** The ground in tiles: those that reach into the pyramid, nearer ones first, until they are behind what all beams have met. */
+    private void tiles(int shape) {
+        groundFrame(shape);
+        Bvh tree = shapes.tileTrees[shape].tree;
+        int open = 1;
+        tileStack[0] = 0;
+        tileNear[0] = reach(groundPlanes, tree.data, 0);
+        while (open > 0) {
+            open--;
+            int node = tileStack[open];
+            int link = tree.link(node);
+            if (tileNear[open] > worst || tileNear[open] == Double.POSITIVE_INFINITY) {
+                continue;
+            }
+            if (tree.count(node) > 0) {
+                changed = false;
+                heights(shape, shapes.tiles[shape].tile(tree.items[link]));
+                narrow();
+                continue;
+            }
+            double left = reach(groundPlanes, tree.data, link * Bvh.STRIDE);
+            double right = reach(groundPlanes, tree.data, (link + 1) * Bvh.STRIDE);
+            int farther = left >= right ? 0 : 1;
+            tileStack[open] = link + farther;
+            tileNear[open++] = Math.max(left, right);
+            tileStack[open] = link + 1 - farther;
+            tileNear[open++] = Math.min(left, right);
+        }
+    }
+
+    /** Brings the pyramid into the frame of the ground. */
+    private void groundFrame(int shape) {
         double[] m = shapes.data;
         int at = shape * Shapes.STRIDE;
         for (int k = 0; k < groundPlanes.length; k += PLANE) {
@@ -247,7 +288,13 @@ final class PictureCaster {
             }
             groundPlanes[k + 3] = planes[k + 3] + planes[k] * m[at + 9] + planes[k + 1] * m[at + 10] + planes[k + 2] * m[at + 11];
         }
-        ground.begin(shapes.heights[shape], groundPlanes, wide, start);
+    }
+
+    /** Ground whose blocks are walked for all beams together. */
+    private void heights(int shape, HeightField field) {
+        double[] m = shapes.data;
+        int at = shape * Shapes.STRIDE;
+        ground.begin(field, groundPlanes, wide, start);
         for (int row = top; row < bottom; row++) {
             for (int i = row * beams.width + first; i < row * beams.width + end; i++) {
                 double x = beams.left[i];

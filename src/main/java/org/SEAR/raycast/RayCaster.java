@@ -1,6 +1,7 @@
 package org.SEAR.raycast;
 
 import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.HeightTiles;
 import org.SEAR.raycast.solid.RayBox;
 import org.SEAR.raycast.solid.RayHeights;
 import org.SEAR.raycast.solid.RayTriangle;
@@ -22,6 +23,8 @@ final class RayCaster {
     private final RayTraversal inside = new RayTraversal();
     final RayHeights heights = new RayHeights();
     private final double[] point = new double[3];
+    /** The tile that the last successful {@link #tiles} met. */
+    private HeightField tile;
     /** The triangle that the last successful {@link #mesh} met. */
     private int triangle;
 
@@ -81,6 +84,8 @@ final class RayCaster {
                 return shapes.solid[shape].meet(px, py, pz, vx, vy, vz);
             case Shapes.HEIGHTS:
                 return heights(shapes.heights[shape], px, py, pz, vx, vy, vz, limit);
+            case Shapes.TILES:
+                return tiles(shapes.tiles[shape], shapes.tileTrees[shape].tree, px, py, pz, vx, vy, vz, limit);
             default:
                 return mesh(shapes.mesh[shape], px / a, py / b, pz / c, vx / a, vy / b, vz / c, limit);
         }
@@ -96,6 +101,22 @@ final class RayCaster {
         double t = heights.meet(field, ox, oy, oz, dx, dy, dz, maxRange);
         triangles += heights.triangles - before;
         return t;
+    }
+
+    private double tiles(HeightTiles tiles, Bvh tree, double ox, double oy, double oz, double dx, double dy, double dz, double maxRange) {
+        double best = Double.POSITIVE_INFINITY;
+        double limit = maxRange;
+        inside.start(tree, ox, oy, oz, dx, dy, dz);
+        for (int node = inside.next(limit); node >= 0; node = inside.next(limit)) {
+            HeightField next = tiles.tile(tree.items[tree.link(node)]);
+            double t = heights(next, ox, oy, oz, dx, dy, dz, limit);
+            if (t <= limit && t < Double.POSITIVE_INFINITY) {
+                best = t;
+                limit = t;
+                tile = next;
+            }
+        }
+        return best;
     }
 
     private double mesh(Mesh mesh, double ox, double oy, double oz, double dx, double dy, double dz, double maxRange) {
@@ -136,6 +157,9 @@ final class RayCaster {
         } else if (shapes.kind[shape] == Shapes.HEIGHTS) {
             test(shapes, shape, ox, oy, oz, dx, dy, dz, t);
             heights.normal(shapes.heights[shape], point);
+        } else if (shapes.kind[shape] == Shapes.TILES) {
+            test(shapes, shape, ox, oy, oz, dx, dy, dz, t);
+            heights.normal(tile, point);
         } else {
             double wx = ox + t * dx - m[i + 9];
             double wy = oy + t * dy - m[i + 10];

@@ -2,8 +2,11 @@ package org.SEAR.raycast;
 
 import java.util.Arrays;
 import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.HeightGrid;
+import org.SEAR.geometry.HeightTiles;
 import org.SEAR.geometry.Rotation;
 import org.SEAR.raycast.solid.RaySolid;
+import org.SEAR.raycast.solid.TileTree;
 
 /**
  * The shapes of a scene in flat arrays. {@link #data} holds {@link #STRIDE} numbers a shape: rotation matrix (world = R * own, row by row),
@@ -16,6 +19,8 @@ final class Shapes {
     static final byte CONVEX = 1;
     static final byte MESH = 2;
     static final byte HEIGHTS = 3;
+    /** Heights in tiles. */
+    static final byte TILES = 4;
     static final int STRIDE = 16;
     static final int POSITION = 9;
     static final int SIZE = 12;
@@ -27,6 +32,8 @@ final class Shapes {
     Mesh[] mesh = new Mesh[16];
     RaySolid[] solid = new RaySolid[16];
     HeightField[] heights = new HeightField[16];
+    HeightTiles[] tiles = new HeightTiles[16];
+    TileTree[] tileTrees = new TileTree[16];
     double[] data = new double[16 * STRIDE];
 
     int add(byte kindOfShape, int ownerOfShape, double a, double b, double c) {
@@ -38,6 +45,8 @@ final class Shapes {
             mesh = Arrays.copyOf(mesh, size);
             solid = Arrays.copyOf(solid, size);
             heights = Arrays.copyOf(heights, size);
+            tiles = Arrays.copyOf(tiles, size);
+            tileTrees = Arrays.copyOf(tileTrees, size);
             data = Arrays.copyOf(data, size * STRIDE);
         }
         int shape = count++;
@@ -56,6 +65,8 @@ final class Shapes {
         mesh[added] = other.mesh[shape];
         solid[added] = other.solid[shape];
         heights[added] = other.heights[shape];
+        tiles[added] = other.tiles[shape];
+        tileTrees[added] = other.tileTrees[shape];
     }
 
     boolean isSeen(int shape, int ignoredOwner) {
@@ -101,18 +112,18 @@ final class Shapes {
             float[] root = mesh[shape].tree.data;
             return root.length == 0 ? 0 : root[number];
         }
-        HeightField field = heights[shape];
+        HeightGrid field = kind[shape] == TILES ? tiles[shape] : heights[shape];
         switch (number) {
             case 0:
                 return field.x(0);
             case 1:
-                return field.getPyramid().lowest();
+                return field.lowest();
             case 2:
                 return field.z(0);
             case 3:
                 return field.x(field.rows - 1);
             case 4:
-                return field.getPyramid().highest();
+                return field.highest();
             default:
                 return field.z(field.columns - 1);
         }

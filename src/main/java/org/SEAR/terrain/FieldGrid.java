@@ -1,5 +1,7 @@
 package org.SEAR.terrain;
 
+import org.SEAR.geometry.HeightTiles;
+
 /**
  * The posts that a height field gets: rows from the south, columns from the west, near the origin on the map's own posts, so that ridges stay as
  * sharp as they are there. Immutable, any thread.
@@ -55,6 +57,12 @@ final class FieldGrid {
             z = new Axis(size[1], map[1] / between, post[1], whole);
         } while (between > 1 && x.posts() * z.posts() > FINE);
         return new FieldGrid((int) x.posts(), (int) z.posts(), x.low(), z.low(), x.spacing, z.spacing);
+    }
+
+    /** The same, moved by less than a millimetre, so that it can be cut into {@link HeightTiles}. */
+    FieldGrid exact() {
+        return new FieldGrid(rows, columns, HeightTiles.exact(lowX), HeightTiles.exact(lowZ), HeightTiles.exact(spacingX),
+            HeightTiles.exact(spacingZ));
     }
 
     /** How many there are. */

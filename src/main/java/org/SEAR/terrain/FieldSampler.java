@@ -27,7 +27,7 @@ final class FieldSampler {
     /** Refuses a field that is too large. */
     static void require(String file, FieldGrid grid) throws IOException {
         FileLimits.range(file, "the number of posts (" + grid.rows + " x " + grid.columns + "; a smaller area has less)", grid.posts(), 9,
-            MapLimits.MAX_POSTS);
+            MapLimits.MOST_POSTS);
         double least = Math.max(grid.rows * grid.spacingX, grid.columns * grid.spacingZ) / DISTINCT;
         if (!(Math.min(grid.spacingX, grid.spacingZ) >= least)) {
             throw FileLimits.wrong(file, "the distance of posts", Math.min(grid.spacingX, grid.spacingZ) + " m",
@@ -53,7 +53,17 @@ final class FieldSampler {
                 empty += raster.isEmpty(row[2 * c], row[2 * c + 1]) ? 1 : 0;
             }
         }
-        double share = 100.0 * empty / grid.posts();
+        requireData(file, empty, grid.posts(), warnings);
+        GapFill.fill(raster.heights, raster.rows, raster.columns);
+    }
+
+    /**
+     * Tells how much has no data.
+     *
+     * @throws IOException if it is more than half
+     */
+    static void requireData(String file, long empty, long posts, List<String> warnings) throws IOException {
+        double share = 100.0 * empty / posts;
         if (share > 50) {
             throw FileLimits.wrong(file, "the part of the area without data", percent(share),
                 "at most 50 %: choose another area, or add the tile that has it");
@@ -61,7 +71,11 @@ final class FieldSampler {
         if (empty > 0) {
             warnings.add(file + ": " + percent(share) + " of the area have no data, and are filled in from around");
         }
-        GapFill.fill(raster.heights, raster.rows, raster.columns);
+    }
+
+    /** What is told of an area a part of which has no place on the map. */
+    static IOException beyond(String file) {
+        return FileLimits.wrong(file, "the place of the area", "where the map's coordinate system doesn't reach", "an area inside of it");
     }
 
     private static String percent(double share) {
@@ -82,7 +96,7 @@ final class FieldSampler {
                 heights[r * grid.columns + c] = (float) raster.height(row[2 * c], row[2 * c + 1]);
             }
             if (Float.isNaN(heights[r * grid.columns]) || Float.isNaN(heights[(r + 1) * grid.columns - 1])) {
-                throw FileLimits.wrong(file, "the place of the area", "where the map's coordinate system doesn't reach", "an area inside of it");
+                throw beyond(file);
             }
         }
         return new HeightField(grid.rows, grid.columns, grid.lowX, grid.lowZ, grid.spacingX, grid.spacingZ, heights);

@@ -1,6 +1,7 @@
 package org.SEAR.terrain;
 
 import java.util.Arrays;
+import java.util.function.IntToDoubleFunction;
 
 /**
  * Fills gaps in a raster from around: each post of a gap becomes the mean of its neighbours, so that the surface is as a skin stretched over the rim.
@@ -31,6 +32,24 @@ final class GapFill {
                 heights[at] = half[at / columns / 2 * halfColumns + at % columns / 2];
             }
         }
+        smooth(heights, gaps, rows, columns);
+    }
+
+    /**
+     * Fills in place, where what to begin with is known.
+     *
+     * @param heights row by row; NaN: to be filled
+     * @param start what a post begins with
+     */
+    static void fill(float[] heights, int rows, int columns, IntToDoubleFunction start) {
+        int[] gaps = gaps(heights);
+        for (int at : gaps) {
+            heights[at] = (float) start.applyAsDouble(at);
+        }
+        smooth(heights, gaps, rows, columns);
+    }
+
+    private static void smooth(float[] heights, int[] gaps, int rows, int columns) {
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
             for (int i = 0; i < gaps.length; i++) {
                 int at = gaps[(sweep & 1) == 0 ? i : gaps.length - 1 - i];

@@ -4,10 +4,13 @@ import java.util.Collections;
 import java.util.List;
 import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.HeightGrid;
 
 /** The ground of a world, made of elevation maps. Immutable, any thread. */
 public final class Ground {
-    /** Heights about the world's origin, which is the area's centre: there y is 0. */
+    /** Heights about the world's origin, which is the area's centre: there y is 0. Everything drives, stands and looks on these. */
+    public final HeightGrid heights;
+    /** The same; of a ground that is too large for the memory a coarser one, for pictures of all of it. */
     public final HeightField field;
     /** Where on Earth the world's origin lies, with the altitude of the ground there; null: the maps have no place on Earth. */
     public final GeoOrigin origin;
@@ -20,7 +23,8 @@ public final class Ground {
 
     private final MapHeights map;
 
-    Ground(HeightField field, GeoOrigin origin, double altitude, double spacing, MapHeights map, List<String> warnings) {
+    Ground(HeightGrid heights, HeightField field, GeoOrigin origin, double altitude, double spacing, MapHeights map, List<String> warnings) {
+        this.heights = heights;
         this.field = field;
         this.map = map;
         this.origin = origin;
@@ -42,6 +46,6 @@ public final class Ground {
             throw new IllegalStateException("the terrain's map has no place on Earth, so that nothing has a latitude and longitude");
         }
         double[] at = origin.to(latitude, longitude);
-        return Double.isNaN(field.height(at[0], at[1])) ? Double.NaN : map.height(latitude, longitude);
+        return Double.isNaN(heights.height(at[0], at[1])) ? Double.NaN : map.height(latitude, longitude);
     }
 }

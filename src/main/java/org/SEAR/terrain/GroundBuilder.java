@@ -3,9 +3,12 @@ package org.SEAR.terrain;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.DoubleBinaryOperator;
+import java.util.function.Supplier;
 import org.SEAR.files.FileLimits;
 import org.SEAR.geometry.GeoOrigin;
 import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.HeightGrid;
 import org.SEAR.terrain.format.MapLimits;
 
 /** Makes the ground of a world of opened maps. One thread. */
@@ -16,9 +19,16 @@ final class GroundBuilder {
     private final Mosaic mosaic;
     private final String file;
     private final TerrainArea wanted;
+    private final int atOnce;
     private final List<String> warnings = new ArrayList<>();
 
     GroundBuilder(Mosaic mosaic, TerrainArea wanted) {
+        this(mosaic, wanted, MapLimits.MAX_POSTS);
+    }
+
+    /** @param atOnce posts that are held in memory at most; a ground that has more is cut into tiles */
+    GroundBuilder(Mosaic mosaic, TerrainArea wanted, int atOnce) {
+        this.atOnce = atOnce;
         this.mosaic = mosaic;
         this.file = mosaic.first().name;
         this.wanted = wanted;
@@ -55,18 +65,9 @@ final class GroundBuilder {
             throw MapExtent.beyond(mosaic, system, area);
         }
         Made made = make(plane, size);
-        double altitude = lower(made.field, 1);
-        return new Ground(made.field, new GeoOrigin(level.getLatitude(), altitude, level.getLongitude()), altitude,
-            made.spacing, new MapHeights(made.raster, mosaic.place, system, middleX), warnings);
-    }
-
-    /** Makes the field's height at the origin 0; returns what it was. */
-    private static double lower(HeightField field, double factor) {
-        double zero = field.height(0, 0);
-        for (int i = 0; i < field.heights.length; i++) {
-            field.heights[i] = (float) ((field.heights[i] - zero) * factor);
-        }
-        return zero;
+        double altitude = made.lower(1);
+        return new Ground(made.heights, made.field, new GeoOrigin(level.getLatitude(), altitude, level.getLongitude()), altitude,
+            made.spacing, new MapHeights(made.map, mosaic.place, system, middleX), warnings);
     }
 
     private Ground flat() throws IOException {
@@ -84,12 +85,13 @@ final class GroundBuilder {
             mosaic.place.y((mosaic.columns - 1) / 2.0, (mosaic.rows - 1) / 2.0), unitsX / metres[1], unitsY / metres[0]);
         Made made = make(plane, metres);
         if (size == null) {
-            return new Ground(made.field, null, lower(made.field, 1), made.spacing, null, warnings);
+            double altitude = made.lower(1);
+            return new Ground(made.heights, made.field, null, altitude, made.spacing, null, warnings);
         }
-        double[] range = mosaic.first().white > 0 ? new double[] {0, mosaic.first().white} : made.raster.range();
+        double[] range = mosaic.first().white > 0 ? new double[] {0, mosaic.first().white} : made.range.get();
         double factor = range[1] > range[0] ? (size.highest - size.lowest) / (range[1] - range[0]) : 0;
-        double middle = lower(made.field, factor);
-        return new Ground(made.field, null, size.lowest + (middle - range[0]) * factor, made.spacing, null, warnings);
+        double middle = made.lower(factor);
+        return new Ground(made.heights, made.field, null, size.lowest + (middle - range[0]) * factor, made.spacing, null, warnings);
     }
 
     private Made make(MapPlane plane, double[] size) throws IOException {
@@ -107,10 +109,16 @@ final class GroundBuilder {
         }
         FieldGrid grid = FieldGrid.of(used, metres, steps[1], size != null);
         FieldSampler.require(file, grid);
-        MapRaster raster = read(box);
+        int[] part = part(box);
+        double spacing = Math.max(metres[0], metres[1]);
+        if (grid.posts() > atOnce || (long) part[2] * part[3] > atOnce) {
+            FieldGrid exact = grid.exact();
+            return new Paged(RasterFile.of(mosaic, part, atOnce / 2, warnings), exact, PlaneLattice.of(exact, plane, metres[1], metres[0]), spacing);
+        }
+        MapRaster raster = mosaic.read(part[0], part[1], part[2], part[3]);
         FieldSampler sampler = new FieldSampler(file, grid, PlaneLattice.of(grid, plane, metres[1], metres[0]), raster);
         sampler.fillGaps(warnings);
-        return new Made(sampler.field(), raster, Math.max(metres[0], metres[1]));
+        return new Whole(sampler.field(), raster, spacing);
     }
 
     /** At the origin: metres from post to post of the map, going north and going east, and how far north and east the map's first post is by them. */
@@ -129,13 +137,14 @@ final class GroundBuilder {
         return new double[][] {{x, z}, {-zero[1] * x * Math.signum(north[1] - zero[1]), -zero[0] * z * Math.signum(east[0] - zero[0])}};
     }
 
-    private MapRaster read(double[] box) throws IOException {
+    /** First row, first column, rows and columns of the map that are used. */
+    private int[] part(double[] box) throws IOException {
         int left = start(box[0], mosaic.columns);
         int top = start(box[1], mosaic.rows);
         long width = Math.min(mosaic.columns - 1, (long) Math.ceil(box[2]) + 1) - left + 1;
         long height = Math.min(mosaic.rows - 1, (long) Math.ceil(box[3]) + 1) - top + 1;
-        FileLimits.range(file, "the number of the map's posts in the area", width * height, 4, MapLimits.MAX_POSTS);
-        return mosaic.read(top, left, (int) height, (int) width);
+        FileLimits.range(file, "the number of the map's posts in the area", width * height, 4, MapLimits.MOST_POSTS);
+        return new int[] {top, left, (int) height, (int) width};
     }
 
     private static int start(double low, int count) {
@@ -143,15 +152,62 @@ final class GroundBuilder {
     }
 
     /** What both kinds of ground are made of. */
-    private static final class Made {
-        final HeightField field;
-        final MapRaster raster;
+    private abstract static class Made {
+        /** Of the map. */
+        final DoubleBinaryOperator map;
+        final Supplier<double[]> range;
         final double spacing;
+        HeightGrid heights;
+        HeightField field;
 
-        Made(HeightField field, MapRaster raster, double spacing) {
-            this.field = field;
+        Made(DoubleBinaryOperator map, Supplier<double[]> range, double spacing) {
+            this.map = map;
+            this.range = range;
             this.spacing = spacing;
+        }
+
+        /** Makes the height at the origin 0; returns what it was. */
+        abstract double lower(double factor) throws IOException;
+    }
+
+    /** In memory. */
+    private static final class Whole extends Made {
+        Whole(HeightField field, MapRaster raster, double spacing) {
+            super(raster::height, raster::range, spacing);
+            this.field = field;
+            heights = field;
+        }
+
+        @Override
+        double lower(double factor) {
+            double zero = field.height(0, 0);
+            for (int i = 0; i < field.heights.length; i++) {
+                field.heights[i] = (float) ((field.heights[i] - zero) * factor);
+            }
+            return zero;
+        }
+    }
+
+    /** In tiles. */
+    private final class Paged extends Made {
+        private final RasterFile raster;
+        private final FieldGrid grid;
+        private final PlaneLattice lattice;
+
+        Paged(RasterFile raster, FieldGrid grid, PlaneLattice lattice, double spacing) {
+            super(raster::height, raster::range, spacing);
             this.raster = raster;
+            this.grid = grid;
+            this.lattice = lattice;
+        }
+
+        @Override
+        double lower(double factor) throws IOException {
+            double zero = new TileSampler(file, grid, lattice, raster, 0, 1).atOrigin();
+            HeightField[] overview = new HeightField[1];
+            heights = new TileSampler(file, grid, lattice, raster, zero, factor).tiles(overview);
+            field = overview[0];
+            return zero;
         }
     }
 }

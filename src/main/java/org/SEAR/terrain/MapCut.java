@@ -3,7 +3,9 @@ package org.SEAR.terrain;
 import java.io.IOException;
 import org.SEAR.files.Assets;
 import org.SEAR.geometry.GeoOrigin;
+import org.SEAR.terrain.format.GeoTiffWriter;
 import org.SEAR.terrain.format.Georeference;
+import org.SEAR.terrain.format.MapLimits;
 
 /** Cuts the part of maps that an area uses, so that a project can be shared without the rest of them. Any thread. */
 public final class MapCut {
@@ -19,7 +21,8 @@ public final class MapCut {
      * The part of the maps that is used, with a rim, as one GeoTIFF that gives the same ground.
      *
      * @param area with a part of maps
-     * @return null if all of the maps is used, or their coordinate system has no number by which a file could name it
+     * @return null if all of the maps is used, or too much of them for the memory, or their coordinate system has no number by which a file could
+     *     name it
      * @throws IOException that names the map and what is wrong with it
      */
     public static byte[] of(TerrainArea area, Assets assets) throws IOException {
@@ -44,6 +47,9 @@ public final class MapCut {
         int top = (int) Math.max(0, Math.floor(box[1]) - RIM);
         int right = (int) Math.min(mosaic.columns - 1.0, Math.ceil(box[2]) + RIM);
         int bottom = (int) Math.min(mosaic.rows - 1.0, Math.ceil(box[3]) + RIM);
+        if ((bottom - top + 1L) * (right - left + 1) > MapLimits.MAX_POSTS) {
+            return null;
+        }
         MapRaster raster = mosaic.read(top, left, bottom - top + 1, right - left + 1);
         Georeference place = mosaic.place.from(left, top);
         return GeoTiffWriter.bytes(place, system.degrees, raster.rows, raster.columns, raster.heights);

@@ -1,15 +1,17 @@
 package org.SEAR.terrain;
 
+import java.util.function.DoubleBinaryOperator;
 import org.SEAR.terrain.format.Georeference;
 
 /** The heights of the area as the map has them, at any place on Earth. Any thread. */
 final class MapHeights {
-    private final MapRaster raster;
+    private final DoubleBinaryOperator raster;
     private final Georeference place;
     private final MapSystem system;
     private final double middle;
 
-    MapHeights(MapRaster raster, Georeference place, MapSystem system, double middle) {
+    /** @param raster the height at a column and a row of the map */
+    MapHeights(DoubleBinaryOperator raster, Georeference place, MapSystem system, double middle) {
         this.raster = raster;
         this.place = place;
         this.system = system;
@@ -23,6 +25,6 @@ final class MapHeights {
         if (system.degrees) {
             map[0] += 360 * Math.rint((middle - map[0]) / 360);
         }
-        return raster.height(place.column(map[0], map[1]), place.row(map[0], map[1]));
+        return raster.applyAsDouble(place.column(map[0], map[1]), place.row(map[0], map[1]));
     }
 }

@@ -30,9 +30,19 @@ final class MapRaster {
         double r = Math.max(0, Math.min(rows - 1, atRow - row));
         int left = Math.min((int) c, columns - 2);
         int top = Math.min((int) r, rows - 2);
-        double u = c - left;
-        double v = r - top;
-        int at = top * columns + left;
+        return between(top * columns + left, c - left, r - top);
+    }
+
+    /** The height that a larger raster has at a place, to the bit, when this is the part of it that has the four posts around. */
+    double height(RasterFile whole, double atColumn, double atRow) {
+        double c = Math.max(0, Math.min(whole.columns - 1, atColumn - whole.column));
+        double r = Math.max(0, Math.min(whole.rows - 1, atRow - whole.row));
+        int left = Math.min((int) c, whole.columns - 2);
+        int top = Math.min((int) r, whole.rows - 2);
+        return between((top + whole.row - row) * columns + left + whole.column - column, c - left, r - top);
+    }
+
+    private double between(int at, double u, double v) {
         double upper = heights[at] + u * (heights[at + 1] - heights[at]);
         double lower = heights[at + columns] + u * (heights[at + columns + 1] - heights[at + columns]);
         return upper + v * (lower - upper);

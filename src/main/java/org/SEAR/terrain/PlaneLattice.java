@@ -75,15 +75,25 @@ final class PlaneLattice {
      * @param into takes them, alternating
      */
     void places(int postRow, double[] into) {
-        for (int c = 0; c < lastColumn; c += step) {
+        places(postRow, 0, lastColumn, into);
+    }
+
+    /**
+     * The same of a part of a row.
+     *
+     * @param from its first post
+     * @param to its last post, at least one further
+     */
+    void places(int postRow, int from, int to, double[] into) {
+        for (int c = from / step * step; c <= to && c < lastColumn; c += step) {
             int end = Math.min(c + step, lastColumn);
             double firstColumn = column(postRow, c);
             double firstRow = row(postRow, c);
             double columnStep = (column(postRow, end) - firstColumn) / (end - c);
             double rowStep = (row(postRow, end) - firstRow) / (end - c);
-            for (int i = c; i <= end; i++) {
-                into[2 * i] = firstColumn + (i - c) * columnStep;
-                into[2 * i + 1] = firstRow + (i - c) * rowStep;
+            for (int i = Math.max(c, from); i <= Math.min(end, to); i++) {
+                into[2 * (i - from)] = firstColumn + (i - c) * columnStep;
+                into[2 * (i - from) + 1] = firstRow + (i - c) * rowStep;
             }
         }
     }

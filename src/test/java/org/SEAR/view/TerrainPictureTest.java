@@ -15,7 +15,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.concurrent.TimeUnit;
 import org.SEAR.POJOs.Terrain;
-import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.HeightGrid;
 import org.SEAR.view.terrain.TerrainView;
 import org.junit.Test;
 import org.junit.runner.RunWith;
@@ -87,7 +87,7 @@ public class TerrainPictureTest {
         }
         try (Views view = open(mountains())) {
             TerrainView terrain = view.scene().terrain();
-            HeightField field = terrain.field();
+            HeightGrid field = terrain.field();
             float ground = (float) field.height(3000, 2000);
             fly(view, 3000, ground + 1.5f, 2000, 0.7f, 0.05f);
             double near = cost(view);

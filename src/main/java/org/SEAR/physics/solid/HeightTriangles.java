@@ -3,10 +3,10 @@ package org.SEAR.physics.solid;
 import com.bulletphysics.collision.shapes.TriangleCallback;
 import java.util.function.Predicate;
 import javax.vecmath.Vector3f;
-import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.HeightGrid;
 import org.SEAR.geometry.HeightSearch;
 
-/** The triangles of a height field; what comes near it meets only those in its box. Simulation thread. */
+/** The triangles of heights; what comes near it meets only those in its box. Simulation thread. */
 final class HeightTriangles implements TriangleSearch {
     private final HeightSearch search;
     private final Vector3f[] corners = {new Vector3f(), new Vector3f(), new Vector3f()};
@@ -19,7 +19,7 @@ final class HeightTriangles implements TriangleSearch {
         return false;
     };
 
-    HeightTriangles(HeightField field) {
+    HeightTriangles(HeightGrid field) {
         search = new HeightSearch(field);
     }
 

@@ -19,7 +19,7 @@ import org.SEAR.POJOs.Shape;
 import org.SEAR.POJOs.Sphere;
 import org.SEAR.POJOs.Terrain;
 import org.SEAR.POJOs.Wheel;
-import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.HeightGrid;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.project.Project;
 import org.SEAR.project.models.ModelLoader;
@@ -57,7 +57,7 @@ public final class Solids implements ObjectTypes {
          *
          * @throws ProjectException if the terrain's map can't be loaded
          */
-        default HeightField ground() throws ProjectException {
+        default HeightGrid ground() throws ProjectException {
             return null;
         }
     }
@@ -102,8 +102,8 @@ public final class Solids implements ObjectTypes {
             }
 
             @Override
-            public HeightField ground() throws ProjectException {
-                return project.getGround().field;
+            public HeightGrid ground() throws ProjectException {
+                return project.getGround().heights;
             }
         };
     }

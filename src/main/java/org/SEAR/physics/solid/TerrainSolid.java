@@ -4,7 +4,7 @@ import java.util.function.Predicate;
 import org.SEAR.collision.ConvexHull;
 import org.SEAR.collision.ConvexShape;
 import org.SEAR.geometry.Aabb;
-import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.HeightGrid;
 import org.SEAR.geometry.HeightSearch;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.SurfaceMesh;
@@ -12,18 +12,18 @@ import org.SEAR.raycast.BeamScene;
 
 /** The ground of an area. It never moves; beams and contacts meet the same triangles of it, to the bit. */
 public final class TerrainSolid extends Solid {
-    private final HeightField heights;
+    private final HeightGrid heights;
     private final HeightSearch search;
 
-    public TerrainSolid(HeightField heights) {
-        super(half(heights.x(0), heights.x(heights.rows - 1)), half(heights.getPyramid().lowest(), heights.getPyramid().highest()),
+    public TerrainSolid(HeightGrid heights) {
+        super(half(heights.x(0), heights.x(heights.rows - 1)), half(heights.lowest(), heights.highest()),
             half(heights.z(0), heights.z(heights.columns - 1)), Pose.IDENTITY);
         this.heights = heights;
         search = new HeightSearch(heights);
     }
 
     /** @return null without heights */
-    static TerrainSolid of(HeightField heights) {
+    static TerrainSolid of(HeightGrid heights) {
         return heights == null ? null : new TerrainSolid(heights);
     }
 
@@ -64,7 +64,7 @@ public final class TerrainSolid extends Solid {
         double[][] corners = new double[8][];
         for (int i = 0; i < corners.length; i++) {
             corners[i] = new double[] {heights.x(i % 2 == 0 ? 0 : heights.rows - 1),
-                i / 4 == 0 ? heights.getPyramid().lowest() : heights.getPyramid().highest(), heights.z(i / 2 % 2 == 0 ? 0 : heights.columns - 1)};
+                i / 4 == 0 ? heights.lowest() : heights.highest(), heights.z(i / 2 % 2 == 0 ? 0 : heights.columns - 1)};
         }
         return corners;
     }
@@ -88,6 +88,6 @@ public final class TerrainSolid extends Solid {
     @Override
     public double[] farthest(double dx, double dy, double dz) {
         return new double[] {heights.x(dx < 0 ? 0 : heights.rows - 1),
-            dy < 0 ? heights.getPyramid().lowest() : heights.getPyramid().highest(), heights.z(dz < 0 ? 0 : heights.columns - 1)};
+            dy < 0 ? heights.lowest() : heights.highest(), heights.z(dz < 0 ? 0 : heights.columns - 1)};
     }
 }

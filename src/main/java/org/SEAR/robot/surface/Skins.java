@@ -137,6 +137,6 @@ final class Skins {
             told.accept("cameras can't look at the picture over the terrain: " + e.getMessage());
         }
         Relief relief = new Relief(ground.field, LONGEST, PER_POST, ground.spacing);
-        return new GroundSkin(ground.field, GroundPicture.landscape(relief, Daylight.onLandscape(), colors), temperature);
+        return new GroundSkin(ground.heights, GroundPicture.landscape(relief, Daylight.onLandscape(), colors), temperature);
     }
 }

@@ -7,7 +7,7 @@ import com.jme3.math.Vector3f;
 import com.jme3.renderer.Camera;
 import com.jme3.scene.Spatial;
 import java.util.List;
-import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.HeightGrid;
 
 /**
  * Where the camera is: by default behind the robot and turning with it, as flycam where the user puts it. Angles in radians; yaw is counter-clockwise
@@ -63,7 +63,7 @@ public final class CameraRig {
      *
      * @param whole whether all of it is to be seen at first
      */
-    public void setGround(HeightField field, boolean whole) {
+    public void setGround(HeightGrid field, boolean whole) {
         ground = new GroundSight(field, WALL);
         farthest = Math.max(FARTHEST, ground.extent());
         distance = whole ? OVERVIEW * ground.extent() : distance;

@@ -1,18 +1,18 @@
 package org.SEAR.view.scene;
 
 import com.jme3.math.Vector3f;
-import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.HeightGrid;
 
 /** What a terrain hides from a camera, and where the camera has to stay above it. Window thread only. */
 final class GroundSight {
     /** Steps in which a line of sight is followed; the first ones are the shortest. */
     private static final int STEPS = 96;
 
-    private final HeightField field;
+    private final HeightGrid field;
     private final float room;
 
     /** @param room metres that a camera keeps from the ground */
-    GroundSight(HeightField field, float room) {
+    GroundSight(HeightGrid field, float room) {
         this.field = field;
         this.room = room;
     }

@@ -3,7 +3,6 @@ package org.SEAR.view.terrain;
 import com.jme3.math.FastMath;
 import com.jme3.math.Vector3f;
 import com.jme3.renderer.Camera;
-import org.SEAR.geometry.HeightField;
 
 /**
  * How steeply the ground rises before the eye, up to each distance, in narrow columns side by side: what stays lower behind it can't be seen. Makes
@@ -18,7 +17,7 @@ final class Horizon {
     /** Pictures that look up or down more steeply have columns that are too far apart: nothing counts as hidden. */
     private static final float LEAST_AHEAD = 0.4f;
 
-    private final HeightField field;
+    private final TilePyramid ground;
     private final float highest;
     private final float[] distances = new float[STEPS];
     /** By column and step: the greatest rise over run so far. */
@@ -29,8 +28,8 @@ final class Horizon {
     private float half;
 
     /** @param highest metres, of the field */
-    Horizon(HeightField field, float highest) {
-        this.field = field;
+    Horizon(TilePyramid ground, float highest) {
+        this.ground = ground;
         this.highest = highest;
         distances[0] = FIRST;
         for (int step = 1; step < STEPS; step++) {
@@ -65,7 +64,7 @@ final class Horizon {
         float z = (ahead.z + aside * ahead.x) / length;
         float steepest = Float.NEGATIVE_INFINITY;
         for (int step = 0; step < STEPS; step++) {
-            double height = field.height(eye.x + distances[step] * x, eye.z + distances[step] * z);
+            double height = ground.surely(eye.x + distances[step] * x, eye.z + distances[step] * z, distances[step]);
             float slope = (float) (height - eye.y) / distances[step];
             steepest = slope > steepest ? slope : steepest;
             slopes[column * STEPS + step] = steepest;

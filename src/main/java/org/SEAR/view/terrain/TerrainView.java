@@ -5,7 +5,7 @@ import com.jme3.scene.Node;
 import com.jme3.scene.Spatial.CullHint;
 import java.util.ArrayList;
 import java.util.List;
-import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.HeightGrid;
 
 /**
  * The ground as it is drawn: the tiles that {@link TileChoice} wants, made when they are first seen and kept while there is room. Near the camera
@@ -31,7 +31,7 @@ public final class TerrainView {
     private long made;
 
     /** @param fine whether there is a graphics card, as {@code Materials} has it */
-    public TerrainView(HeightField field, GroundMaterial material, boolean fine) {
+    public TerrainView(HeightGrid field, GroundMaterial material, boolean fine) {
         this.material = material;
         pyramid = new TilePyramid(field);
         choice = new TileChoice(pyramid, fine ? MOST_FINE : MOST_PLAIN);
@@ -45,7 +45,7 @@ public final class TerrainView {
         return node;
     }
 
-    public HeightField field() {
+    public HeightGrid field() {
         return pyramid.field;
     }
 

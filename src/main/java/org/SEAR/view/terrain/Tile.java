@@ -43,7 +43,7 @@ final class Tile {
             int r = pyramid.postRow(level, row, i);
             for (int j = 0; j < SIDE; j++) {
                 int c = pyramid.postColumn(level, column, j);
-                places.put(pyramid.field.x(r)).put(pyramid.field.y(r, c)).put(pyramid.field.z(c));
+                places.put(pyramid.field.x(r)).put(pyramid.y(level, r, c)).put(pyramid.field.z(c));
             }
         }
         places.flip();

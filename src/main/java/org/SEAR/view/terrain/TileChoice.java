@@ -46,7 +46,7 @@ final class TileChoice {
     TileChoice(TilePyramid pyramid, int most) {
         this.pyramid = pyramid;
         this.most = most;
-        horizon = new Horizon(pyramid.field, pyramid.high(pyramid.levels - 1, 0, 0));
+        horizon = new Horizon(pyramid, pyramid.high(pyramid.levels - 1, 0, 0));
         levels = new byte[pyramid.rows(0) * pyramid.columns(0)];
         forced = new boolean[pyramid.levels][];
         for (int level = 0; level < pyramid.levels; level++) {

@@ -1,25 +1,44 @@
 package org.SEAR.view.terrain;
 
 import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.HeightGrid;
+import org.SEAR.geometry.HeightTiles;
 
 /**
- * The squares of a height field that can be drawn, and how wrong each would be. A tile of level l has {@link #CELLS} cells on each side, of 2^l of
+ * The squares of ground that can be drawn, and how wrong each would be. A tile of level l has {@link #CELLS} cells on each side, of 2^l of
  * the field's cells each; at the field's northern and eastern ends cells are cut short. Level 0 is the very field; the last level is one tile.
- * Holds about 16 bytes for each 256 posts. Immutable once made.
+ * Holds about 16 bytes for each 256 posts, and of ground that is not in memory as a whole each 8th post of each 8th row, so that far tiles need
+ * none of the others. Window thread only.
  */
 final class TilePyramid {
     /** Cells on each side of a tile: a power of two. */
     static final int CELLS = 16;
 
-    final HeightField field;
+    /** The level whose tiles' posts are held of ground that is not in memory, and those of coarser ones. */
+    private static final int KEPT = 3;
+    /** Metres from the eye beyond which the least height of a tile is enough. */
+    private static final float FAR = 3000;
+
+    final HeightGrid field;
     final int levels;
     /** By level and tile (row by row from the south): metres by which the tile's surface is off the field's at most. */
     private final float[][] errors;
     private final float[][] lows;
     private final float[][] highs;
+    /** Null: all are in memory. */
+    private final float[] kept;
+    private final int keptColumns;
+    /** The heights that were looked at last, and their south-western post. */
+    private HeightField part;
+    private int partRow;
+    private int partColumn;
 
-    TilePyramid(HeightField field) {
+    TilePyramid(HeightGrid field) {
         this.field = field;
+        boolean whole = field instanceof HeightField;
+        part = whole ? (HeightField) field : ((HeightTiles) field).tile(0);
+        keptColumns = kept(field.columns - 1) + 1;
+        kept = whole ? null : new float[(kept(field.rows - 1) + 1) * keptColumns];
         int count = 1;
         while (rows(field, count - 1) > 1 || columns(field, count - 1) > 1) {
             count++;
@@ -32,19 +51,86 @@ final class TilePyramid {
             errors[level] = new float[rows(level) * columns(level)];
             lows[level] = new float[errors[level].length];
             highs[level] = new float[errors[level].length];
-            for (int row = 0; row < rows(level); row++) {
-                for (int column = 0; column < columns(level); column++) {
-                    fill(level, row, column);
+        }
+        if (kept != null) {
+            fill((HeightTiles) field);
+        }
+        for (int level = kept == null ? 0 : KEPT + 1; level < levels; level++) {
+            fill(level, 0, rows(level), 0, columns(level));
+        }
+    }
+
+    /** The tiles that lie in one of the ground's, for each of these. */
+    private void fill(HeightTiles tiles) {
+        for (int number = 0; number < tiles.size(); number++) {
+            int south = tiles.firstRow(number);
+            int west = tiles.firstColumn(number);
+            look(tiles, number);
+            for (int level = 0; level < Math.min(levels, KEPT + 1); level++) {
+                int size = CELLS << level;
+                fill(level, south / size, (tiles.lastRow(number) - 1) / size + 1, west / size, (tiles.lastColumn(number) - 1) / size + 1);
+            }
+            for (int r = kept(south); r <= kept(tiles.lastRow(number)); r++) {
+                for (int c = kept(west); c <= kept(tiles.lastColumn(number)); c++) {
+                    kept[r * keptColumns + c] = part.y(Math.min((r << KEPT) - south, part.rows - 1), Math.min((c << KEPT) - west, part.columns - 1));
                 }
             }
         }
     }
 
-    private static int rows(HeightField field, int level) {
+    private void fill(int level, int row, int endRow, int column, int endColumn) {
+        for (int r = row; r < endRow; r++) {
+            for (int c = column; c < endColumn; c++) {
+                fill(level, r, c);
+            }
+        }
+    }
+
+    private static int kept(int post) {
+        return (post + (1 << KEPT) - 1) >> KEPT;
+    }
+
+    private void look(HeightTiles tiles, int number) {
+        part = tiles.tile(number);
+        partRow = tiles.firstRow(number);
+        partColumn = tiles.firstColumn(number);
+    }
+
+    /**
+     * Height of a post, metres.
+     *
+     * @param level of a tile that has it
+     */
+    float y(int level, int row, int column) {
+        if (kept != null && level >= KEPT) {
+            return kept[kept(row) * keptColumns + kept(column)];
+        }
+        int r = row - partRow;
+        int c = column - partColumn;
+        if (r < 0 || c < 0 || r >= part.rows || c >= part.columns) {
+            HeightTiles tiles = (HeightTiles) field;
+            look(tiles, Math.min(row / HeightTiles.CELLS, tiles.tileRows - 1) * tiles.tileColumns
+                + Math.min(column / HeightTiles.CELLS, tiles.tileColumns - 1));
+            return part.y(row - partRow, column - partColumn);
+        }
+        return part.y(r, c);
+    }
+
+    /** What the ground at a place is surely no lower than; NaN beside it. Far from the eye that is not exact where the ground is not in memory. */
+    double surely(float x, float z, float distance) {
+        if (kept == null || distance < FAR) {
+            return field.height(x, z);
+        }
+        int row = (int) Math.floor((x - field.lowX) / field.spacingX / CELLS);
+        int column = (int) Math.floor((z - field.lowZ) / field.spacingZ / CELLS);
+        return row < 0 || column < 0 || row >= rows(0) || column >= columns(0) ? Double.NaN : low(0, row, column);
+    }
+
+    private static int rows(HeightGrid field, int level) {
         return tiles(field.rows - 1, level);
     }
 
-    private static int columns(HeightField field, int level) {
+    private static int columns(HeightGrid field, int level) {
         return tiles(field.columns - 1, level);
     }
 
@@ -94,8 +180,9 @@ final class TilePyramid {
         if (level == 0) {
             for (int r = postRow(0, row, 0); r <= postRow(0, row, CELLS); r++) {
                 for (int c = postColumn(0, column, 0); c <= postColumn(0, column, CELLS); c++) {
-                    low = Math.min(low, field.y(r, c));
-                    high = Math.max(high, field.y(r, c));
+                    float height = y(0, r, c);
+                    low = Math.min(low, height);
+                    high = Math.max(high, height);
                 }
             }
         } else {
@@ -119,34 +206,35 @@ final class TilePyramid {
         float most = 0;
         for (int i = 0; i < CELLS; i++) {
             for (int j = 0; j < CELLS; j++) {
-                most = Math.max(most, step(postRow(level, row, i), postRow(level, row, i + 1), postColumn(level, column, j),
-                    postColumn(level, column, j + 1), 1 << level - 1));
+                most = Math.max(most, step(level - 1, postRow(level, row, i), postRow(level, row, i + 1), postColumn(level, column, j),
+                    postColumn(level, column, j + 1)));
             }
         }
         return most;
     }
 
     /** How far the posts that the level below has in a cell between those at its corners are off its two triangles. */
-    private float step(int south, int north, int west, int east, int half) {
+    private float step(int below, int south, int north, int west, int east) {
+        int half = 1 << below;
         float most = 0;
         for (int r = south; r <= north; r = r < south + half && south + half < north ? south + half : r < north ? north : north + 1) {
             for (int c = west; c <= east; c = c < west + half && west + half < east ? west + half : c < east ? east : east + 1) {
-                most = Math.max(most, Math.abs(field.y(r, c) - surface(south, north, west, east, r, c)));
+                most = Math.max(most, Math.abs(y(below, r, c) - surface(below, south, north, west, east, r, c)));
             }
         }
         return most;
     }
 
-    private float surface(int south, int north, int west, int east, int r, int c) {
+    private float surface(int level, int south, int north, int west, int east, int r, int c) {
         float u = north > south ? (float) (r - south) / (north - south) : 0;
         float v = east > west ? (float) (c - west) / (east - west) : 0;
-        float low = field.y(south, west);
-        float high = field.y(north, east);
+        float low = y(level, south, west);
+        float high = y(level, north, east);
         if (v >= u) {
-            float corner = field.y(south, east);
+            float corner = y(level, south, east);
             return low + v * (corner - low) + u * (high - corner);
         }
-        float corner = field.y(north, west);
+        float corner = y(level, north, west);
         return low + u * (corner - low) + v * (high - corner);
     }
 }

@@ -13,6 +13,9 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Random;
 import org.SEAR.geometry.HeightField;
+import org.SEAR.geometry.HeightGrid;
+import org.SEAR.geometry.HeightTiles;
+import org.SEAR.geometry.HeightTilesTest;
 import org.junit.Test;
 
 /** The tiles of a terrain: one surface without holes, as exact as it has to be. */
@@ -136,7 +139,7 @@ public class TilesTest {
     @Test
     public void aTileIsOffByNoMoreThanItIsSaidToBe() {
         TilePyramid pyramid = new TilePyramid(hills(400, 300, 30));
-        HeightField field = pyramid.field;
+        HeightGrid field = pyramid.field;
         for (int level = 0; level < pyramid.levels; level++) {
             double worst = 0;
             for (int row = 0; row < field.rows; row += 3) {
@@ -153,7 +156,7 @@ public class TilesTest {
         }
     }
 
-    private static double coarse(HeightField field, int step, int row, int column) {
+    private static double coarse(HeightGrid field, int step, int row, int column) {
         int south = Math.min(row / step * step, field.rows - 1);
         int north = Math.min(south + step, field.rows - 1);
         int west = Math.min(column / step * step, field.columns - 1);
@@ -184,7 +187,7 @@ public class TilesTest {
     @Test
     public void groundBehindNearerGroundIsLeftOutAndNoneThatIsSeen() {
         TilePyramid pyramid = new TilePyramid(hills(1800, 1800, 30));
-        HeightField field = pyramid.field;
+        HeightGrid field = pyramid.field;
         Random random = new Random(3);
         int least = Integer.MAX_VALUE;
         for (int place = 0; place < 12; place++) {
@@ -211,7 +214,7 @@ public class TilesTest {
     }
 
     /** Where a beam goes under the ground, in steps that get longer with the distance. */
-    private static Vector3f meet(HeightField field, Vector3f from, Vector3f direction) {
+    private static Vector3f meet(HeightGrid field, Vector3f from, Vector3f direction) {
         for (float t = 1; t < 60_000; t *= 1.002f) {
             Vector3f at = direction.mult(t).addLocal(from);
             double ground = field.height(at.x, at.z);
@@ -223,7 +226,7 @@ public class TilesTest {
     }
 
     private static boolean isDrawn(TilePyramid pyramid, TileChoice choice, Vector3f at) {
-        HeightField field = pyramid.field;
+        HeightGrid field = pyramid.field;
         int row = (int) ((at.x - field.lowX) / field.spacingX) / TilePyramid.CELLS;
         int column = (int) ((at.z - field.lowZ) / field.spacingZ) / TilePyramid.CELLS;
         for (int tile = 0; tile < choice.count(); tile++) {
@@ -261,5 +264,41 @@ public class TilesTest {
             tiles += pyramid.rows(level) * pyramid.columns(level);
         }
         assertTrue(tiles + " tiles", tiles < 2 * field.heights.length / (TilePyramid.CELLS * TilePyramid.CELLS));
+    }
+
+    @Test
+    public void groundInTilesIsDrawnAsTheSameInMemory() {
+        HeightField field = hills(700, 560, HeightTiles.exact(30));
+        HeightTiles tiles = HeightTilesTest.of(field, 4);
+        TilePyramid expected = new TilePyramid(field);
+        TilePyramid pyramid = new TilePyramid(tiles);
+        assertEquals(expected.levels, pyramid.levels);
+        for (int level = 0; level < pyramid.levels; level++) {
+            for (int row = 0; row < pyramid.rows(level); row++) {
+                for (int column = 0; column < pyramid.columns(level); column++) {
+                    assertEquals(expected.low(level, row, column), pyramid.low(level, row, column), 0);
+                    assertEquals(expected.high(level, row, column), pyramid.high(level, row, column), 0);
+                    assertEquals(expected.error(level, row, column), pyramid.error(level, row, column), 0);
+                    for (int cell = 0; cell <= TilePyramid.CELLS; cell++) {
+                        int r = pyramid.postRow(level, row, cell);
+                        int c = pyramid.postColumn(level, column, (cell * 7) % (TilePyramid.CELLS + 1));
+                        assertEquals(field.y(r, c), pyramid.y(level, r, c), 0);
+                    }
+                }
+            }
+        }
+        long made = tiles.made();
+        for (int row = 0; row < pyramid.rows(5); row++) {
+            pyramid.y(5, pyramid.postRow(5, row, 3), pyramid.postColumn(5, 0, 5));
+        }
+        assertEquals("far tiles need none of the ground's", made, tiles.made());
+        for (float distance = 1000; distance < 6000; distance += 500) {
+            for (float x = -10450; x < 10400; x += 333) {
+                double exact = field.height(x, x / 2);
+                double surely = pyramid.surely(x, x / 2, distance);
+                assertTrue(exact + " and " + surely, surely <= exact && surely > exact - 600);
+            }
+        }
+        assertTrue(Double.isNaN(pyramid.surely(20000, 0, 5000)));
     }
 }

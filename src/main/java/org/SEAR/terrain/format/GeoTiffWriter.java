@@ -1,4 +1,4 @@
-package org.SEAR.terrain;
+package org.SEAR.terrain.format;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
@@ -6,13 +6,12 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import org.SEAR.terrain.format.Georeference;
 
 /**
  * Writes heights as a plain GeoTIFF: 32-bit floating point, one strip, not compressed, pixels as points, placed by a ModelTransformation (OGC GeoTIFF
  * 1.1, TIFF 6.0). One use, one thread.
  */
-final class GeoTiffWriter {
+public final class GeoTiffWriter {
     private static final int SHORT = 3;
     private static final int LONG = 4;
     private static final int DOUBLE = 12;
@@ -32,7 +31,7 @@ final class GeoTiffWriter {
     }
 
     /** Whether a place can be written: its coordinate system has a number. */
-    static boolean canWrite(Georeference place) {
+    public static boolean canWrite(Georeference place) {
         return place != null && place.system != null && place.system.matches(EPSG + "[0-9]{1,5}");
     }
 
@@ -43,7 +42,7 @@ final class GeoTiffWriter {
      * @param degrees whether the coordinate system is a geographic one
      * @param heights metres, row by row, NaN where there is none
      */
-    static byte[] bytes(Georeference place, boolean degrees, int rows, int columns, float[] heights) {
+    public static byte[] bytes(Georeference place, boolean degrees, int rows, int columns, float[] heights) {
         return new GeoTiffWriter().write(place, degrees, rows, columns, heights);
     }
 

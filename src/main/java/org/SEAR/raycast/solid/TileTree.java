@@ -1,0 +1,39 @@
+package org.SEAR.raycast.solid;
+
+import java.util.Map;
+import java.util.WeakHashMap;
+import org.SEAR.geometry.HeightTiles;
+import org.SEAR.raycast.tree.Bvh;
+import org.SEAR.raycast.tree.BvhBuilder;
+
+/**
+ * A hierarchy over the tiles of {@link HeightTiles}, by which beams find the few that they may meet before these are brought into memory. Immutable,
+ * any thread. The same tiles share one as long as somebody holds them.
+ */
+public final class TileTree {
+    private static final Map<HeightTiles, TileTree> KNOWN = new WeakHashMap<>();
+
+    /** Of the tiles' boxes, rounded outward; its items are their numbers. */
+    public final Bvh tree;
+
+    private TileTree(HeightTiles tiles) {
+        float[] boxes = new float[tiles.size() * Bvh.BOUNDS];
+        for (int i = 0; i < tiles.size(); i++) {
+            int at = i * Bvh.BOUNDS;
+            boxes[at] = Math.nextDown(tiles.x(tiles.firstRow(i)));
+            boxes[at + 1] = Math.nextDown(tiles.low(i));
+            boxes[at + 2] = Math.nextDown(tiles.z(tiles.firstColumn(i)));
+            boxes[at + 3] = Math.nextUp(tiles.x(tiles.lastRow(i)));
+            boxes[at + 4] = Math.nextUp(tiles.high(i));
+            boxes[at + 5] = Math.nextUp(tiles.z(tiles.lastColumn(i)));
+        }
+        tree = BvhBuilder.build(boxes, 1);
+    }
+
+    /** The hierarchy over these tiles, built when it is asked for the first time. */
+    public static TileTree of(HeightTiles tiles) {
+        synchronized (KNOWN) {
+            return KNOWN.computeIfAbsent(tiles, TileTree::new);
+        }
+    }
+}

@@ -1,4 +1,4 @@
-"""The whole benchmark in one run: SEAR, jbullet, pybullet, MuJoCo and Embree in the same worlds. scripts/benchmark runs it; --help lists the options."""
+"""The whole benchmark in one run: SEAR and other engines in the same worlds, in turns. scripts/benchmark runs it; --help lists the options."""
 import argparse
 import json
 import os

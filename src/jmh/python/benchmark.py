@@ -1,9 +1,10 @@
-"""The whole benchmark in one run: SEAR, jbullet, pybullet and MuJoCo in the same worlds. scripts/benchmark runs it; --help lists the options."""
+"""The whole benchmark in one run: SEAR and other engines in the same worlds, in turns. scripts/benchmark runs it; --help lists the options."""
 import argparse
 import json
 import os
 import re
 import shutil
+import statistics
 import subprocess
 import sys
 import time
@@ -13,13 +14,17 @@ import cameras
 import cores
 import machine
 import page
+from program import Program
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", "..", ".."))
 INSTALLED = os.path.join(ROOT, "build", "install", "sear")
 HERE = os.path.dirname(os.path.abspath(__file__))
 PACKAGE = "org.SEAR.benchmark."
 PEERS = {"mujoco": (("mujoco", "mujocoVersion"), ("mujoco-core", "mujocoCoreVersion"), ("PyOpenGL", "pyOpenGlVersion"), ("numpy", "numpyVersion")),
-         "pybullet": (("pybullet", "pybulletVersion"), ("numpy", "numpyVersion"))}
+         "pybullet": (("pybullet", "pybulletVersion"), ("numpy", "numpyVersion")),
+         "embree": (("embreex", "embreexVersion"), ("numpy", "numpyVersion"))}
+# Which casts rays and knows no bodies
+ONLY_BEAMS = ("embree",)
 # Load a core above which the machine is too busy to measure
 BUSY = 0.25
 # Seconds that one world may take in another engine
@@ -35,9 +40,10 @@ FULL = {
     "drops": ["drop-10", "drop-30", "drop-100", "drop-300", "drop-1000"],
     "meshes": [1000, 10000, 110000, 1000000],
     "runs": ["all-room-20", "all-room-1000"],
-    "jmh": [],
+    "jmh": ["-i", "2"],
+    "rounds": 3,
     "steps": 3600,
-    "seconds": 0.9,
+    "seconds": 0.4,
     "scans": 30,
     "bodies": bodies.SCENES,
 }
@@ -51,6 +57,7 @@ QUICK = {
     "runs": ["all-room-20"],
     "steps": 60,
     "jmh": ["-f", "0", "-wi", "1", "-w", "50ms", "-i", "1", "-r", "50ms"],
+    "rounds": 1,
     "seconds": 0.1,
     "scans": 2,
     "bodies": bodies.QUICK_SCENES,
@@ -101,23 +108,59 @@ class Run:
         self.say("writing the worlds")
         self.call_java("WorldFiles", self.folder, *(self.plan["beams"] + self.plan["drives"] + self.plan["drops"]))
 
-    def jmh(self):
-        """Rates of SEAR and jbullet by (engine, world)."""
-        self.say("SEAR and jbullet: beams and steps")
+    def in_turns(self):
+        """Rates of all engines by (engine, world), and why an engine or a world is missing.
+
+        In each world they go in turns, one repetition of each and then again, so that a busy machine hits all alike. The median of these counts.
+        """
+        plan = self.plan
+        engines, missing = self.installed()
+        steps = [world for world in plan["own"] if not world.startswith("asleep")]
+        asleep = [world for world in plan["own"] if world.startswith("asleep")]
         results = []
-        steps = self.plan["drives"] + [world for world in self.plan["own"] if not world.startswith("asleep")]
-        drops = self.plan["drops"] + [world for world in self.plan["own"] if world.startswith("asleep")]
-        for benchmark, worlds in (("Beams.", self.plan["beams"]), ("Beams.(fan|single)$", self.plan["fields"]), ("Steps.", steps),
-                                  ("Drops.", drops)):
-            target = self.path("jmh.json")
-            self.call_java("Report", target, PACKAGE + benchmark, "-p", "world=" + ",".join(worlds), *self.plan["jmh"])
-            for result in read(target):
-                method = result["benchmark"].rsplit(".", 1)[1]
-                scale = 1e6 if result["primaryMetric"]["scoreUnit"] == "ops/us" else 1.0
-                share = result["secondaryMetrics"]["cpuShare"]["score"]
-                results.append({"engine": {"fan": "SEAR fan", "single": "SEAR single", "step": "SEAR"}.get(method, method),
-                                "world": result["params"]["world"], "perSecond": result["primaryMetric"]["score"] * scale, "cpuShare": share})
+        for benchmark, worlds, peers in (("Beams.", plan["beams"], engines), ("Beams.(fan|single)$", plan["fields"], []),
+                                         ("Steps.", plan["drives"], [engine for engine in engines if engine not in ONLY_BEAMS]),
+                                         ("Steps.", steps, []),
+                                         ("Drops.", plan["drops"], [engine for engine in engines if engine not in ONLY_BEAMS]),
+                                         ("Drops.", asleep, [])):
+            for world in worlds:
+                self.say("%s: SEAR%s" % (world, "".join(", " + engine for engine in peers)))
+                results += self.world(benchmark, world, peers, missing)
+        return results, missing
+
+    def world(self, benchmark, world, engines, missing):
+        programs = self.start(world, engines, missing)
+        turns = {}
+        for _ in range(self.plan["rounds"]):
+            for engine, rate, share in self.jmh(benchmark, world):
+                turns.setdefault(engine, []).append((rate, share))
+            for engine in list(programs):
+                try:
+                    turns.setdefault(engine, []).append(tuple(float(word) for word in programs[engine].ask(str(self.plan["seconds"]))))
+                except ValueError as e:
+                    missing["%s in %s" % (engine, world)] = "(%s)" % e
+                    del programs[engine], turns[engine]
+        results = []
+        for engine, pairs in turns.items():
+            result = {"engine": engine, "world": world}
+            if engine in programs:
+                programs[engine].close()
+                result = read(self.peer_file(engine))
+            rates, shares = zip(*pairs)
+            results.append(dict(result, perSecond=statistics.median(rates), cpuShare=statistics.mean(shares)))
         return results
+
+    def jmh(self, benchmark, world):
+        """One repetition of SEAR, and of jbullet where it is asked: (engine, rate, share of a core)."""
+        target = self.path("jmh.json")
+        self.call_java("Report", target, PACKAGE + benchmark, "-p", "world=" + world, *self.plan["jmh"])
+        found = []
+        for result in read(target):
+            method = result["benchmark"].rsplit(".", 1)[1]
+            scale = 1e6 if result["primaryMetric"]["scoreUnit"] == "ops/us" else 1.0
+            found.append(({"fan": "SEAR fan", "single": "SEAR single", "step": "SEAR"}.get(method, method),
+                          result["primaryMetric"]["score"] * scale, result["secondaryMetrics"]["cpuShare"]["score"]))
+        return found
 
     def meshes(self):
         found = []
@@ -186,31 +229,32 @@ class Run:
             file.write(" ".join(wanted))
         return None
 
-    def peers(self):
-        """Results of the other engines, and why an engine or a world is missing."""
-        results = []
+    def installed(self):
+        """The other engines that are there, and why one is not."""
+        engines = []
         missing = {}
         for engine in sorted(PEERS):
             reason = self.install(engine)
             if reason:
                 missing[engine] = reason
-                continue
-            for world in self.plan["beams"] + self.plan["drives"] + self.plan["drops"]:
-                self.say("%s: %s" % (engine, world))
-                target = self.path("peer.json")
-                with open(self.path("%s.log" % engine), "a") as log:
-                    try:
-                        status = subprocess.call([os.path.join(ROOT, "build", "peers-" + engine, "bin", "python"), os.path.join(HERE, "peer.py"),
-                                                  engine, self.path(world + ".json"), target, str(self.plan["seconds"])],
-                                                 stdout=log, stderr=log, timeout=LONGEST_WORLD, cwd=self.folder,
-                                                 env=dict(os.environ, MUJOCO_GL="disable"))
-                    except subprocess.TimeoutExpired:
-                        status = "no answer within %d s" % LONGEST_WORLD
-                if status == 0:
-                    results.append(read(target))
-                else:
-                    missing["%s in %s" % (engine, world)] = "failed (%s)" % status
-        return results, missing
+            else:
+                engines.append(engine)
+        return engines, missing
+
+    def peer_file(self, engine):
+        return self.path("peer-%s.json" % engine)
+
+    def start(self, world, engines, missing):
+        """A program for each engine that has made the world and waits for its turn."""
+        programs = {}
+        for engine in engines:
+            command = [os.path.join(ROOT, "build", "peers-" + engine, "bin", "python"), os.path.join(HERE, "peer.py"), engine,
+                       self.path(world + ".json"), self.peer_file(engine)]
+            try:
+                programs[engine] = Program(command, {"MUJOCO_GL": "disable"}, self.folder, self.path("%s.log" % engine), LONGEST_WORLD)
+            except ValueError as e:
+                missing["%s in %s" % (engine, world)] = "(%s)" % e
+        return programs
 
     def bullet(self):
         """The class path of native Bullet; None if there is none."""
@@ -258,13 +302,12 @@ class Run:
             self.say("this machine is busy (load average %.1f, %d cores): the numbers will mean little" % (load, os.cpu_count()))
         self.worlds()
         found = {"date": time.strftime("%Y-%m-%d"), "quick": self.options.quick, "machine": machine.describe(self.java), "loadBefore": load}
-        found["rates"] = self.jmh()
+        found["rates"], found["missing"] = self.in_turns()
+        found["rounds"] = self.plan["rounds"]
         found["meshes"] = self.meshes()
         found["runs"] = self.runs()
         found["script"] = self.script()
-        peers, found["missing"] = self.peers()
-        found["agreement"], found["outcomes"] = self.compare(peers)
-        found["rates"] += peers
+        found["agreement"], found["outcomes"] = self.compare([rate for rate in found["rates"] if "version" in rate])
         found["bodies"], missing = self.bodies()
         found["missing"].update(missing)
         found["cameras"], missing = cameras.Cameras(self, self.options.quick).measure()

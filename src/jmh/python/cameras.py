@@ -2,7 +2,8 @@
 import array
 import os
 import statistics
-import subprocess
+
+from program import Program
 
 WORLDS = ["room-20", "sensors"]
 OWN_WORLDS = ["mountain"]
@@ -20,32 +21,6 @@ ABOUT = ["Pictures of 320 x 240 pixels and 60° from the same places, one after 
          "without smoothing of edges, and with a shadow map of a sixteenth. pybullet draws by its TinyRenderer. The last column counts the pixels of a",
          "picture whose depth is the same within 1 %."]
 QUICK_ROUNDS = 1
-
-
-class Painter:
-    """A program that takes pictures when it is told to."""
-
-    def __init__(self, command, environment, folder, log):
-        self.log = open(log, "a")
-        self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.log, universal_newlines=True, cwd=folder,
-                                        env=dict(os.environ, **environment))
-        self.answer()
-
-    def answer(self):
-        line = self.process.stdout.readline()
-        if not line:
-            raise ValueError("it ended; its messages are in " + self.log.name)
-        return line.split()
-
-    def ask(self, line):
-        self.process.stdin.write(line + "\n")
-        self.process.stdin.flush()
-        return self.answer()
-
-    def close(self):
-        self.process.stdin.close()
-        self.process.wait()
-        self.log.close()
 
 
 def depths(path):
@@ -86,12 +61,12 @@ class Cameras:
         if engine == "sear":
             command = [self.run.java, "-Dsear.root=" + self.run.root, "-cp", self.run.options.classpath, "org.SEAR.benchmark.Cameras", world]
             command += [file] if world in WORLDS else []
-            return Painter(command, {}, self.run.folder, log)
+            return Program(command, {}, self.run.folder, log)
         here = os.path.dirname(os.path.abspath(__file__))
         python = os.path.join(self.run.root, "build", "peers-" + engine.partition("-")[0], "bin", "python")
         # Mesa's llvmpipe draws in the thread that asks
         environment = {"MUJOCO_GL": "egl", "LIBGL_ALWAYS_SOFTWARE": "1", "LP_NUM_THREADS": "0"}
-        return Painter([python, os.path.join(here, "picture_peer.py"), engine, file], environment, self.run.folder, log)
+        return Program([python, os.path.join(here, "picture_peer.py"), engine, file], environment, self.run.folder, log)
 
     def world(self, world, engines, missing):
         painters = {}

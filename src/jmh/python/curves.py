@@ -7,7 +7,8 @@ LEFT = 74
 RIGHT = 150
 TOP = 40
 BOTTOM = 56
-COLOURS = {"SEAR fan": "#c1272d", "SEAR single": "#e58a3c", "SEAR": "#c1272d", "jbullet": "#7a7a7a", "pybullet": "#2f6db5", "MuJoCo": "#2e8b57"}
+COLOURS = {"SEAR fan": "#c1272d", "SEAR single": "#e58a3c", "SEAR": "#c1272d", "jbullet": "#7a7a7a", "pybullet": "#2f6db5", "MuJoCo": "#2e8b57",
+           "Embree": "#8a6d1d"}
 OTHER = "#8e44ad"
 LEAST_GAP = 14
 

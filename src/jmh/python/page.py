@@ -12,7 +12,7 @@ BEGIN = "<!-- measured: scripts/benchmark writes from here -->"
 END = "<!-- measured: to here -->"
 # Where the measured process had less of a core than this, rates are counted by CPU time
 QUIET = 0.9
-PEERS = ("MuJoCo", "pybullet", "jbullet")
+PEERS = ("Embree", "MuJoCo", "pybullet", "jbullet")
 STEPS_A_SECOND = 60.0
 NOTHING = "–"
 
@@ -48,6 +48,8 @@ class Results:
         self.found = found
         self.rates = {(rate["engine"], rate["world"]): rate for rate in found["rates"]}
         self.judged = []
+        # Columns of the tables of beams
+        self.peers = [peer for peer in PEERS if any(engine == peer for engine, _ in self.rates)]
 
     def is_busy(self, engine, world):
         rate = self.rates.get((engine, world))
@@ -92,6 +94,8 @@ def machine(results):
     lines = ["Measured on %s: %s, %s cores, %s GiB of memory; %s; %s; Python %s." % (
         found["date"], cpu, about["cores"], about["memoryGiB"], about["system"], about["java"], about["python"]),
              "Each engine had one thread to itself. The run took %.0f minutes." % found["minutes"]]
+    if "rounds" in found:
+        lines.append("In each world the engines went in turns, one repetition of each and then again; the median of %d counts." % found["rounds"])
     versions = {rate["engine"]: rate["version"] for rate in found["rates"] if "version" in rate}
     lines.append("Engines: SEAR (this commit), jbullet (the library that SEAR uses for bodies)%s."
                  % "".join(", %s %s" % pair for pair in sorted(versions.items())))
@@ -110,17 +114,17 @@ def beams(results):
     rows = []
     for world in results.worlds("room") + results.worlds("hall") + results.worlds("hills") + results.worlds("field"):
         fan, single = results.rate("SEAR fan", world), results.rate("SEAR single", world)
-        rows.append([world] + [results.ratio("SEAR fan", peer, world) for peer in PEERS]
+        rows.append([world] + [results.ratio("SEAR fan", peer, world) for peer in results.peers]
                     + [results.shown("SEAR fan", world, 1e6), results.judge("fan " + world, fan and fan / 1e6),
                        results.shown("SEAR single", world, 1e6), results.judge("single " + world, single and single / 1e6)]
-                    + [results.shown(peer, world, 1e6) for peer in PEERS])
+                    + [results.shown(peer, world, 1e6) for peer in results.peers])
     fields = ["`field-N`: a height field of N posts 6 cm apart, 100 000 of them on 20 m × 20 m."] if results.worlds("field") else []
     return ["### Beams", "",
             "Millions of beams a second. A fan is a LIDAR's scan of 361 beams over 180°, 8 m far, from 100 poses in turn; single beams are the",
             "same ones cast one by one. `room-N`: N rotated boxes in a room of 10 m × 10 m; `hall-N`: N boxes in a hall that grows with them, 20 on",
-            "100 m²; `hills-N`: N triangles on 20 m × 20 m. The first three columns say how many times faster SEAR's fan is than the other engine.",
+            "100 m²; `hills-N`: N triangles on 20 m × 20 m. The columns with / say how many times faster SEAR's fan is than the other engine.",
             *fields, ""] + table(
-                ["world", "/ MuJoCo", "/ pybullet", "/ jbullet", "fan", "goal", "single", "goal", "MuJoCo", "pybullet", "jbullet"], rows)
+                ["world"] + ["/ " + peer for peer in results.peers] + ["fan", "goal", "single", "goal"] + results.peers, rows)
 
 
 def agreement(results):
@@ -297,9 +301,9 @@ def summary(results):
                                   ("bodies that all move", "SEAR", ("drop-10", "drop-100", "drop-1000"))):
         for world in worlds:
             if (engine, world) in results.rates:
-                rows.append(["%s, %s" % (label, world)] + [results.ratio(engine, peer, world) for peer in PEERS])
+                rows.append(["%s, %s" % (label, world)] + [results.ratio(engine, peer, world) for peer in results.peers])
     return ["### In one look", "", "How many times faster SEAR is (below 1: slower):", ""] + table(
-        ["what"] + ["than " + peer for peer in PEERS], rows)
+        ["what"] + ["than " + peer for peer in results.peers], rows)
 
 
 # ---- pictures ------------------------------------------------------------------------------------------------------------

@@ -1,4 +1,7 @@
-"""Runs one world of the benchmark in another engine: peer.py ENGINE WORLD.json OUT.json SECONDS. ENGINE is mujoco or pybullet."""
+"""Runs one world of the benchmark in another engine whenever it is told to: peer.py ENGINE WORLD.json OUT.json. ENGINE is mujoco, pybullet or embree.
+
+OUT.json takes what is found out once. Then each line with a number of seconds is answered by "RATE SHARE", as timing.rate has them.
+"""
 import importlib
 import json
 import math
@@ -11,7 +14,7 @@ FEW_POSES = 10
 LONG_SCAN = 0.05
 
 
-def beams(engine, world, seconds):
+def beams(engine, world):
     before = timing.resident()
     scene, build = timing.once(lambda: engine.Beams(world))
     grown = timing.resident() - before
@@ -25,27 +28,24 @@ def beams(engine, world, seconds):
         at[0] = (at[0] + 1) % poses
         scene.scan(at[0])
 
-    result = timing.rate(scan, world["beams"], seconds)
-    result.update(ranges=ranges, build=build["wall"], buildCpu=build["cpu"], bytes=grown)
-    return result
+    found = {"ranges": ranges, "build": build["wall"], "buildCpu": build["cpu"], "bytes": grown}
+    return found, lambda seconds: timing.rate(scan, world["beams"], seconds)
 
 
-def drop(engine, world, seconds):
+def drop(engine, world):
     scene = engine.Drop(world)
 
     def run():
         for _ in range(world["steps"]):
             scene.step()
 
-    result = timing.rate(run, world["steps"], seconds, scene.reset)
     scene.reset()
     for _ in range(world["restSteps"]):
         scene.step()
-    result["heights"] = scene.heights()
-    return result
+    return {"heights": scene.heights()}, lambda seconds: timing.rate(run, world["steps"], seconds, scene.reset)
 
 
-def drive(engine, world, seconds):
+def drive(engine, world):
     scene = engine.Drive(world)
     way = 0.0
     last = scene.position()
@@ -59,21 +59,24 @@ def drive(engine, world, seconds):
         for _ in range(60):
             scene.step()
 
-    result = timing.rate(run, 60, seconds)
-    if "way" in world:
-        result["way"] = way
-    return result
+    run()
+    return {"way": way} if "way" in world else {}, lambda seconds: timing.rate(run, 60, seconds)
 
 
 def main():
+    answers = sys.stdout
+    sys.stdout = sys.stderr
     engine = importlib.import_module(sys.argv[1] + "_engine")
     with open(sys.argv[2]) as file:
         world = json.load(file)
     kind = beams if "beams" in world else drop if "mass" in world else drive
-    result = kind(engine, world, float(sys.argv[4]))
-    result.update(engine=engine.NAME, version=engine.VERSION, world=world["name"], peakResident=timing.peak_resident())
+    found, rate = kind(engine, world)
+    found.update(engine=engine.NAME, version=engine.VERSION, world=world["name"], peakResident=timing.peak_resident())
     with open(sys.argv[3], "w") as out:
-        json.dump(result, out)
+        json.dump(found, out)
+    print("ready", file=answers, flush=True)
+    for line in sys.stdin:
+        print("%r %r" % rate(float(line)), file=answers, flush=True)
 
 
 if __name__ == "__main__":

@@ -1,39 +1,29 @@
 """Times what other engines do, the same way for each: wall time, and the share of a core that the process had meanwhile."""
 import resource
-import statistics
 import time
 
-ROUNDS = 3
 KIB = 1024
 
 
 def rate(run, units, seconds, prepare=None):
-    """How often a second run() does one of its units, the median of rounds; prepare() runs before each and is not counted.
+    """How often a second run() does one of its units, for so many seconds; prepare() runs before each and is not counted.
 
-    Answers {"perSecond", "cpuShare"}: a rate divided by its share is the rate per second of CPU time.
+    Answers (rate, share): the share of a core that the process had; the rate divided by it is the rate per second of CPU time.
     """
-    if prepare:
-        prepare()
-    run()
-    rates = []
+    done = 0
     cpu = 0.0
     wall = 0.0
-    for _ in range(ROUNDS):
-        done = 0
-        took = 0.0
-        began = time.perf_counter()
-        while done == 0 or time.perf_counter() - began < seconds / ROUNDS:
-            if prepare:
-                prepare()
-            cpu_from = time.process_time()
-            wall_from = time.perf_counter()
-            run()
-            took += time.perf_counter() - wall_from
-            cpu += time.process_time() - cpu_from
-            done += units
-        rates.append(done / took)
-        wall += took
-    return {"perSecond": statistics.median(rates), "cpuShare": cpu / wall}
+    began = time.perf_counter()
+    while done == 0 or time.perf_counter() - began < seconds:
+        if prepare:
+            prepare()
+        cpu_from = time.process_time()
+        wall_from = time.perf_counter()
+        run()
+        wall += time.perf_counter() - wall_from
+        cpu += time.process_time() - cpu_from
+        done += units
+    return done / wall, cpu / wall
 
 
 def once(run):

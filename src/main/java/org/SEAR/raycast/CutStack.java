@@ -2,70 +2,146 @@ package org.SEAR.raycast;
 
 import org.SEAR.raycast.tree.Bvh;
 
-/** Nodes that a fan still has to visit, each with the rectangle of its part of the plane, the nearest on top. */
+/**
+ * Boxes that a fan still has to visit, the one that was pushed last on top: nodes of hierarchies or blocks of a height field. Each knows the beams
+ * that may see into it, which are among those that may see into what it is a part of. One thread.
+ */
 final class CutStack {
-    private static final int STRIDE = 5;
-    private final int[] nodes = new int[Bvh.MAX_DEPTH];
-    private final double[] parts = new double[Bvh.MAX_DEPTH * STRIDE];
+    /** Metres from a box within which the origin counts as close to it: far more than what counts as touching a triangle. */
+    private static final double CLOSE = 1e-3;
+    /** A box that reaches farther to its sides than this many times its distance is seen as around the origin. */
+    private static final double BROAD = 4;
+    /** With more than so many beams it pays to leave out those that pass beside a box. */
+    private static final int FEW = 4;
+    /** Deeper than any hierarchy, and four blocks of each level of a height field. */
+    private static final int DEPTH = 128;
+
+    /** Of the box that was popped last: the beams that may see into it ... */
+    int first;
+    int last;
+    /** ... and whether it lies around the origin or the ends of the fan, so that they say little. Else they are less than half a turn apart. */
+    boolean around;
+
+    private final DepthBuffer depth;
+    private final PlaneCut cut;
+    private final long[] boxes = new long[DEPTH];
+    private final double[] lefts = new double[DEPTH];
+    private final double[] aheads = new double[DEPTH];
+    private final double[] wides = new double[DEPTH];
+    private final double[] nears = new double[DEPTH];
+    private final int[] firsts = new int[DEPTH];
+    private final int[] lasts = new int[DEPTH];
     private int size;
 
-    /** Starts with the root, if the plane meets it. */
-    void start(Bvh tree, PlaneCut cut, double reachSquared) {
+    CutStack(DepthBuffer depth, PlaneCut cut) {
+        this.depth = depth;
+        this.cut = cut;
+    }
+
+    void start() {
         size = 0;
-        if (tree.size() > 0) {
-            push(tree, 0, cut, reachSquared);
+        first = 0;
+        last = depth.beams.count - 1;
+    }
+
+    /** Adds a part of the box that was popped last: the one that the cut was asked for last. */
+    void push(long box) {
+        put(size++, box);
+    }
+
+    private void put(int at, long box) {
+        boxes[at] = box;
+        lefts[at] = cut.left;
+        aheads[at] = cut.ahead;
+        wides[at] = cut.wide;
+        nears[at] = cut.nearest;
+        firsts[at] = first;
+        lasts[at] = last;
+    }
+
+    /** Adds the root of a hierarchy, if the plane meets it. */
+    void pushRoot(Bvh tree) {
+        if (tree.size() > 0 && cut.meets(tree.data, 0)) {
+            push(0);
         }
     }
 
-    private double push(Bvh tree, int node, PlaneCut cut, double reachSquared) {
-        if (!cut.meets(tree.data, node * Bvh.STRIDE)) {
-            return -1;
+    /** Adds those children of a node that the plane meets, the nearer one on top. */
+    void pushChildren(Bvh tree, int node) {
+        int child = tree.link(node);
+        boolean both = cut.meets(tree.data, child * Bvh.STRIDE);
+        double distance = cut.distance;
+        if (both) {
+            push(child);
         }
-        double distance = cut.distanceSquared();
-        if (distance > reachSquared) {
-            return -1;
-        }
-        int at = size * STRIDE;
-        parts[at] = cut.minX;
-        parts[at + 1] = cut.maxX;
-        parts[at + 2] = cut.minZ;
-        parts[at + 3] = cut.maxZ;
-        parts[at + 4] = distance;
-        nodes[size++] = node;
-        return cut.centreDistance();
-    }
-
-    /** Adds those children of an inner node that the plane meets within reach. */
-    void pushChildren(Bvh tree, int node, PlaneCut cut, double reachSquared) {
-        int children = tree.link(node);
-        double right = push(tree, children + 1, cut, reachSquared);
-        double left = push(tree, children, cut, reachSquared);
-        if (left > right && right >= 0) {
-            swapTop();
+        if (cut.meets(tree.data, (child + 1) * Bvh.STRIDE)) {
+            if (both && cut.distance > distance) {
+                pushBelow(child + 1);
+            } else {
+                push(child + 1);
+            }
         }
     }
 
-    private void swapTop() {
-        int top = (size - 1) * STRIDE;
-        for (int k = top; k < top + STRIDE; k++) {
-            double part = parts[k];
-            parts[k] = parts[k - STRIDE];
-            parts[k - STRIDE] = part;
-        }
-        int node = nodes[size - 1];
-        nodes[size - 1] = nodes[size - 2];
-        nodes[size - 2] = node;
+    private void pushBelow(long box) {
+        int top = size - 1;
+        boxes[size] = boxes[top];
+        lefts[size] = lefts[top];
+        aheads[size] = aheads[top];
+        wides[size] = wides[top];
+        nears[size] = nears[top];
+        firsts[size] = first;
+        lasts[size++] = last;
+        put(top, box);
     }
 
-    /** The next node that some beam can still see into, -1 when there is none. */
-    int pop(DepthBuffer depth) {
+    /** The next box that some beam can still see into, -1 when there is none. */
+    long pop() {
         while (size > 0) {
             size--;
-            int at = size * STRIDE;
-            if (depth.sees(parts[at], parts[at + 1], parts[at + 2], parts[at + 3], parts[at + 4])) {
-                return nodes[size];
+            if (see(lefts[size], aheads[size], wides[size], nears[size])) {
+                return boxes[size];
             }
         }
         return -1;
+    }
+
+    /** Finds the first and the last beam that see into the box on top. */
+    private boolean see(double left, double ahead, double wide, double nearest) {
+        first = firsts[size];
+        last = lasts[size];
+        around = !(nearest >= CLOSE && wide <= BROAD * nearest);
+        if (around) {
+            return true;
+        }
+        double enough = (1 + 1e-12) / nearest;
+        if (last - first >= FEW && !narrow(nearest * left, nearest * ahead, wide * left, wide * ahead, enough)) {
+            return false;
+        }
+        while (first <= last && !depth.isOpen(first, left, ahead, wide, nearest, enough)) {
+            first++;
+        }
+        while (last > first && !depth.isOpen(last, left, ahead, wide, nearest, enough)) {
+            last--;
+        }
+        return first <= last;
+    }
+
+    /** Leaves out beams that pass beside the box, whose sides are seen as an angle with this tangent. Answers whether any is left. */
+    private boolean narrow(double left, double ahead, double toSideLeft, double toSideAhead, double enough) {
+        FanDirections beams = depth.beams;
+        double from = beams.angle(left - toSideAhead, ahead + toSideLeft);
+        double to = beams.angle(left + toSideAhead, ahead - toSideLeft);
+        if (FanDirections.inOneGo(from, to)) {
+            first = Math.max(first, beams.from(from));
+            last = Math.min(last, beams.to(to));
+            return first <= last;
+        }
+        if (from > to && beams.from(from) >= beams.count) {
+            last = Math.min(last, beams.to(to));
+            return first <= last;
+        }
+        around = true;
+        return depth.open(beams.from(from), beams.count - 1, enough) || depth.open(0, beams.to(to), enough);
     }
 }

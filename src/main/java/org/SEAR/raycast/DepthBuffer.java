@@ -76,29 +76,17 @@ final class DepthBuffer {
         }
     }
 
-    /** Whether some beam could see into a rectangle of the plane at this squared distance. */
-    boolean sees(double minX, double maxX, double minZ, double maxZ, double distanceSquared) {
-        if (distanceSquared == 0) {
-            return true;
+    /**
+     * Whether a beam could see into a rectangle that looks at the origin: whose middle is in a direction, and which reaches to either side of it and
+     * begins at a distance; enough is the inverse of that.
+     */
+    boolean isOpen(int beam, double left, double ahead, double wide, double nearest, double enough) {
+        if (inverse[beam] > enough) {
+            return false;
         }
-        double rightX = maxZ < 0 || minZ <= 0 && minX <= 0 ? maxX : minX;
-        double leftX = minZ > 0 || minZ <= 0 && maxZ >= 0 && minX <= 0 ? maxX : minX;
-        double rightZ = maxX < 0 || minX <= 0 && minZ > 0 ? minZ : maxZ;
-        double leftZ = maxX < 0 || minX <= 0 && maxZ < 0 ? maxZ : minZ;
-        double right = beams.angle(rightX, rightZ);
-        double left = beams.angle(leftX, leftZ);
-        double enough = 1 / Math.sqrt(distanceSquared) * (1 + 1e-12);
-        int from = beams.from(right);
-        int to = beams.to(left);
-        if (FanDirections.inOneGo(right, left)) {
-            return open(from, to, enough);
-        }
-        return open(from, beams.count - 1, enough) || open(0, to, enough);
-    }
-
-    /** Whether a beam could see into a circle of the plane ahead of it, whose nearest point has an inverse distance. */
-    boolean isOpen(int beam, double middleX, double middleZ, double radius, double enough) {
-        return Math.abs(beams.z[beam] * middleX - beams.x[beam] * middleZ) <= radius && inverse[beam] <= enough;
+        double x = beams.x[beam];
+        double z = beams.z[beam];
+        return nearest * Math.abs(z * left - x * ahead) <= wide * (x * left + z * ahead);
     }
 
     /** The line of inverse distances a * x + b * z, seen by the beams from one up to before another. */
@@ -112,7 +100,8 @@ final class DepthBuffer {
         }
     }
 
-    private boolean open(int from, int to, double enough) {
+    /** Whether one of some beams has met nothing nearer than an inverse distance. */
+    boolean open(int from, int to, double enough) {
         for (int i = from; i <= to; i++) {
             if (inverse[i] <= enough) {
                 return true;

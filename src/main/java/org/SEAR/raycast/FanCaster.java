@@ -21,8 +21,8 @@ final class FanCaster {
     private final PlaneCut world = new PlaneCut();
     private final TriangleCut triangles = new TriangleCut(depth);
     private final FanHeights heights = new FanHeights(depth, triangles);
-    private final CutStack stack = new CutStack();
-    private final CutStack meshStack = new CutStack();
+    private final CutStack stack = new CutStack(depth, world);
+    private final CutStack meshStack = new CutStack(depth, triangles.plane);
     private final BoxCut boxCut = new BoxCut();
     private final double[] axes = new double[9];
     private final double[] own = new double[12];
@@ -32,7 +32,6 @@ final class FanCaster {
     private double oy;
     private double oz;
     private double range;
-    private double reachSquared;
 
     FanCaster(RayCaster rays) {
         this.rays = rays;
@@ -47,7 +46,6 @@ final class FanCaster {
         depth.start(start, step, count, maxRange);
         if (depth.beams.regular) {
             range = maxRange;
-            reachSquared = maxRange * maxRange * (1 + 1e-12);
             scene(tree, ignored);
             for (int i = 0; i < count; i++) {
                 boolean hit = depth.shape[i] >= 0;
@@ -86,13 +84,14 @@ final class FanCaster {
         world.zb = axes[5];
         world.zc = axes[8];
         world.zd = -(axes[2] * ox + axes[5] * oy + axes[8] * oz);
-        world.ready(tree);
-        stack.start(tree, world, reachSquared);
-        for (int node = stack.pop(depth); node >= 0; node = stack.pop(depth)) {
+        world.ready(tree.farthest(0), tree.farthest(1), tree.farthest(2), range);
+        stack.start();
+        stack.pushRoot(tree);
+        for (int node = (int) stack.pop(); node >= 0; node = (int) stack.pop()) {
             rays.fanNodes++;
             int n = tree.count(node);
             if (n == 0) {
-                stack.pushChildren(tree, node, world, reachSquared);
+                stack.pushChildren(tree, node);
             }
             int first = tree.link(node);
             for (int i = first; i < first + n; i++) {
@@ -220,22 +219,26 @@ final class FanCaster {
 
     private void mesh(int number, double sx, double sy, double sz) {
         triangles.start(own, number, sx, sy, sz);
-        PlaneCut cut = triangles.plane;
         Mesh mesh = shapes.mesh[number];
         Bvh tree = mesh.tree;
-        cut.ready(tree);
-        meshStack.start(tree, cut, reachSquared);
-        for (int node = meshStack.pop(depth); node >= 0; node = meshStack.pop(depth)) {
+        triangles.plane.ready(tree.farthest(0), tree.farthest(1), tree.farthest(2), range);
+        meshStack.start();
+        meshStack.pushRoot(tree);
+        for (int node = (int) meshStack.pop(); node >= 0; node = (int) meshStack.pop()) {
             rays.fanNodes++;
             int n = tree.count(node);
             if (n == 0) {
-                meshStack.pushChildren(tree, node, cut, reachSquared);
+                meshStack.pushChildren(tree, node);
                 continue;
             }
             rays.triangles += n;
             int first = tree.link(node);
             for (int i = first; i < first + n; i++) {
-                triangles.triangle(mesh.corners, 9 * i);
+                if (meshStack.around) {
+                    triangles.triangle(mesh.corners, 9 * i);
+                } else {
+                    triangles.triangle(mesh.corners, 9 * i, meshStack.first, meshStack.last);
+                }
             }
         }
     }

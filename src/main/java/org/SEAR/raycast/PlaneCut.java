@@ -1,11 +1,9 @@
 package org.SEAR.raycast;
 
-import org.SEAR.raycast.tree.Bvh;
-
 /**
  * The plane of a fan as seen from some frame: of each point its height above the plane and its two coordinates in the fan's frame, x to the left and
- * z ahead. All three are linear in the point. Boxes are looked at by their centre and half sizes, with some slack for the rounding, so that no box
- * is left out whose corner lies on the plane.
+ * z ahead. All three are linear in the point. Of a box it tells the rectangle around its part of the plane that looks at the fan's origin, with some
+ * slack for the rounding, so that no box is left out whose corner lies on the plane.
  */
 final class PlaneCut {
     /** Relative error of the three functions, many times over. */
@@ -25,88 +23,56 @@ final class PlaneCut {
     double zc;
     double zd;
 
-    /** The rectangle around the part of the last {@link #meets} box, in the fan's frame. */
-    double minX;
-    double maxX;
-    double minZ;
-    double maxZ;
+    /** The middle of the last {@link #meets} box, as the fan sees it ... */
+    double left;
+    double ahead;
+    double distance;
+    /** ... how far its part of the plane reaches to either side of the way there, and where along that way it begins. */
+    double wide;
+    double nearest;
 
-    /** What a box's half sizes contribute: half of the absolute factors. */
-    private double reachHa;
-    private double reachHb;
-    private double reachHc;
-    private double reachXa;
-    private double reachXb;
-    private double reachXc;
-    private double reachZa;
-    private double reachZb;
-    private double reachZc;
-    /** More than the rounding of each function at any point of the hierarchy. */
-    private double slackH;
-    private double slackX;
-    private double slackZ;
+    private double slack;
+    private double range;
 
     /**
      * To be called once the coefficients are set.
      *
-     * @param tree whose nodes will be asked for
+     * @param farX the greatest absolute x of anything that will be asked for, likewise farY and farZ
+     * @param maxRange how far the fan reaches
      */
-    void ready(Bvh tree) {
-        reachHa = Math.abs(ha) / 2;
-        reachHb = Math.abs(hb) / 2;
-        reachHc = Math.abs(hc) / 2;
-        reachXa = Math.abs(xa) / 2;
-        reachXb = Math.abs(xb) / 2;
-        reachXc = Math.abs(xc) / 2;
-        reachZa = Math.abs(za) / 2;
-        reachZb = Math.abs(zb) / 2;
-        reachZc = Math.abs(zc) / 2;
-        double x = tree.farthest(0);
-        double y = tree.farthest(1);
-        double z = tree.farthest(2);
-        slackH = ROUNDING * (reachHa * x + reachHb * y + reachHc * z + Math.abs(hd));
-        slackX = ROUNDING * (reachXa * x + reachXb * y + reachXc * z + Math.abs(xd));
-        slackZ = ROUNDING * (reachZa * x + reachZb * y + reachZc * z + Math.abs(zd));
+    void ready(double farX, double farY, double farZ, double maxRange) {
+        slack = ROUNDING * ((Math.abs(ha) + Math.abs(xa) + Math.abs(za)) * farX + (Math.abs(hb) + Math.abs(xb) + Math.abs(zb)) * farY
+            + (Math.abs(hc) + Math.abs(xc) + Math.abs(zc)) * farZ + Math.abs(hd) + Math.abs(xd) + Math.abs(zd));
+        range = maxRange;
     }
 
-    /** Whether the plane meets a box of six floats; if so, computes the rectangle. */
+    /** Whether the plane meets a node of a hierarchy within the range; if so, computes the rectangle. */
     boolean meets(float[] box, int at) {
-        double lowX = box[at];
-        double lowY = box[at + 1];
-        double lowZ = box[at + 2];
-        double x = box[at + 3] + lowX;
-        double y = box[at + 4] + lowY;
-        double z = box[at + 5] + lowZ;
-        double sizeX = x - 2 * lowX;
-        double sizeY = y - 2 * lowY;
-        double sizeZ = z - 2 * lowZ;
-        double height = (ha * x + hb * y + hc * z) * 0.5 + hd;
-        if (Math.abs(height) > reachHa * sizeX + reachHb * sizeY + reachHc * sizeZ + slackH) {
+        double x = box[at];
+        double y = box[at + 1];
+        double z = box[at + 2];
+        double halfX = (box[at + 3] - x) * 0.5;
+        double halfY = (box[at + 4] - y) * 0.5;
+        double halfZ = (box[at + 5] - z) * 0.5;
+        return meets(x + halfX, y + halfY, z + halfZ, halfX, halfY, halfZ);
+    }
+
+    /** The same for a box with this middle and these half sizes. */
+    boolean meets(double x, double y, double z, double halfX, double halfY, double halfZ) {
+        if (!(Math.abs(height(x, y, z)) <= Math.abs(ha) * halfX + Math.abs(hb) * halfY + Math.abs(hc) * halfZ + slack)) {
             return false;
         }
-        double reach = reachXa * sizeX + reachXb * sizeY + reachXc * sizeZ + slackX;
-        double middle = (xa * x + xb * y + xc * z) * 0.5 + xd;
-        maxX = middle + reach;
-        minX = middle - reach;
-        reach = reachZa * sizeX + reachZb * sizeY + reachZc * sizeZ + slackZ;
-        middle = (za * x + zb * y + zc * z) * 0.5 + zd;
-        maxZ = middle + reach;
-        minZ = middle - reach;
-        return true;
-    }
-
-    /** Squared distance of the rectangle from the fan's origin. */
-    double distanceSquared() {
-        double x = minX > 0 ? minX : maxX < 0 ? maxX : 0;
-        double z = minZ > 0 ? minZ : maxZ < 0 ? maxZ : 0;
-        return x * x + z * z;
-    }
-
-    /** Four times the squared distance of the rectangle's centre. */
-    double centreDistance() {
-        double x = minX + maxX;
-        double z = minZ + maxZ;
-        return x * x + z * z;
+        left = x(x, y, z);
+        ahead = z(x, y, z);
+        distance = Math.sqrt(left * left + ahead * ahead);
+        double inverse = 1 / distance;
+        double toLeft = left * inverse;
+        double toAhead = ahead * inverse;
+        wide = Math.abs(xa * toAhead - za * toLeft) * halfX + Math.abs(xb * toAhead - zb * toLeft) * halfY
+            + Math.abs(xc * toAhead - zc * toLeft) * halfZ + slack;
+        nearest = distance - Math.abs(xa * toLeft + za * toAhead) * halfX - Math.abs(xb * toLeft + zb * toAhead) * halfY
+            - Math.abs(xc * toLeft + zc * toAhead) * halfZ - slack;
+        return !(nearest > range);
     }
 
     double height(double x, double y, double z) {

@@ -16,6 +16,11 @@ final class TriangleCut {
     private double sx;
     private double sy;
     private double sz;
+    /** The ends of the last line. */
+    private double px;
+    private double pz;
+    private double qx;
+    private double qz;
 
     TriangleCut(DepthBuffer depth) {
         this.depth = depth;
@@ -55,6 +60,29 @@ final class TriangleCut {
 
     /** Looks at the triangle whose corners are nine numbers from a place on. */
     void triangle(float[] v, int at) {
+        if (cross(v, at)) {
+            segment(v, at);
+        }
+    }
+
+    /** The same where some beams are the only ones that may see it; it lies ahead of them, less than half a turn apart. */
+    void triangle(float[] v, int at, int first, int last) {
+        if (!cross(v, at)) {
+            return;
+        }
+        int p = depth.beams.first(px, pz, first, last);
+        int q = depth.beams.first(qx, qz, first, last);
+        if (p == q) {
+            return;
+        }
+        double turn = pz * qx - px * qz;
+        if (turn != 0) {
+            depth.fill(turn > 0 ? p : q, turn > 0 ? q : p, (pz - qz) / turn, (qx - px) / turn, shape);
+        }
+    }
+
+    /** Finds the line in which the plane cuts a triangle; false where it doesn't. */
+    private boolean cross(float[] v, int at) {
         PlaneCut cut = plane;
         double h0 = cut.height(v[at], v[at + 1], v[at + 2]);
         double h1 = cut.height(v[at + 3], v[at + 4], v[at + 5]);
@@ -63,7 +91,7 @@ final class TriangleCut {
         boolean up1 = h1 >= 0;
         boolean up2 = h2 >= 0;
         if (up0 == up1 && up1 == up2) {
-            return;
+            return false;
         }
         int lone = up1 == up2 ? 0 : up0 == up2 ? 3 : 6;
         int next = lone == 6 ? 0 : lone + 3;
@@ -77,10 +105,6 @@ final class TriangleCut {
         double z1 = cut.z(v[at + next], v[at + next + 1], v[at + next + 2]);
         double x2 = cut.x(v[at + last], v[at + last + 1], v[at + last + 2]);
         double z2 = cut.z(v[at + last], v[at + last + 1], v[at + last + 2]);
-        double px;
-        double pz;
-        double qx;
-        double qz;
         if (hLone >= 0) {
             double f = hLone / (hLone - hNext);
             double g = hLone / (hLone - hLast);
@@ -96,10 +120,10 @@ final class TriangleCut {
             qx = x2 + (x0 - x2) * g;
             qz = z2 + (z0 - z2) * g;
         }
-        segment(px, pz, qx, qz, v, at);
+        return true;
     }
 
-    private void segment(double px, double pz, double qx, double qz, float[] v, int at) {
+    private void segment(float[] v, int at) {
         double turn = pz * qx - px * qz;
         double ex = qx - px;
         double ez = qz - pz;
@@ -118,15 +142,10 @@ final class TriangleCut {
                 return;
             }
         }
-        line(px, pz, qx, qz, turn, -ez / turn, ex / turn);
-    }
-
-    /** The line between two points, seen from the side that the turn says. */
-    private void line(double px, double pz, double qx, double qz, double turn, double a, double b) {
         if (turn > 0) {
-            depth.line(px, pz, qx, qz, a, b, shape);
+            depth.line(px, pz, qx, qz, -ez / turn, ex / turn, shape);
         } else {
-            depth.line(qx, qz, px, pz, a, b, shape);
+            depth.line(qx, qz, px, pz, -ez / turn, ex / turn, shape);
         }
     }
 }

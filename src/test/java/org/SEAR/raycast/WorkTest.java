@@ -76,7 +76,9 @@ public class WorkTest {
         long triangles = work.triangles;
         scan(world.scene, world, 5);
         assertTrue((work.triangles - triangles) / FANS + " triangles of " + hills.size(), (work.triangles - triangles) / FANS < 400);
-        assertTrue((work.nodes() - nodes) / FANS + " nodes", (work.nodes() - nodes) / FANS < 700);
+        assertTrue((work.nodes() - nodes) / FANS + " nodes", (work.nodes() - nodes) / FANS < 680);
+        long all = (work.nodes() - nodes + work.triangles - triangles) / FANS;
+        assertTrue(all + " nodes and triangles", all < 1060);
     }
 
     @Test

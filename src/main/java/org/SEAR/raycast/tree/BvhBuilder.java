@@ -9,7 +9,7 @@ import java.util.Arrays;
 public final class BvhBuilder {
     private static final int BINS = 16;
     /** Cost of visiting a node in units of testing an item. */
-    private static final double VISIT_COST = 1;
+    private static final double VISIT_COST = 1.5;
     /** From here on nodes are halved, so that no path grows beyond {@link Bvh#MAX_DEPTH}. */
     private static final int HALVING_DEPTH = Bvh.MAX_DEPTH - 34;
     private static final int STRIDE = Bvh.BOUNDS;

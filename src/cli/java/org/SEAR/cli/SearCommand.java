@@ -58,7 +58,9 @@ public final class SearCommand implements Callable<Integer> {
         Console.quiet();
         if (arguments.length == 0 || Arrays.stream(arguments).anyMatch(one -> one.endsWith(".py") || one.endsWith(".sear"))) {
             JythonStart.begin();
-            Xml.begin();
+            Thread xml = new Thread(Xml::prepare, "xml start");
+            xml.setDaemon(true);
+            xml.start();
         }
         int status = commandLine().execute(arguments);
         System.out.flush();

@@ -199,29 +199,35 @@ final class FanCaster {
 
     private void tiles(int number) {
         triangles.start(own, number, 1, 1, 1);
-        PlaneCut cut = triangles.plane;
         Bvh tree = shapes.tileTrees[number].tree;
-        cut.ready(tree);
-        meshStack.start(tree, cut, reachSquared);
-        for (int node = meshStack.pop(depth); node >= 0; node = meshStack.pop(depth)) {
+        ready(tree);
+        meshStack.start();
+        meshStack.pushRoot(tree);
+        for (int node = (int) meshStack.pop(); node >= 0; node = (int) meshStack.pop()) {
             rays.fanNodes++;
             int n = tree.count(node);
             if (n == 0) {
-                meshStack.pushChildren(tree, node, cut, reachSquared);
+                meshStack.pushChildren(tree, node);
+                continue;
             }
             for (int i = tree.link(node); i < tree.link(node) + n; i++) {
                 heights.cast(shapes.tiles[number].tile(tree.items[i]), own[0], own[2], range);
                 rays.fanNodes += heights.nodes;
                 rays.triangles += heights.triangles;
             }
+            ready(tree);    // the tile has had it made ready for itself
         }
+    }
+
+    private void ready(Bvh tree) {
+        triangles.plane.ready(tree.farthest(0), tree.farthest(1), tree.farthest(2), range);
     }
 
     private void mesh(int number, double sx, double sy, double sz) {
         triangles.start(own, number, sx, sy, sz);
         Mesh mesh = shapes.mesh[number];
         Bvh tree = mesh.tree;
-        triangles.plane.ready(tree.farthest(0), tree.farthest(1), tree.farthest(2), range);
+        ready(tree);
         meshStack.start();
         meshStack.pushRoot(tree);
         for (int node = (int) meshStack.pop(); node >= 0; node = (int) meshStack.pop()) {

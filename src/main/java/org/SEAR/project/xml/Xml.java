@@ -70,13 +70,11 @@ public final class Xml {
     }
 
     /**
-     * Begins, on a thread of its own, with what XStream does once in a JVM: to see whether Java knows UTC it loads the names of all time zones, which
-     * takes a tenth of the time from the start to a first reading. Any thread.
+     * Does what XStream does once in a JVM: to see whether Java knows UTC it loads the names of all time zones, which takes a tenth of the time from
+     * the start to a first reading. Any thread; who calls it on one of its own while there are other things to do saves that time.
      */
-    public static void begin() {
-        Thread thread = new Thread(GrammarStream::new, "xstream start");
-        thread.setDaemon(true);
-        thread.start();
+    public static void prepare() {
+        new GrammarStream();
     }
 
     private static XStream xstream(Map<String, ? extends Class<?>> classes) {

@@ -28,6 +28,8 @@ uniform mat4 g_WorldMatrix;
 uniform mat4 m_SunView;
 // Where it is as the sun sees it, and how far it is turned to the sun.
 varying vec4 sunPlace;
+// Metres off the surface where it is looked whether the sun reaches it, more than a pixel of the fine square: else a side's edge lies in its own shadow.
+const float OFF = 0.012;
 #endif
 
 void main() {
@@ -41,6 +43,7 @@ void main() {
     color *= inColor;
 #endif
 #ifdef SUN_SHADOW
-    sunPlace = vec4((m_SunView * (g_WorldMatrix * vec4(inPosition, 1.0))).xyz, turned);
+    vec3 off = OFF * normalize((g_WorldMatrix * vec4(inNormal, 0.0)).xyz);
+    sunPlace = vec4((m_SunView * (g_WorldMatrix * vec4(inPosition, 1.0) + vec4(off, 0.0))).xyz, turned);
 #endif
 }

@@ -69,4 +69,4 @@ while path < PATH:
 drive(0, 0)
 sear.simSleep(0.5)
 serial.disconnect()
-print "%.1f m in %.0f s, with %d turns." % (path, sear.getTime(), turns)
+print("%.1f m in %.0f s, with %d turns." % (path, sear.getTime(), turns))

@@ -35,11 +35,11 @@ for number, (latitude, longitude) in enumerate(WAYPOINTS):
         if sear.getTime() > 200:
             raise RuntimeError("waypoint %d was not reached in 200 s" % (number + 1))
     pose = sear.getPose("car")
-    print "Waypoint %d after %.0f s: latitude %.6f, longitude %.6f, x %.2f m, z %.2f m" % (number + 1, sear.getTime(), fix.latitude, fix.longitude,
-        pose[0], pose[2])
+    print("Waypoint %d after %.0f s: latitude %.6f, longitude %.6f, x %.2f m, z %.2f m" % (number + 1, sear.getTime(), fix.latitude, fix.longitude,
+        pose[0], pose[2]))
 sear.setMotorSpeed("engine", 0)
 sear.setServo("steering", 0)
 sear.simSleep(1)
 gps.disconnect()
 pose = sear.getPose("car")
-print "In the last gate after %.0f s: x %.2f m, z %.2f m" % (sear.getTime(), pose[0], pose[2])
+print("In the last gate after %.0f s: x %.2f m, z %.2f m" % (sear.getTime(), pose[0], pose[2]))

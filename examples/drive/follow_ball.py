@@ -39,5 +39,5 @@ sear.driveStraight(0)
 sear.simSleep(1)
 blob = sear.getBlobs("eye", "red")[0]
 sear.saveImage("eye", "ball.png")
-print "In sight %d of %d times; at the end %.2f m ahead, %.0f degrees to the left." % (seen, looks, BALL * FOCAL / max(blob[2], blob[3]),
-    (159.5 - blob[0]) / FOCAL * 180 / pi)
+print("In sight %d of %d times; at the end %.2f m ahead, %.0f degrees to the left." % (seen, looks, BALL * FOCAL / max(blob[2], blob[3]),
+    (159.5 - blob[0]) / FOCAL * 180 / pi))

@@ -39,7 +39,7 @@ for number, (latitude, longitude) in enumerate(WAYPOINTS):
         if sear.getTime() > 200:
             raise RuntimeError("waypoint %d was not reached in 200 s" % (number + 1))
     pose = sear.getPose("myRoomba")
-    print "Waypoint %d after %.0f s: latitude %.6f, longitude %.6f, x %.2f m, z %.2f m" % (number + 1, sear.getTime(), fix.latitude, fix.longitude,
-        pose[0], pose[2])
+    print("Waypoint %d after %.0f s: latitude %.6f, longitude %.6f, x %.2f m, z %.2f m" % (number + 1, sear.getTime(), fix.latitude, fix.longitude,
+        pose[0], pose[2]))
 sear.driveStraight(0)
 gps.disconnect()

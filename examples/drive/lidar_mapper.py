@@ -77,4 +77,4 @@ for row in range(ROWS):
 ImageIO.write(picture, "png", File("map.png"))
 occupied = sum(1 for line in evidence for value in line if value > 0)
 free = sum(1 for line in evidence for value in line if value < 0)
-print "%d scans: %.1f square metres are free, %d cells occupied; north is up in map.png" % (scans, free * CELL * CELL, occupied)
+print("%d scans: %.1f square metres are free, %d cells occupied; north is up in map.png" % (scans, free * CELL * CELL, occupied))

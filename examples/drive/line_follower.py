@@ -43,4 +43,4 @@ while abs(turned) < 360:
 sear.setMotorSpeed("leftMotor", 0)
 sear.setMotorSpeed("rightMotor", 0)
 sear.simSleep(0.5)
-print "Once round in %.1f s: %.2f m, the line lost %d times." % (sear.getTime(), sear.getOdomResult(), lost)
+print("Once round in %.1f s: %.2f m, the line lost %d times." % (sear.getTime(), sear.getOdomResult(), lost))

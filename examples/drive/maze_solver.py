@@ -67,4 +67,4 @@ while goalDistance() > 0.75 * CELL and cells < 100:
     z += CELL * east
     driveTo(x, z)
     cells += 1
-print "The cone is %.2f m away, after %d cells and %.0f s." % (goalDistance(), cells, sear.getTime())
+print("The cone is %.2f m away, after %d cells and %.0f s." % (goalDistance(), cells, sear.getTime()))

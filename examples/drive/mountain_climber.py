@@ -27,7 +27,7 @@ while True:
     north = (SUMMIT[0] - fix.latitude) * METRES
     east = (SUMMIT[1] - fix.longitude) * METRES * cos(radians(SUMMIT[0]))
     if sear.getTime() >= told:
-        print "After %.0f s: %.0f m high, %.0f m to go" % (sear.getTime(), fix.altitude, hypot(north, east))
+        print("After %.0f s: %.0f m high, %.0f m to go" % (sear.getTime(), fix.altitude, hypot(north, east)))
         told += 30
     if hypot(north, east) < NEAR:
         break
@@ -43,5 +43,5 @@ while True:
 sear.driveStraight(0)
 sear.simSleep(2)
 fix = gps.getLastFix()
-print "On the summit after %.0f s: latitude %.6f, longitude %.6f, %.1f m above the sea" % (sear.getTime(), fix.latitude, fix.longitude, fix.altitude)
+print("On the summit after %.0f s: latitude %.6f, longitude %.6f, %.1f m above the sea" % (sear.getTime(), fix.latitude, fix.longitude, fix.altitude))
 gps.disconnect()

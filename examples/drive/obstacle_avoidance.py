@@ -47,4 +47,4 @@ while sear.getTime() < 120:
         sear.setWheelSpeeds(speed - 0.004 * turn, speed + 0.004 * turn)
     sear.simSleep(0.1)
 sear.driveStraight(0)
-print "%.2f m from the goal after %.0f s%s." % (way, sear.getTime(), ", round an obstacle" if avoided else "")
+print("%.2f m from the goal after %.0f s%s." % (way, sear.getTime(), ", round an obstacle" if avoided else ""))

@@ -39,9 +39,9 @@ for angle in range(90, -91, -STEP):
 draw("^", 0, 0)
 sear.setServo("turret", 0)
 for line in picture:
-    print "".join(line)
+    print("".join(line))
 
 # A wide beam sees a thing before it looks at it, and after that: the thing is in the middle of the directions from which it seems as near.
 nearest = min(echoes)[0]
 seen = [angle for distance, angle in echoes if distance < nearest + 0.02]
-print "%d echoes. Nearest: %.2f m from the turret, %.0f degrees to the left." % (len(echoes), nearest, (max(seen) + min(seen)) / 2.0)
+print("%d echoes. Nearest: %.2f m from the turret, %.0f degrees to the left." % (len(echoes), nearest, (max(seen) + min(seen)) / 2.0))

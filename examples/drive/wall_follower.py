@@ -55,4 +55,4 @@ while True:
     if sear.getTime() > 300:
         raise RuntimeError("not once round in 300 s: at x %.2f, z %.2f" % (pose[0], pose[2]))
 sear.driveStraight(0)
-print "Once round: %.1f m in %.0f s, the wall never nearer than %.2f m to the eye." % (sear.getOdomResult(), sear.getTime(), nearest)
+print("Once round: %.1f m in %.0f s, the wall never nearer than %.2f m to the eye." % (sear.getOdomResult(), sear.getTime(), nearest))

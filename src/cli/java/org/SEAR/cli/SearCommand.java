@@ -10,6 +10,7 @@ import org.SEAR.cli.install.InstallCommand;
 import org.SEAR.parallel.WorkerPool;
 import org.SEAR.project.xml.Xml;
 import org.myrobotlab.embedded.python.JythonStart;
+import org.myrobotlab.embedded.python3.Python3Script;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -49,6 +50,9 @@ public final class SearCommand implements Callable<Integer> {
     @Option(names = "--token", description = "Have the tabs and programs that call services ask for a token, which is printed with the address and "
         + "written into a file that only you can read. Ports that are exported over TCP ask for none.")
     private boolean token;
+    @Option(names = "--python3", description = "The script is Python 3, and runs by python3 with the package sear. So does each whose first line is "
+        + "#!/usr/bin/env python3.")
+    private boolean python3;
     @Option(names = "--keep", description = "Stay when the script has ended, until Ctrl+C or Runtime.shutdown().")
     private boolean keep;
     @Spec
@@ -88,6 +92,7 @@ public final class SearCommand implements Callable<Integer> {
         if (threads != null) {
             System.setProperty("sear.threads", checkedThreads());
         }
+        System.setProperty(Python3Script.ALWAYS, String.valueOf(python3));
         System.setProperty("sear.keep", String.valueOf(keep));
         PrintWriter err = spec.commandLine().getErr();
         MrlRun run = new MrlRun(checkedPort(), token, err);

@@ -1,8 +1,10 @@
 package org.SEAR.grammar;
 
 import java.lang.reflect.Method;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 
 /**
  * The line of a Python script that is being carried out. Jython's classes have wrong line numbers, its frames the right ones; they are asked by
@@ -11,11 +13,22 @@ import java.util.function.Predicate;
 public final class ScriptLine {
     /** What Jython names the classes that it makes of scripts. */
     private static final String SCRIPT = "org.python.pycode.";
+    private static final String PY4J = "py4j.";
     private static final String JYTHON = "org.python.core.";
     /** Code that Python brings along, and the line by which MyRobotLab calls a function of the script. */
     private static final Predicate<String> OTHERS = file -> file.contains("__pyclasspath__") || file.contains("/Lib/") || file.equals("<callback>");
 
+    /** Set where a Python 3 program has Java in its process. */
+    private static final boolean IN_PYTHON = Boolean.getBoolean("sear.inPython");
+
     private ScriptLine() {
+    }
+
+    /** Whether the calling thread carries out a script, of Python 2 or 3, which is told by what is thrown. */
+    public static boolean isCalling() {
+        List<String> classes = StackWalker.getInstance().walk(frames -> frames.map(StackWalker.StackFrame::getClassName).collect(Collectors.toList()));
+        return classes.stream().anyMatch(name -> name.startsWith(SCRIPT) || name.startsWith(PY4J))
+            || IN_PYTHON && !classes.get(classes.size() - 1).equals(Thread.class.getName());
     }
 
     /**

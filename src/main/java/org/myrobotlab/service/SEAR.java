@@ -17,6 +17,7 @@ import org.myrobotlab.service.sear.files.Edits;
 import org.myrobotlab.service.sear.files.ExampleScripts;
 import org.myrobotlab.service.sear.files.ScriptCalls;
 import org.myrobotlab.service.sear.panel.Preview;
+import org.myrobotlab.service.sear.python3.Gateway;
 import org.myrobotlab.service.sear.records.Plots;
 import org.myrobotlab.service.sear.records.Recording;
 import org.myrobotlab.service.sear.records.Records;
@@ -1234,6 +1235,42 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      */
     public void stopExportCamera(String name) {
         calls.act(() -> parts.networkCameras().end(name));
+    }
+
+    // ---- Python 3 ---------------------------------------------------------------------------------------------------
+
+    /**
+     * Lets Python 3 programs on this computer in: {@code sear.connect()} of the package {@code sear}, docs/python3.md. They can do what a script can.
+     * The token that they show stands in the file {@code .sear/gateway-PORT} of the user's home folder, which only that user can read.
+     *
+     * @return the port, 25333
+     * @throws IllegalStateException if it is in use
+     * @example port = sear.startPython3(0); sear.stopPython3()
+     */
+    public int startPython3() {
+        return startPython3(Gateway.PORT);
+    }
+
+    /**
+     * The same at another port: {@code sear.connect(PORT)}.
+     *
+     * @param port TCP port, 0 for any free one
+     * @return the number
+     * @throws IllegalArgumentException if it is no port
+     * @throws IllegalStateException if it is in use
+     * @example port = sear.startPython3(0); sear.stopPython3()
+     */
+    public int startPython3(int port) {
+        return calls.attempt(() -> parts.gateways().open(port));
+    }
+
+    /**
+     * Lets no more Python 3 programs in, and ends the connections of those that are.
+     *
+     * @example sear.stopPython3()
+     */
+    public void stopPython3() {
+        calls.act(() -> parts.gateways().close());
     }
 
     // ---- editing the project ---------------------------------------------------------------------------------------

@@ -55,7 +55,7 @@ final class SearCalls {
 
     /** A script that calls is told by what is thrown: for it the log needs no second line. */
     private void publish(String error) {
-        if (ScriptLine.here().isEmpty()) {
+        if (!ScriptLine.isCalling()) {
             service.error("%s", error);
             return;
         }

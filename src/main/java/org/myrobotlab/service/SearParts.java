@@ -28,6 +28,7 @@ import org.myrobotlab.service.sear.panel.Motion;
 import org.myrobotlab.service.sear.panel.Preview;
 import org.myrobotlab.service.sear.panel.TerrainMap;
 import org.myrobotlab.service.sear.panel.WorldFeed;
+import org.myrobotlab.service.sear.python3.Gateways;
 import org.myrobotlab.service.sear.readings.Publisher;
 import org.myrobotlab.service.sear.readings.ScriptActuators;
 import org.myrobotlab.service.sear.readings.ScriptBodies;
@@ -60,6 +61,7 @@ final class SearParts {
     private final Publisher publisher;
     private final Exports exports;
     private final CameraExports networkCameras;
+    private final Gateways gateways = new Gateways();
     private final BundleTransfers transfers;
     private final Recording recording;
     private final Records records;
@@ -126,6 +128,11 @@ final class SearParts {
     /** See {@link ScriptBodies}. */
     public ScriptBodies bodies() {
         return bodies;
+    }
+
+    /** See {@link Gateways}. */
+    public Gateways gateways() {
+        return gateways;
     }
 
     public Projects projects() {
@@ -328,5 +335,6 @@ final class SearParts {
         stop();
         exports.close();
         networkCameras.close();
+        gateways.close();
     }
 }

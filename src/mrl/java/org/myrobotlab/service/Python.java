@@ -1,6 +1,7 @@
 package org.myrobotlab.service;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -20,6 +21,7 @@ import org.myrobotlab.embedded.python.ConsoleStream;
 import org.myrobotlab.embedded.python.PythonEngine;
 import org.myrobotlab.embedded.python.RepeatedErrors;
 import org.myrobotlab.embedded.python.ScriptResult;
+import org.myrobotlab.embedded.python3.Python3Script;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Platform;
 import org.myrobotlab.framework.Registration;
@@ -52,6 +54,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
     Map<String, Script> openedScripts = new ConcurrentHashMap<>();
     protected boolean openOnExecute;
     private transient volatile PythonEngine engine;
+    private transient volatile Python3Script python3;
     private final transient RepeatedErrors callbackErrors = new RepeatedErrors();
     private final transient BlockingQueue<Message> callbacks = new LinkedBlockingQueue<>();
     private transient volatile Thread callbackThread;
@@ -94,8 +97,10 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         if (engine != null) {
             engine.close();
         }
-        PythonEngine fresh = new PythonEngine(getName(), new ConsoleStream(System.out, text -> invoke("publishStdOut", text)),
-            new ConsoleStream(System.err, text -> invoke("publishStdError", text)));
+        ConsoleStream out = new ConsoleStream(System.out, text -> invoke("publishStdOut", text));
+        ConsoleStream err = new ConsoleStream(System.err, text -> invoke("publishStdError", text));
+        PythonEngine fresh = new PythonEngine(getName(), out, err);
+        python3 = new Python3Script(out, err);
         fresh.run(IMPORTS);
         fresh.setWarned(this::caution);
         fresh.setFailed(this::failed);
@@ -176,9 +181,29 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         }
         begun();
         try {
-            return report(engine.run(code));
+            return report(isPython3(code.getBytes(StandardCharsets.UTF_8)) ? runPython3(code) : engine.run(code));
         } finally {
             ended();
+        }
+    }
+
+    private static boolean isPython3(byte[] code) {
+        return Python3Script.is(code);
+    }
+
+    private ScriptResult runPython3(String code) {
+        try {
+            Path folder = Files.createTempDirectory("sear");
+            Path file = folder.resolve("script.py");
+            try {
+                Files.writeString(file, code);
+                return engine.exited(() -> python3.run(file, List.of()));
+            } finally {
+                Files.deleteIfExists(file);
+                Files.delete(folder);
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 
@@ -202,7 +227,9 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         }
         begun();
         try {
-            return report(engine.runFile(file));
+            Path path = Paths.get(file);
+            boolean three = isPython3(Files.readAllBytes(path));
+            return report(three ? engine.exited(() -> python3.run(path, engine.getArguments())) : engine.runFile(file));
         } finally {
             ended();
         }
@@ -268,7 +295,8 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
      */
     public boolean stop() {
         callbacks.clear();
-        return engine != null && engine.interrupt();
+        boolean three = python3 != null && python3.stop();
+        return engine != null && engine.interrupt() || three;
     }
 
     // ---- callbacks ----------------------------------------------------------------------------------------------------

@@ -71,7 +71,7 @@ public class CodeOfTheDocsTest {
         entry("docs/performance.md sh scripts/benchmark", PerformancePageTest.class),
         entry("docs/projects.md text", SearCommandTest.class),
         entry("docs/projects.md xml", HandWrittenProjectTest.class),
-        entry("docs/python3.md python3", Python3Test.class),
+        entry("docs/python3-http.md python3", Python3Test.class),
         entry("docs/scripting.md python", ScriptExamplesTest.class)));
     private static final Map<String, String> NOT_RUN = new TreeMap<>(Map.of(
         "CONTRIBUTING.md sh MYROBOTLAB=", "it is CI, and runs this test",

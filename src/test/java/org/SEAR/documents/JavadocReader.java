@@ -88,6 +88,7 @@ final class JavadocReader {
         call.overrides = method.getAnnotation(Override.class) != null;
         for (VariableElement parameter : method.getParameters()) {
             call.parameters.put(parameter.getSimpleName().toString(), "");
+            call.types.put(parameter.getSimpleName().toString(), python(parameter.asType()));
         }
         TreePath path = trees.getPath(method);
         call.section = section((int) trees.getSourcePositions().getStartPosition(path.getCompilationUnit(), path.getLeaf()));

@@ -20,7 +20,7 @@ import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 
-/** The client of docs/python3.md, run by this computer's own python3 against the embedded MyRobotLab. */
+/** The client of docs/python3-http.md, run by this computer's own python3 against the embedded MyRobotLab. */
 @Category(Slow.class)
 public class Python3Test {
     private static final int LINES_OF_CLIENT = 10;
@@ -42,7 +42,7 @@ public class Python3Test {
     }
 
     private static List<String> blocks() {
-        return DocBlock.of("docs/python3.md", "python3");
+        return DocBlock.of("docs/python3-http.md", "python3");
     }
 
     /** Runs a program beside the page's client, whose address is that of the test. */

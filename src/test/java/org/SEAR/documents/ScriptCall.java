@@ -14,6 +14,8 @@ final class ScriptCall {
     String answers;
     /** Names of the parameters and what is said of each; empty where nothing is. */
     final Map<String, String> parameters = new LinkedHashMap<>();
+    /** What each parameter is, in Python's words. */
+    final Map<String, String> types = new LinkedHashMap<>();
     String text = "";
     String returns = "";
     final Map<String, String> errors = new LinkedHashMap<>();

@@ -49,6 +49,11 @@ public final class ScriptDocs {
             .filter(call -> !call.overrides && !call.section.equals(PANELS) && !call.section.equals(MYROBOTLAB)).collect(Collectors.toList());
     }
 
+    /** What a service is for. */
+    String about(String service) {
+        return services.get(service).about();
+    }
+
     /** What the javadoc leaves out. */
     List<String> gaps() {
         List<String> gaps = new ArrayList<>();

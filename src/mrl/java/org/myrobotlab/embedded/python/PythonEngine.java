@@ -10,6 +10,7 @@ import java.nio.file.Paths;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.Callable;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -48,6 +49,9 @@ public final class PythonEngine {
     private volatile Consumer<String> failed = text -> { };
     private final ScriptThreads threads = new ScriptThreads(this);
     private final Map<Thread, Run> running = new HashMap<>();
+    /** Threads of the script that are started and have not begun yet; guarded by {@link #running}. */
+    private int starting;
+    private volatile boolean closed;
     /** Calls of the script's functions, compiled when they came first, by bare name. */
     private final Map<String, PyCode> calls = new ConcurrentHashMap<>();
 
@@ -107,6 +111,24 @@ public final class PythonEngine {
         return last;
     }
 
+    /** Runs a script of another kind, which tells its errors itself. */
+    public ScriptResult exited(Callable<Integer> script) throws IOException {
+        Run run = enter();
+        try {
+            int status = script.call();
+            last = run.isStopped ? ScriptResult.STOPPED : ScriptResult.exited(status);
+        } catch (IOException e) {
+            throw e;
+        } catch (InterruptedException e) {
+            last = ScriptResult.STOPPED;
+        } catch (Exception e) {
+            throw new IllegalStateException(e);
+        } finally {
+            leave(run);
+        }
+        return last;
+    }
+
     /** @param listener takes what a script hardly means, before it is run */
     public void setWarned(Consumer<String> listener) {
         warned = listener;
@@ -117,12 +139,26 @@ public final class PythonEngine {
         failed = listener;
     }
 
-    /** Does the work of a thread that the script has made. */
+    /** @param more by how many threads have been started and not begun yet */
+    void threadStarts(int more) {
+        synchronized (running) {
+            starting += more;
+            running.notifyAll();
+        }
+    }
+
+    /** Does the work of a thread that the script has made; not if it comes to it only after the end. */
     void runThread(PyObject work, String threadName, boolean daemon) {
-        Run run = enter();
-        run.isThread = true;
+        Run run;
+        synchronized (running) {
+            run = enter();
+            run.isThread = true;
+            threadStarts(-1);
+        }
         try {
-            work.__call__();
+            if (!closed) {
+                work.__call__();
+            }
         } catch (PyException e) {
             OutOfMemory.tell(e);
             tell(e, run, threadName, daemon);
@@ -145,6 +181,11 @@ public final class PythonEngine {
     /** How the last script ended. */
     public ScriptResult getLastResult() {
         return last;
+    }
+
+    /** See {@link #setArguments}. */
+    public List<String> getArguments() {
+        return arguments;
     }
 
     /** What files that are run find in sys.argv behind their name. */
@@ -298,7 +339,8 @@ public final class PythonEngine {
     }
 
     private boolean othersRun(boolean threads) {
-        return running.entrySet().stream().anyMatch(one -> one.getKey() != Thread.currentThread() && one.getValue().isThread == threads);
+        return threads && starting > 0
+            || running.entrySet().stream().anyMatch(one -> one.getKey() != Thread.currentThread() && one.getValue().isThread == threads);
     }
 
     /**
@@ -359,6 +401,7 @@ public final class PythonEngine {
 
     /** Breaks off all that runs and forgets everything. */
     public void close() {
+        closed = true;
         ENGINES.remove(name, this);
         interrupt();
         interpreter.cleanup();

@@ -30,6 +30,11 @@ public final class ScriptResult {
         this.stopped = stopped;
     }
 
+    /** One that has told its errors itself. */
+    static ScriptResult exited(int status) {
+        return new ScriptResult(status, null, false);
+    }
+
     static ScriptResult failed(String traceback) {
         return new ScriptResult(1, traceback, false);
     }

@@ -7,6 +7,7 @@ import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.service.Python;
+import org.myrobotlab.service.Python3;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.sear.Host;
 import org.slf4j.Logger;
@@ -54,7 +55,7 @@ public final class Fence {
     synchronized void greet() {
         for (ServiceInterface service : Runtime.getServices()) {
             if (service instanceof Python && service.isRunning() && !handlers.containsKey(service)) {
-                greetings.put(service, sendToPython((Python) service));
+                greetings.put(service, sendToPython(service));
             }
         }
     }
@@ -84,7 +85,7 @@ public final class Fence {
         Map<Object, FencePass> through = new HashMap<>();
         for (ServiceInterface service : queues.getReceivers()) {
             if (isOnTime(service) && !isHeld(service)) {
-                through.put(service, service instanceof Python ? sendToPython((Python) service) : sendThrough(service));
+                through.put(service, hasCallbacks(service) ? sendToPython(service) : sendThrough(service));
             }
         }
         await(through, end);
@@ -100,9 +101,16 @@ public final class Fence {
         return pass;
     }
 
-    private static FencePass sendToPython(Python python) {
+    /** Whether it carries out callbacks on a thread of its own, beside its messages. */
+    private static boolean hasCallbacks(ServiceInterface service) {
+        return service instanceof Python || service instanceof Python3;
+    }
+
+    private static FencePass sendToPython(ServiceInterface python) {
         FencePass pass = new FencePass();
-        python.set(VARIABLE, FencePass.class);
+        if (python instanceof Python) {
+            ((Python) python).set(VARIABLE, FencePass.class);
+        }
         Message msg = Message.createMessage(SENDER, python.getName(), VARIABLE + ".passed", pass);
         msg.sendingMethod = SENDING;
         python.in(msg);
@@ -171,7 +179,8 @@ public final class Fence {
             handlers.put(service, greeting.getHandler());
             greetings.remove(service);
         }
-        return holds(handlers.get(service)) || holds(service.getThisThread());
+        return holds(service instanceof Python3 ? ((Python3) service).getCallbackThread() : handlers.get(service))
+            || holds(service.getThisThread());
     }
 
     private boolean holds(Thread thread) {

@@ -1,0 +1,85 @@
+"""Functions of the program that MyRobotLab calls: a thread of Python's asks the service Python3 for them, one after the other."""
+import sys
+import threading
+
+from . import _errors
+from ._objects import backend, java_class
+
+RUNTIME = "org.myrobotlab.service.Runtime"
+TYPE = "Python3"
+PATIENCE = 500  # ms that one question waits in Java
+
+
+class PythonService:
+    """The service that stands for this program; it starts when something is first asked of it.
+
+    `python.getName()` is what addListener takes. Functions are found by name in the script, or among those that were given to `register`.
+    """
+
+    def __init__(self):
+        self._service = None
+        self._thread = None
+        self._lock = threading.Lock()
+        self._functions = {}
+        self._ended = False
+        self.script = None
+
+    def __getattr__(self, name):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return getattr(self._started(), name)
+
+    def register(self, function, name=None):
+        """Has a function called by a name that is not one of the script's. Answers the name."""
+        name = name or function.__name__
+        self._functions[name] = function
+        return name
+
+    def _started(self):
+        with self._lock:
+            if self._service is None:
+                runtime = java_class(RUNTIME)
+                name = "python"
+                number = 2
+                while runtime.getService(name) is not None:
+                    name = "python3" if number == 2 else "python3_%d" % (number - 1)
+                    number += 1
+                self._service = runtime.start(name, TYPE)
+                self._thread = threading.Thread(target=self._serve, name="sear callbacks", daemon=True)
+                self._thread.start()
+            return self._service
+
+    def _serve(self):
+        while not self._ended:
+            try:
+                call = self._service.take(PATIENCE)
+            except Exception:    # Java has ended
+                return
+            if call is not None:
+                self._carry_out(*call)
+
+    def _carry_out(self, publisher, name, arguments):
+        function = self._functions.get(name) or getattr(self.script or sys.modules["__main__"], name, None)
+        if function is None:
+            self._tell("%s calls back %s, but the script has no function of that name" % (publisher, name))
+            return
+        try:
+            function(*arguments)
+        except Exception as error:
+            self._tell("%s has called back %s, which failed:\n%s" % (publisher, name, _errors.told(error)))
+
+    def _tell(self, text):
+        self.failed = True
+        print("[ERROR] " + text.rstrip(), file=sys.stderr)
+
+    failed = False
+
+    def end(self):
+        """Takes no more calls; the one that runs comes to its end."""
+        self._ended = True
+        service, self._service = self._service, None
+        if service is not None:
+            if self._thread is not threading.current_thread():
+                self._thread.join(10)
+            backend()
+            java_class(RUNTIME).release(service.getName())

@@ -1,0 +1,56 @@
+"""What SEAR raises: the words are Java's, the types also those of Python, so that `except ValueError` works."""
+import os
+import traceback
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+class JavaError(Exception):
+    """Something went wrong in SEAR or MyRobotLab. Its text is the message, without the name of Java's exception."""
+
+
+class IllegalArgumentException(JavaError, ValueError):
+    """A value is not legal; the message names thing, value and legal range."""
+
+
+class IllegalStateException(JavaError, RuntimeError):
+    """It can't be done now; the message says what to do first."""
+
+
+class IOException(JavaError, OSError):
+    """A file or port can't be used."""
+
+
+class UnsupportedOperationException(JavaError, NotImplementedError):
+    """This thing can't do that."""
+
+
+class NullPointerException(JavaError, TypeError):
+    """None was given where a thing is needed."""
+
+
+_TYPES = {kind.__name__: kind for kind in (IllegalArgumentException, IllegalStateException, IOException, UnsupportedOperationException,
+                                           NullPointerException)}
+
+
+def of(names, message):
+    """The exception for one of Java.
+
+    names: its class and those above it, the nearest first, without packages.
+    message: its text; None if it has none.
+    """
+    kind = next((_TYPES[name] for name in names if name in _TYPES), JavaError)
+    return kind(message if message else names[0])
+
+
+def misfit(name, arguments, legal):
+    """What is said of a call that there is not."""
+    given = ", ".join(type(one).__name__ for one in arguments)
+    return "%s can't be called with (%s)%s" % (name, given, "; legal: " + ", or ".join(legal) if legal else "")
+
+
+def told(error):
+    """An error with its traceback as Python prints it, without the lines of this package."""
+    whole = traceback.TracebackException.from_exception(error)
+    whole.stack = traceback.StackSummary.from_list([frame for frame in whole.stack if os.path.dirname(frame.filename) != HERE])
+    return "".join(whole.format())

@@ -1,0 +1,157 @@
+"""Java in another process of this machine, by Py4J: a running SEAR that has been asked to startPython3()."""
+import os
+
+import numpy
+from py4j.clientserver import ClientServer, JavaParameters, PythonParameters
+from py4j.java_collections import JavaArray, JavaList, JavaMap
+from py4j.java_gateway import JavaObject as Remote
+from py4j.protocol import Py4JError, Py4JJavaError, Py4JNetworkError
+
+from . import _errors
+from ._objects import wrap
+
+PORT = 25333
+MEMBERS = "org.myrobotlab.service.sear.python3.Members"
+CALLS = "org.myrobotlab.service.sear.python3.Calls"
+# What bytes begin with that are an array; three letters follow that are numpy's word for the type
+NUMBERS = b"\0numpy"
+
+
+def token_of(port):
+    """The token that SEAR has written for that port.
+
+    Raises FileNotFoundError that says how to have it written.
+    """
+    path = os.path.join(os.path.expanduser("~"), ".sear", "gateway-%d" % port)
+    try:
+        with open(path) as file:
+            return file.read().strip()
+    except FileNotFoundError:
+        raise FileNotFoundError("no SEAR of yours serves Python 3 at port %d (there is no %s): call sear.startPython3(%s) in MyRobotLab first"
+                                % (port, path, "" if port == PORT else port)) from None
+
+
+def _array(packed):
+    start = len(NUMBERS)
+    return numpy.frombuffer(packed, dtype=packed[start:start + 3].decode("ascii"), offset=start + 3).copy()
+
+
+class OverGateway:
+    """The backend whose Java lives in another process. Any thread."""
+
+    def __init__(self, port, token):
+        self._port = port
+        self._server = ClientServer(java_parameters=JavaParameters(port=port, auth_token=token, auto_convert=True),
+                                    python_parameters=PythonParameters(port=0, eager_load=False))
+        self._names = {}
+        try:
+            self._members = self._class(MEMBERS)
+            self._calls = self._class(CALLS)
+            self._members.numberType("")
+        except Py4JNetworkError as error:
+            raise ConnectionError("no SEAR serves Python 3 at port %d: call sear.startPython3(%s) in MyRobotLab first (%s)"
+                                  % (port, "" if port == PORT else port, error)) from None
+
+    def _class(self, name):
+        found = self._server.jvm
+        for part in name.split("."):
+            found = getattr(found, part)
+        return found
+
+    def java_class(self, name):
+        """The java.lang.Class."""
+        return self._server.jvm.java.lang.Class.forName(name)
+
+    def java_list(self, values):
+        """Py4J makes a java.util.List of it."""
+        return list(values)
+
+    def java_map(self, values):
+        """Py4J makes a java.util.Map of it."""
+        return dict(values)
+
+    def new(self, name, arguments):
+        """An object of that class."""
+        return self._run(self._calls.create, (name,), arguments, name, None)
+
+    def call(self, method, arguments, class_name, name):
+        """Calls a method and converts what it answers."""
+        call, of = method
+        return self.to_python(self._run(call, (of, name), arguments, class_name, name))
+
+    def _run(self, call, how, arguments, class_name, name):
+        try:
+            return call(*how, arguments)
+        except Py4JJavaError as error:
+            if error.java_exception.getClass().getSimpleName() != "NoSuchMethodException":
+                raise self._translated(error) from None
+        except Py4JNetworkError as error:
+            raise ConnectionError("the SEAR at port %d has ended (%s)" % (self._port, error)) from None
+        kind = self.java_class(class_name)
+        legal = self._members.constructors(kind) if name is None else self._members.methods(kind, name)
+        raise TypeError(_errors.misfit(name or class_name.rpartition(".")[2], arguments, list(legal)))
+
+    def _translated(self, error):
+        cause = error.java_exception
+        return _errors.of(list(self._members.lineage(cause)), cause.getMessage())
+
+    def member(self, java, name):
+        """A method, or the value of a field or property: ("method", callable), ("value", its value) or (None, None)."""
+        kind = self._members.kind(java, name)
+        if kind == "method":
+            return "method", (self._calls.call, java)
+        return ("value", self._members.value(java, name)) if kind == "value" else (None, None)
+
+    def static(self, class_name, name):
+        """The same of a class."""
+        if name not in self.names(class_name):
+            return None, None
+        if self._members.methods(self.java_class(class_name), name):
+            return "method", (self._calls.callStatic, class_name)
+        return "value", self.java_class(class_name).getField(name).get(None)
+
+    def assign(self, java, name, value):
+        """Changes a field or property."""
+        try:
+            self._members.assign(java, name, value)
+        except Py4JJavaError as error:
+            raise self._translated(error) from None
+
+    def names(self, class_name):
+        """Of its members."""
+        if class_name not in self._names:
+            self._names[class_name] = list(self._members.names(self.java_class(class_name)))
+        return self._names[class_name]
+
+    def text(self, java):
+        """What toString says."""
+        return java.toString()
+
+    def same(self, one, other):
+        """Whether they are equal."""
+        return one.equals(other)
+
+    def hash(self, java):
+        """Its hash code."""
+        return java.hashCode()
+
+    def to_python(self, value):
+        """Numbers, texts, lists and maps are Python's own; arrays of numbers are numpy's; all else is a proxy."""
+        if isinstance(value, JavaArray):
+            kind = self._members.numberType(value)
+            if kind is None:
+                return [self.to_python(one) for one in value]
+            return numpy.frombuffer(self._members.bytes(value), dtype=kind).copy()
+        if isinstance(value, (bytes, bytearray)):
+            return _array(value) if value.startswith(NUMBERS) else bytes(value)
+        if isinstance(value, JavaList):
+            return [self.to_python(one) for one in value]
+        if isinstance(value, JavaMap):
+            return {self.to_python(key): self.to_python(value[key]) for key in value}
+        if isinstance(value, Remote):
+            return wrap(value, self._members.className(value))
+        return value
+
+    def close(self):
+        """Ends the connections."""
+        self._server.close()

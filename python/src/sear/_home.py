@@ -1,0 +1,38 @@
+"""Where SEAR's Java half is."""
+import os
+import shutil
+
+PLUGIN = "plugin"
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def _candidates():
+    if os.environ.get("SEAR_HOME"):
+        yield os.environ["SEAR_HOME"]
+        return
+    yield os.path.join(HERE, "home")                       # pip install
+    yield os.path.abspath(os.path.join(HERE, "..", ".."))  # the folder of `sear` has this package in python/
+    yield os.path.abspath(os.path.join(HERE, "..", "..", "..", "build", "install", "sear"))  # the sources
+    command = shutil.which("sear")
+    if command:
+        yield os.path.dirname(os.path.dirname(os.path.realpath(command)))
+
+
+def find():
+    """The folder with SEAR's jars in plugin/ and lib/.
+
+    Raises FileNotFoundError, with where it looked.
+    """
+    looked = []
+    for folder in _candidates():
+        if os.path.isfile(os.path.join(folder, PLUGIN, "sear.jar")):
+            return folder
+        looked.append(folder)
+    raise FileNotFoundError("SEAR's jars are not there: looked for plugin/sear.jar in %s. Set SEAR_HOME to the folder of SEAR that has bin/sear"
+                            % ", ".join(looked))
+
+
+def jars(home):
+    """All jars of SEAR and of the small MyRobotLab that comes with it."""
+    return [os.path.join(home, folder, name) for folder in (PLUGIN, "lib") for name in sorted(os.listdir(os.path.join(home, folder)))
+            if name.endswith(".jar")]

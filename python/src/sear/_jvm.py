@@ -1,0 +1,148 @@
+"""Java in this process, by JPype."""
+import os
+
+import numpy
+
+from . import _errors, _home
+from ._objects import wrap
+
+# As bin/sear starts it, with as much of the log
+OPTIONS = ("-Xlog:cds=off", "-XX:+IgnoreUnrecognizedVMOptions", "--sun-misc-unsafe-memory-access=allow", "--enable-native-access=ALL-UNNAMED",
+           "-XX:+UseSerialGC", "-Xms64m", "-XX:Tier4InvocationThreshold=50000", "-XX:Tier4CompileThreshold=150000",
+           "-XX:Tier4BackEdgeThreshold=400000", "-XX:Tier3DelayOn=0", "-Dsear.inPython=true", "-Dorg.slf4j.simpleLogger.defaultLogLevel=warn",
+           "-Dorg.slf4j.simpleLogger.log.org.SEAR.progress=info", "-Dorg.slf4j.simpleLogger.showThreadName=false",
+           "-Dorg.slf4j.simpleLogger.showLogName=false", "-Dorg.slf4j.simpleLogger.levelInBrackets=true")
+MEMBERS = "org.myrobotlab.service.sear.python3.Members"
+SEAR = "org.myrobotlab.service.SEAR"
+_PLAIN = frozenset((float, int, str, bool, type(None), bytes))
+_NUMBERS = frozenset(("float[]", "double[]", "int[]", "long[]", "short[]", "boolean[]"))
+
+
+class InProcess:
+    """The backend whose Java lives in this process. Any thread."""
+
+    def __init__(self, options=()):
+        import jpype
+        home = _home.find()
+        self._jpype = jpype
+        if not jpype.isJVMStarted():
+            try:
+                jpype.startJVM(*OPTIONS, "-Dsear.home=" + home, *os.environ.get("JAVA_OPTS", "").split(), *options, classpath=_home.jars(home),
+                               convertStrings=True, interrupt=False)
+            except jpype.JVMNotFoundException as error:
+                raise FileNotFoundError("SEAR needs Java 11 or newer: install it, for example 'sudo apt-get install default-jre', or set JAVA_HOME "
+                                        "(%s)" % error) from None
+        self._members = jpype.JClass(MEMBERS)
+        self._list = jpype.JClass("java.util.ArrayList")
+        self._map = jpype.JClass("java.util.LinkedHashMap")
+        self._java_list = jpype.JClass("java.util.List")
+        self._java_map = jpype.JClass("java.util.Map")
+
+    def java_class(self, name):
+        """The java.lang.Class."""
+        return self._jpype.JClass(name).class_
+
+    def java_list(self, values):
+        """A java.util.List of them."""
+        made = self._list(len(values))
+        for one in values:
+            made.add(one)
+        return made
+
+    def java_map(self, values):
+        """A java.util.Map in the same order."""
+        made = self._map()
+        for key, one in values.items():
+            made.put(key, one)
+        return made
+
+    def new(self, name, arguments):
+        """An object of that class."""
+        return self._run(self._jpype.JClass(name), arguments, name, None)
+
+    def call(self, method, arguments, class_name, name):
+        """Calls a method and converts what it answers."""
+        answer = self._run(method, arguments, class_name, name)
+        return answer if type(answer) in _PLAIN else self.to_python(answer)
+
+    def _run(self, method, arguments, class_name, name):
+        try:
+            return method(*arguments)
+        except self._jpype.JException as error:
+            raise self._translated(error) from None
+        except TypeError as error:
+            if "No matching overloads" not in str(error):
+                raise
+            kind = self.java_class(class_name)
+            legal = self._members.constructors(kind) if name is None else self._members.methods(kind, name)
+            raise TypeError(_errors.misfit(name or class_name.rpartition(".")[2], arguments, [str(one) for one in legal])) from None
+
+    def _translated(self, error):
+        message = error.getMessage()
+        return _errors.of([kind.__name__.rpartition(".")[2] for kind in type(error).__mro__], None if message is None else str(message))
+
+    def member(self, java, name):
+        """A method, or the value of a field or property: ("method", callable), ("value", its value) or (None, None)."""
+        kind = str(self._members.kind(java, name))
+        if kind == "method":
+            return "method", getattr(java, name)
+        return ("value", self._members.value(java, name)) if kind == "value" else (None, None)
+
+    def static(self, class_name, name):
+        """The same of a class."""
+        found = getattr(self._jpype.JClass(class_name), name, None)
+        if found is None:
+            return None, None
+        return "method" if callable(found) and not isinstance(found, self._jpype.JObject) else "value", found
+
+    def assign(self, java, name, value):
+        """Changes a field or property."""
+        try:
+            self._members.assign(java, name, value)
+        except self._jpype.JException as error:
+            raise self._translated(error) from None
+
+    def names(self, class_name):
+        """Of its members."""
+        return [str(one) for one in self._members.names(self.java_class(class_name))]
+
+    def text(self, java):
+        """What toString says."""
+        return str(java.toString())
+
+    def same(self, one, other):
+        """Whether they are equal."""
+        return bool(one.equals(other))
+
+    def hash(self, java):
+        """Its hash code."""
+        return int(java.hashCode())
+
+    def to_python(self, value):
+        """Numbers, texts, lists and maps are Python's own; arrays of numbers are numpy's; all else is a proxy."""
+        if type(value) in _PLAIN:
+            return value
+        if isinstance(value, self._jpype.JArray):
+            return self._array(value)
+        if type(value).__name__ == "java.lang.Boolean":
+            return bool(value)
+        for plain in (float, int, str):
+            if isinstance(value, plain):
+                return plain(value)
+        if isinstance(value, self._java_list):
+            return [self.to_python(one) for one in value]
+        if isinstance(value, self._java_map):
+            return {self.to_python(entry.getKey()): self.to_python(entry.getValue()) for entry in value.entrySet()}
+        return wrap(value, str(self._members.className(value)))
+
+    def _array(self, value):
+        name = type(value).__name__
+        if name == "byte[]":
+            return bytes(value)
+        return numpy.array(value) if name in _NUMBERS else [self.to_python(one) for one in value]
+
+    def close(self):
+        """Stops simulations, so that their records and ports are whole; the Java machine ends with the process."""
+        for service in self._jpype.JClass("org.myrobotlab.service.Runtime").getServices():
+            if str(self._members.className(service)) == SEAR and service.isSimulating():
+                service.stopSimulation()

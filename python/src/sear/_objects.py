@@ -1,0 +1,131 @@
+"""Java's objects as Python sees them. Whoever knows how Java is reached (_jvm, _gateway) is the backend."""
+import builtins
+import difflib
+
+_PLAIN = frozenset((float, int, str, bool, type(None), bytes))
+_classes = {}
+
+
+class _Connection:
+    """The backend: none until something is asked for, then one until the end."""
+    backend = None
+    start = None
+
+
+connection = _Connection()
+
+
+def backend():
+    """Starts Java in this process, unless it is there or another one was connected to."""
+    if connection.backend is None:
+        connection.start()
+    return connection.backend
+
+
+def to_java(value):
+    """What Java takes for a value: what is behind a proxy, and so in lists, tuples and dictionaries; of numpy's arrays their numbers."""
+    if type(value) in _PLAIN:
+        return value
+    if isinstance(value, JavaObject):
+        return value.__dict__["java"]
+    if isinstance(value, _Statics):
+        return backend().java_class(value.java_name)
+    if hasattr(value, "tolist"):
+        return to_java(value.tolist())
+    if isinstance(value, (list, tuple)):
+        return backend().java_list([to_java(one) for one in value])
+    if isinstance(value, dict):
+        return backend().java_map({key: to_java(one) for key, one in value.items()})
+    return value
+
+
+class _Call:
+    """A method of an object or class, ready to be called."""
+
+    __slots__ = ("method", "class_name", "name")
+
+    def __init__(self, method, class_name, name):
+        self.method = method
+        self.class_name = class_name
+        self.name = name
+
+    def __call__(self, *arguments):
+        return connection.backend.call(self.method, [one if type(one) in _PLAIN else to_java(one) for one in arguments], self.class_name, self.name)
+
+    def __repr__(self):
+        return "<method %s of %s>" % (self.name, self.class_name.rpartition(".")[2])
+
+
+def _unknown(owner, name, names):
+    near = difflib.get_close_matches(name, names, 1)
+    return AttributeError("%s has no %s%s" % (owner, name, ": did you mean %s?" % near[0] if near else ""))
+
+
+class _Statics(type):
+    """Of a class: its static methods and constants."""
+
+    def __getattr__(cls, name):
+        if name.startswith("_") or cls.java_name is None:
+            raise AttributeError(name)
+        kind, value = backend().static(cls.java_name, name)
+        if kind == "method":
+            call = _Call(value, cls.java_name, name)
+            setattr(cls, name, call)
+            return call
+        if kind is None:
+            raise _unknown(cls.__name__, name, backend().names(cls.java_name))
+        return backend().to_python(value)
+
+
+class JavaObject(metaclass=_Statics):
+    """An object of SEAR or MyRobotLab: its methods, fields and properties are those of docs/scripting.md and docs/objects.md."""
+
+    java_name = None
+
+    def __init__(self, *arguments):
+        self.__dict__["java"] = backend().new(self.java_name, [to_java(one) for one in arguments])
+
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        kind, value = backend().member(self.__dict__["java"], name)
+        if kind == "method":
+            call = _Call(value, self.java_name, name)
+            self.__dict__[name] = call
+            return call
+        if kind is None:
+            raise _unknown(type(self).__name__, name, backend().names(self.java_name))
+        return backend().to_python(value)
+
+    def __setattr__(self, name, value):
+        backend().assign(self.__dict__["java"], name, to_java(value))
+
+    def __dir__(self):
+        return sorted(set(super().__dir__()) | set(backend().names(self.java_name)))
+
+    def __str__(self):
+        return backend().text(self.__dict__["java"])
+
+    def __repr__(self):
+        return "<%s %s>" % (type(self).__name__, self)
+
+    def __eq__(self, other):
+        return isinstance(other, JavaObject) and backend().same(self.__dict__["java"], other.__dict__["java"])
+
+    def __hash__(self):
+        return backend().hash(self.__dict__["java"])
+
+
+def java_class(java_name, text=None):
+    """The Python class for a class of Java, always the same one."""
+    if java_name not in _classes:
+        short = java_name.rpartition(".")[2].rpartition("$")[2]
+        _classes[java_name] = _Statics(short, (JavaObject,), {"java_name": java_name, "__doc__": text, "__module__": "sear"})
+    return _classes[java_name]
+
+
+def wrap(java, java_name):
+    """A proxy for an object that Java has made."""
+    proxy = builtins.object.__new__(java_class(java_name))
+    proxy.__dict__["java"] = java
+    return proxy

@@ -1,5 +1,5 @@
 # Sweeps a PING))) on a servo from left to right and draws a radar picture of what it sees: # an echo, . circles of one, two and three metres.
-from math import cos, radians, sin
+from math import cos, floor, radians, sin
 
 STEP = 3            # degrees
 RANGE = 3.0         # metres; what the PING))) says where it sees nothing
@@ -18,8 +18,8 @@ picture = [[" "] * COLUMNS for row in range(ROWS)]
 
 def draw(letter, angle, distance):
     """@param angle degrees, + to the left"""
-    column = int(round(COLUMNS // 2 - distance * sin(radians(angle)) / ACROSS))
-    row = int(round(ROWS - 1 - distance * cos(radians(angle)) / ALONG))
+    column = int(floor(COLUMNS // 2 - distance * sin(radians(angle)) / ACROSS + 0.5))
+    row = int(floor(ROWS - 1 - distance * cos(radians(angle)) / ALONG + 0.5))
     if 0 <= row < ROWS and 0 <= column < COLUMNS:
         picture[row][column] = letter
 

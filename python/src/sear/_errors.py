@@ -31,6 +31,8 @@ class NullPointerException(JavaError, TypeError):
 
 _TYPES = {kind.__name__: kind for kind in (IllegalArgumentException, IllegalStateException, IOException, UnsupportedOperationException,
                                            NullPointerException)}
+for _kind in (JavaError, *_TYPES.values()):
+    _kind.__module__ = "sear"
 
 
 def of(names, message):
@@ -52,5 +54,8 @@ def misfit(name, arguments, legal):
 def told(error):
     """An error with its traceback as Python prints it, without the lines of this package."""
     whole = traceback.TracebackException.from_exception(error)
-    whole.stack = traceback.StackSummary.from_list([frame for frame in whole.stack if os.path.dirname(frame.filename) != HERE])
+    part = whole
+    while part is not None:
+        part.stack = traceback.StackSummary.from_list([frame for frame in part.stack if os.path.dirname(frame.filename) != HERE])
+        part = part.__cause__ or part.__context__
     return "".join(whole.format())

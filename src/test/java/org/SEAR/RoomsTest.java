@@ -33,6 +33,7 @@ public class RoomsTest {
         "org.myrobotlab.service.meta",
         "org.myrobotlab.service.config",
         "org.myrobotlab.service.sear.panel", "org.myrobotlab.service.sear.records", "org.myrobotlab.service.sear.netcam",
+        "org.myrobotlab.service.sear.python3",
         "org.myrobotlab.service.sear.readings", "org.myrobotlab.service.sear.files",
         "org.myrobotlab.service.sear.export", "org.myrobotlab.service.sear.run", "org.myrobotlab.service.sear.lockstep",
         "org.myrobotlab.service.sear", "org.myrobotlab.service.link", "org.myrobotlab.serial",

@@ -26,7 +26,8 @@ public final class ScriptLine {
 
     /** Whether the calling thread carries out a script, of Python 2 or 3, which is told by what is thrown. */
     public static boolean isCalling() {
-        List<String> classes = StackWalker.getInstance().walk(frames -> frames.map(StackWalker.StackFrame::getClassName).collect(Collectors.toList()));
+        List<String> classes = StackWalker.getInstance()
+            .walk(frames -> frames.map(StackWalker.StackFrame::getClassName).collect(Collectors.toList()));
         return classes.stream().anyMatch(name -> name.startsWith(SCRIPT) || name.startsWith(PY4J))
             || IN_PYTHON && !classes.get(classes.size() - 1).equals(Thread.class.getName());
     }

@@ -17,7 +17,6 @@ import org.myrobotlab.service.sear.files.Edits;
 import org.myrobotlab.service.sear.files.ExampleScripts;
 import org.myrobotlab.service.sear.files.ScriptCalls;
 import org.myrobotlab.service.sear.panel.Preview;
-import org.myrobotlab.service.sear.python3.Gateway;
 import org.myrobotlab.service.sear.records.Plots;
 import org.myrobotlab.service.sear.records.Recording;
 import org.myrobotlab.service.sear.records.Records;
@@ -1243,12 +1242,12 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * Lets Python 3 programs on this computer in: {@code sear.connect()} of the package {@code sear}, docs/python3.md. They can do what a script can.
      * The token that they show stands in the file {@code .sear/gateway-PORT} of the user's home folder, which only that user can read.
      *
-     * @return the port, 25333
+     * @return the port: 25333, or that at which they are let in already
      * @throws IllegalStateException if it is in use
      * @example port = sear.startPython3(0); sear.stopPython3()
      */
     public int startPython3() {
-        return startPython3(Gateway.PORT);
+        return calls.attempt(() -> parts.gateways().open());
     }
 
     /**

@@ -25,6 +25,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.service.python3.Python3PackageTest;
 import org.myrobotlab.service.thirdparty.OpencvExamplesTest;
 import org.myrobotlab.service.thirdparty.ThirdPartyCameraTest;
 import org.myrobotlab.service.thirdparty.ThirdPartyDriversTest;
@@ -72,6 +73,11 @@ public class CodeOfTheDocsTest {
         entry("docs/projects.md text", SearCommandTest.class),
         entry("docs/projects.md xml", HandWrittenProjectTest.class),
         entry("docs/python3-http.md python3", Python3Test.class),
+        entry("docs/python3.md python3", Python3PackageTest.class),
+        entry("docs/python3.md sh python3 -m venv", Python3PackageTest.class),
+        entry("docs/python3.md sh venv/bin/pip install", Python3PackageTest.class),
+        entry("docs/python3.md sh sear examples/drive/maze_solver.py", Python3PackageTest.class),
+        entry("docs/python3.md python", Python3PackageTest.class),
         entry("docs/scripting.md python", ScriptExamplesTest.class)));
     private static final Map<String, String> NOT_RUN = new TreeMap<>(Map.of(
         "CONTRIBUTING.md sh MYROBOTLAB=", "it is CI, and runs this test",

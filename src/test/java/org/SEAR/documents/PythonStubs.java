@@ -94,8 +94,8 @@ public final class PythonStubs {
         Class<?> above = type.getSuperclass();
         boolean known = above != null && above.getName().startsWith(POJOS) && Modifier.isPublic(above.getModifiers());
         Described said = type.getAnnotation(Described.class);
-        out.append("\n\nclass ").append(type.getSimpleName()).append('(').append(known ? above.getSimpleName() : "JavaObject").append("):\n    \"\"\"")
-            .append(said == null ? type.getSimpleName() : line(said.value())).append("\"\"\"\n");
+        out.append("\n\nclass ").append(type.getSimpleName()).append('(').append(known ? above.getSimpleName() : "JavaObject")
+            .append("):\n    \"\"\"").append(said == null ? type.getSimpleName() : line(said.value())).append("\"\"\"\n");
         if (type.isEnum()) {
             Arrays.stream(type.getEnumConstants()).forEach(one -> out.append("    ").append(((Enum<?>) one).name()).append(": ")
                 .append(type.getSimpleName()).append('\n'));

@@ -106,7 +106,8 @@ public class OpencvExamplesTest {
             assertEquals(List.of("docking.py", "opencv_lines.py", "robotlab.py", "simulated.py"),
                 files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".py")).sorted().collect(Collectors.toList()));
         }
-        assertEquals("the client of the page", DocBlock.of("docs/python3-http.md", "python3").get(0), Files.readString(EXAMPLES.resolve("robotlab.py")));
+        assertEquals("the client of the page", DocBlock.of("docs/python3-http.md", "python3").get(0),
+            Files.readString(EXAMPLES.resolve("robotlab.py")));
     }
 
     /** Once round a line that is 0.7 + 0.15 cos 3a metres from the middle. */

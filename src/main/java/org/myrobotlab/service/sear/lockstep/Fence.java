@@ -7,7 +7,6 @@ import org.myrobotlab.framework.Message;
 import org.myrobotlab.framework.Service;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
 import org.myrobotlab.service.Python;
-import org.myrobotlab.service.Python3;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.sear.Host;
 import org.slf4j.Logger;
@@ -103,7 +102,7 @@ public final class Fence {
 
     /** Whether it carries out callbacks on a thread of its own, beside its messages. */
     private static boolean hasCallbacks(ServiceInterface service) {
-        return service instanceof Python || service instanceof Python3;
+        return service instanceof Python || service instanceof CallsBack;
     }
 
     private static FencePass sendToPython(ServiceInterface python) {
@@ -179,7 +178,7 @@ public final class Fence {
             handlers.put(service, greeting.getHandler());
             greetings.remove(service);
         }
-        return holds(service instanceof Python3 ? ((Python3) service).getCallbackThread() : handlers.get(service))
+        return holds(service instanceof CallsBack ? ((CallsBack) service).getCallbackThread() : handlers.get(service))
             || holds(service.getThisThread());
     }
 

@@ -14,8 +14,8 @@ import py4j.ClientServer;
 import py4j.Py4JNetworkException;
 
 /**
- * The door for Python 3 programs of the same machine (Py4J): whoever has the token calls whatever Java has. It listens on loopback only, and the token
- * of 192 random bits stands in a file that only its user can read, {@code .sear/gateway-PORT} of the home folder. Any thread.
+ * The door for Python 3 programs of the same machine (Py4J): whoever has the token calls whatever Java has. It listens on loopback only, and the
+ * token of 192 random bits stands in a file that only its user can read, {@code .sear/gateway-PORT} of the home folder. Any thread.
  */
 public final class Gateway implements AutoCloseable {
     /** Where Py4J's clients look by themselves. */

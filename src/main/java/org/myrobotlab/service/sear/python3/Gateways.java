@@ -6,6 +6,11 @@ import java.io.IOException;
 public final class Gateways implements AutoCloseable {
     private Gateway gateway;
 
+    /** Opens it at its usual port, if it is not open at another one. */
+    public synchronized int open() throws IOException {
+        return open(gateway == null ? Gateway.PORT : 0);
+    }
+
     /**
      * Opens it; asked for again, it is the same one.
      *

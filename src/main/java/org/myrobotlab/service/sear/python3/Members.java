@@ -6,6 +6,7 @@ import java.lang.reflect.Field;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
+import java.lang.reflect.Parameter;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
@@ -70,7 +71,7 @@ public final class Members {
             Arrays.stream(type.getFields()).map(Field::getName)).distinct().sorted().collect(Collectors.toList());
     }
 
-    /** How a method can be called, {@code drive(float, float)}, the shortest first. */
+    /** How a method can be called, {@code drive(speed: float, radius: float)}, the shortest first. */
     public static List<String> methods(Class<?> type, String name) {
         return calls(Arrays.stream(type.getMethods()).filter(one -> one.getName().equals(name)), name);
     }
@@ -81,8 +82,12 @@ public final class Members {
     }
 
     private static List<String> calls(Stream<? extends Executable> all, String name) {
-        return all.map(one -> name + Arrays.stream(one.getParameterTypes()).map(Members::python).collect(Collectors.joining(", ", "(", ")")))
+        return all.map(one -> name + Arrays.stream(one.getParameters()).map(Members::described).collect(Collectors.joining(", ", "(", ")")))
             .distinct().sorted((a, b) -> a.length() != b.length() ? a.length() - b.length() : a.compareTo(b)).collect(Collectors.toList());
+    }
+
+    private static String described(Parameter parameter) {
+        return (parameter.isNamePresent() ? parameter.getName() + ": " : "") + python(parameter.getType());
     }
 
     /** What Python calls a type. */

@@ -1,0 +1,38 @@
+package org.SEAR.documents;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.SEAR.Slow;
+import org.junit.Test;
+import org.junit.experimental.categories.Category;
+
+/** What the package for Python 3 says of calls and objects is what the services' javadoc and the classes say. */
+@Category(Slow.class)
+public class PythonStubsTest {
+    private static final Path ROOT = Path.of(System.getProperty("sear.root", "."));
+    private static final Path PACKAGE = ROOT.resolve("python/src/sear");
+
+    @Test
+    public void namesAndHintsAreUpToDate() throws IOException {
+        PythonStubs stubs = new PythonStubs(ROOT);
+        assertEquals("run gradle pythonStubs", stubs.names(), Files.readString(PACKAGE.resolve("_names.py")));
+        String hints = stubs.hints();
+        assertEquals("run gradle pythonStubs", hints, Files.readString(PACKAGE.resolve("__init__.pyi")));
+        assertTrue(hints, hints.contains("    def getLidarResult(self, name: str) -> np.ndarray:\n"));
+        assertTrue(hints, hints.contains("(self, name: str, length: float, width: float, height: float, mass: float) -> None: ...\n"));
+    }
+
+    /** Python itself reads them. */
+    @Test
+    public void theHintsAreAPythonModule() throws IOException, InterruptedException {
+        Process python = new ProcessBuilder("python3", "-c", "import ast, sys; tree = ast.parse(open(sys.argv[1]).read());"
+            + " names = [one.name for one in tree.body if isinstance(one, ast.ClassDef)]; assert len(names) == len(set(names)), names",
+            PACKAGE.resolve("__init__.pyi").toString()).redirectErrorStream(true).start();
+        assertEquals("", new String(python.getInputStream().readAllBytes()));
+        assertEquals(0, python.waitFor());
+    }
+}

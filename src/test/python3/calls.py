@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""What the package for Python 3 promises, whichever way Java is reached. Prints what must be the same both ways."""
+import numpy
+
+import sear as package
+from java.lang import IllegalArgumentException, IllegalStateException
+from org.SEAR.POJOs import Box, Distance, Floor, LIDAR, Robots
+
+
+def refused(kinds, words, call, *arguments):
+    """Has a call refused, with these words."""
+    try:
+        call(*arguments)
+    except kinds[0] as error:
+        assert all(isinstance(error, kind) for kind in kinds), type(error).__mro__
+        assert words in str(error), str(error)
+        assert "java." not in str(error), str(error)
+        return
+    raise AssertionError("%s was not refused" % words)
+
+
+robots = Runtime.start("robots", "SEAR")
+assert Runtime.getService("robots") == robots and hash(Runtime.getService("robots")) == hash(robots)
+refused((IllegalStateException, RuntimeError), "no simulation runs: startSimulation() first", robots.getTime)
+
+Floor("ground", 20, 20)
+wall = Box("wall", 0.2, numpy.float64(6), 1.5)
+wall.move(3, 0.75, 0)
+assert wall.name == "wall" and wall.getWidth() == 6.0 and type(wall.getWidth()) is float
+wall.setColor("red")
+assert wall.color == "#ff0000", wall.color
+rover = Robots.rover("rover")
+rover.rotate(0, 90, 0)
+rover.addComponent(Distance("ping", "PING)))", 0, 0.1, 0.15, 0, 0, 0))
+rover.addComponent(LIDAR("scanner", 8, 180, 1, 0, 0.3, 0))
+refused((TypeError,), "Box can't be called with (str, int); legal: Box(name: str, length: float, width: float, height: float)", Box, "crate", 1)
+refused((IllegalArgumentException, ValueError), "mass is -1, legal: ", Box, "crate", 1, 1, 1, -1)
+robots.setGroundVisible(False)
+robots.startSimulation()
+robots.simSleep(1)
+
+scan = robots.getLidarResult("scanner")
+assert scan.dtype == numpy.float32 and scan.shape == (181,), (scan.dtype, scan.shape)
+pose = robots.getPose("rover")
+assert pose.dtype == numpy.float64 and pose.shape == (6,)
+distance = robots.getDistanceResult("ping")
+assert type(distance) is float and abs(distance - 2.75) < 0.02, distance
+assert abs(scan[90] - 2.9) < 0.02, scan[90]
+assert robots.getSensorNames() == ["ping", "scanner"]
+assert robots.isSimulating() is True
+assert robots.checkProject()["problems"] == [], robots.checkProject()
+refused((IllegalArgumentException, ValueError), 'no sensor is called "pong", legal: ping, scanner', robots.getReading, "pong")
+refused((AttributeError,), "SEAR has no getPoze: did you mean getPose?", getattr, robots, "getPoze")
+refused((TypeError,), "driveStraight can't be called with (str, str, str); legal: driveStraight(speed: float), or driveStraight(robot: str, speed: float)",
+        robots.driveStraight, "a", "b", "c")
+robots.push("rover", numpy.array([0, 0, 0.5]), 0.1)
+robots.setWheelSpeeds(numpy.float32(0.25), 0.25)
+
+heard = []
+
+
+def onDistance(reading):
+    """Is called back, and lets time pass itself."""
+    heard.append((reading.name, round(reading.time, 4), reading.value))
+    if len(heard) == 3:
+        robots.simSleep(0.25)
+
+
+robots.addListener("publishReading", python.getName(), "onDistance")
+robots.startPublishing("ping", 10)
+robots.simSleep(2)
+robots.stopPublishing("ping")
+assert 18 <= len(heard) <= 21, heard
+assert all(name == "ping" and type(value) is float for name, _, value in heard)
+times = [time for _, time, _ in heard]
+assert times == sorted(times) and times[-1] - times[0] > 1.7, times
+assert heard[-1][2] < heard[0][2] - 0.3, heard
+
+print("%.6f %.6f %.6f" % (robots.getTime(), robots.getDistanceResult("ping"), robots.getPose("rover")[0]))
+print(" ".join("%.4f" % one for one in scan[::20]))
+print(package.python.failed)
+robots.stopSimulation()

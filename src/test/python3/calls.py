@@ -23,6 +23,8 @@ robots = Runtime.start("robots", "SEAR")
 assert Runtime.getService("robots") == robots and hash(Runtime.getService("robots")) == hash(robots)
 refused((IllegalStateException, RuntimeError), "no simulation runs: startSimulation() first", robots.getTime)
 
+robots.setLockStep(True)
+robots.newProject()
 Floor("ground", 20, 20)
 wall = Box("wall", 0.2, numpy.float64(6), 1.5)
 wall.move(3, 0.75, 0)

@@ -48,6 +48,9 @@ public final class PythonEngine {
     private volatile Consumer<String> failed = text -> { };
     private final ScriptThreads threads = new ScriptThreads(this);
     private final Map<Thread, Run> running = new HashMap<>();
+    /** Threads of the script that are started and have not begun yet; guarded by {@link #running}. */
+    private int starting;
+    private volatile boolean closed;
     /** Calls of the script's functions, compiled when they came first, by bare name. */
     private final Map<String, PyCode> calls = new ConcurrentHashMap<>();
 
@@ -117,12 +120,26 @@ public final class PythonEngine {
         failed = listener;
     }
 
-    /** Does the work of a thread that the script has made. */
+    /** @param more by how many threads have been started and not begun yet */
+    void threadStarts(int more) {
+        synchronized (running) {
+            starting += more;
+            running.notifyAll();
+        }
+    }
+
+    /** Does the work of a thread that the script has made; not if it comes to it only after the end. */
     void runThread(PyObject work, String threadName, boolean daemon) {
-        Run run = enter();
-        run.isThread = true;
+        Run run;
+        synchronized (running) {
+            run = enter();
+            run.isThread = true;
+            threadStarts(-1);
+        }
         try {
-            work.__call__();
+            if (!closed) {
+                work.__call__();
+            }
         } catch (PyException e) {
             OutOfMemory.tell(e);
             tell(e, run, threadName, daemon);
@@ -298,7 +315,8 @@ public final class PythonEngine {
     }
 
     private boolean othersRun(boolean threads) {
-        return running.entrySet().stream().anyMatch(one -> one.getKey() != Thread.currentThread() && one.getValue().isThread == threads);
+        return threads && starting > 0
+            || running.entrySet().stream().anyMatch(one -> one.getKey() != Thread.currentThread() && one.getValue().isThread == threads);
     }
 
     /**
@@ -359,6 +377,7 @@ public final class PythonEngine {
 
     /** Breaks off all that runs and forgets everything. */
     public void close() {
+        closed = true;
         ENGINES.remove(name, this);
         interrupt();
         interpreter.cleanup();

@@ -12,18 +12,28 @@ import org.python.core.PyTraceback;
 
 /**
  * Threads that scripts make with {@code threading}: they count as running, so that they are broken off with the script, and their errors are told as
- * the script's. Its public member is what Python calls. Any thread.
+ * the script's. Its public members are what Python calls. Any thread.
  */
 public final class ScriptThreads {
-    /** Has each thread run its work here; the class that is changed is that of this interpreter. */
+    /** Has each thread run its work here, and be known from the call that starts it; the class that is changed is that of this interpreter. */
     private static final String HOOK = "import threading\n"
+        + "def known(start):\n"
+        + "    def begin(thread):\n"
+        + "        threads.starts()\n"
+        + "        try:\n"
+        + "            start(thread)\n"
+        + "        except:\n"
+        + "            threads.failedToStart()\n"
+        + "            raise\n"
+        + "    return begin\n"
         + "def hooked(bootstrap):\n"
         + "    def begin(thread):\n"
         + "        work = thread.run\n"
         + "        thread.run = lambda: threads.run(work, thread.getName(), thread.isDaemon())\n"
         + "        bootstrap(thread)\n"
         + "    return begin\n"
-        + "threading.Thread._Thread__bootstrap = hooked(threading.Thread._Thread__bootstrap)\n";
+        + "threading.Thread._Thread__bootstrap = hooked(threading.Thread._Thread__bootstrap)\n"
+        + "threading.Thread.start = known(threading.Thread.start)\n";
     private static final Pattern OWN = Pattern.compile("  File \".*(/Lib/|__pyclasspath__|\\$py\\.class).*");
     private static final Pattern JAVA = Pattern.compile("^java\\.[\\w.]+: ");
 
@@ -42,6 +52,16 @@ public final class ScriptThreads {
             names.__setitem__("threads", Py.java2py(this));
             Py.exec(Py.compile_flags(HOOK, "<callback>", CompileMode.exec, new CompilerFlags()), names, names);
         }
+    }
+
+    /** A thread will begin its work soon. */
+    public void starts() {
+        engine.threadStarts(1);
+    }
+
+    /** It won't, for it could not be started. */
+    public void failedToStart() {
+        engine.threadStarts(-1);
     }
 
     /** Does a thread's work, on that thread. */

@@ -9,8 +9,6 @@ import java.io.IOException;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -25,6 +23,7 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.rules.TemporaryFolder;
 import org.junit.Test;
+import org.SEAR.FreePort;
 import org.SEAR.SearProcess;
 
 /** {@code sear} without a script: tabs, browser and the project that was asked for; and how it ends. */
@@ -46,9 +45,7 @@ public class FrontDoorTest {
         Path browser = bin.resolve("xdg-open");
         Files.writeString(browser, "#!/bin/sh\necho \"$1\" > " + opened + ".part && mv " + opened + ".part " + opened + "\n");
         assertTrue(browser.toFile().setExecutable(true));
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            port = free.getLocalPort();
-        }
+        port = FreePort.find();
     }
 
     @After

@@ -21,6 +21,7 @@ import org.junit.Rule;
 import org.junit.rules.TemporaryFolder;
 import org.junit.Test;
 import org.SEAR.documents.DocBlock;
+import org.SEAR.FreePort;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.SearProcess;
 
@@ -84,16 +85,9 @@ public class SearCommandTest {
         assertTrue(out, out.startsWith("callback\n"));
     }
 
-    /** A port that is free now. */
-    private static int freePort() throws IOException {
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            return free.getLocalPort();
-        }
-    }
-
     @Test
     public void theFirstLineSaysWhereTheTabsAre() throws Exception {
-        int port = freePort();
+        int port = FreePort.find();
         assertEquals(0, sear(script("print 'out'"), "--headless", "--port", String.valueOf(port)));
         assertEquals("out\n", out);
         assertEquals("Open this in a browser:\nhttp://localhost:" + port + "/\n", err);
@@ -113,7 +107,7 @@ public class SearCommandTest {
     @Test
     public void theTokenIsPrintedAndInAFileOfTheUser() throws Exception {
         String home = System.getProperty("user.home");
-        int port = freePort();
+        int port = FreePort.find();
         Path file = Paths.get(home, ".sear", "token-" + port);
         assertEquals(err, 0, sear(script("print open('" + file + "').read()"), "--headless", "--token", "--port", String.valueOf(port)));
         assertTrue(out, out.trim().matches("[\\w-]{32}"));

@@ -10,7 +10,7 @@ import org.myrobotlab.service.config.ServiceConfig;
 /** A service that publishes what it is told, and keeps what it is called back with. */
 public class Talker extends Service<ServiceConfig> {
     private static final long serialVersionUID = 1L;
-    private static final int PATIENCE_SECONDS = 20;
+    private static final int PATIENCE_SECONDS = 120;
 
     /** What came in. */
     public final transient BlockingQueue<Object> heard = new LinkedBlockingQueue<>();

@@ -81,7 +81,7 @@ public class PythonTest {
     public void aCallbackDoesNotEndTheLineThatTheScriptPrints() {
         assertTrue(python.exec("import time\nclass Out:\n  text = ''\n  softspace = 0\n  def write(self, part): self.text += part\n"
             + "got = []\ndef input(data):\n  got.append(data)\ntalker = Runtime.getService('talker')\n"
-            + "talker.addListener('publishNumber', python.name, 'input')\ndef called():\n  end = time.time() + 10\n"
+            + "talker.addListener('publishNumber', python.name, 'input')\ndef called():\n  end = time.time() + 60\n"
             + "  talker.invoke('publishNumber', 1)\n  talker.invoke('publishNumber', 2)\n"
             + "  while got != [1, 2] and time.time() < end: time.sleep(0.005)\n  return got\n"
             + "console, out = sys.stdout, Out()\nsys.stdout = out\ntry:\n  print 'got', called()\nfinally:\n  sys.stdout = console\n"
@@ -96,7 +96,7 @@ public class PythonTest {
             + "port.addListener('publishBytes', python.name, 'piece')\nport.connect('/dev/py', 9600, 8, 1, 0)"));
         uart.write(new byte[] {0, 127, -128, -1});
         until("got == [0, 127, 128, 255] and chunks == [0, 127, -128, -1]");
-        uart.setTimeout(5000);
+        uart.setTimeout(60_000);
         assertTrue(python.exec("port.write(511)\nport.write('ab')"));
         assertEquals("\u00ffab", new String(uart.read(3), StandardCharsets.ISO_8859_1));
     }

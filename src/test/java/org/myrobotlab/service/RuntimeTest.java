@@ -196,7 +196,7 @@ public class RuntimeTest {
         Set<Thread> left = new HashSet<>(Thread.getAllStackTraces().keySet());
         left.removeAll(before);
         for (Thread thread : left) {
-            thread.join(10_000); // told to end, on its way out
+            thread.join(60_000); // told to end, on its way out
         }
         left.removeIf(thread -> !thread.isAlive());
         assertEquals(Set.of(), left);

@@ -20,7 +20,7 @@ import org.junit.Test;
 
 /** How the body of a request is handed on. */
 public class RequestBodyTest {
-    private static final int PATIENCE_SECONDS = 20;
+    private static final int PATIENCE_SECONDS = 120;
 
     private final BlockingQueue<String> bodies = new LinkedBlockingQueue<>();
     private final BlockingQueue<List<String>> callers = new LinkedBlockingQueue<>();

@@ -19,7 +19,7 @@ import org.myrobotlab.service.WebGui;
 /** A WebGui on a free port and a {@link Talker} named talker, talked to byte by byte. */
 final class Server extends ExternalResource {
     /** So long may an answer take on a busy machine; a server that is blocked never answers. */
-    private static final int PATIENCE_MILLIS = (int) TimeUnit.SECONDS.toMillis(20);
+    private static final int PATIENCE_MILLIS = (int) TimeUnit.SECONDS.toMillis(120);
     private static final String LENGTH = "Content-Length:";
 
     private final boolean withToken;

@@ -52,7 +52,7 @@ public class LockStepTest {
         "sear.stopSimulation()");
 
     /** Milliseconds; nothing here takes as long, even on a busy machine. */
-    private static final long PATIENCE = 20_000;
+    private static final long PATIENCE = 120_000;
     /** Milliseconds, longer than it takes a sleeper to look whether the pause has ended. */
     private static final long PAUSE = 600;
 

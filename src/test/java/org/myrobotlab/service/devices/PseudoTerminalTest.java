@@ -63,13 +63,13 @@ public class PseudoTerminalTest {
         C.LIBRARY.close(master);
     }
 
-    @Test(timeout = 60_000)
+    @Test(timeout = 300_000)
     public void bytesOfEveryValueGoBothWays() throws Exception {
         serial.connect(name, 57600, 8, 1, 0);
         assertTrue(String.valueOf(serial.getLastError()), serial.isConnected());
         byte[] all = new byte[20 * PIECE];
         new Random(3).nextBytes(all);
-        serial.setTimeout(10_000);
+        serial.setTimeout(60_000);
         for (int at = 0; at < all.length; at += PIECE) {
             byte[] piece = Arrays.copyOfRange(all, at, at + PIECE);
             assertEquals(PIECE, C.LIBRARY.write(master, piece, PIECE));

@@ -21,7 +21,7 @@ public class RoombaTest {
     public void connect() throws Exception {
         roomba = (Roomba) Runtime.start("roomba", "Roomba");
         uart = Serial.connectVirtualUart("/dev/roomba");
-        uart.setTimeout(5000);
+        uart.setTimeout(60_000);
         roomba.connect("/dev/roomba");
     }
 

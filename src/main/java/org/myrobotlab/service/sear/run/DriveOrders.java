@@ -41,6 +41,7 @@ final class DriveOrders {
         final double time;
         final long sleeps;
         final String line = ScriptLine.here();
+        private final long thread = Thread.currentThread().getId();
 
         /**
          * One that is given now, by the present thread.
@@ -58,8 +59,9 @@ final class DriveOrders {
             this.sleeps = sleeps;
         }
 
+        /** By the same thread: when another one comes is not for the script to say, and a busy machine lets it come early or late. */
         boolean isReplacedAtOnceBy(Order next) {
-            return moves && !line.isEmpty() && !next.line.isEmpty() && sleeps == next.sleeps && next.time - time < NEXT_LINE
+            return thread == next.thread && moves && !line.isEmpty() && !next.line.isEmpty() && sleeps == next.sleeps && next.time - time < NEXT_LINE
                 && !(call + values).equals(next.call + next.values);
         }
     }

@@ -593,7 +593,7 @@ public class ExportsTest {
             assertArrayEquals("sent by the calling thread", all(), client.getInputStream().readNBytes(256));
             assertEquals("a program has it", 1, hungUp.getCount());
         }
-        assertTrue("the device is told that the program has gone", hungUp.await(30, TimeUnit.SECONDS));
+        assertTrue("the device is told that the program has gone", hungUp.await(60, TimeUnit.SECONDS));
         bridge.close();
         assertNull("the device's bytes take the other way again", reader[0]);
     }

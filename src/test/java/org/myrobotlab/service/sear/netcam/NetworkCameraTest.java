@@ -113,6 +113,7 @@ public class NetworkCameraTest {
         return new int[] {image.getWidth(), image.getHeight()};
     }
 
+    /** Where a busy machine makes no new one for a second, the last is sent again. */
     @Test
     public void aStreamHasThePicturesThatAreDue() throws Exception {
         world.start();
@@ -121,14 +122,17 @@ public class NetworkCameraTest {
             assertEquals(OK, visitor.status);
             assertEquals("multipart/x-mixed-replace;boundary=picture", visitor.headers.get("content-type"));
             Visitor.Part before = visitor.part();
-            for (int i = 0; i < 8; i++) {
-                Visitor.Part part = visitor.part();
+            Visitor.Part part = before;
+            for (int news = 0; news < 8; news += part.time > before.time ? 1 : 0, before = part) {
+                part = visitor.part();
                 assertEquals("image/jpeg", part.type);
                 double tenths = part.time * 10;
                 assertEquals("by the camera's rate: " + part.time, Math.rint(tenths), tenths, 1e-4);
-                assertTrue(part.time + " after " + before.time, part.time > before.time);
+                assertTrue(part.time + " after " + before.time, part.time >= before.time);
                 assertArrayEquals(new int[] {CameraWorld.WIDTH, CameraWorld.HEIGHT}, size(part.file));
-                before = part;
+                if (part.time == before.time) {
+                    assertArrayEquals("sent again", before.file, part.file);
+                }
             }
         }
     }

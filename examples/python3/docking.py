@@ -144,6 +144,7 @@ def main():
                 if searched > 3 * pi:
                     raise SystemExit("There is no marker %d to be seen." % NUMBER)
         robot.stop()
+        robot.look()                # may be one that was on its way when it came to stand
         found = finder.find(robot.look())
         if not found:
             raise SystemExit("The marker is not to be seen any more.")

@@ -46,6 +46,11 @@ class Eye:
         self.closed = True
         self.thread.join(5)
 
+    def forget(self):
+        """What was seen until now is not answered any more."""
+        with self.changed:
+            self.picture = None
+
     def newest(self, patience=60):
         """The newest picture, which has not been answered before: blue, green, red, row by row. Waits for it, at most so many seconds."""
         with self.changed:
@@ -98,7 +103,8 @@ class SimulatedRobot:
         self.eye.close()
 
     def look(self):
-        """Lets the time of a picture pass, and answers the newest one."""
+        """Lets the time of a picture pass, and answers the newest one, not one from before that came meanwhile."""
+        self.eye.forget()
         self.sear.simSleep(self.period)
         if not self.fast:
             time.sleep(max(0, self.next - time.monotonic()))

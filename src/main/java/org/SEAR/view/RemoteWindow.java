@@ -127,7 +127,8 @@ final class RemoteWindow implements WindowHandle {
         }
     }
 
-    private void ended(IOException reason) {
+    /** One of the two threads says it: both may notice at the same moment. */
+    private synchronized void ended(IOException reason) {
         if (settled.getCount() > 0) {
             problem = "the window's process ended" + (reason == null ? "" : " (" + reason.getMessage() + ")");
             settled.countDown();

@@ -20,6 +20,8 @@ import org.junit.runner.RunWith;
 /** Presses each key of the window on a real keyboard (an X server's) and looks at what it did. */
 @RunWith(UnderXvfb.class)
 public class KeysTest {
+    private static final double SLOW = 0.25;
+
     private Views view;
 
     @Before
@@ -67,6 +69,7 @@ public class KeysTest {
         view.press("u");
         Views.until("it is away", () -> Math.hypot(view.world.robot().pose.x - startX, view.world.robot().pose.z - startZ) > 0.2);
         long step = view.world.snapshot().step;
+        view.world.runner.setSpeed(SLOW);    // no more steps than that pass until a busy machine has drawn two pictures
         view.press("Return");
         Views.until("it is back", () -> Math.hypot(view.world.robot().pose.x - startX, view.world.robot().pose.z - startZ) < 0.02);
         assertTrue("started again", view.world.snapshot().step < step + 30);
@@ -135,7 +138,7 @@ public class KeysTest {
         view.press("p");
         assertTrue(view.world.runner.isPaused());
         Views.until("the panel says so", () -> view.is(() -> view.scene().hud().statusText().contains("PAUSED")));
-        long step = view.world.snapshot().step;
+        long step = view.world.pausedStep();
         view.press("period");
         Views.until("one step more", () -> view.world.snapshot().step == step + 1);
         view.frames(5);

@@ -58,7 +58,7 @@ public class OwnProcessTest {
         Views.until("the picture is there", () -> Files.exists(pictures.resolve("sear-0001.png")));
         Views.tool("key", "p");
         Views.until("it pauses", world.runner::isPaused);
-        long step = world.snapshot().step;
+        long step = world.pausedStep();
         Views.tool("key", "period");
         Views.until("it steps", () -> world.snapshot().step == step + 1);
         Views.tool("key", "Return");

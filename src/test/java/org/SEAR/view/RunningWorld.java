@@ -30,6 +30,11 @@ final class RunningWorld implements AutoCloseable {
         return simulation.snapshot();
     }
 
+    /** Its step when it has been paused: the one in hand then has ended. */
+    long pausedStep() throws Exception {
+        return simulation.ask(world -> world.snapshot().step).get();
+    }
+
     Snapshot.RobotState robot() {
         return snapshot().robots.get(0);
     }

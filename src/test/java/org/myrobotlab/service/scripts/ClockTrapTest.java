@@ -18,7 +18,7 @@ import org.myrobotlab.service.TestWorld;
 /** A script that waits by the computer's clock in lock-step is told so, once. */
 public class ClockTrapTest {
     private static final String SLEEP = "from java.util.concurrent import TimeUnit\nimport time\n"
-        + "end = time.time() + 20\nwhile not %s and time.time() < end: TimeUnit.MILLISECONDS.sleep(400)\n";
+        + "end = time.time() + 60\nwhile not %s and time.time() < end: TimeUnit.MILLISECONDS.sleep(400)\n";
 
     @Rule
     public final TemporaryFolder temporary = new TemporaryFolder();

@@ -317,6 +317,17 @@ class Run:
         return found
 
 
+    def again(self, found):
+        """The parts that are asked for anew, all others as they were."""
+        parts = self.options.again.split(",")
+        for part in parts:
+            if part not in ("runs", "script", "cores"):
+                raise SystemExit("benchmark: --again %s, legal: runs, script, cores" % part)
+            found[part] = getattr(self, part)()
+        found["again"] = sorted(set(parts) | set(found.get("again", [])))
+        return found
+
+
 def differences(truth, ranges):
     """Beams of which one engine meets something and the other not, or farther than 1 mm (and 1 cm) from there."""
     count = {"beams": min(len(truth), len(ranges)), "over1mm": 0, "over1cm": 0, "worst": 0.0}
@@ -350,6 +361,8 @@ def main():
     parser.add_argument("--cameras", action="store_true", help="measure only pictures of cameras, and print the table; writes nothing into docs")
     parser.add_argument("--cores", action="store_true", help="measure only what several cores and many robots make of it, and print the tables;"
                         " writes nothing into docs")
+    parser.add_argument("--again", metavar="PARTS", help="measure only these parts anew, of runs, script and cores, and put them into"
+                        " docs/performance.json: for what another program has disturbed")
     parser.add_argument("--page-only", metavar="JSON", help="measure nothing: make the page from an earlier run's JSON")
     parser.add_argument("--docs", help="the folder for performance.md, performance.json and images (default: docs; with --quick: that of --work)")
     parser.add_argument("--work", default=os.path.join(ROOT, "build", "benchmark"), help="the folder for worlds and logs (default: build/benchmark)")
@@ -373,7 +386,7 @@ def main():
         if options.cores:
             print("\n".join(cores.table(run.cores())))
             return
-        found = run.everything()
+        found = run.again(read(os.path.join(docs, "performance.json"))) if options.again else run.everything()
         os.makedirs(docs, exist_ok=True)
         with open(os.path.join(docs, "performance.json"), "w") as out:
             json.dump(found, out, indent=1, sort_keys=True)

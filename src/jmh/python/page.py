@@ -15,6 +15,7 @@ QUIET = 0.9
 PEERS = ("Embree", "MuJoCo", "pybullet", "jbullet")
 STEPS_A_SECOND = 60.0
 NOTHING = "–"
+AGAIN = {"runs": "start and memory", "script": "what a script sees", "cores": "several cores and many robots"}
 
 
 def size_of(world):
@@ -94,6 +95,9 @@ def machine(results):
     lines = ["Measured on %s: %s, %s cores, %s GiB of memory; %s; %s; Python %s." % (
         found["date"], cpu, about["cores"], about["memoryGiB"], about["system"], about["java"], about["python"]),
              "Each engine had one thread to itself. The run took %.0f minutes." % found["minutes"]]
+    if "again" in found:
+        lines.append("Measured in a second run, for another program had disturbed the first: %s."
+                     % ", ".join(AGAIN[part] for part in found["again"]))
     if "rounds" in found:
         lines.append("In each world the engines went in turns, one repetition of each and then again; the median of %d counts." % found["rounds"])
     versions = {rate["engine"]: rate["version"] for rate in found["rates"] if "version" in rate}

@@ -169,6 +169,25 @@ public class Python3PackageTest {
         assertTrue(missing, missing.contains(" lacks ") && missing.contains("-m pip install"));
     }
 
+    /** By the calls of the tab's editor. */
+    @Test
+    public void theEditorRunsPython3AndStopsIt() throws Exception {
+        Path script = Files.writeString(temporary.newFile().toPath(), String.join("\n",
+            "import os, time", "from java.lang import Thread", "run = getattr(python, 'exec')", "first = '#!/usr/bin/env python3\\n'",
+            "print run(first + 'print(f\"{1 + 1} by Python 3\")')",
+            "print run(first + 'raise ValueError(\"so\")')",
+            "print run(first + 'import time\\nopen(\"begun.txt\", \"w\").close()\\nwhile True: time.sleep(1)', False)",
+            "while not os.path.exists('begun.txt'): time.sleep(0.01)",
+            "print python.stop()",
+            "while [one for one in Thread.getAllStackTraces().keySet() if one.getName() == 'python_script']: time.sleep(0.01)",
+            "print 'stopped'"));
+        String said = run(sear(script), LIBRARIES);
+        assertTrue(said, said.startsWith("2 by Python 3\nTrue\n"));
+        assertTrue(said, said.contains("line 2, in <module>\n") && said.contains("\nValueError: so\n"));
+        assertTrue(said, said.contains("False\nTrue\nTrue\n"));
+        assertTrue(said, said.contains("stopped\n"));
+    }
+
     /** The page's commands in a folder with SEAR's sources, and the page's first program with what they have installed. */
     @Test
     public void pipInstallsItWithItsJars() throws Exception {

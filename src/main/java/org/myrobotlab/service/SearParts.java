@@ -331,8 +331,8 @@ final class SearParts {
     /** Ends everything, for good. */
     public void close() {
         control.bench().close();
-        publisher.close();
         stop();
+        publisher.close();    // whose thread, interrupted while it looks, has nothing to complain of by now
         exports.close();
         networkCameras.close();
         gateways.close();

@@ -28,7 +28,7 @@ import org.SEAR.SearProcess;
 
 /** {@code sear} without a script: tabs, browser and the project that was asked for; and how it ends. */
 public class FrontDoorTest {
-    private static final int PATIENCE_SECONDS = 120;
+    private static final int PATIENCE_SECONDS = 240;
 
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();

@@ -22,7 +22,7 @@ import java.util.zip.ZipFile;
 
 /** The zip that users get, unpacked for a test. */
 final class Distribution {
-    private static final int PATIENCE = 120;
+    private static final int PATIENCE = 240;
     private static int runs;
 
     private final Path home;

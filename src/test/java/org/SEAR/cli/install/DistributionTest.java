@@ -39,7 +39,7 @@ public class DistributionTest {
     @ClassRule
     public static final TemporaryFolder SHARED = new TemporaryFolder();
     private static final String NOBODY = "65534";
-    private static final long PATIENCE_SECONDS = 120;
+    private static final long PATIENCE_SECONDS = 240;
     private static final long LOOK_MILLIS = 100;
 
     private static Distribution distribution;

@@ -28,7 +28,7 @@ import org.junit.rules.TemporaryFolder;
  * command line, and used over its WebGui alone.
  */
 public class InstalledPluginTest {
-    private static final int PATIENCE = 120;
+    private static final int PATIENCE = 240;
     private static final String THREADS = "from java.lang import Thread\n"
         + "print 'threads:' + ','.join([t.getName() for t in Thread.getAllStackTraces().keySet()])\n";
 

@@ -155,6 +155,12 @@ public final class SimulationControl {
                 return none;
             }
             throw e;
+        } catch (InterruptedException e) {
+            if (present.isEnding()) {
+                Thread.currentThread().interrupt();
+                return none;
+            }
+            throw e;
         }
     }
 

@@ -130,7 +130,7 @@ public class ExportsTest {
         for (int i = 0; i < 1000; i++) {
             device.write(all());
         }
-        assertTrue(user.awaitHanded(TimeUnit.SECONDS.toMillis(20)));
+        assertTrue(user.awaitHanded(TimeUnit.SECONDS.toMillis(60)));
     }
 
     @Test
@@ -141,14 +141,14 @@ public class ExportsTest {
             for (int i = 0; i < 100; i++) {
                 device.write(new byte[] {99});
             }
-            assertTrue(user.awaitHanded(TimeUnit.SECONDS.toMillis(20)));
+            assertTrue(user.awaitHanded(TimeUnit.SECONDS.toMillis(60)));
             try (RandomAccessFile client = new RandomAccessFile(path, "rw")) {
                 client.write(round);
                 awaitDevice(round);
                 device.write(round);
                 assertEquals("round " + round, round, client.read());
                 device.write(all());
-                assertTrue("left unread", user.awaitHanded(TimeUnit.SECONDS.toMillis(20)));
+                assertTrue("left unread", user.awaitHanded(TimeUnit.SECONDS.toMillis(60)));
             }
             awaitClosed(path);
         }
@@ -488,7 +488,7 @@ public class ExportsTest {
             client.write(1);
             awaitDevice(1);
             device.write("$GP".getBytes(StandardCharsets.US_ASCII));
-            assertTrue(user.awaitHanded(TimeUnit.SECONDS.toMillis(20)));
+            assertTrue(user.awaitHanded(TimeUnit.SECONDS.toMillis(60)));
             device.write("GGA\n$GPR".getBytes(StandardCharsets.US_ASCII));
             byte[] read = new byte[256];
             assertEquals("$GPGGA\n", new String(read, 0, client.read(read), StandardCharsets.US_ASCII));

@@ -21,6 +21,14 @@ def _wheels(pair, number):
     return left, right
 
 
+def _start(place):
+    try:
+        x, z, heading = (None,) * 3 if place is None else (float(one) for one in place)
+    except (TypeError, ValueError):
+        raise ValueError("start is %r, legal: x and z in metres and heading in degrees" % (place,)) from None
+    return None if place is None else (x, z, heading)
+
+
 class SearEnv(gymnasium.Env):
     """One robot of a project that learns.
 
@@ -93,8 +101,9 @@ class SearEnv(gymnasium.Env):
         unknown = set(options) - {"start", "noise"}
         if unknown:
             raise ValueError("options has %s, legal: start, noise" % ", ".join(sorted(unknown)))
+        start = _start(options.get("start", self._place()))
         noise = int(options.get("noise", self.np_random.integers(SEEDS)))
-        self._episode.reset(noise, options.get("start", self._place()))
+        self._episode.reset(noise, start)
         self.robot._begin()
         self._ready = True
         return self._episode.numbers.copy(), {}

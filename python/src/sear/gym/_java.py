@@ -108,7 +108,9 @@ class Episode:
 
     def reset(self, seed, start):
         """Starts anew; start is None for the project's own place, else x, z and heading."""
-        self._java.run(self._episode.reset, seed, *(() if start is None else [float(one) for one in start]))
+        if self._episode is None:
+            raise RuntimeError("the environment is closed: make another one")
+        self._java.run(self._episode.reset, seed, *(start or ()))
 
     def step(self, left, right, steps):
         """An action for so many steps."""

@@ -73,7 +73,8 @@ final class Observation {
         Robot carrier = simulation.getRobots().stream().filter(one -> one.getSensors().contains(sensor)).findFirst().orElseThrow();
         Reading reading = sensor.read(carrier.getTruth());
         if (reading.picture() != null) {
-            throw new IllegalArgumentException("sensor " + name + " can't be observed, it takes pictures; legal: " + numeric(carrier));
+            throw new IllegalArgumentException("sensor " + name + " can't be observed, it takes pictures; legal: "
+                + String.join(", ", numeric(carrier)));
         }
         double[] range = range(sensor, reading);
         parts.add(new Part(name, at, reading.scan() == null ? reading.numbers().length : reading.scan().size(), range[0], range[1], sensor,

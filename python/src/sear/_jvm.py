@@ -23,6 +23,7 @@ class InProcess:
 
     def __init__(self, options=()):
         import jpype
+        import jpype.nio
         home = _home.find()
         self._jpype = jpype
         if not jpype.isJVMStarted():
@@ -80,6 +81,26 @@ class InProcess:
     def _translated(self, error):
         message = error.getMessage()
         return _errors.of([kind.__name__.rpartition(".")[2] for kind in type(error).__mro__], None if message is None else str(message))
+
+    def raw_class(self, name):
+        """JPype's own class, for those who call Java often."""
+        return self._jpype.JClass(name)
+
+    def run(self, method, *arguments):
+        """Calls a method of such a class; what it answers is JPype's, what it raises is as ever."""
+        try:
+            return method(*arguments)
+        except self._jpype.JException as error:
+            raise self._translated(error) from None
+
+    def translated(self, error):
+        """What is raised for an exception of Java's; others stay."""
+        return self._translated(error) if isinstance(error, self._jpype.JException) else error
+
+    def shared(self, size):
+        """Memory that Python and Java both see: a bytearray, and the java.nio.ByteBuffer over it."""
+        memory = bytearray(size)
+        return memory, self._jpype.nio.convertToDirectBuffer(memory)
 
     def member(self, java, name):
         """A method, or the value of a field or property: ("method", callable), ("value", its value) or (None, None)."""

@@ -47,7 +47,7 @@ public interface DeviceContext {
     /** UTC of simulated time 0, milliseconds since 1970. */
     long epochMillis();
 
-    /** The simulation's seed. */
+    /** The simulation's seed; a reset can bring another one. */
     long seed();
 
     /**

@@ -26,7 +26,7 @@ public final class CameraSensor extends Sensor<CameraImage> {
 
     private final Camera camera;
     private final Exposure exposure;
-    private final CounterRandom random;
+    private CounterRandom random;
     private Eye eye;
     private double[] poses = {};
     private final double[] drifts = new double[CHANNELS];
@@ -47,6 +47,12 @@ public final class CameraSensor extends Sensor<CameraImage> {
         camera = parameters;
         exposure = new Exposure(parameters);
         random = new CounterRandom(seed, parameters.getFullName());
+    }
+
+    @Override
+    public void reseed(long seed) {
+        super.reseed(seed);
+        random = new CounterRandom(seed, camera.getFullName());
     }
 
     /** Notes where everything is when a picture is due. */

@@ -20,12 +20,13 @@ public final class ErrorModel {
     private static final int DROPOUT = 3;
 
     private final Noise noise;
-    private final CounterRandom random;
+    private final String name;
     private final double[] drift;
+    private CounterRandom random;
 
-    private ErrorModel(Noise noise, CounterRandom random, int channels) {
+    private ErrorModel(Noise noise, String name, int channels) {
         this.noise = noise;
-        this.random = random;
+        this.name = name;
         this.drift = new double[channels];
     }
 
@@ -37,7 +38,17 @@ public final class ErrorModel {
      */
     public static ErrorModel of(SearObject parameters, long seed, int channels) {
         Noise noise = parameters instanceof SensorObject ? ((SensorObject) parameters).getNoise() : null;
-        return noise == null ? NONE : new ErrorModel(noise, new CounterRandom(seed, parameters.getFullName()), channels);
+        if (noise == null) {
+            return NONE;
+        }
+        ErrorModel errors = new ErrorModel(noise, parameters.getFullName(), channels);
+        errors.reseed(seed);
+        return errors;
+    }
+
+    /** From now on random numbers come from another seed. */
+    public void reseed(long seed) {
+        random = noise == null ? null : new CounterRandom(seed, name);
     }
 
     /** Whether every value passes as it is. */

@@ -37,6 +37,11 @@ public final class LidarScan implements Reading {
         return resolution;
     }
 
+    /** Farthest that a beam can tell, metres. */
+    public double getMaxRange() {
+        return range;
+    }
+
     /** Number of beams. */
     public int size() {
         return ranges.length;

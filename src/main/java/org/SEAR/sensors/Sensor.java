@@ -108,6 +108,11 @@ public abstract class Sensor<R extends Reading> {
         lastStep = -1;
     }
 
+    /** From the next {@link #reset} on random numbers come from another seed. Sensors with their own override it and call this one first. */
+    public void reseed(long seed) {
+        errors.reseed(seed);
+    }
+
     /** Back to the state of a fresh start. Sensors with a memory override it and call this one first. */
     public void reset() {
         forget();

@@ -16,7 +16,7 @@ final class DevicePort implements DeviceContext {
     private final Cable cable;
     private final RobotModel robot;
     private final Sensor<?> sensor;
-    private final long seed;
+    private long seed;
     private final BiConsumer<String, String> warnings;
 
     /** @param sensor null for a robot's drive */
@@ -100,6 +100,10 @@ final class DevicePort implements DeviceContext {
     @Override
     public long seed() {
         return seed;
+    }
+
+    void reseed(long newSeed) {
+        seed = newSeed;
     }
 
     @Override

@@ -83,6 +83,12 @@ final class Instruments {
         }
     }
 
+    /** From the next restart on random numbers come from another seed. */
+    void reseed(long seed) {
+        carriers.keySet().forEach(sensor -> sensor.reseed(seed));
+        ports.forEach(port -> port.reseed(seed));
+    }
+
     /** Everything as powered on. */
     void restart() {
         for (RobotModel robot : robots) {

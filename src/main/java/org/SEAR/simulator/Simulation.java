@@ -59,7 +59,7 @@ public final class Simulation implements AutoCloseable {
     private long step;
     /** How much of the next step the devices have seen, of {@link #PARTS}. */
     private int part;
-    private final RunOrigin origin;
+    private RunOrigin origin;
     private RunTap tap;
     private final Consumer<BodyOrder> pulls = order -> tell(who -> who.order(order));
     /** What comes after a step while its outputs still belong to it. */
@@ -278,11 +278,13 @@ public final class Simulation implements AutoCloseable {
         start();
     }
 
-    /**
-     * Has somebody look at the run from now on. Simulation thread.
-     *
-     * @param newTap null for nobody
-     */
+    /** From the next {@link #reset} on random numbers come from another seed; not while somebody looks at the run. Simulation thread. */
+    public void reseed(long seed) {
+        origin = new RunOrigin(seed, origin.epochMillis, origin.groundVisible);
+        instruments.reseed(seed);
+    }
+
+    /** Has somebody look at the run from now on; null for nobody. Simulation thread. */
     public void setTap(RunTap newTap) {
         tap = newTap;
         instruments.getPorts().forEach(port -> port.getCable().setTap(newTap));
@@ -370,12 +372,7 @@ public final class Simulation implements AutoCloseable {
         return world.getOutline(object);
     }
 
-    /**
-     * What a shape looks like, in its own frame, metres. Any thread.
-     *
-     * @param shape of this world's project
-     * @return null for a terrain, which is drawn by its heights
-     */
+    /** What a shape of this world's project looks like, in its own frame, metres; null for a terrain, drawn by its heights. Any thread. */
     public SurfaceMesh getSurface(Shape shape) {
         return world.getSurface(shape);
     }

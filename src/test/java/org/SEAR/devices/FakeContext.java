@@ -21,6 +21,8 @@ public final class FakeContext implements DeviceContext {
     /** Sensors of other components, by name. */
     public final java.util.Map<String, Sensor<?>> parts = new java.util.HashMap<>();
     public Reading reading;
+    /** The simulation's. */
+    public long seed = 1;
     public double now;
     /** How many commands the device knew. */
     public int understood;
@@ -172,7 +174,7 @@ public final class FakeContext implements DeviceContext {
 
     @Override
     public long seed() {
-        return 1;
+        return seed;
     }
 
     @Override

@@ -17,6 +17,7 @@ import org.SEAR.cli.ReadmeTest;
 import org.SEAR.cli.ScriptProcess;
 import org.SEAR.cli.SearCommandTest;
 import org.SEAR.cli.install.DistributionTest;
+import org.SEAR.learning.GymnasiumTest;
 import org.SEAR.project.HandWrittenProjectTest;
 import org.SEAR.project.ObjectDocsTest;
 import org.SEAR.web.build.FirstRobotTest;
@@ -58,6 +59,7 @@ public class CodeOfTheDocsTest {
         entry("docs/first-robot.md sh sear", FirstRobotTest.class),
         entry("docs/first-robot.md text", FirstRobotTest.class),
         entry("docs/install.md sh bin/sear install", DistributionTest.class),
+        entry("docs/learning.md python3", GymnasiumTest.class),
         entry("docs/objects.md text", ObjectDocsTest.class),
         entry("docs/objects.md xml", ObjectDocsTest.class),
         entry("docs/other-programs.md python", ReadmeTest.class),

@@ -1,11 +1,15 @@
 package org.SEAR.simulator;
 
+import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertNotEquals;
 import static org.junit.Assert.assertTrue;
 
+import java.util.Arrays;
 import java.util.Random;
 import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Gyroscope;
@@ -13,6 +17,7 @@ import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.geometry.Pose;
+import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.robot.Robot;
 import org.SEAR.sensors.LidarScan;
@@ -26,7 +31,7 @@ public class DeterminismTest {
     @Rule
     public final ProjectRule project = new ProjectRule();
 
-    private void world(boolean more) {
+    private SEARrobot world(boolean more) {
         new Floor("floor", 50, 50);
         Random random = new Random(5);
         for (int i = 0; i < 30; i++) {
@@ -44,6 +49,7 @@ public class DeterminismTest {
             robot.addComponent(new Gyroscope("gyro"));
         }
         Worlds.roomba("second", 2, -3, -30);
+        return robot;
     }
 
     private static long run(Simulation simulation) {
@@ -84,6 +90,27 @@ public class DeterminismTest {
         Simulation other = Worlds.start(project);
         other.post(world -> world.getRobots().get(0).drive(0.1, 1));
         assertNotEquals(first, run(other));
+    }
+
+    @Test
+    public void aResetWithAnotherSeedIsAFreshStartWithIt() throws Exception {
+        SEARrobot robot = world(false);
+        Camera eye = new Camera("eye", 0, 0.2, 0.1);
+        eye.setSize(16, 12);
+        eye.setNoise(new Noise().setWhite(5).setDrift(2));
+        robot.addComponent(eye);
+        Simulation other = Simulation.of(Project.read(project.folder()), 2);
+        Simulation simulation = Worlds.start(project);
+        long first = run(simulation);
+        double[] picture = simulation.read("eye").numbers();
+        simulation.reseed(2);
+        simulation.reset();
+        assertEquals(2, simulation.getOrigin().seed);
+        long second = run(simulation);
+        assertNotEquals("the LIDAR has noise", first, second);
+        assertEquals(second, run(other));
+        assertFalse("the camera has noise", Arrays.equals(picture, simulation.read("eye").numbers()));
+        assertArrayEquals(other.read("eye").numbers(), simulation.read("eye").numbers(), 0);
     }
 
     @Test

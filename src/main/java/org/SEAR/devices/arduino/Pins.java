@@ -33,15 +33,17 @@ public final class Pins {
 
     private final BoardModel board;
     private final DeviceContext context;
-    private final CounterRandom random;
+    private final String name;
     private final Mode[] modes;
     private final int[] values;
     private final PinWire[] wires;
+    private CounterRandom random;
 
     /** Nothing is wired; all pins are inputs. */
     Pins(BoardModel board, String name, DeviceContext context) {
         this.board = board;
         this.context = context;
+        this.name = name;
         this.random = new CounterRandom(context.seed(), name);
         this.modes = new Mode[board.getPins()];
         this.values = new int[board.getPins()];
@@ -65,6 +67,7 @@ public final class Pins {
 
     /** All pins as after a reset: inputs. */
     void release() {
+        random = new CounterRandom(context.seed(), name);
         for (int pin = 0; pin < modes.length; pin++) {
             setMode(pin, Mode.INPUT);
         }

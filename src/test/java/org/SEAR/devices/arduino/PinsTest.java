@@ -2,6 +2,7 @@ package org.SEAR.devices.arduino;
 
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertNotEquals;
 import static org.junit.Assert.assertTrue;
 
 import java.util.Set;
@@ -40,6 +41,20 @@ public class PinsTest {
         uno.pins.setMode(14, Pins.Mode.PULLUP);
         assertEquals(1023, uno.pins.readAnalog(14));
         assertFalse(uno.pins.floats(14));
+    }
+
+    @Test
+    public void anotherSeedCountsFromTheNextReset() {
+        uno.pins.setMode(14, Pins.Mode.INPUT);
+        int before = uno.pins.readAnalog(14);
+        uno.line.seed = 2;
+        uno.pins.release();
+        int other = uno.pins.readAnalog(14);
+        assertNotEquals(before, other);
+        uno.line.seed = 1;
+        assertEquals(other, uno.pins.readAnalog(14));
+        uno.pins.release();
+        assertEquals(before, uno.pins.readAnalog(14));
     }
 
     @Test

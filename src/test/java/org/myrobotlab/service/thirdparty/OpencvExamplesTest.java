@@ -103,8 +103,10 @@ public class OpencvExamplesTest {
     @Test
     public void everyProgramIsTriedHere() throws IOException {
         try (Stream<Path> files = Files.list(EXAMPLES)) {
-            assertEquals(List.of("docking.py", "opencv_lines.py", "robotlab.py", "simulated.py"),
-                files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".py")).sorted().collect(Collectors.toList()));
+            assertEquals("learn_wall_follower.py is looked at by GymnasiumTest",
+                List.of("docking.py", "learn_wall_follower.py", "opencv_lines.py", "robotlab.py", "simulated.py"),
+                files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".py")).sorted()
+                    .collect(Collectors.toList()));
         }
         assertEquals("the client of the page", DocBlock.of("docs/python3-http.md", "python3").get(0),
             Files.readString(EXAMPLES.resolve("robotlab.py")));

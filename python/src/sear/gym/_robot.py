@@ -1,0 +1,78 @@
+"""What a reward function gets."""
+
+(TIME, X, Y, Z, HEADING, TILT, SPEED, TURN_RATE, PATH, TURNED, LEFT, RIGHT, TOUCHED) = range(13)
+
+
+def _number(at, text):
+    def read(self):
+        return float(self._state[at])
+    return property(read, doc=text)
+
+
+def _truth(at, text):
+    def read(self):
+        return self._state[at] > 0
+    return property(read, doc=text)
+
+
+class RobotState:
+    """The robot as it is after an action: robot["frontEye"] is a reading, a number, or a numpy array of a LIDAR's beams from right to left; of a
+    thing it is a numpy array: metres ahead, metres to the left, and cosine and sine of the angle to its forward axis.
+
+    What is read from arrays changes with the next action; copy what is to be kept.
+    """
+
+    time = _number(TIME, "Seconds since the start of the episode.")
+    x = _number(X, "Metres to the north.")
+    y = _number(Y, "Metres upwards.")
+    z = _number(Z, "Metres to the east.")
+    heading = _number(HEADING, "Degrees: 0 is north, 90 is east.")
+    tilt = _number(TILT, "Degrees from upright.")
+    speed = _number(SPEED, "Metres a second, + forward.")
+    turn_rate = _number(TURN_RATE, "Degrees a second, + to the left.")
+    path = _number(PATH, "Metres driven since the start, less those driven backwards.")
+    turned = _number(TURNED, "Degrees turned since the start, + to the left.")
+    bumped_left = _truth(LEFT, "Whether the left half of the bumper has met something during the action.")
+    bumped_right = _truth(RIGHT, "Whether the right half of the bumper has met something during the action.")
+    touched = _truth(TOUCHED, "Whether any part but the wheels has touched something during the action.")
+
+    def __init__(self, episode):
+        self._state = episode.state
+        self._numbers = episode.numbers
+        self._slices = episode.slices
+        self.memory = {}
+        self.action = None
+        self.moved = 0.0
+        self._last = 0.0
+
+    def __getitem__(self, name):
+        try:
+            part = self._slices[name]
+        except KeyError:
+            raise KeyError("%s is not observed, legal: %s" % (name, ", ".join(self._slices))) from None
+        if part.stop - part.start == 1:
+            return float(self._numbers[part.start])
+        return self._numbers[part]
+
+    def __iter__(self):
+        return iter(self._slices)
+
+    @property
+    def bumped(self):
+        """Whether the bumper has met something during the action."""
+        return self._state[LEFT] + self._state[RIGHT] > 0
+
+    def _begin(self):
+        self.memory = {}
+        self.action = None
+        self.moved = 0.0
+        self._last = float(self._state[PATH])
+
+    def _acted(self, action):
+        path = float(self._state[PATH])
+        self.action = action
+        self.moved = path - self._last
+        self._last = path
+
+    def __repr__(self):
+        return "<%.2f s: x %.3f, z %.3f, heading %.1f, %.2f m/s>" % (self.time, self.x, self.z, self.heading, self.speed)

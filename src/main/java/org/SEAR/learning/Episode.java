@@ -1,0 +1,231 @@
+package org.SEAR.learning;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.SEAR.devices.RobotHardware;
+import org.SEAR.geometry.Pose;
+import org.SEAR.project.Project;
+import org.SEAR.project.problems.ProjectException;
+import org.SEAR.robot.Robot;
+import org.SEAR.sensors.Truth;
+import org.SEAR.simulator.DriveCommand;
+import org.SEAR.simulator.Simulation;
+
+/**
+ * A world in which one robot learns, started again and again. Whoever calls {@link #step} makes time pass, by an action for so many steps, and finds
+ * the state and the observation in a buffer. Public because Python calls it. The thread that has made it.
+ */
+public final class Episode implements AutoCloseable {
+    /** Numbers of the state, each a double; the observation follows, each a float. */
+    private static final int STATE = 13;
+    private static final int STATE_BYTES = STATE * Double.BYTES;
+    private static final long MOST_STEPS = 216_000;
+
+    private final Simulation simulation;
+    private final Robot robot;
+    private final int number;
+    private final Pose start;
+    private final Observation observation;
+    private final double fastest;
+    private ByteBuffer memory;
+    private boolean bumpedLeft;
+    private boolean bumpedRight;
+    private boolean touched;
+
+    /**
+     * Builds the world of a project.
+     *
+     * @param name of the robot; empty if there is only one
+     * @param sensors what is observed, in this order; null: all of the robot's but its cameras
+     * @param things whose places are observed, too
+     * @param fastest that the wheels are told to roll over ground, m/s
+     * @param seed where the random numbers of the sensors begin
+     * @throws IllegalArgumentException that says what there is
+     */
+    public Episode(Project project, String name, List<String> sensors, List<String> things, double fastest, long seed) throws ProjectException {
+        simulation = Simulation.of(project, seed);
+        simulation.setThreads(1);
+        robot = find(simulation.getRobots(), name);
+        number = simulation.getRobots().indexOf(robot);
+        start = robot.getStart();
+        this.fastest = fastest;
+        observation = new Observation(simulation, robot, sensors == null ? Observation.numeric(robot) : sensors, things);
+        setMemory(ByteBuffer.allocate(getBytes()));
+    }
+
+    private static Robot find(List<Robot> robots, String name) {
+        List<String> names = robots.stream().map(one -> one.getObject().getName()).collect(Collectors.toList());
+        if (robots.isEmpty()) {
+            throw new IllegalArgumentException("the project has no robot; legal: one with a robot that drives");
+        } else if (name.isEmpty() && robots.size() == 1) {
+            return robots.get(0);
+        } else if (!names.contains(name)) {
+            throw new IllegalArgumentException("robot is \"" + name + "\", legal: " + String.join(", ", names));
+        }
+        return robots.get(names.indexOf(name));
+    }
+
+    /** How many bytes state and observation take. */
+    public int getBytes() {
+        return STATE_BYTES + observation.size() * Float.BYTES;
+    }
+
+    /** Where the state ends and the observation begins. */
+    public int getStateBytes() {
+        return STATE_BYTES;
+    }
+
+    /** @param newMemory where they are written from now on, in the computer's order of bytes */
+    public void setMemory(ByteBuffer newMemory) {
+        if (newMemory.capacity() < getBytes()) {
+            throw new IllegalArgumentException("the buffer has " + newMemory.capacity() + " bytes, legal: " + getBytes() + " or more");
+        }
+        memory = newMemory.order(ByteOrder.nativeOrder());
+        observation.clear(memory, STATE_BYTES);
+        write();
+    }
+
+    /** The observed sensors and things. */
+    public List<String> getNames() {
+        return observation.names();
+    }
+
+    /** How many numbers each of them has. */
+    public int[] getSizes() {
+        return observation.sizes();
+    }
+
+    /** The least that each can be. */
+    public double[] getLows() {
+        return observation.lows();
+    }
+
+    /** The greatest that each can be. */
+    public double[] getHighs() {
+        return observation.highs();
+    }
+
+    /** Everything back to the start, as in a new world with that seed. */
+    public void reset(long seed) {
+        simulation.reseed(seed);
+        simulation.reset();
+        begin();
+    }
+
+    /**
+     * The same, but for the robot, which starts elsewhere, on the ground.
+     *
+     * @param x metres north
+     * @param z metres east
+     * @param heading degrees, 0 to north, 90 to east
+     */
+    public void reset(long seed, double x, double z, double heading) {
+        if (!Double.isFinite(x) || !Double.isFinite(z) || !Double.isFinite(heading)) {
+            throw new IllegalArgumentException("robot " + getRobot() + ": start is x " + x + ", z " + z + ", heading " + heading
+                + ", legal: finite numbers");
+        }
+        simulation.reseed(seed);
+        simulation.reset();
+        Pose to = Pose.ofDegrees(x, start.y, z, 0, 90 - heading, 0);
+        double rise = simulation.rise(getRobot(), between(start, to));
+        simulation.move(getRobot(), start, new Pose(x, start.y + rise, z, to.qx, to.qy, to.qz, to.qw));
+        begin();
+    }
+
+    /** What moves one pose to the other. */
+    private static Pose between(Pose from, Pose to) {
+        Pose turn = new Pose(0, 0, 0, to.qx, to.qy, to.qz, to.qw).times(new Pose(0, 0, 0, -from.qx, -from.qy, -from.qz, from.qw));
+        double[] at = turn.rotate(from.x, from.y, from.z);
+        return new Pose(to.x - at[0], to.y - at[1], to.z - at[2], turn.qx, turn.qy, turn.qz, turn.qw);
+    }
+
+    private void begin() {
+        bumpedLeft = false;
+        bumpedRight = false;
+        touched = false;
+        observation.clear(memory, STATE_BYTES);
+        write();
+    }
+
+    /**
+     * Has the wheels roll so fast for so many steps of 1/60 s.
+     *
+     * @param left m/s over ground, + forward, likewise right
+     */
+    public void step(double left, double right, int steps) {
+        if (!(Math.abs(left) <= fastest && Math.abs(right) <= fastest)) {
+            throw new IllegalArgumentException("robot " + getRobot() + ": wheel speeds are " + left + " and " + right + " m/s, legal: -" + fastest
+                + " to " + fastest);
+        } else if (steps < 1 || steps > MOST_STEPS) {
+            throw new IllegalArgumentException("steps of an action are " + steps + ", legal: 1 to " + MOST_STEPS);
+        }
+        simulation.post(DriveCommand.wheels(number, left, right));
+        RobotHardware hardware = robot.getHardware();
+        Truth truth = robot.getTruth();
+        bumpedLeft = false;
+        bumpedRight = false;
+        touched = false;
+        for (int i = 0; i < steps; i++) {
+            simulation.step();
+            bumpedLeft |= hardware.isBumpedLeft();
+            bumpedRight |= hardware.isBumpedRight();
+            touched |= truth.isTouched(null);
+        }
+        write();
+    }
+
+    private void write() {
+        Pose pose = robot.getPose();
+        Truth truth = robot.getTruth();
+        double[] ahead = pose.rotate(0, 0, 1);
+        double[] up = pose.rotate(0, 1, 0);
+        double[] velocity = truth.velocity();
+        double[] turn = truth.angularVelocity();
+        put(0, simulation.getTime());
+        put(1, pose.x);
+        put(2, pose.y);
+        put(3, pose.z);
+        put(4, heading(ahead));
+        put(5, Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, up[1])))));
+        put(6, ahead[0] * velocity[0] + ahead[1] * velocity[1] + ahead[2] * velocity[2]);
+        put(7, Math.toDegrees(up[0] * turn[0] + up[1] * turn[1] + up[2] * turn[2]));
+        put(8, truth.path());
+        put(9, Math.toDegrees(robot.getHardware().getTurned()));
+        put(10, bumpedLeft ? 1 : 0);
+        put(11, bumpedRight ? 1 : 0);
+        put(12, touched ? 1 : 0);
+        observation.write(memory, STATE_BYTES);
+    }
+
+    private static double heading(double[] ahead) {
+        double degrees = Math.toDegrees(Math.atan2(ahead[2], ahead[0]));
+        return degrees < 0 ? degrees + 360 : degrees;
+    }
+
+    private void put(int at, double value) {
+        memory.putDouble(at * Double.BYTES, value);
+    }
+
+    /** The name of the robot that learns. */
+    public String getRobot() {
+        return robot.getObject().getName();
+    }
+
+    /** The world. */
+    Simulation getSimulation() {
+        return simulation;
+    }
+
+    /** The world from above as a picture, see {@link Plan#draw}. */
+    public byte[] draw(int width, int height) {
+        return new Plan(simulation).draw(width, height);
+    }
+
+    /** Lets go of the world. */
+    @Override
+    public void close() {
+        simulation.close();
+    }
+}

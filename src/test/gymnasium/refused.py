@@ -1,0 +1,58 @@
+"""What is not legal is told with thing, value and what is."""
+import gymnasium
+import numpy
+import sear
+import sear.gym
+from sear.gym import SearEnv
+
+OFFICE = "examples/office.sear"
+
+
+def refused(kind, message, call, *given, **more):
+    try:
+        call(*given, **more)
+    except kind as error:
+        told = error.args[0]
+        assert told == message, "%r instead of %r" % (told, message)
+    else:
+        raise AssertionError("not refused: " + message)
+
+
+refused(FileNotFoundError, "project nowhere.sear is not there; legal: a .sear file, or a folder SEARproject", SearEnv, "nowhere.sear")
+refused(ValueError, "robot is \"rover\", legal: office Roomba", SearEnv, OFFICE, robot="rover")
+refused(ValueError, "no sensor is called \"sonar\", legal: leftFrontPing, myLidar, rightFrontPing", SearEnv, OFFICE, sensors=["sonar"])
+refused(ValueError, "sensor eye can't be observed, it takes pictures; legal: leftLine, middleLine, rightLine", SearEnv, "examples/line.sear",
+        sensors=["eye"])
+refused(ValueError, "actions is an empty list, legal: one or more (left, right)", SearEnv, OFFICE, actions=[])
+refused(ValueError, "action 1 is (1,), legal: the speeds of the left and the right wheels, m/s, as (0.2, 0.2)", SearEnv, OFFICE,
+        actions=[(0, 0), (1,)])
+refused(ValueError, "action 0 is (0, 11), legal: -10 to 10 m/s", SearEnv, OFFICE, actions=[(0, 11)])
+refused(ValueError, "actions is -1, legal: a list of (left, right), or the highest speed of the wheels, above 0 to 10 m/s", SearEnv, OFFICE,
+        actions=-1)
+refused(ValueError, "steps_per_action is 0, legal: a whole number from 1", SearEnv, OFFICE, steps_per_action=0)
+refused(ValueError, "max_seconds is 0, legal: above 0, or None", SearEnv, OFFICE, max_seconds=0)
+refused(ValueError, "render_mode is 'human', legal: \"rgb_array\" or None", SearEnv, OFFICE, render_mode="human")
+refused(ValueError, "start is an empty list, legal: None, a list of (x, z, heading), or a function that answers one", SearEnv, OFFICE, start=[])
+try:
+    SearEnv(OFFICE, things=["moon"])
+    raise AssertionError("there is no moon")
+except sear.IllegalArgumentException as error:
+    assert str(error).startswith("nothing is named \"moon\"; there are "), error
+
+env = SearEnv(OFFICE, actions=[(0.2, 0.2)], sensors=["leftFrontPing"])
+refused(RuntimeError, "reset() has to come before step()", env.step, 0)
+env.reset(seed=1)
+refused(ValueError, "action is 1, legal: 0 to 0", env.step, 1)
+refused(ValueError, "options has speed, legal: start, noise", env.reset, options={"speed": 1})
+refused(KeyError, "myLidar is not observed, legal: leftFrontPing", env.robot.__getitem__, "myLidar")
+refused(ValueError, "start is (1, 2), legal: x and z in metres and heading in degrees", env.reset, options={"start": (1, 2)})
+free = SearEnv(OFFICE, actions=0.5)
+free.reset(seed=1)
+refused(ValueError, "action is [0.6 0. ], legal: two speeds from -0.5 to 0.5 m/s", free.step, numpy.array([0.6, 0]))
+refused(RuntimeError, "SEAR has been started or connected to already", sear.connect)
+free.close()
+refused(RuntimeError, "reset() has to come before step()", free.step, numpy.array([0.1, 0]))
+refused(RuntimeError, "the environment is closed: make another one", free.reset)
+free.close()
+assert gymnasium.make("SEAR/Maze-v0", max_seconds=1).reset(seed=1)
+print("all refused")

@@ -1521,6 +1521,9 @@ public class SEAR extends OwnConfigService<SEARConfig> {
 
     private void shutDown() {
         SearParts present = parts;
+        if (present != null) {
+            present.publisher().finish();    // before there is nothing to publish any more
+        }
         parts = null;
         simulating = false;
         if (present != null) {

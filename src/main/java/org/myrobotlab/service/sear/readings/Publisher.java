@@ -20,6 +20,7 @@ import org.myrobotlab.service.sear.run.SimulationSession;
 public final class Publisher {
     private static final long LOOK_MILLIS = 10;
     private static final long STATE_MILLIS = 100;
+    private static final long FINISH_SECONDS = 1;
     private static final double HIGHEST_RATE = 60;
     /** So long a listener may hear nothing, simulated s. */
     private static final double PATIENCE = 2;
@@ -148,9 +149,19 @@ public final class Publisher {
         }
     }
 
-    /** Ends all publishing. */
+    /** Publishes nothing more but what is in hand, and waits a while for that. */
+    public void finish() {
+        timer.shutdown();
+        subscriptions.clear();
+        try {
+            timer.awaitTermination(FINISH_SECONDS, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Ends what is in hand, too. */
     public void close() {
         timer.shutdownNow();
-        subscriptions.clear();
     }
 }

@@ -84,7 +84,8 @@ class Looks(BaseCallback):
 def learn(seed, steps, rows):
     """PPO with the defaults of Stable-Baselines3 but for what stands here."""
     worlds = VecNormalize(DummyVecEnv([make] * WORLDS), norm_obs=False)    # rewards of size 1
-    model = PPO("MlpPolicy", worlds, n_steps=512, batch_size=256, ent_coef=0.01, seed=seed, device="cpu")
+    model = PPO("MlpPolicy", worlds, n_steps=512, batch_size=256, ent_coef=0.005, learning_rate=lambda left: 5e-4 * left, gamma=0.98, seed=seed,
+                device="cpu")
     looks = Looks(seed, rows)
     model.learn(steps, callback=looks)
     looks.look()
@@ -114,7 +115,7 @@ def main():
     """Learns once for each seed."""
     options = argparse.ArgumentParser(description="A Roomba learns to follow walls by PPO.")
     options.add_argument("--seeds", type=int, nargs="+", default=[1])
-    options.add_argument("--steps", type=int, default=150_000, help="of the environment, for each seed")
+    options.add_argument("--steps", type=int, default=200_000, help="of the environment, for each seed")
     options.add_argument("--curve", help="a file .svg or .png for the curve")
     options.add_argument("--table", help="a file .csv for its numbers")
     options.add_argument("--save", help="a file .zip for the last policy")

@@ -1,4 +1,6 @@
 """Policies that were written by hand solve what is to be learned, and much better than chance."""
+from math import atan2, cos, hypot
+
 import gymnasium
 import numpy
 import sear.gym
@@ -31,6 +33,17 @@ def line(light, seen=[3]):
     return seen[0] if abs(off) > 0.6 else 1 if off > 0 else 2
 
 
+def dock(seen):
+    """To a point before the place in front of the dock, the nearer to it the nearer the robot is."""
+    ahead, left, cosine, sine = (float(one) for one in seen)
+    ahead, left = ahead - 0.21 * cosine, left - 0.21 * sine
+    far = hypot(ahead, left)
+    angle = atan2(left - 0.5 * far * sine, ahead - 0.5 * far * cosine) if far > 0.06 else atan2(sine, cosine)
+    speed = min(0.25, max(far, 0.04)) * max(0, cos(angle))
+    turn = 0.118 * max(-1, min(1, 2 * angle))
+    return numpy.clip([speed - turn, speed + turn], -0.3, 0.3)
+
+
 def returns(name, choose):
     """Of some episodes; None: by chance."""
     env = gymnasium.make("SEAR/%s-v0" % name)
@@ -46,7 +59,7 @@ def returns(name, choose):
     return got
 
 
-for name, choose, least, chance in (("WallFollow", wall, 6, 0), ("LineFollow", line, 9, 1)):
+for name, choose, least, chance in (("WallFollow", wall, 6, 0), ("LineFollow", line, 9, 1), ("Docking", dock, 6, 2)):
     good = returns(name, choose)
     bad = returns(name, None)
     assert min(good) > least, (name, good)

@@ -1,6 +1,7 @@
 """Rewards and ends of an environment of one's own, and what they get."""
 from math import hypot
 
+import gymnasium
 import numpy
 from sear.gym import SearEnv
 
@@ -50,4 +51,13 @@ while not ended:
     gains.append(gain)
 assert env.robot.bumped and -1 <= gains[-1] < -0.9 and all(gain >= 0 for gain in gains[:-1]), gains
 assert abs(sum(gains) + 1 - env.robot.path) < 1e-6
+# the maze: a new cell, then the goal
+env = gymnasium.make("SEAR/Maze-v0")
+env.reset(seed=1, options={"start": (-2, 0.4, 90)})
+gains = []
+ended = late = False
+while not (ended or late):
+    _, gain, ended, late, _ = env.step(0)
+    gains.append(round(gain, 6))
+assert ended and gains[0] == 0.99 and sorted(set(gains)) == [-0.01, 0.99, 9.99] and gains.count(0.99) == 2 and gains[-1] == 9.99, gains
 print("rewards as they are to be")

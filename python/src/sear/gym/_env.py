@@ -36,9 +36,11 @@ class SearEnv(gymnasium.Env):
     robot: its name; not needed if there is one only.
     sensors: the names of those that are observed; all but cameras unless said.
     things: names of things whose places are observed, too.
-    actions: a list of (left, right), the speeds of the wheels, m/s, of which the learner chooses one; or a number: it chooses both speeds, up to that.
+    actions: a list of (left, right), the speeds of the wheels, m/s, of which the learner chooses one; or a number: it chooses both speeds, up to
+        that.
     reward: a function of the RobotState after an action; how far it has moved forward, less 1 for a bump, unless said.
-    done: a function that says whether the episode has come to its end; unless said, when the robot bumps, lies on its side or has fallen off the floor.
+    done: a function that says whether the episode has come to its end; unless said, when the robot bumps, lies on its side or has fallen off the
+        floor.
     start: None for the project's own place; a list of (x, z, heading), of which each episode takes one by chance; or a function of a numpy
         random generator that answers one.
     steps_per_action: of 1/60 s.

@@ -32,7 +32,7 @@ final class Observation {
     private final int size;
 
     /** Some of its numbers, which belong together. */
-    private final class Part {
+    private static final class Part {
         final String name;
         final int at;
         final int size;

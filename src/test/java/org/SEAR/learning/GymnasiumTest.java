@@ -94,7 +94,7 @@ public class GymnasiumTest {
     @Test
     public void policiesByHandAreBetterThanChance() throws Exception {
         String text = script("policies.py");
-        assertTrue(text, text.contains("WallFollow by hand ") && text.contains("LineFollow by hand "));
+        assertTrue(text, text.contains("WallFollow by hand ") && text.contains("LineFollow by hand ") && text.contains("Docking by hand "));
     }
 
     /** The package itself needs no Gymnasium; what needs it says so. */

@@ -22,6 +22,7 @@ public final class Gateway implements AutoCloseable {
     public static final int PORT = 25333;
     private static final int HIGHEST = 65535;
     private static final int TOKEN_BYTES = 24;
+    private static final SecureRandom RANDOM = new SecureRandom();
 
     private final int port;
     private final Path file;
@@ -46,7 +47,7 @@ public final class Gateway implements AutoCloseable {
         }
         int port = wanted == 0 ? free() : wanted;
         byte[] random = new byte[TOKEN_BYTES];
-        new SecureRandom().nextBytes(random);
+        RANDOM.nextBytes(random);
         String token = Base64.getUrlEncoder().withoutPadding().encodeToString(random);
         ClientServer server = new ClientServer.ClientServerBuilder().javaAddress(InetAddress.getLoopbackAddress()).javaPort(port)
             .authToken(token).entryPoint(Members.class).build();

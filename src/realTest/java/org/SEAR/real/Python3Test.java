@@ -16,11 +16,11 @@ public class Python3Test extends InRealMrl {
 
     @Test
     public void aProgramOfPython3HasWhatScriptsHave() throws Exception {
-        String port = mrl.python("Runtime.start('sear', 'SEAR')", "print sear.startPython3(0)").trim();
+        String port = mrl.python("print Runtime.start('sear', 'SEAR').startPython3(0)").trim();
         String first = run(port);
         assertTrue(first, first.endsWith("False\n"));
         assertEquals(first, run(port));
-        assertEquals("", mrl.python("sear.stopPython3()"));
+        assertEquals("", mrl.python("Runtime.getService('sear').stopPython3()"));
     }
 
     private String run(String port) throws Exception {

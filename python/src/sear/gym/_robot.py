@@ -26,7 +26,7 @@ class RobotState:
     x = _number(X, "Metres to the north.")
     y = _number(Y, "Metres upwards.")
     z = _number(Z, "Metres to the east.")
-    heading = _number(HEADING, "Degrees: 0 is north, 90 is east.")
+    heading = _number(HEADING, "Degrees clockwise from north, (-180, 180]: 90 is east.")
     tilt = _number(TILT, "Degrees from upright.")
     speed = _number(SPEED, "Metres a second, + forward.")
     turn_rate = _number(TURN_RATE, "Degrees a second, + to the left.")

@@ -109,7 +109,7 @@ def _away(robot):
 
 def docked(robot):
     """Whether it stands where it is to be, and looks at the dock."""
-    return _away(robot) < DOCK_NEAR and abs((robot.heading + 180) % 360 - 180) < DOCK_STRAIGHT
+    return _away(robot) < DOCK_NEAR and abs(robot.heading) < DOCK_STRAIGHT
 
 
 def dock_reward(robot):

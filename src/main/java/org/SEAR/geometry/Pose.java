@@ -89,4 +89,10 @@ public final class Pose {
     public String toString() {
         return "(" + x + ", " + y + ", " + z + "; " + qx + ", " + qy + ", " + qz + ", " + qw + ")";
     }
+
+    /** Where the forward axis z points: degrees clockwise from north (+x), (-180, 180]. */
+    public double heading() {
+        double[] forward = rotate(0, 0, 1);
+        return Math.toDegrees(Math.atan2(forward[2], forward[0]));
+    }
 }

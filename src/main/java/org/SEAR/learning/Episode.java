@@ -187,7 +187,7 @@ public final class Episode implements AutoCloseable {
         put(1, pose.x);
         put(2, pose.y);
         put(3, pose.z);
-        put(4, heading(ahead));
+        put(4, pose.heading());
         put(5, Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, up[1])))));
         put(6, ahead[0] * velocity[0] + ahead[1] * velocity[1] + ahead[2] * velocity[2]);
         put(7, Math.toDegrees(up[0] * turn[0] + up[1] * turn[1] + up[2] * turn[2]));
@@ -197,11 +197,6 @@ public final class Episode implements AutoCloseable {
         put(11, bumpedRight ? 1 : 0);
         put(12, touched ? 1 : 0);
         observation.write(memory, STATE_BYTES);
-    }
-
-    private static double heading(double[] ahead) {
-        double degrees = Math.toDegrees(Math.atan2(ahead[2], ahead[0]));
-        return degrees < 0 ? degrees + 360 : degrees;
     }
 
     private void put(int at, double value) {

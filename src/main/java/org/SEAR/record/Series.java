@@ -114,8 +114,7 @@ public final class Series {
 
     /** Degrees clockwise from north, (-180, 180], of a body whose forward axis is z. */
     static double heading(double[] robots, int at) {
-        double[] ahead = new Pose(0, 0, 0, robots[at + 3], robots[at + 4], robots[at + 5], robots[at + 6]).rotate(0, 0, 1);
-        return Math.toDegrees(Math.atan2(ahead[2], ahead[0]));
+        return new Pose(0, 0, 0, robots[at + 3], robots[at + 4], robots[at + 5], robots[at + 6]).heading();
     }
 
     private static final class Collector implements RunRecord.Visitor {

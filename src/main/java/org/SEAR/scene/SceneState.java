@@ -67,8 +67,7 @@ public final class SceneState {
 
         /** Heading of the forward axis: degrees clockwise from north (+x), (-180, 180]. */
         public double heading() {
-            double[] forward = pose.rotate(0, 0, 1);
-            return Math.toDegrees(Math.atan2(forward[2], forward[0]));
+            return pose.heading();
         }
     }
 }

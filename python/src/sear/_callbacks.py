@@ -3,7 +3,7 @@ import sys
 import threading
 
 from . import _errors
-from ._objects import backend, java_class
+from ._objects import java_class
 
 RUNTIME = "org.myrobotlab.service.Runtime"
 TYPE = "Python3"
@@ -13,27 +13,20 @@ PATIENCE = 500  # ms that one question waits in Java
 class PythonService:
     """The service that stands for this program; it starts when something is first asked of it.
 
-    `python.getName()` is what addListener takes. Functions are found by name in the script, or among those that were given to `register`.
+    `python.getName()` is what addListener takes. Functions are found by name in the script.
     """
 
     def __init__(self):
         self._service = None
         self._thread = None
         self._lock = threading.Lock()
-        self._functions = {}
         self._ended = False
-        self.script = None
+        self.failed = False
 
     def __getattr__(self, name):
         if name.startswith("_"):
             raise AttributeError(name)
         return getattr(self._started(), name)
-
-    def register(self, function, name=None):
-        """Has a function called by a name that is not one of the script's. Answers the name."""
-        name = name or function.__name__
-        self._functions[name] = function
-        return name
 
     def _started(self):
         with self._lock:
@@ -59,7 +52,7 @@ class PythonService:
                 self._carry_out(*call)
 
     def _carry_out(self, publisher, name, arguments):
-        function = self._functions.get(name) or getattr(self.script or sys.modules["__main__"], name, None)
+        function = getattr(sys.modules["__main__"], name, None)
         if function is None:
             self._tell("%s calls back %s, but the script has no function of that name" % (publisher, name))
             return
@@ -72,8 +65,6 @@ class PythonService:
         self.failed = True
         print("[ERROR] " + text.rstrip(), file=sys.stderr)
 
-    failed = False
-
     def end(self):
         """Takes no more calls; the one that runs comes to its end."""
         self._ended = True
@@ -81,5 +72,4 @@ class PythonService:
         if service is not None:
             if self._thread is not threading.current_thread():
                 self._thread.join(10)
-            backend()
             java_class(RUNTIME).release(service.getName())

@@ -181,14 +181,10 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         }
         begun();
         try {
-            return report(isPython3(code.getBytes(StandardCharsets.UTF_8)) ? runPython3(code) : engine.run(code));
+            return report(Python3Script.is(code.getBytes(StandardCharsets.UTF_8)) ? runPython3(code) : engine.run(code));
         } finally {
             ended();
         }
-    }
-
-    private static boolean isPython3(byte[] code) {
-        return Python3Script.is(code);
     }
 
     private ScriptResult runPython3(String code) {
@@ -228,7 +224,7 @@ public class Python extends Service<PythonConfig> implements ServiceLifeCycleLis
         begun();
         try {
             Path path = Paths.get(file);
-            boolean three = isPython3(Files.readAllBytes(path));
+            boolean three = Python3Script.is(Files.readAllBytes(path));
             return report(three ? engine.exited(() -> python3.run(path, engine.getArguments())) : engine.runFile(file));
         } finally {
             ended();

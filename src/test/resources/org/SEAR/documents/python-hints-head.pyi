@@ -1,5 +1,5 @@
 """What editors and type checkers know of the package. WRITTEN"""
-from typing import Any, Callable, Dict, List, Literal, Optional, Sequence, overload
+from typing import Any, Dict, List, Literal, Optional, Sequence, overload
 
 import numpy as np
 
@@ -33,7 +33,6 @@ class JavaObject:
 class _Python:
     failed: bool
     def getName(self) -> str: ...
-    def register(self, function: Callable[..., Any], name: Optional[str] = ...) -> str: ...
     def __getattr__(self, name: str) -> Any: ...
 
 

@@ -77,11 +77,6 @@ public final class Gateway implements AutoCloseable {
         return port;
     }
 
-    /** Where the token stands. */
-    public Path getTokenFile() {
-        return file;
-    }
-
     /** Closes the door; calls that run come to their end. */
     @Override
     public void close() {

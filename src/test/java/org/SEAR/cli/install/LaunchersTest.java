@@ -48,6 +48,17 @@ public class LaunchersTest {
         assertEquals(options("compiler=\"(.*)\"", text("sear")), options("set \"COMPILER=(.*)\"", text("sear.bat")));
     }
 
+    /** The package for Python 3 has Java in its own process, with the same options. */
+    @Test
+    public void pythonStartsJavaAlike() throws IOException {
+        String python = Files.readString(BIN.resolve("../../../python/src/sear/_jvm.py"));
+        for (String name : List.of("quiet", "memory", "compiler")) {
+            for (String option : options(name + "=\"(.*)\"", text("sear")).split(" ")) {
+                assertTrue(option, python.contains("\"" + option + "\""));
+            }
+        }
+    }
+
     private static String options(String pattern, String text) {
         Matcher matcher = Pattern.compile(pattern).matcher(text);
         assertTrue(pattern, matcher.find());

@@ -7,6 +7,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.SEAR.cli.install.InstallCommand;
+import org.SEAR.cli.lessons.GradeCommand;
+import org.SEAR.cli.lessons.LessonCommand;
+import org.SEAR.cli.lessons.LessonsCommand;
 import org.SEAR.parallel.WorkerPool;
 import org.SEAR.project.xml.Xml;
 import org.myrobotlab.embedded.python.JythonStart;
@@ -23,7 +26,7 @@ import picocli.CommandLine;
 /** {@code sear SCRIPT.py [options]}, and the other commands of the program. */
 @Command(name = "sear", mixinStandardHelpOptions = true, versionProvider = Version.class,
     subcommands = {CheckCommand.class, ScriptCommand.class, SensorsCommand.class, ModemLinesCommand.class, InstallCommand.class,
-        AutoComplete.GenerateCompletion.class},
+        LessonsCommand.class, LessonCommand.class, GradeCommand.class, AutoComplete.GenerateCompletion.class},
     description = "Runs a Python script in a small MyRobotLab with SEAR in it, or opens a project in the tabs, and in the browser where there is one."
         + " The project of a script is the folder SEARproject in the present folder.",
     footer = "Exit status: 0 when the script ends, 1 when it raises, 2 when the command makes no sense.")
@@ -50,6 +53,11 @@ public final class SearCommand implements Callable<Integer> {
     @Option(names = "--token", description = "Have the tabs and programs that call services ask for a token, which is printed with the address and "
         + "written into a file that only you can read. Ports that are exported over TCP ask for none.")
     private boolean token;
+    @Option(names = "--record", paramLabel = "FILE", description = "Record each simulation that the script starts, the last one stays; besides what the "
+        + "script records itself.")
+    private String record;
+    @Option(names = "--until", paramLabel = "SECONDS", description = "End the script when so much simulated time has passed.")
+    private Double until;
     @Option(names = "--python3", description = "The script is Python 3, and runs by python3 with the package sear. So does each whose first line is "
         + "#!/usr/bin/env python3.")
     private boolean python3;
@@ -92,6 +100,9 @@ public final class SearCommand implements Callable<Integer> {
         if (threads != null) {
             System.setProperty("sear.threads", checkedThreads());
         }
+        if (record != null) {
+            System.setProperty("sear.record", record);
+        }
         System.setProperty(Python3Script.ALWAYS, String.valueOf(python3));
         System.setProperty("sear.keep", String.valueOf(keep));
         PrintWriter err = spec.commandLine().getErr();
@@ -103,7 +114,7 @@ public final class SearCommand implements Callable<Integer> {
         if (script == null || Files.isDirectory(script) || script.toString().endsWith(".sear")) {
             return run.project(script, !headless);
         }
-        return run.script(script, arguments, keep);
+        return run.script(script, arguments, keep, checkedUntil());
     }
 
     private String checkedSpeed() {
@@ -111,6 +122,13 @@ public final class SearCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--speed is \"" + speed + "\", legal: a number above 0, or max");
         }
         return speed;
+    }
+
+    private double checkedUntil() {
+        if (until != null && !(until > 0)) {
+            throw new ParameterException(spec.commandLine(), "--until is " + until + ", legal: above 0");
+        }
+        return until == null ? Double.POSITIVE_INFINITY : until;
     }
 
     private String checkedThreads() {

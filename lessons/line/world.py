@@ -1,5 +1,5 @@
 # A track of black tape on a white floor, and a small robot whose three line sensors look down on it.
-from org.SEAR.POJOs import Box, Dynamics, Floor, LineSensor, Motor, SEARrobot, Wheel
+from org.SEAR.POJOs import Box, Dynamics, Floor, LineSensor, Motor, Robots, SEARrobot, Wheel
 
 sear = Runtime.start("sear", "SEAR")
 sear.newProject()    # the present project, if there is one, is kept as a backup

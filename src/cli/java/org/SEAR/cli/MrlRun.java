@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import org.myrobotlab.embedded.python.PythonEngine;
 import org.myrobotlab.embedded.Shutdown;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
@@ -84,8 +85,7 @@ final class MrlRun {
     /** Ends the script, again and again if it goes on, once a simulation has come so far. */
     private void watch(Python python, double until) {
         try {
-            while (true) {
-                Thread.sleep(WATCH_MILLIS);
+            while (!shutdown.await(WATCH_MILLIS, TimeUnit.MILLISECONDS)) {
                 timeIsUp |= Runtime.getServices().stream().anyMatch(one -> one instanceof SEAR && isPast((SEAR) one, until));
                 if (timeIsUp) {
                     python.stop();

@@ -53,8 +53,8 @@ public final class SearCommand implements Callable<Integer> {
     @Option(names = "--token", description = "Have the tabs and programs that call services ask for a token, which is printed with the address and "
         + "written into a file that only you can read. Ports that are exported over TCP ask for none.")
     private boolean token;
-    @Option(names = "--record", paramLabel = "FILE", description = "Record each simulation that the script starts, the last one stays; besides what the "
-        + "script records itself.")
+    @Option(names = "--record", paramLabel = "FILE", description = "Record each simulation that the script starts, the last one stays; besides what "
+        + "the script records itself.")
     private String record;
     @Option(names = "--until", paramLabel = "SECONDS", description = "End the script when so much simulated time has passed.")
     private Double until;

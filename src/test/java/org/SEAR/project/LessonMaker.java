@@ -1,21 +1,23 @@
 package org.SEAR.project;
 
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import javax.imageio.ImageIO;
-import org.SEAR.learning.Episode;
+import org.SEAR.POJOs.Floor;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.problems.ProjectException;
+import org.SEAR.sensors.CameraImage;
+import org.SEAR.simulator.Simulation;
 
 /** Makes the worlds of the lessons and their pictures: runs each {@code world.py} in an empty project. {@code gradle lessonWorlds} calls it. */
 public final class LessonMaker {
-    private static final int PIXELS = 480;
+    private static final int PIXELS = 360;
+    private static final int AWAY = 50;
 
     private LessonMaker() {
     }
@@ -31,20 +33,28 @@ public final class LessonMaker {
             System.setProperty("sear.project", project.toString());
             ExampleMaker.run(script);
             Bundle.save(project, ExampleMaker.bundle(script));
-            Project world = Project.read(project);
-            try (Episode episode = new Episode(world, world.getRobots().get(0).getName(), List.of(), List.of(), 1, 1)) {
-                ImageIO.write(picture(episode.draw(PIXELS, PIXELS)), "png", script.resolveSibling("world.png").toFile());
-            }
+            Files.write(script.resolveSibling("world.png"), picture(script, project));
             ProjectSwap.delete(project.getParent());
         }
     }
 
-    private static BufferedImage picture(byte... colors) {
-        BufferedImage picture = new BufferedImage(PIXELS, PIXELS, BufferedImage.TYPE_INT_RGB);
-        for (int i = 0; i < PIXELS * PIXELS; i++) {
-            picture.setRGB(i % PIXELS, i / PIXELS, (colors[3 * i] & 255) << 16 | (colors[3 * i + 1] & 255) << 8 | colors[3 * i + 2] & 255);
-        }
-        return picture;
+    /** From above, north upwards; of a slope from the south. By the camera of another robot, far away, in a project of its own. */
+    private static byte[] picture(Path script, Path made) throws IOException, ProjectException {
+        Project world = Project.read(made);
+        boolean slope = world.getEnvironment().stream().anyMatch(one -> one.getName().equals("ramp"));
+        Floor floor = (Floor) world.getEnvironment().stream().filter(one -> one instanceof Floor).findFirst().orElseThrow();
+        double[] at = slope ? new double[] {-6, 1, 1.7} : new double[] {floor.getX(), 1.1 * floor.getLength(), floor.getZ()};
+        Path project = Files.createTempDirectory("sear-lesson").resolve("SEARproject");
+        System.setProperty("sear.project", project.toString());
+        Path code = project.resolveSibling("world.py");
+        Files.writeString(code, Files.readString(script) + String.format(Locale.ROOT, "from org.SEAR.POJOs import Camera%n"
+            + "onlooker = Robots.chassis('onlooker')%nonlooker.move(%d, %d, %d)%ncamera = Camera('camera', %.3f, %.3f, %.3f, %d, %d, 0)%n"
+            + "camera.setSize(%d, %d)%ncamera.setFieldOfView(%d)%nonlooker.addComponent(camera)%n", AWAY, AWAY, AWAY, at[0] - AWAY, at[1] - AWAY,
+            at[2] - AWAY, slope ? 6 : 90, 90, PIXELS, slope ? PIXELS / 2 : PIXELS, slope ? 40 : 52));
+        ExampleMaker.run(code);
+        byte[] png = ((CameraImage) Simulation.load(project, 1).read("camera")).png();
+        ProjectSwap.delete(project.getParent());
+        return png;
     }
 
     /** The script of each lesson's world. */

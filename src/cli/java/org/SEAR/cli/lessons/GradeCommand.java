@@ -18,27 +18,27 @@ import picocli.CommandLine.Spec;
 
 /** {@code sear grade SCRIPT.py} for a pupil, {@code sear grade FOLDER} for a teacher. */
 @Command(name = "grade", mixinStandardHelpOptions = true,
-    description = "Says what a script lacks to pass its lesson, or marks all scripts of a folder: those in it, or those in folders that are named after "
-        + "their pupils. Each runs in a process of its own, without a window and in lock-step.",
+    description = "Says what a script lacks to pass its lesson, or marks all scripts of a folder: those in it, or those in folders that are named "
+        + "after their pupils. Each runs in a process of its own, without a window and in lock-step.",
     footer = "Exit status: 0 when all have passed, 1 when not, 2 when the command makes no sense.")
 public final class GradeCommand implements Callable<Integer> {
     private static final int LEAST_MEMORY = 128;
 
     @Parameters(paramLabel = "SCRIPT.py|FOLDER", description = "What is to be marked.")
     private Path path;
-    @Option(names = "--lesson", paramLabel = "NAME|FOLDER", description = "Which lesson all of it is for. Default: what the script is named after, as "
-        + "square.py.")
+    @Option(names = "--lesson", paramLabel = "NAME|FOLDER", description = "Which lesson all of it is for. Default: what the script is named after, "
+        + "as square.py.")
     private String lesson;
-    @Option(names = "--limit", paramLabel = "SECONDS", defaultValue = "60", description = "How long a script may take by the computer's clock. Default: "
-        + "${DEFAULT-VALUE}.")
+    @Option(names = "--limit", paramLabel = "SECONDS", defaultValue = "60", description = "How long a script may take by the computer's clock. "
+        + "Default: ${DEFAULT-VALUE}.")
     private double limit;
-    @Option(names = "--memory", paramLabel = "MB", defaultValue = "512", description = "How much memory a script may take, with all processes that it "
-        + "starts. Default: ${DEFAULT-VALUE}.")
+    @Option(names = "--memory", paramLabel = "MB", defaultValue = "512", description = "How much memory a script may take, with all processes that "
+        + "it starts. Default: ${DEFAULT-VALUE}.")
     private int memory;
     @Option(names = "--jobs", paramLabel = "N", description = "How many run at once. Default: as many as there are processors.")
     private Integer jobs;
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Where the random numbers of the sensors begin, for all the same. "
-        + "Default: ${DEFAULT-VALUE}.")
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Where the random numbers of the sensors begin, for all the "
+        + "same. Default: ${DEFAULT-VALUE}.")
     private long seed;
     @Option(names = "--python3", description = "All scripts are Python 3; without it those are whose first line is #!/usr/bin/env python3.")
     private boolean python3;

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -146,8 +147,8 @@ final class Marking {
             missing.add("Your script took more memory than " + memory + " MB and was ended.");
             return Mark.Kind.TOO_LARGE;
         } else if (process.isTooLong()) {
-            missing.add(String.format(java.util.Locale.ROOT, "Your script had not ended after %.0f s of the computer's clock and was ended: is there a "
-                + "loop without sear.simSleep?", limit));
+            missing.add(String.format(Locale.ROOT, "Your script had not ended after %.0f s of the computer's clock and was ended: is there a loop "
+                + "without sear.simSleep?", limit));
             return Mark.Kind.ENDLESS;
         } else if (process.getStatus() != 0) {
             missing.add(error(process.getErrors(), script, process.getStatus()));

@@ -73,7 +73,8 @@ final class Submission {
             }
             return found;
         }
-        Path named = scripts.stream().filter(one -> stem(one).equals(lesson.getName())).findFirst().orElse(scripts.size() == 1 ? scripts.get(0) : null);
+        Path named = scripts.stream().filter(one -> stem(one).equals(lesson.getName())).findFirst()
+            .orElse(scripts.size() == 1 ? scripts.get(0) : null);
         return pupil.startsWith("SEARproject") ? List.of() : List.of(new Submission(pupil, lesson, named));
     }
 

@@ -18,6 +18,7 @@ public final class Recording {
     private static final String KEPT = "sear.record";
     private static final String ENDING = ".searlog";
     private static final long MEGABYTE = 1 << 20;
+    private static final long KEPT_MEGABYTES = 64;
     private static final double MOST_MEGABYTES = 100000;
     /** As many as a record has frames. */
     private static final double MOST_PICTURES = 30;
@@ -87,7 +88,7 @@ public final class Recording {
     private synchronized void started(Simulation world) {
         String keptFile = System.getProperty(KEPT);
         if (keptFile != null) {
-            kept = made(world, Paths.get(keptFile), (long) (MEGABYTES * MEGABYTE), 0);
+            kept = made(world, Paths.get(keptFile), KEPT_MEGABYTES * MEGABYTE, 0);
         }
         if (wanted != null && recorder == null) {
             recorder = made(world, wanted, limit, rate);

@@ -42,8 +42,8 @@ public final class GradeCommand implements Callable<Integer> {
     private long seed;
     @Option(names = "--python3", description = "All scripts are Python 3; without it those are whose first line is #!/usr/bin/env python3.")
     private boolean python3;
-    @Option(names = "--out", paramLabel = "FOLDER", description = "Where marks.csv, marks.txt and marks.xml (JUnit) go. Default: marks, for a folder; "
-        + "nowhere, for a script.")
+    @Option(names = "--out", paramLabel = "FOLDER", description = "Where marks.csv, marks.txt and marks.xml (JUnit) go. Default: marks, for a "
+        + "folder; nowhere, for a script.")
     private Path out;
     @Spec
     private CommandSpec spec;

@@ -90,8 +90,8 @@ final class PupilProcess {
         List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
         ManagementFactory.getRuntimeMXBean().getInputArguments().stream().filter(PupilProcess::isForAll).forEach(command::add);
         command.addAll(List.of("-Xmx" + (int) (HEAP_SHARE * memory) + "m", "-Xms16m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",
-            "-XX:+ExitOnOutOfMemoryError", "-XX:ActiveProcessorCount=1", "-Djava.awt.headless=true", "-Dsear.home=" + System.getProperty("sear.home", "."),
-            "-cp", System.getProperty("java.class.path"), "org.SEAR.cli.SearCommand"));
+            "-XX:+ExitOnOutOfMemoryError", "-XX:ActiveProcessorCount=1", "-Djava.awt.headless=true",
+            "-Dsear.home=" + System.getProperty("sear.home", "."), "-cp", System.getProperty("java.class.path"), "org.SEAR.cli.SearCommand"));
         command.addAll(arguments);
         ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
         builder.environment().keySet().removeAll(SCREENS);
@@ -134,7 +134,8 @@ final class PupilProcess {
             return 0;
         }
         try (Stream<String> lines = Files.lines(status)) {
-            return lines.filter(line -> line.startsWith("VmRSS:")).mapToLong(line -> Long.parseLong(line.replaceAll("\\D", ""))).findFirst().orElse(0);
+            return lines.filter(line -> line.startsWith("VmRSS:")).mapToLong(line -> Long.parseLong(line.replaceAll("\\D", "")))
+                .findFirst().orElse(0);
         } catch (IOException | java.io.UncheckedIOException e) {
             return 0;       // it has ended meanwhile
         }

@@ -2,7 +2,7 @@
 SECONDS = 120
 SIZE = 42
 CRATES = ((1, 1, 0.4, 0.8), (-1.1, -1, 0.6, 0.4), (0, 1.2, 0.4, 0.4))    # x, z, length, width
-FOUND, WRONG, FREE = 0.8, 0.05, 0.85
+FOUND, WRONG, FREE = 0.9, 0.05, 0.85
 
 def isThere(row, column):
     x, z = 2.05 - row * 0.1, column * 0.1 - 2.05

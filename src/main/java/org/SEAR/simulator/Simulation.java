@@ -286,7 +286,7 @@ public final class Simulation implements AutoCloseable {
 
     /** Has somebody look at the run, beside those who do already, from now on or no longer. Simulation thread. */
     public void setTap(RunTap who, boolean on) {
-        tap = Taps.changed(tap, who, on);
+        tap = RunTap.Several.changed(tap, who, on);
         instruments.getPorts().forEach(port -> port.getCable().setTap(tap));
     }
 

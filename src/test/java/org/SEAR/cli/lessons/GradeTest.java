@@ -60,8 +60,8 @@ public class GradeTest {
         String told = here(new LessonCommand(), words[2], to);
         assertTrue(told, told.startsWith("0\nDrive a square is in ") && told.contains("sear grade square.py"));
         try (java.util.stream.Stream<Path> files = Files.list(Path.of(to))) {
-            assertEquals("[README.md, SEARproject, square.py, world.png]", Arrays.toString(files.map(one -> one.getFileName().toString()).sorted()
-                .toArray()));
+            assertEquals("[README.md, SEARproject, square.py, world.png]", Arrays.toString(files.map(one -> one.getFileName().toString())
+                .filter(name -> !name.startsWith(".")).sorted().toArray()));
         }
         assertTrue(here(new LessonCommand(), "square", to).startsWith("2\nsear lesson: "));
         String unknown = here(new LessonCommand(), "squar", to);

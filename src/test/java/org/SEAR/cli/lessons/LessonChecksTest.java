@@ -138,7 +138,7 @@ public class LessonChecksTest {
         String told = String.join("\n", run("square", Files.readString(ROOT.resolve("lessons/square/square.py"))).getMissing());
         assertTrue(told, DocBlock.of("docs/lessons.md", "text").get(0).endsWith(told.replace("You ", "- You ") + "\n"));
         passes("square");
-        fails("square", with("sear.spin(45)", "sear.spin(40)", "m of the second corner; 0.1 m is asked"), with("spin(45)", "spin(-45)",
+        fails("square", with("sear.spin(45)", "sear.spin(30)", "m of the second corner; 0.1 m is asked"), with("spin(45)", "spin(-45)",
             "You came within 1.00 m of the second corner"), with("sear.simSleep(5)", "sear.simSleep(4)", "m of the first corner"),
             with("range(4)", "range(3)", "of the start again"), with("print(\"Once", "sear.spin(20)\nsear.simSleep(1)\nsear.driveStraight(0.1)\n"
                 + "sear.simSleep(0.5)\nprint(\"Once", "your robot was still moving"));

@@ -17,6 +17,7 @@ import org.SEAR.cli.ReadmeTest;
 import org.SEAR.cli.ScriptProcess;
 import org.SEAR.cli.SearCommandTest;
 import org.SEAR.cli.install.DistributionTest;
+import org.SEAR.cli.contests.ContestTest;
 import org.SEAR.cli.lessons.GradeTest;
 import org.SEAR.cli.lessons.LessonChecksTest;
 import org.SEAR.learning.GymnasiumTest;
@@ -56,6 +57,9 @@ public class CodeOfTheDocsTest {
         entry("docs/add-a-sensor.md text", AddASensorTest.class),
         entry("docs/cameras.md python3", ThirdPartyCameraTest.class),
         entry("docs/cameras.md sh python3 examples/python3/", OpencvExamplesTest.class),
+        entry("docs/contests.md python", ContestTest.class),
+        entry("docs/contests.md sh sear contest", ContestTest.class),
+        entry("docs/contests.md text", ContestTest.class),
         entry("docs/embedded-and-real.md sh java -cp", DistributionTest.class),
         entry("docs/first-robot.md python", FirstRobotTest.class),
         entry("docs/first-robot.md sh sear", FirstRobotTest.class),

@@ -1,0 +1,365 @@
+package org.SEAR.cli.contests;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.SEAR.geometry.Pose;
+import org.SEAR.robot.Robot;
+import org.SEAR.simulator.DriveCommand;
+import org.SEAR.simulator.Simulation;
+import org.myrobotlab.embedded.python.PythonEngine;
+import org.myrobotlab.embedded.python.ScriptResult;
+import org.myrobotlab.embedded.python3.Python3Script;
+
+/**
+ * One who takes part: a script, its robot, and what the referee thinks of it. Its script goes on only while it has the turn, which it gives back
+ * when it waits for simulated time. Public because referees in Python call it; what is public belongs to the contest's thread.
+ */
+public final class Entrant {
+    /** What touches again so soon has not let go, s. */
+    private static final double SAME_BUMP = 0.5;
+    private static final double ROUNDING = 1e-6;
+    private static final int LONGEST_ERROR = 300;
+    private static final int MOST_PRINTED = 200_000;
+    private static final long GRACE_MILLIS = 2000;
+    private static final long KNOCK_MILLIS = 20;
+
+    private final String name;
+    private final Path script;
+    private final Simulation world;
+    private final Printed printed = new Printed();
+    private final PythonEngine engine;
+    private final Thread thread;
+    private final Semaphore turn = new Semaphore(0);
+    private final Semaphore back = new Semaphore(0);
+    private Robot robot;
+    private double wakes;
+    /** No more of its calls count. Guarded by this. */
+    private boolean out;
+    /** Null while its script goes on. Written with the turn. */
+    private ScriptResult ended;
+    private String unreadable;
+    private boolean judged;
+    private boolean disqualified;
+    private double time = Double.POSITIVE_INFINITY;
+    private String why = "";
+    private double points;
+    private int bumps;
+    private double touched = Double.NEGATIVE_INFINITY;
+
+    /** What a script prints; more is forgotten. */
+    private static final class Printed extends OutputStream {
+        private final ByteArrayOutputStream kept = new ByteArrayOutputStream();
+
+        @Override
+        public synchronized void write(int value) {
+            if (kept.size() < MOST_PRINTED) {
+                kept.write(value);
+            }
+        }
+
+        synchronized String text() {
+            return new String(kept.toByteArray(), StandardCharsets.UTF_8);
+        }
+    }
+
+    Entrant(String name, Path script, Simulation world, Robot robot) {
+        this.name = name;
+        this.script = script;
+        this.world = world;
+        this.robot = robot;
+        engine = new PythonEngine("contest " + name, printed, printed);
+        EntrantSear sear = new EntrantSear(this);
+        engine.set("sear", sear);
+        engine.set("Runtime", new EntrantSear.Services(sear));
+        thread = new Thread(this::runScript, "contest " + name);
+        thread.setDaemon(true);
+    }
+
+    // ---- its script's thread ---------------------------------------------------------------------------------------
+
+    private void runScript() {
+        try {
+            turn.acquire();
+            if (Python3Script.is(Files.readAllBytes(script))) {
+                throw new IOException("it is Python 3; a contest has Python 2.7");
+            }
+            ended = engine.runFile(script.toString());
+        } catch (IOException e) {
+            unreadable = "its script can't be run: " + e.getMessage();
+        } catch (InterruptedException e) {
+            unreadable = "it did not begin";
+        } finally {
+            back.release();
+        }
+    }
+
+    /** Has something done in the world for its script. */
+    <T> T call(Function<Simulation, T> what) {
+        synchronized (this) {
+            if (out) {
+                throw new IllegalStateException("the contest is over for " + name);
+            }
+            if (Thread.currentThread() != thread) {
+                throw new IllegalStateException("in a contest only the script's own thread may call SEAR");
+            }
+            return what.apply(world);
+        }
+    }
+
+    /** Its script waits. */
+    void sleep(double seconds) {
+        call(simulation -> {
+            double now = simulation.getTime();
+            // what was asked before counts on from when it was to end, so that many short sleeps don't add up to more
+            double from = wakes <= now && wakes > now - Simulation.STEP ? wakes : now;
+            wakes = from + seconds;
+            return wakes;
+        });
+        if (seconds == 0) {
+            return;
+        }
+        back.release();
+        try {
+            turn.acquire();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException("the contest is over for " + name, e);
+        }
+    }
+
+    /** The name of a part of its robot in the world. */
+    String part(String given) {
+        String prefix = robot.getObject().getName() + "/";
+        return given.startsWith(prefix) ? given : prefix + given;
+    }
+
+    Robot robot() {
+        return robot;
+    }
+
+    int number() {
+        return world.getRobots().indexOf(robot);
+    }
+
+    // ---- the contest's thread --------------------------------------------------------------------------------------
+
+    void begin() {
+        thread.start();
+    }
+
+    /**
+     * Lets its script go on until it waits, if it is its time.
+     *
+     * @param patience how long it may think about it, seconds of the computer's clock
+     */
+    void go(double patience) throws InterruptedException {
+        if (out || wakes - ROUNDING > world.getTime()) {
+            return;
+        }
+        turn.release();
+        if (!back.tryAcquire((long) (patience * TimeUnit.SECONDS.toNanos(1)), TimeUnit.NANOSECONDS)) {
+            leave(String.format(Locale.ROOT, "its script hung at %.1f s: it went on for %.3g s without a simSleep", world.getTime(), patience));
+            breakOff();
+        } else if (ended != null || unreadable != null) {
+            leave(ended());
+        }
+    }
+
+    private String ended() {
+        String at = String.format(Locale.ROOT, " at %.1f s", world.getTime());
+        if (unreadable != null || ended.getTraceback() == null) {
+            return unreadable != null ? unreadable : "its script ended" + at;
+        }
+        Matcher places = Pattern.compile("File \"[^\"\\n]*" + Pattern.quote(script.getFileName().toString()) + "\", line (\\d+)")
+            .matcher(ended.getTraceback());
+        String line = "";
+        while (places.find()) {
+            line = ", line " + places.group(1);
+        }
+        List<String> lines = ended.getTraceback().lines().filter(one -> !one.isBlank() && !one.startsWith("did you mean"))
+            .collect(Collectors.toList());
+        String last = lines.isEmpty() ? "" : lines.get(lines.size() - 1).trim();
+        return "its script failed" + at + line + ": " + (last.length() > LONGEST_ERROR ? last.substring(0, LONGEST_ERROR) : last);
+    }
+
+    /** Its script has no more to say, and its robot stands. */
+    private synchronized void leave(String words) {
+        if (!out) {
+            out = true;
+            why = words;
+            world.post(DriveCommand.wheels(number(), 0, 0));
+        }
+    }
+
+    /** The time is over. */
+    void timeIsOver(String words) {
+        leave(words);
+    }
+
+    /** Looks at what the step has done to it. */
+    void look() {
+        if (isTouching()) {
+            bumps += world.getTime() - touched > SAME_BUMP ? 1 : 0;
+            touched = world.getTime();
+        }
+    }
+
+    /** Ends its script and forgets its variables. */
+    void end() throws InterruptedException {
+        breakOff();
+        engine.close();
+    }
+
+    /** Ends its script, which may not like it; its thread is left alone then. */
+    private void breakOff() throws InterruptedException {
+        long until = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(GRACE_MILLIS);
+        while (thread.isAlive() && System.nanoTime() < until) {
+            engine.interrupt();
+            thread.join(KNOCK_MILLIS);
+        }
+    }
+
+    String printed() {
+        return printed.text() + (ended == null || ended.getTraceback() == null ? "" : ended.getTraceback() + "\n");
+    }
+
+    // ---- for the referee -------------------------------------------------------------------------------------------
+
+    /** What it is called. */
+    public String getName() {
+        return name;
+    }
+
+    /** The name of its robot. */
+    public String getRobot() {
+        return robot.getObject().getName();
+    }
+
+    /**
+     * Gives it another of the world's robots, before the start.
+     *
+     * @throws IllegalArgumentException that names the robots there are
+     */
+    public void setRobot(String robotName) {
+        beforeStart("setRobot");
+        robot = world.getRobots().stream().filter(one -> one.getObject().getName().equals(robotName)).findFirst()
+            .orElseThrow(() -> new IllegalArgumentException("there is no robot \"" + robotName + "\", there are " + world.getRobots().stream()
+                .map(one -> one.getObject().getName()).collect(Collectors.joining(", "))));
+    }
+
+    /**
+     * Puts its robot to its start, as high as it is in the world.
+     *
+     * @param x metres north
+     * @param z metres east
+     * @param heading degrees clockwise from north
+     */
+    public void place(double x, double z, double heading) {
+        beforeStart("place");
+        Pose to = Pose.ofDegrees(x, robot.getPose().y, z, 0, 90 - heading, 0);
+        world.move(getRobot(), to, to);
+    }
+
+    private void beforeStart(String what) {
+        if (world.getStep() > 0 || thread.isAlive()) {
+            throw new IllegalStateException(what + ": the contest has begun, legal: in positions(contest)");
+        }
+    }
+
+    /** Metres north. */
+    public double getX() {
+        return robot.getPose().x;
+    }
+
+    /** Metres up. */
+    public double getY() {
+        return robot.getPose().y;
+    }
+
+    /** Metres east. */
+    public double getZ() {
+        return robot.getPose().z;
+    }
+
+    /** Degrees clockwise from north, (-180, 180]. */
+    public double getHeading() {
+        return robot.getPose().heading();
+    }
+
+    /** How far it is from a place, metres. */
+    public double distance(double x, double z) {
+        return Math.hypot(getX() - x, getZ() - z);
+    }
+
+    /** Whether anything but its wheels touches something now. */
+    public boolean isTouching() {
+        return world.getStep() > 0 && robot.getTruth().isTouched(null);
+    }
+
+    /** How often it began to touch something. */
+    public int getBumps() {
+        return bumps;
+    }
+
+    /** Whether its script goes on. */
+    public synchronized boolean isDriving() {
+        return !out;
+    }
+
+    public double getPoints() {
+        return points;
+    }
+
+    public void setPoints(double points) {
+        this.points = points;
+    }
+
+    /** It has done what is asked; its time is kept, its script ends, and its robot stands. What it was judged before stays. */
+    public void finish(String words) {
+        judge(words, world.getTime());
+    }
+
+    /** It is last, its script ends, and its robot stands. What it was judged before stays. */
+    public void disqualify(String words) {
+        if (!judged) {
+            disqualified = true;
+            judge("disqualified: " + words, Double.POSITIVE_INFINITY);
+        }
+    }
+
+    private void judge(String words, double at) {
+        if (!judged) {
+            judged = true;
+            time = at;
+            leave(words);
+            why = words;
+        }
+    }
+
+    /** When it had finished, seconds; infinity if it has not. */
+    public double getTime() {
+        return time;
+    }
+
+    /** Whether it was disqualified. */
+    public boolean isDisqualified() {
+        return disqualified;
+    }
+
+    /** How it ended, in words. */
+    public String getWhy() {
+        return why;
+    }
+}

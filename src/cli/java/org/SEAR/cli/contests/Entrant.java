@@ -165,7 +165,7 @@ public final class Entrant {
      * @param patience how long it may think about it, seconds of the computer's clock
      */
     void go(double patience) throws InterruptedException {
-        if (out || wakes - ROUNDING > world.getTime()) {
+        if (!isDriving() || wakes - ROUNDING > world.getTime()) {
             return;
         }
         turn.release();

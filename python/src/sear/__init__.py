@@ -27,8 +27,8 @@ python = _PythonService()
 for _name in _OBJECTS:
     globals()[_name] = java_class(POJOS + _name)
 
-__all__ = ["Runtime", "python", "start", "connect", "close", "IllegalArgumentException", "IllegalStateException", "IOException", "JavaError",
-           "NullPointerException", "UnsupportedOperationException", "JavaObject"] + list(_OBJECTS)
+__all__ = ["Runtime", "python", "start", "connect", "close", "sweep", "IllegalArgumentException", "IllegalStateException", "IOException",
+           "JavaError", "NullPointerException", "UnsupportedOperationException", "JavaObject"] + list(_OBJECTS)
 
 
 def start(*options, headless=None, speed=None, seed=None, threads=None):
@@ -62,6 +62,12 @@ def connect(port=25333, token=None):
         raise RuntimeError("SEAR has been started or connected to already")
     from ._gateway import OverGateway, token_of
     _objects.connection.backend = OverGateway(port, token or token_of(port))
+
+
+def sweep(function, grid=None, seeds=1, **options):
+    """Calls a function once for each seed and each combination of values, on many processes or computers: see sear.sweeps.sweep."""
+    from .sweeps import sweep as all_of_them
+    return all_of_them(function, grid, seeds, **options)
 
 
 def close():

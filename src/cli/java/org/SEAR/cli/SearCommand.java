@@ -7,10 +7,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.SEAR.cli.install.InstallCommand;
+import org.SEAR.cli.sweep.SweepCommand;
 import org.SEAR.parallel.WorkerPool;
 import org.SEAR.project.xml.Xml;
 import org.myrobotlab.embedded.python.JythonStart;
 import org.myrobotlab.embedded.python3.Python3Script;
+import org.myrobotlab.service.sear.run.RunParameters;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -23,7 +25,7 @@ import picocli.CommandLine;
 /** {@code sear SCRIPT.py [options]}, and the other commands of the program. */
 @Command(name = "sear", mixinStandardHelpOptions = true, versionProvider = Version.class,
     subcommands = {CheckCommand.class, ScriptCommand.class, SensorsCommand.class, ModemLinesCommand.class, InstallCommand.class,
-        AutoComplete.GenerateCompletion.class},
+        SweepCommand.class, AutoComplete.GenerateCompletion.class},
     description = "Runs a Python script in a small MyRobotLab with SEAR in it, or opens a project in the tabs, and in the browser where there is one."
         + " The project of a script is the folder SEARproject in the present folder.",
     footer = "Exit status: 0 when the script ends, 1 when it raises, 2 when the command makes no sense.")
@@ -41,6 +43,9 @@ public final class SearCommand implements Callable<Integer> {
     private String speed;
     @Option(names = "--seed", paramLabel = "N", description = "Where the random numbers of the sensors begin, a whole number.")
     private Long seed;
+    @Option(names = "--set", paramLabel = "NAME=VALUE", description = "A parameter of the script, which sear.getParameter(\"NAME\", default) answers. "
+        + "May be given several times.")
+    private List<String> parameters = List.of();
     @Option(names = "--threads", paramLabel = "N", description = "How many threads sensors and cameras measure on, 1 to 256; what they measure does "
         + "not depend on it. Default: as many as there are processors.")
     private String threads;
@@ -92,6 +97,9 @@ public final class SearCommand implements Callable<Integer> {
         if (threads != null) {
             System.setProperty("sear.threads", checkedThreads());
         }
+        for (String one : parameters) {
+            set(one);
+        }
         System.setProperty(Python3Script.ALWAYS, String.valueOf(python3));
         System.setProperty("sear.keep", String.valueOf(keep));
         PrintWriter err = spec.commandLine().getErr();
@@ -104,6 +112,15 @@ public final class SearCommand implements Callable<Integer> {
             return run.project(script, !headless);
         }
         return run.script(script, arguments, keep);
+    }
+
+    private void set(String parameter) {
+        int end = parameter.indexOf('=');
+        if (end < 0 || !RunParameters.isLegal(parameter.substring(0, end))) {
+            throw new ParameterException(spec.commandLine(), "--set is \"" + parameter + "\", legal: NAME=VALUE, with a name of "
+                + RunParameters.LEGAL_NAME);
+        }
+        System.setProperty(RunParameters.PROPERTY + parameter.substring(0, end), parameter.substring(end + 1));
     }
 
     private String checkedSpeed() {

@@ -20,6 +20,7 @@ import org.myrobotlab.service.sear.panel.Preview;
 import org.myrobotlab.service.sear.records.Plots;
 import org.myrobotlab.service.sear.records.Recording;
 import org.myrobotlab.service.sear.records.Records;
+import org.myrobotlab.service.sear.run.RunParameters;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
 /**
@@ -1234,6 +1235,32 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      */
     public void stopExportCamera(String name) {
         calls.act(() -> parts.networkCameras().end(name));
+    }
+
+    // ---- parameters and results of a run (with or without a simulation; see sweeps.md) ----------------------------------------
+
+    /**
+     * What this run of the script is to be made with: {@code sear SCRIPT.py --set speed=0.2} gives it, and {@code sear sweep} each value in turn.
+     *
+     * @param name letters, digits and _; "seed" answers where the random numbers of the sensors begin
+     * @param standard what it is unless one was given: a number, a text, True or False; what was given has to be of the same kind
+     * @throws IllegalArgumentException that names parameter, value and what is legal
+     * @example speed = sear.getParameter("speed", 0.3)
+     */
+    public Object getParameter(String name, Object standard) {
+        return calls.attempt(() -> RunParameters.get(name, standard));
+    }
+
+    /**
+     * Says what has come of this run: a column in the table of {@code sear sweep}. Without a sweep it is printed.
+     *
+     * @param name letters, digits and _, and not the name of a parameter
+     * @param value a number, a text, True or False
+     * @throws IllegalArgumentException that names result, value and what is legal
+     * @example sear.setResult("distance", 1.25)
+     */
+    public void setResult(String name, Object value) {
+        calls.act(() -> RunParameters.setResult(name, value));
     }
 
     // ---- Python 3 ---------------------------------------------------------------------------------------------------

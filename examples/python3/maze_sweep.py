@@ -10,7 +10,6 @@ import numpy
 import sear
 
 STRAIGHT, WIDE_LEFT, WIDE_RIGHT, LEFT, RIGHT = range(5)    # the actions of SEAR/Maze-v0
-OPEN = 0.5          # metres; an eye that sees farther looks through an opening
 MISTAKES = 0.05     # of its actions are chosen by chance, so that each seed has another way
 
 
@@ -29,14 +28,16 @@ def drive(seed, gap):
         front, left, right = seen[:3]
         if random.random() < MISTAKES:
             action = int(random.integers(5))
-        elif front < 0.3:
+        elif robot.bumped:
+            action = LEFT if robot.bumped_right else RIGHT
+        elif front < 0.25:
             action = LEFT
-        elif right > OPEN or right > gap + 0.03:
+        elif right > gap + 0.04:
             action = WIDE_RIGHT
         else:
-            action = WIDE_LEFT if right < gap - 0.03 else STRAIGHT
+            action = WIDE_LEFT if right < gap - 0.02 else STRAIGHT
         seen, reward, ended, late, info = env.step(action)
-        bumps += robot.bumped
+        bumps += int(robot.bumped)
     env.close()
     return {"found": ended, "seconds": round(robot.time, 3), "bumps": bumps}
 

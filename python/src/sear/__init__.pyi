@@ -22,6 +22,10 @@ def connect(port: int = ..., token: Optional[str] = ...) -> None:
     """Uses the SEAR of a running MyRobotLab of this machine that was asked to startPython3()."""
 
 
+def sweep(function: Any, grid: Any = ..., seeds: Any = ..., **options: Any) -> List[Dict[str, Any]]:
+    """Calls a function once for each seed and each combination of values, on many processes or computers."""
+
+
 def close() -> None:
     """Stops what this program has started."""
 
@@ -281,6 +285,10 @@ class _SEAR(JavaObject):
         """The same, with the addresses of a product beside its own, so that programs for that one find them."""
     def stopExportCamera(self, name: str) -> None:
         """Ends all exports of a camera, with the connections of those who look."""
+    def getParameter(self, name: str, standard: Any) -> Any:
+        """What this run of the script is to be made with: `sear SCRIPT.py --set speed=0.2` gives it, and `sear sweep` each value in turn."""
+    def setResult(self, name: str, value: Any) -> None:
+        """Says what has come of this run: a column in the table of `sear sweep`. Without a sweep it is printed."""
     @overload
     def startPython3(self) -> int:
         """Lets Python 3 programs on this computer in: `sear.connect()` of the package `sear`, docs/python3.md. They can do what a script can. The token that they show stands in the file `.sear/gateway-PORT` of the user's home folder, which only that user can read."""

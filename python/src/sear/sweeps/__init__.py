@@ -103,16 +103,20 @@ class _Sweep:
         self._told = 0
         self._width = 0
 
-    def _task(self, row):
-        seed, parameters = self._rows[row]
-        return {"row": row, "seed": seed, "parameters": parameters, "kind": self._plan["kind"], "digest": self._plan["digest"],
-                "version": self._plan["version"], "payload": self._payload, "path": self._path, "folder": os.getcwd(), "limit": self._limit,
-                "memory": self._memory, "imports": os.path.abspath(sys.path[0] or "."),
-                "modules": [one for one in ("sear.gym",) if one in sys.modules]}
+    def _common(self):
+        """What all runs are given."""
+        return {"kind": self._plan["kind"], "digest": self._plan["digest"], "version": self._plan["version"], "payload": self._payload,
+                "path": self._path, "folder": os.getcwd(), "limit": self._limit, "memory": self._memory,
+                "imports": os.path.abspath(sys.path[0] or "."), "modules": [one for one in ("sear.gym",) if one in sys.modules]}
 
-    def _row(self, task, answer):
-        return {"row": task["row"], "seed": task["seed"], "parameters": task["parameters"], "results": answer["results"],
-                "status": answer["status"], "message": answer["message"], "version": task["version"], "digest": task["digest"]}
+    def _part(self, row):
+        """What a run has for itself."""
+        seed, parameters = self._rows[row]
+        return {"row": row, "seed": seed, "parameters": parameters}
+
+    def _row(self, part, answer):
+        return {**part, "results": answer["results"], "status": answer["status"], "message": answer["message"], "version": self._plan["version"],
+                "digest": self._plan["digest"]}
 
     def run(self, workers, scheduler, scheduler_file, fresh, again):
         """Makes all runs that are missing. Answers the rows."""
@@ -150,7 +154,7 @@ class _Sweep:
         begun = []
 
         def took(answers):
-            made = [self._row(task, answer) for task, answer in answers]
+            made = [self._row(part, answer) for part, answer in answers]
             done.update((one["row"], one) for one in made)
             if self._folder is not None:
                 self._folder.add(made)
@@ -160,7 +164,7 @@ class _Sweep:
             begun.append(time.monotonic())
             if before:
                 self._tell("%d of %d rows are there already" % (before, len(self._rows)))
-            _deal.deal(client, (self._task(row) for row in missing), took)
+            _deal.deal(client, self._common(), (self._part(row) for row in missing), took)
 
     def _tell(self, text):
         if not self._quiet:
@@ -198,11 +202,10 @@ class _Sweep:
             raise ValueError("row %d can't be run again: it has not been run yet" % number)
         from . import _worker
         self._limit, self._memory = there["limit"], there["memory"]
-        task = {**self._task(number), "output": True}
-        answer = _worker.run(task)
+        answer = _worker.run({**self._common(), **self._part(number), "output": True})
         _worker.close()
         print(answer.pop("output"), end="", file=sys.stderr)
-        new = self._row(task, answer)
+        new = self._row(self._part(number), answer)
         if old["version"] != new["version"]:
             self._tell("the row was made by SEAR %s, this is %s" % (old["version"], new["version"]))
             new["version"] = old["version"]

@@ -17,6 +17,7 @@ import org.SEAR.cli.ReadmeTest;
 import org.SEAR.cli.ScriptProcess;
 import org.SEAR.cli.SearCommandTest;
 import org.SEAR.cli.install.DistributionTest;
+import org.SEAR.cli.sweep.SweepTest;
 import org.SEAR.learning.GymnasiumTest;
 import org.SEAR.project.HandWrittenProjectTest;
 import org.SEAR.project.ObjectDocsTest;
@@ -80,7 +81,11 @@ public class CodeOfTheDocsTest {
         entry("docs/python3.md sh venv/bin/pip install", Python3PackageTest.class),
         entry("docs/python3.md sh sear examples/drive/maze_solver.py", Python3PackageTest.class),
         entry("docs/python3.md python", Python3PackageTest.class),
-        entry("docs/scripting.md python", ScriptExamplesTest.class)));
+        entry("docs/scripting.md python", ScriptExamplesTest.class),
+        entry("docs/sweeps.md python", SweepTest.class),
+        entry("docs/sweeps.md python3", SweepTest.class),
+        entry("docs/sweeps.md sh sear sweep ahead.py --seeds", SweepTest.class),
+        entry("docs/sweeps.md sh sear sweep ahead.py --again", SweepTest.class)));
     private static final Map<String, String> NOT_RUN = new TreeMap<>(Map.of(
         "CONTRIBUTING.md sh MYROBOTLAB=", "it is CI, and runs this test",
         "docs/other-programs.md sh rosrun ", "needs ROS 1, which is in no package of Debian 12; the page says that it was not tried"));

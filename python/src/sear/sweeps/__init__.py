@@ -31,8 +31,8 @@ def sweep(function, grid=None, seeds=1, *, workers=None, scheduler=None, schedul
     again: the number of a row of the sweep in the folder: only that one is run again, and answered.
     quiet: whether to say nothing of the progress.
 
-    Answers the rows as dictionaries, in the order of their numbers. Raises ValueError for what is not legal, RuntimeError if no run can be made, or if
-    a row is not the same again.
+    Answers the rows as dictionaries, in the order of their numbers. Raises ValueError for what is not legal, RuntimeError if no run can be made, or
+    if a row is not the same again.
     """
     if not callable(function):
         raise ValueError("function is %r, legal: a function of seed and parameters" % (function,))
@@ -40,8 +40,8 @@ def sweep(function, grid=None, seeds=1, *, workers=None, scheduler=None, schedul
     try:
         inspect.signature(function).bind(seed=0, **{name: None for name, _ in checked})
     except TypeError as error:
-        raise ValueError("function %s can't be called with %s: %s" % (_name(function), ", ".join(["seed"] + [name for name, _ in checked]), error)) \
-            from None
+        names = ", ".join(["seed"] + [name for name, _ in checked])
+        raise ValueError("function %s can't be called with %s: %s" % (_name(function), names, error)) from None
     _missing(("distributed", "jpype", "numpy") + (("pyarrow",) if out is not None else ()))
     import cloudpickle
     plan = {"kind": "function", "name": _name(function), "digest": _digest(function)}

@@ -80,8 +80,8 @@ public class SweepTest {
         Files.writeString(script, blocks.get(0));
         List<String> commands = DocBlock.commands("docs/sweeps.md", "sear sweep ahead.py --seeds");
         assertEquals(1, commands.size());
-        String[] words = commands.get(0).replace("--seeds 1000", "--seeds 2").replace("0.1:0.5:5", "0.2:0.4:2").substring("sear ".length())
-            .split(" ");
+        String[] words = commands.get(0).replace("--seeds 1000", "--seeds 2").replace("0.1:0.5:5", "0.2:0.4:2 --workers 1")
+            .substring("sear ".length()).split(" ");
         assertEquals("4 rows in ahead-sweep: 4 ok\n", sear(0, words));
         Path table = folder.resolve("ahead-sweep/rows.csv");
         List<String> rows = Files.readAllLines(table);
@@ -116,8 +116,9 @@ public class SweepTest {
     public void whatGoesWrongCostsOneRow() throws Exception {
         Path script = folder.resolve("wrong.py");
         Files.writeString(script, String.join("\n", "#!/usr/bin/env python3", "import os, signal", "sear = Runtime.start('sear', 'SEAR')",
-            "kind = sear.getParameter('kind', 'good')", "if kind == 'endless':", "    while True: pass", "if kind == 'dies':",
-            "    os.kill(os.getpid(), signal.SIGKILL)", "if kind == 'greedy':", "    much = b'x' * 1500000000", "    while True: pass",
+            "kind = sear.getParameter('kind', 'good')", "while kind == 'endless': sleep(0.1)", "if kind == 'dies':",
+            "    os.kill(os.getpid(), signal.SIGKILL)", "if kind == 'greedy':", "    much = b'x' * 1500000000",
+            "    while True: sleep(0.1)",
             "if kind == 'fails':", "    sear.loadProject('nowhere.sear')", "sear.setResult('answer', 42)", "sear.setResult('big', kind == 'good')"));
         String out = sear(0, "sweep", "wrong.py", "--set", "kind=good,endless,dies,greedy,fails", "--workers", "2", "--limit", "20", "--memory",
             "1200", "--out", "out");
@@ -129,7 +130,7 @@ public class SweepTest {
         assertEquals("1,1,endless,,,time,the run took longer than 20 s", rows.get(2));
         assertEquals("2,1,dies,,,died,the run's process was ended by SIGKILL", rows.get(3));
         assertEquals("3,1,greedy,,,memory,the run's process took more than 1200 MB", rows.get(4));
-        assertTrue(rows.get(5), rows.get(5).startsWith("4,1,fails,,,failed,") && rows.get(5).contains("line 13: ")
+        assertTrue(rows.get(5), rows.get(5).startsWith("4,1,fails,,,failed,") && rows.get(5).contains("line 12: ")
             && rows.get(5).contains("nowhere.sear"));
     }
 

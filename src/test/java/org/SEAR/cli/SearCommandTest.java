@@ -72,9 +72,11 @@ public class SearCommandTest {
 
     @Test
     public void optionsReachTheSimulationAsSystemProperties() throws Exception {
-        String code = "from java.lang import System\nprint [System.getProperty('sear.' + x) for x in ['headless', 'speed', 'seed', 'threads']]";
-        assertEquals(0, sear(script(code), "--headless", "--speed", "max", "--seed", "42", "--threads", "3", "--port", "none"));
-        assertEquals("[u'true', u'max', u'42', u'3']\n", out);
+        String code = "from java.lang import System\nprint [System.getProperty('sear.' + x) for x in ['headless', 'speed', 'seed', 'threads', "
+            + "'parameter.gain']]";
+        assertEquals(0, sear(script(code), "--headless", "--speed", "max", "--seed", "42", "--threads", "3", "--set", "gain=0.5", "--port",
+            "none"));
+        assertEquals("[u'true', u'max', u'42', u'3', u'0.5']\n", out);
     }
 
     @Test

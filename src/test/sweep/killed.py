@@ -1,4 +1,4 @@
-"""killed.py ROWS: sweeps twice on two workers of Dask, and kills one of the first two by -9 when half the rows are there."""
+"""killed.py ROWS [SECONDS]: sweeps twice on two workers of Dask, and kills one of the first two by -9 when half the rows are there."""
 import os
 import signal
 import sys
@@ -9,7 +9,7 @@ import sear
 from maze import chance
 
 ROWS = int(sys.argv[1])
-SIMULATED = 10
+SIMULATED = int(sys.argv[2]) if len(sys.argv) > 2 else 10
 killed = []
 
 

@@ -10,7 +10,7 @@ import time
 import psutil
 
 SIMULATED = 30
-WARM = 40          # runs before those that count, so that Java has compiled
+WARM = 200         # runs before those that count: both processes are at work, and Java has compiled most
 
 
 def spent(process):

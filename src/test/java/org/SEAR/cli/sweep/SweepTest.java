@@ -136,7 +136,7 @@ public class SweepTest {
 
     @Test
     public void aKilledWorkerCostsNoRowAndTheSameSweepWritesTheSameBytes() throws Exception {
-        String out = python(PROGRAMS.resolve("killed.py"), String.valueOf(ROWS));
+        String out = python(PROGRAMS.resolve("killed.py"), String.valueOf(ROWS), "2");
         assertEquals(ROWS + " rows, " + ROWS + " ok, one worker killed, the same to the byte\n", out);
     }
 
@@ -156,5 +156,13 @@ public class SweepTest {
         assertTrue(out, out.matches("(0\\.\\d m/s, seed \\d: \\d\\.\\d+ m\n){4}"));
         out = python(Files.writeString(folder.resolve("read.py"), blocks.get(1)));
         assertTrue(out, out.matches("(?s).*speed: double.*distance: double.*4 rows\n"));
+    }
+
+    /** One of its runs, without Dask. */
+    @Test
+    public void theExampleFindsTheCone() throws Exception {
+        Path program = Files.writeString(folder.resolve("once.py"), "import sys\nsys.path.insert(0, sys.argv[1])\nimport maze_sweep\n"
+            + "made = maze_sweep.drive(2, 0.3)\nprint(made['found'], made['seconds'] < 150, sorted(made))\n");
+        assertEquals("True True ['bumps', 'found', 'seconds']\n", python(program, ROOT.resolve("examples/python3").toString()));
     }
 }

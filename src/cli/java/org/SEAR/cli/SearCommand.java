@@ -43,8 +43,8 @@ public final class SearCommand implements Callable<Integer> {
     private String speed;
     @Option(names = "--seed", paramLabel = "N", description = "Where the random numbers of the sensors begin, a whole number.")
     private Long seed;
-    @Option(names = "--set", paramLabel = "NAME=VALUE", description = "A parameter of the script, which sear.getParameter(\"NAME\", default) answers. "
-        + "May be given several times.")
+    @Option(names = "--set", paramLabel = "NAME=VALUE", description = "A parameter of the script, which sear.getParameter(\"NAME\", default) answers."
+        + " May be given several times.")
     private List<String> parameters = List.of();
     @Option(names = "--threads", paramLabel = "N", description = "How many threads sensors and cameras measure on, 1 to 256; what they measure does "
         + "not depend on it. Default: as many as there are processors.")

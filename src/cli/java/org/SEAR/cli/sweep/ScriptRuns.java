@@ -9,7 +9,7 @@ import org.myrobotlab.service.Python;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
 
-/** Runs scripts by Jython one after the other in a Java machine that stays, each in a MyRobotLab of its own. Python's process calls it; one thread. */
+/** Runs scripts by Jython one after the other in a Java machine that stays, each in a MyRobotLab of its own. Python calls it; one thread. */
 public final class ScriptRuns {
     private static final String PYTHON = "python";
     /** So long may a callback, or a thread of the script, go on after its end. */

@@ -49,8 +49,7 @@ public final class SweepCommand implements Callable<Integer> {
     private String out;
     @Option(names = "--fresh", description = "Forget the results that are there, and begin anew.")
     private boolean fresh;
-    @Option(names = "--again", paramLabel = "ROW", description = "Run that row of a finished sweep again and say whether it is the same. No other is "
-        + "run.")
+    @Option(names = "--again", paramLabel = "ROW", description = "Run that row of a sweep again and say whether it is the same; no other is run.")
     private String again;
     @Option(names = "--python3", description = "The script is Python 3, whatever its first line says.")
     private boolean python3;

@@ -44,8 +44,8 @@ public final class SweepCommand implements Callable<Integer> {
     private String limit;
     @Option(names = "--memory", paramLabel = "MB", description = "A run whose process takes more memory is ended. Default: no limit.")
     private String memory;
-    @Option(names = "--out", paramLabel = "FOLDER", description = "Where the results are written; a sweep that was broken off there goes on. Default: "
-        + "the script's name with -sweep.")
+    @Option(names = "--out", paramLabel = "FOLDER", description = "Where the results are written; a sweep that was broken off there goes on. Default:"
+        + " the script's name with -sweep.")
     private String out;
     @Option(names = "--fresh", description = "Forget the results that are there, and begin anew.")
     private boolean fresh;

@@ -13,6 +13,7 @@ import org.myrobotlab.embedded.python.JythonStart;
 import org.myrobotlab.embedded.python3.Python3Script;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -47,9 +48,8 @@ public final class SearCommand implements Callable<Integer> {
     @Option(names = "--port", paramLabel = "N|none", defaultValue = "8888", description = "Port of the tabs in the browser: http://localhost:N. "
         + "Default: ${DEFAULT-VALUE}.")
     private String port;
-    @Option(names = "--token", description = "Have the tabs and programs that call services ask for a token, which is printed with the address and "
-        + "written into a file that only you can read. Ports that are exported over TCP ask for none.")
-    private boolean token;
+    @Mixin
+    private ServerOptions server = new ServerOptions();
     @Option(names = "--python3", description = "The script is Python 3, and runs by python3 with the package sear. So does each whose first line is "
         + "#!/usr/bin/env python3.")
     private boolean python3;
@@ -95,7 +95,8 @@ public final class SearCommand implements Callable<Integer> {
         System.setProperty(Python3Script.ALWAYS, String.valueOf(python3));
         System.setProperty("sear.keep", String.valueOf(keep));
         PrintWriter err = spec.commandLine().getErr();
-        MrlRun run = new MrlRun(checkedPort(), token, err);
+        server.apply(spec);
+        MrlRun run = new MrlRun(checkedPort(), server.isKnown(), err);
         if (script != null && !Files.exists(script)) {
             err.println("sear: " + script + " can't be read: there is no such file. Try sear --help.");
             return CommandLine.ExitCode.USAGE;

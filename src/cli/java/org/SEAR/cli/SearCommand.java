@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.SEAR.cli.classroom.ClassCommand;
 import org.SEAR.cli.install.InstallCommand;
 import org.SEAR.parallel.WorkerPool;
 import org.SEAR.project.xml.Xml;
@@ -24,7 +25,7 @@ import picocli.CommandLine;
 /** {@code sear SCRIPT.py [options]}, and the other commands of the program. */
 @Command(name = "sear", mixinStandardHelpOptions = true, versionProvider = Version.class,
     subcommands = {CheckCommand.class, ScriptCommand.class, SensorsCommand.class, ModemLinesCommand.class, InstallCommand.class,
-        AutoComplete.GenerateCompletion.class},
+        ClassCommand.class, AutoComplete.GenerateCompletion.class},
     description = "Runs a Python script in a small MyRobotLab with SEAR in it, or opens a project in the tabs, and in the browser where there is one."
         + " The project of a script is the folder SEARproject in the present folder.",
     footer = "Exit status: 0 when the script ends, 1 when it raises, 2 when the command makes no sense.")

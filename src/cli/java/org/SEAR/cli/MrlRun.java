@@ -26,9 +26,6 @@ final class MrlRun {
     private static final String SEAR_NAME = "sear";
     private static final String PROJECT = "SEARproject";
 
-    /** A script that the Python tab begins with. */
-    private static final String SHOWN = System.getProperty("sear.show");
-
     private final int port;
     private final boolean isKnown;
     private final PrintWriter err;
@@ -120,7 +117,7 @@ final class MrlRun {
      * @param inBrowser whether to open the browser, if there is one
      * @return the exit status
      */
-    int project(Path path, boolean inBrowser) throws IOException, InterruptedException {
+    int project(Path path, boolean inBrowser) throws InterruptedException {
         if (path != null && Files.isDirectory(path)) {
             Path inside = path.resolve(PROJECT);
             System.setProperty("sear.project", (Files.isDirectory(inside) ? inside : path).toString());
@@ -138,9 +135,6 @@ final class MrlRun {
                 release();
                 return ExitCode.USAGE;
             }
-        }
-        if (SHOWN != null && Files.isRegularFile(Path.of(SHOWN))) {
-            python.openScript(SHOWN);
         }
         if (address != null && inBrowser && !Tabs.asksForToken()) {    // other users see what programs are started with
             Browser.open(address + "#/" + SEAR_NAME);

@@ -8,6 +8,7 @@ import java.lang.management.ManagementFactory;
 import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFileAttributeView;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
@@ -121,7 +122,7 @@ public final class ClassCommand implements Callable<Integer> {
         boolean isNew = Files.notExists(folder);
         Path tokens = Files.createDirectories(folder.resolve(".tokens"));
         Path logs = Files.createDirectories(folder.resolve(".logs"));
-        if (Files.getFileStore(folder).supportsFileAttributeView("posix")) {
+        if (Files.getFileAttributeView(folder, PosixFileAttributeView.class) != null) {
             for (Path one : isNew ? List.of(folder, tokens, logs) : List.of(tokens, logs)) {
                 Files.setPosixFilePermissions(one, PosixFilePermissions.fromString(PRIVATE));
             }
@@ -152,9 +153,6 @@ public final class ClassCommand implements Callable<Integer> {
             .filter(option -> !option.matches("-Xm[xs].*|-XX:Max.*|-agentlib.*|-javaagent.*|-Dsear.parent.*")).collect(Collectors.toList()));
         command.addAll(List.of("-Xms16m", "-Xmx" + memory + "m", "-XX:+ExitOnOutOfMemoryError", "-XX:MaxMetaspaceSize=192m",
             "-XX:MaxDirectMemorySize=64m", "-XX:ReservedCodeCacheSize=96m", "-Dsear.parent=" + ProcessHandle.current().pid()));
-        if (script != null) {
-            command.add("-Dsear.show=" + script.getFileName());
-        }
         command.addAll(List.of("-cp", absolute(System.getProperty("java.class.path")), MAIN, "--headless", "--threads", "1", "--port",
             String.valueOf(own), "--token-file", token.toAbsolutePath().toString()));
         if (host != null) {

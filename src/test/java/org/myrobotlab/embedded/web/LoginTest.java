@@ -88,8 +88,8 @@ public class LoginTest {
     public void withoutTheCookieNoPathLeadsIn() throws Exception {
         for (String path : new String[] {"/", "/index.html", "/mrl.js", "/webjars/jquery/jquery.min.js", "/service/views/SEARGui.html", "//", "/./",
             "/%2e/", "/login", "/login/../", "/login/", "/login;x", "/LOGIN", "/login%00", "/login/../api/service", "/%6cogin", "/api",
-            "/api/service", "//api//service", "/%61pi/service", "/api/service;token=" + server.token().text(), "/resource/..%2f..%2fetc/passwd", "/../../etc/passwd",
-            own() + "/", own() + "/api/service", "/?Token=" + server.token().text(), "/?token=a&token=" + server.token().text(),
+            "/api/service", "//api//service", "/%61pi/service", "/api/service;token=" + server.token().text(), "/resource/..%2f..%2fetc/passwd",
+            "/../../etc/passwd", own() + "/", own() + "/api/service", "/?Token=" + server.token().text(), "/?token=a&token=" + server.token().text(),
             "/?x=token=" + server.token().text(), "/index.html?token=" + server.token().text(), "/api/service?token=" + server.token().text()}) {
             assertNotEquals(path, 200, server.status("GET " + path, "", HTML));
         }

@@ -37,7 +37,6 @@ public class ClassCommandTest {
 
     @Rule
     public final TemporaryFolder folder = new TemporaryFolder();
-    private final HttpClient client = HttpClient.newHttpClient();
     private Process process;
     private int port;
 
@@ -108,7 +107,12 @@ public class ClassCommandTest {
     }
 
     private HttpResponse<String> call(int number, String token, String method, String arguments) throws IOException, InterruptedException {
-        return client.send(request(number, token, method, arguments), HttpResponse.BodyHandlers.ofString());
+        return client().send(request(number, token, method, arguments), HttpResponse.BodyHandlers.ofString());
+    }
+
+    /** A new one: connections that one keeps to a killed process are of no use at the next. */
+    private static HttpClient client() {
+        return HttpClient.newHttpClient();
     }
 
     private static HttpRequest request(int number, String token, String method, String arguments) {
@@ -118,7 +122,16 @@ public class ClassCommandTest {
     }
 
     private ProcessHandle pupil(int number) {
-        return process.children().filter(one -> one.info().commandLine().orElse("").contains("--port " + number)).findFirst().orElseThrow();
+        return process.children().filter(one -> commandLine(one).contains("--port\0" + number + "\0")).findFirst().orElseThrow();
+    }
+
+    /** All of it: Java's own answer ends after the first 4096 characters. */
+    private static String commandLine(ProcessHandle one) {
+        try {
+            return Files.readString(Path.of("/proc", String.valueOf(one.pid()), "cmdline"));
+        } catch (IOException e) {
+            return "";    // it has ended
+        }
     }
 
     @Test
@@ -140,7 +153,7 @@ public class ClassCommandTest {
         String killed = "Ada Lovelace: killed, by a user or because the computer is short of memory; starts again (1 of 5)";
         until("Ada's starts again", () -> out().contains(killed)
             && call(port, token(ADA), "python/isRunning", "[]").statusCode() == 200);
-        client.sendAsync(request(port, token(ADA), "python/exec", "[\"x = []\\nwhile True: x.append('a' * 1000000)\"]"),
+        client().sendAsync(request(port, token(ADA), "python/exec", "[\"x = []\\nwhile True: x.append('a' * 1000000)\"]"),
             HttpResponse.BodyHandlers.ofString());    // nobody answers any more
         until("Ada's is out of memory", () -> out().contains("Ada Lovelace: out of memory; starts again (2 of 5)")
             && call(port, token(ADA), "python/isRunning", "[]").statusCode() == 200);

@@ -121,6 +121,11 @@ public class ClassCommandTest {
             .POST(HttpRequest.BodyPublishers.ofString(arguments)).build();
     }
 
+    /** Whether Python is there, too, which comes after the port. */
+    private boolean runsScripts(int number, String token) throws IOException, InterruptedException {
+        return call(number, token, "python/exec", "[\"pass\"]").body().trim().equals("true");
+    }
+
     private ProcessHandle pupil(int number) {
         return process.children().filter(one -> commandLine(one).contains("--port\0" + number + "\0")).findFirst().orElseThrow();
     }
@@ -152,20 +157,24 @@ public class ClassCommandTest {
         assertTrue(pupil(port).destroyForcibly());
         String killed = "Ada Lovelace: killed, by a user or because the computer is short of memory; starts again (1 of 5)";
         until("Ada's starts again", () -> out().contains(killed)
-            && call(port, token(ADA), "python/isRunning", "[]").statusCode() == 200);
+            && runsScripts(port, token(ADA)));
         client().sendAsync(request(port, token(ADA), "python/exec", "[\"x = []\\nwhile True: x.append('a' * 1000000)\"]"),
             HttpResponse.BodyHandlers.ofString());    // nobody answers any more
         until("Ada's is out of memory", () -> out().contains("Ada Lovelace: out of memory; starts again (2 of 5)")
-            && call(port, token(ADA), "python/isRunning", "[]").statusCode() == 200);
+            && runsScripts(port, token(ADA)));
         assertTrue("Ben's goes on", ben.isAlive() && ben.pid() == pupil(port + 1).pid());
 
         String sleeper = "[\"import subprocess\\nsubprocess.Popen(['sleep', '600'])\\nopen('begun', 'w').close()\"]";
+        until("Ben's runs scripts", () -> runsScripts(port + 1, token(BEN)));
         assertEquals(200, call(port + 1, token(BEN), "python/exec", sleeper).statusCode());
         assertTrue(Files.exists(path("class/Ben/begun")));
         List<ProcessHandle> all = process.descendants().collect(Collectors.toList());
         assertTrue("two Javas and a sleep: " + all, all.size() >= 3);
         process.destroy();    // as Ctrl+C does
         assertTrue("it goes on", process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+        for (ProcessHandle one : all) {
+            one.onExit().get(PATIENCE_SECONDS, TimeUnit.SECONDS);    // what it has killed may take a moment to be gone
+        }
         assertEquals("nothing stays", "[]", all.stream().filter(ProcessHandle::isAlive).collect(Collectors.toList()).toString());
         try (Stream<Path> logs = Files.list(path("class/.logs"))) {
             for (Path log : logs.collect(Collectors.toList())) {

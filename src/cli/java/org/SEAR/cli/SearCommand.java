@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.SEAR.cli.classroom.ClassCommand;
 import org.SEAR.cli.install.InstallCommand;
 import org.SEAR.cli.sweep.SweepCommand;
 import org.SEAR.parallel.WorkerPool;
@@ -15,6 +16,7 @@ import org.myrobotlab.embedded.python3.Python3Script;
 import org.myrobotlab.service.sear.run.RunParameters;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -25,7 +27,7 @@ import picocli.CommandLine;
 /** {@code sear SCRIPT.py [options]}, and the other commands of the program. */
 @Command(name = "sear", mixinStandardHelpOptions = true, versionProvider = Version.class,
     subcommands = {CheckCommand.class, ScriptCommand.class, SensorsCommand.class, ModemLinesCommand.class, InstallCommand.class,
-        SweepCommand.class, AutoComplete.GenerateCompletion.class},
+        SweepCommand.class, ClassCommand.class, AutoComplete.GenerateCompletion.class},
     description = "Runs a Python script in a small MyRobotLab with SEAR in it, or opens a project in the tabs, and in the browser where there is one."
         + " The project of a script is the folder SEARproject in the present folder.",
     footer = "Exit status: 0 when the script ends, 1 when it raises, 2 when the command makes no sense.")
@@ -52,9 +54,8 @@ public final class SearCommand implements Callable<Integer> {
     @Option(names = "--port", paramLabel = "N|none", defaultValue = "8888", description = "Port of the tabs in the browser: http://localhost:N. "
         + "Default: ${DEFAULT-VALUE}.")
     private String port;
-    @Option(names = "--token", description = "Have the tabs and programs that call services ask for a token, which is printed with the address and "
-        + "written into a file that only you can read. Ports that are exported over TCP ask for none.")
-    private boolean token;
+    @Mixin
+    private ServerOptions server = new ServerOptions();
     @Option(names = "--python3", description = "The script is Python 3, and runs by python3 with the package sear. So does each whose first line is "
         + "#!/usr/bin/env python3.")
     private boolean python3;
@@ -103,7 +104,8 @@ public final class SearCommand implements Callable<Integer> {
         System.setProperty(Python3Script.ALWAYS, String.valueOf(python3));
         System.setProperty("sear.keep", String.valueOf(keep));
         PrintWriter err = spec.commandLine().getErr();
-        MrlRun run = new MrlRun(checkedPort(), token, err);
+        server.apply(spec);
+        MrlRun run = new MrlRun(checkedPort(), server.isKnown(), err);
         if (script != null && !Files.exists(script)) {
             err.println("sear: " + script + " can't be read: there is no such file. Try sear --help.");
             return CommandLine.ExitCode.USAGE;

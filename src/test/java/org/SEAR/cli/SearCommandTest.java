@@ -113,7 +113,7 @@ public class SearCommandTest {
         Path file = Paths.get(home, ".sear", "token-" + port);
         assertEquals(err, 0, sear(script("print open('" + file + "').read()"), "--headless", "--token", "--port", String.valueOf(port)));
         assertTrue(out, out.trim().matches("[\\w-]{32}"));
-        assertTrue(err, err.startsWith("Open this in a browser:\nhttp://localhost:" + port + "/#token=" + out.trim() + "\ntoken: " + file
+        assertTrue(err, err.startsWith("Open this in a browser:\nhttp://localhost:" + port + "/?token=" + out.trim() + "\ntoken: " + file
             + " has it"));
         assertFalse("it goes when the program ends", Files.exists(file));
     }

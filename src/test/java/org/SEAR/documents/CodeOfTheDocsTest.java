@@ -13,6 +13,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.SEAR.Slow;
 import org.SEAR.benchmark.PerformancePageTest;
+import org.SEAR.cli.ClassCommandTest;
 import org.SEAR.cli.ReadmeTest;
 import org.SEAR.cli.ScriptProcess;
 import org.SEAR.cli.SearCommandTest;
@@ -55,6 +56,9 @@ public class CodeOfTheDocsTest {
         entry("docs/add-a-sensor.md text", AddASensorTest.class),
         entry("docs/cameras.md python3", ThirdPartyCameraTest.class),
         entry("docs/cameras.md sh python3 examples/python3/", OpencvExamplesTest.class),
+        entry("docs/classroom.md sh sear --headless", ClassCommandTest.class),
+        entry("docs/classroom.md sh sear class --pupils names.txt", ClassCommandTest.class),
+        entry("docs/classroom.md text", ClassCommandTest.class),
         entry("docs/embedded-and-real.md sh java -cp", DistributionTest.class),
         entry("docs/first-robot.md python", FirstRobotTest.class),
         entry("docs/first-robot.md sh sear", FirstRobotTest.class),
@@ -88,6 +92,8 @@ public class CodeOfTheDocsTest {
         entry("docs/sweeps.md sh sear sweep ahead.py --again", SweepTest.class)));
     private static final Map<String, String> NOT_RUN = new TreeMap<>(Map.of(
         "CONTRIBUTING.md sh MYROBOTLAB=", "it is CI, and runs this test",
+        "docs/classroom.md sh podman ", "needs a registry of images; the page says what was tried",
+        "docs/classroom.md sh ssh ", "needs a second computer",
         "docs/other-programs.md sh rosrun ", "needs ROS 1, which is in no package of Debian 12; the page says that it was not tried"));
     private static final String GRADLE = "./gradlew ";
     private static final String BEFORE = "from org.SEAR.POJOs import Floor\nif sear.isSimulating(): sear.stopSimulation()\n"

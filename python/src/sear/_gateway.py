@@ -87,9 +87,27 @@ class OverGateway:
                 raise self._translated(error) from None
         except Py4JNetworkError as error:
             raise ConnectionError("the SEAR at port %d has ended (%s)" % (self._port, error)) from None
+        except KeyboardInterrupt:
+            self._hang_up()
+            raise
         kind = self.java_class(class_name)
         legal = self._members.constructors(kind) if name is None else self._members.methods(kind, name)
         raise TypeError(_errors.misfit(name or class_name.rpartition(".")[2], arguments, list(legal)))
+
+    def _hang_up(self):
+        """What answers still come are for a call that is over."""
+        line = self._server._gateway_client.get_thread_connection()
+        if line is not None:
+            line.close()
+
+    def wait(self, java, name, argument):
+        """A call that waits; an interrupt ends the wait in Java, too."""
+        thread = self._server.jvm.java.lang.Thread.currentThread()
+        try:
+            self._run(self._calls.call, (java, name), [argument], self._members.className(java), name)
+        except KeyboardInterrupt:
+            thread.interrupt()
+            raise
 
     def _translated(self, error):
         cause = error.java_exception

@@ -8,10 +8,12 @@ from py4j.java_gateway import JavaObject as Remote
 from py4j.protocol import Py4JError, Py4JJavaError, Py4JNetworkError
 
 from . import _errors
+from ._interrupt import interruptible
 from ._objects import wrap
 
 PORT = 25333
 MEMBERS = "org.myrobotlab.service.sear.python3.Members"
+WAITS = "org.myrobotlab.service.sear.python3.Waits"
 CALLS = "org.myrobotlab.service.sear.python3.Calls"
 # What bytes begin with that are an array; three letters follow that are numpy's word for the type
 NUMBERS = b"\0numpy"
@@ -101,13 +103,10 @@ class OverGateway:
             line.close()
 
     def wait(self, java, name, argument):
-        """A call that waits; an interrupt ends the wait in Java, too."""
-        thread = self._server.jvm.java.lang.Thread.currentThread()
-        try:
-            self._run(self._calls.call, (java, name), [argument], self._members.className(java), name)
-        except KeyboardInterrupt:
-            thread.interrupt()
-            raise
+        """A call that waits, which an interrupt ends: in Java, so that its answer still comes. Main thread."""
+        threads = self._server.jvm.java.lang.Thread
+        with interruptible(threads.currentThread().interrupt, threads.interrupted):
+            self._run(self._class(WAITS).call, (java, name), [argument], self._members.className(java), name)
 
     def _translated(self, error):
         cause = error.java_exception

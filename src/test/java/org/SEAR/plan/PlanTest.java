@@ -93,7 +93,7 @@ public class PlanTest {
     public void ofVeryLargeGroundOnlyWhatIsOnItIsShown() throws Exception {
         room();
         new Floor("land", 2000, 2000, false);
-        assertTrue("not to the edges", svg(false).contains(">1 m</text>"));
+        assertTrue("not to the edges", svg(false).contains(">2 m</text>"));
     }
 
     @Test

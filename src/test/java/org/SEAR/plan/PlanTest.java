@@ -78,7 +78,8 @@ public class PlanTest {
         robot.addComponent(new LIDAR("lidar", 8, 180, 1, 0, 0.2, 0));
         robot.addComponent(new Distance("eye", "laser", 0, 0.3, 0, 0, 0, 0));
         String svg = svg(true);
-        double[] laser = numbers(svg, "<line x1=\"([\\d.]+)\" y1=\"([\\d.]+)\" x2=\"([\\d.]+)\" y2=\"([\\d.]+)\" stroke=\"#d55e00\" stroke-width=\"1.0\"");
+        double[] laser = numbers(svg,
+            "<line x1=\"([\\d.]+)\" y1=\"([\\d.]+)\" x2=\"([\\d.]+)\" y2=\"([\\d.]+)\" stroke=\"#d55e00\" stroke-width=\"1.0\"");
         assertEquals(MIDDLE, laser[0], 0.01);
         assertEquals(MIDDLE + 2 * METRE, laser[2], 0.05);
         String fan = svg.substring(svg.indexOf("fill-opacity=\"0.15\""));

@@ -166,6 +166,8 @@ class _SEAR(JavaObject):
         """Metres to the nearest hit of a distance sensor; its range where nothing was hit."""
     def getLidarResult(self, name: str) -> np.ndarray:
         """Metres of a LIDAR's beams, right to left; its range where nothing was hit."""
+    def getLidarAngles(self, name: str) -> np.ndarray:
+        """Where the beams of a LIDAR point, in the order of its ranges."""
     def getGpsResult(self, name: str) -> np.ndarray:
         """[latitude, longitude, altitude] of a GPS sensor: degrees, + north; degrees, + east; metres."""
     def getCompassResult(self, name: str) -> float:
@@ -202,6 +204,14 @@ class _SEAR(JavaObject):
         """[x, y, z, rx, ry, rz] in the world of a robot, part, sensor or object: metres north, up and east, degrees about the three axes. The heading of what stands upright is 90 - ry."""
     def getGroundHeight(self, x: float, z: float) -> float:
         """The ground's height at a point of the world: its y, metres. Ground is the terrain, a floor, or a model that is the terrain; where one lies over the other, the highest. While no simulation runs it is that of the project as it is."""
+    @overload
+    def getPlan(self) -> str:
+        """The plan of the world as a picture: from above, north upwards, with the names of things, robots as arrows that say their headings, the beams of distance sensors and LIDARs up to what they meet, a scale, and the time. Before the start, of the project as it is."""
+    @overload
+    def getPlan(self, beams: bool) -> str:
+        """The same with or without beams."""
+    def savePlan(self, picture: str) -> None:
+        """Draws the plan into a file."""
     def publishReading(self, reading: Any) -> Any:
         """Comes with each reading: its name, time (simulated seconds) and value, which is what `getReading` answers."""
     def publishImage(self, image: Any) -> Any:

@@ -598,6 +598,18 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
+     * Where the beams of a LIDAR point, in the order of its ranges.
+     *
+     * @param name of the sensor
+     * @return an angle for each: degrees from straight ahead, + to the left
+     * @throws IllegalArgumentException that names the sensors there are
+     * @example print sear.getLidarAngles("myLidar")[0]
+     */
+    public double[] getLidarAngles(String name) {
+        return calls.attempt(() -> parts.readings().angles(name));
+    }
+
+    /**
      * [latitude, longitude, altitude] of a GPS sensor: degrees, + north; degrees, + east; metres.
      *
      * @param name of the sensor
@@ -785,6 +797,40 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      */
     public double getGroundHeight(double x, double z) {
         return calls.attempt(() -> parts.readings().groundHeight(x, z));
+    }
+
+    /**
+     * The plan of the world as a picture: from above, north upwards, with the names of things, robots as arrows that say their headings, the beams of
+     * distance sensors and LIDARs up to what they meet, a scale, and the time. Before the start, of the project as it is.
+     *
+     * @return the text of an SVG file
+     * @throws IllegalStateException with every problem of a project that does not run
+     * @example print len(sear.getPlan()), "characters"
+     */
+    public String getPlan() {
+        return getPlan(true);
+    }
+
+    /**
+     * The same with or without beams.
+     *
+     * @param beams whether they are drawn; no reading is changed by it
+     * @throws IllegalStateException with every problem of a project that does not run
+     * @example print len(sear.getPlan(False)), "characters"
+     */
+    public String getPlan(boolean beams) {
+        return calls.attempt(() -> parts.plans().svg(beams));
+    }
+
+    /**
+     * Draws the plan into a file.
+     *
+     * @param picture a file whose name ends in .png or .svg; one of that name is replaced
+     * @throws IllegalStateException with every problem of a project that does not run
+     * @example sear.savePlan("plan.png")
+     */
+    public void savePlan(String picture) {
+        calls.act(() -> parts.plans().save(picture));
     }
 
     // ---- readings that come by themselves --------------------------------------------------------------------------

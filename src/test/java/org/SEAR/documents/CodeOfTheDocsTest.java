@@ -28,6 +28,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.service.python3.JupyterTest;
 import org.myrobotlab.service.python3.Python3PackageTest;
 import org.myrobotlab.service.thirdparty.OpencvExamplesTest;
 import org.myrobotlab.service.thirdparty.ThirdPartyCameraTest;
@@ -65,6 +66,7 @@ public class CodeOfTheDocsTest {
         entry("docs/first-robot.md text", FirstRobotTest.class),
         entry("docs/install.md sh bin/sear install", DistributionTest.class),
         entry("docs/learning.md python3", GymnasiumTest.class),
+        entry("docs/notebooks.md python3", JupyterTest.class),
         entry("docs/objects.md text", ObjectDocsTest.class),
         entry("docs/objects.md xml", ObjectDocsTest.class),
         entry("docs/other-programs.md python", ReadmeTest.class),
@@ -94,6 +96,7 @@ public class CodeOfTheDocsTest {
         "CONTRIBUTING.md sh MYROBOTLAB=", "it is CI, and runs this test",
         "docs/classroom.md sh podman ", "needs a registry of images; the page says what was tried",
         "docs/classroom.md sh ssh ", "needs a second computer",
+        "docs/notebooks.md sh venv/bin/", "JupyterLab is some 100 packages; what it runs, a kernel, JupyterTest does",
         "docs/other-programs.md sh rosrun ", "needs ROS 1, which is in no package of Debian 12; the page says that it was not tried"));
     private static final String GRADLE = "./gradlew ";
     private static final String BEFORE = "from org.SEAR.POJOs import Floor\nif sear.isSimulating(): sear.stopSimulation()\n"

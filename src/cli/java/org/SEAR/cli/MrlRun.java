@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import org.myrobotlab.embedded.python.PythonEngine;
 import org.myrobotlab.embedded.Shutdown;
 import org.myrobotlab.framework.interfaces.ServiceInterface;
@@ -22,6 +23,7 @@ final class MrlRun {
 
     /** So long may a callback go on after the end of the script. */
     private static final int CALLBACK_MILLIS = 5000;
+    private static final long WATCH_MILLIS = 20;
     private static final String PYTHON = "python";
     private static final String SEAR_NAME = "sear";
     private static final String PROJECT = "SEARproject";
@@ -32,6 +34,7 @@ final class MrlRun {
     private final CountDownLatch shutdown = new CountDownLatch(1);
     private String address;
     private boolean released;
+    private volatile boolean timeIsUp;
 
     /** @param isKnown whether others know the port already, so that another one is of no use */
     MrlRun(int port, boolean isKnown, PrintWriter err) {
@@ -84,21 +87,49 @@ final class MrlRun {
         }
     }
 
+    /** Ends the script, again and again if it goes on, once a simulation has come so far. */
+    private void watch(Python python, double until) {
+        try {
+            while (!shutdown.await(WATCH_MILLIS, TimeUnit.MILLISECONDS)) {
+                timeIsUp |= Runtime.getServices().stream().anyMatch(one -> one instanceof SEAR && isPast((SEAR) one, until));
+                if (timeIsUp) {
+                    python.stop();
+                }
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private static boolean isPast(SEAR sear, double until) {
+        try {
+            return sear.isSimulating() && sear.getTime() >= until;
+        } catch (IllegalStateException e) {
+            return false;       // it has ended meanwhile
+        }
+    }
+
     /**
      * Runs a script.
      *
      * @param keep whether to stay until Ctrl+C or Runtime.shutdown()
+     * @param until simulated seconds after which the script is ended
      * @return the exit status
      */
-    int script(Path script, List<String> arguments, boolean keep) throws IOException, InterruptedException {
+    int script(Path script, List<String> arguments, boolean keep, double until) throws IOException, InterruptedException {
         Python python = start();
         PythonEngine engine = PythonEngine.of(PYTHON);
         if (python == null || engine == null) {
             return ExitCode.SOFTWARE;
         }
         engine.setArguments(arguments);
+        if (until < Double.POSITIVE_INFINITY) {
+            Thread watch = new Thread(() -> watch(python, until), "until");
+            watch.setDaemon(true);
+            watch.start();
+        }
         python.execFile(script.toString());
-        int status = PythonEngine.of(PYTHON) == null ? ExitCode.OK : engine.getLastResult().getExitCode();
+        int status = PythonEngine.of(PYTHON) == null || timeIsUp ? ExitCode.OK : engine.getLastResult().getExitCode();
         if (keep) {
             shutdown.await();
         } else {

@@ -8,6 +8,9 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.SEAR.cli.classroom.ClassCommand;
 import org.SEAR.cli.install.InstallCommand;
+import org.SEAR.cli.lessons.GradeCommand;
+import org.SEAR.cli.lessons.LessonCommand;
+import org.SEAR.cli.lessons.LessonsCommand;
 import org.SEAR.cli.sweep.SweepCommand;
 import org.SEAR.parallel.WorkerPool;
 import org.SEAR.project.xml.Xml;
@@ -27,7 +30,8 @@ import picocli.CommandLine;
 /** {@code sear SCRIPT.py [options]}, and the other commands of the program. */
 @Command(name = "sear", mixinStandardHelpOptions = true, versionProvider = Version.class,
     subcommands = {CheckCommand.class, ScriptCommand.class, SensorsCommand.class, ModemLinesCommand.class, InstallCommand.class,
-        SweepCommand.class, ClassCommand.class, AutoComplete.GenerateCompletion.class},
+        LessonsCommand.class, LessonCommand.class, GradeCommand.class, SweepCommand.class, ClassCommand.class,
+        AutoComplete.GenerateCompletion.class},
     description = "Runs a Python script in a small MyRobotLab with SEAR in it, or opens a project in the tabs, and in the browser where there is one."
         + " The project of a script is the folder SEARproject in the present folder.",
     footer = "Exit status: 0 when the script ends, 1 when it raises, 2 when the command makes no sense.")
@@ -56,6 +60,11 @@ public final class SearCommand implements Callable<Integer> {
     private String port;
     @Mixin
     private ServerOptions server = new ServerOptions();
+    @Option(names = "--record", paramLabel = "FILE", description = "Record each simulation that the script starts, the last one stays; besides what "
+        + "the script records itself.")
+    private String record;
+    @Option(names = "--until", paramLabel = "SECONDS", description = "End the script when so much simulated time has passed.")
+    private Double until;
     @Option(names = "--python3", description = "The script is Python 3, and runs by python3 with the package sear. So does each whose first line is "
         + "#!/usr/bin/env python3.")
     private boolean python3;
@@ -101,6 +110,9 @@ public final class SearCommand implements Callable<Integer> {
         for (String one : parameters) {
             set(one);
         }
+        if (record != null) {
+            System.setProperty("sear.record", record);
+        }
         System.setProperty(Python3Script.ALWAYS, String.valueOf(python3));
         System.setProperty("sear.keep", String.valueOf(keep));
         PrintWriter err = spec.commandLine().getErr();
@@ -113,7 +125,7 @@ public final class SearCommand implements Callable<Integer> {
         if (script == null || Files.isDirectory(script) || script.toString().endsWith(".sear")) {
             return run.project(script, !headless);
         }
-        return run.script(script, arguments, keep);
+        return run.script(script, arguments, keep, checkedUntil());
     }
 
     private void set(String parameter) {
@@ -130,6 +142,13 @@ public final class SearCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--speed is \"" + speed + "\", legal: a number above 0, or max");
         }
         return speed;
+    }
+
+    private double checkedUntil() {
+        if (until != null && !(until > 0)) {
+            throw new ParameterException(spec.commandLine(), "--until is " + until + ", legal: above 0");
+        }
+        return until == null ? Double.POSITIVE_INFINITY : until;
     }
 
     private String checkedThreads() {

@@ -102,7 +102,7 @@ public final class Recorder implements RunTap {
         Recorder recorder = new Recorder(simulation, path, limit, rate, told);
         recorder.frame(simulation.snapshot());
         recorder.flush();
-        simulation.setTap(recorder);
+        simulation.setTap(recorder, true);
         return recorder;
     }
 
@@ -319,7 +319,7 @@ public final class Recorder implements RunTap {
     public void leave() {
         if (!ended) {
             ended = true;
-            simulation.setTap(null);
+            simulation.setTap(this, false);
             if (pictures != null) {
                 pictures.end();
             }

@@ -115,7 +115,7 @@ public final class Rerun implements RunRecord.Visitor {
     }
 
     private Result run() throws IOException {
-        world.setTap(new Listener());
+        world.setTap(new Listener(), true);
         watcher.accept(world);
         boolean whole = record.read(this);
         boolean same = true;

@@ -284,10 +284,10 @@ public final class Simulation implements AutoCloseable {
         instruments.reseed(seed);
     }
 
-    /** Has somebody look at the run from now on; null for nobody. Simulation thread. */
-    public void setTap(RunTap newTap) {
-        tap = newTap;
-        instruments.getPorts().forEach(port -> port.getCable().setTap(newTap));
+    /** Has somebody look at the run, beside those who do already, from now on or no longer. Simulation thread. */
+    public void setTap(RunTap who, boolean on) {
+        tap = RunTap.Several.changed(tap, who, on);
+        instruments.getPorts().forEach(port -> port.getCable().setTap(tap));
     }
 
     /** What, beside project and commands, decides what happens. Any thread. */

@@ -54,7 +54,8 @@ public final class MistakesRun {
         long before = processorNanos();
         Thread script = new Thread(() -> {
             try {
-                status[0] = new MrlRun(MrlRun.NO_PORT, false, new PrintWriter(out, true)).script(folder.resolve("script.py"), List.of(), false);
+                status[0] = new MrlRun(MrlRun.NO_PORT, false, new PrintWriter(out, true)).script(folder.resolve("script.py"), List.of(), false,
+                    Double.POSITIVE_INFINITY);
             } catch (IOException | InterruptedException e) {
                 out.println(e);
             }

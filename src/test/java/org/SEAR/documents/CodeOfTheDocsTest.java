@@ -18,6 +18,8 @@ import org.SEAR.cli.ReadmeTest;
 import org.SEAR.cli.ScriptProcess;
 import org.SEAR.cli.SearCommandTest;
 import org.SEAR.cli.install.DistributionTest;
+import org.SEAR.cli.lessons.GradeTest;
+import org.SEAR.cli.lessons.LessonChecksTest;
 import org.SEAR.cli.sweep.SweepTest;
 import org.SEAR.learning.GymnasiumTest;
 import org.SEAR.project.HandWrittenProjectTest;
@@ -66,6 +68,11 @@ public class CodeOfTheDocsTest {
         entry("docs/first-robot.md text", FirstRobotTest.class),
         entry("docs/install.md sh bin/sear install", DistributionTest.class),
         entry("docs/learning.md python3", GymnasiumTest.class),
+        entry("docs/lessons.md python", LessonChecksTest.class),
+        entry("docs/lessons.md sh sear grade handed-in", GradeTest.class),
+        entry("docs/lessons.md sh sear lesson square", GradeTest.class),
+        entry("docs/lessons.md sh sear lessons", GradeTest.class),
+        entry("docs/lessons.md text", LessonChecksTest.class),
         entry("docs/notebooks.md python3", JupyterTest.class),
         entry("docs/objects.md text", ObjectDocsTest.class),
         entry("docs/objects.md xml", ObjectDocsTest.class),

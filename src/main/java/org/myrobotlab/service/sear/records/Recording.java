@@ -14,8 +14,11 @@ import org.myrobotlab.service.sear.run.SimulationSession;
 public final class Recording {
     /** A record ends by itself at this size unless told otherwise. */
     public static final double MEGABYTES = 512;
+    /** Where whoever starts the program wants each run recorded, besides what scripts record; a later run replaces the one before. */
+    private static final String KEPT = "sear.record";
     private static final String ENDING = ".searlog";
     private static final long MEGABYTE = 1 << 20;
+    private static final long KEPT_MEGABYTES = 64;
     private static final double MOST_MEGABYTES = 100000;
     /** As many as a record has frames. */
     private static final double MOST_PICTURES = 30;
@@ -26,6 +29,8 @@ public final class Recording {
     private long limit;
     private double rate;
     private Recorder recorder;
+    /** Of the one who started the program; null if there is none. */
+    private Recorder kept;
 
     public Recording(SimulationControl control, Host host) {
         this.control = control;
@@ -64,16 +69,16 @@ public final class Recording {
         rate = pictures;
         SimulationSession session = control.sessionOrNull();
         if (session != null) {
-            recorder = session.ask(world -> made(world, file));
+            recorder = session.ask(world -> made(world, file, limit, rate));
         }
         wanted = file;
         return file.toString();
     }
 
     /** What {@link #begin} could not tell its caller is thrown as IllegalStateException. */
-    private Recorder made(Simulation world, Path file) {
+    private Recorder made(Simulation world, Path file, long most, double pictures) {
         try {
-            return Recorder.begin(world, file, limit, rate, host::warn);
+            return Recorder.begin(world, file, most, pictures, host::warn);
         } catch (IOException e) {
             throw new IllegalStateException("the record can't be written: " + e.getMessage(), e);
         }
@@ -81,8 +86,12 @@ public final class Recording {
 
     /** Before the first step of a simulation. */
     private synchronized void started(Simulation world) {
+        String keptFile = System.getProperty(KEPT);
+        if (keptFile != null) {
+            kept = made(world, Paths.get(keptFile), KEPT_MEGABYTES * MEGABYTE, 0);
+        }
         if (wanted != null && recorder == null) {
-            recorder = made(world, wanted);
+            recorder = made(world, wanted, limit, rate);
         }
     }
 
@@ -124,10 +133,18 @@ public final class Recording {
             if (hasBegun()) {
                 end();
             }
+            endKept();
         } catch (IOException e) {
             host.error("the record of the run: " + e.getMessage());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        }
+    }
+
+    private synchronized void endKept() throws IOException {
+        if (kept != null) {
+            kept.end();
+            kept = null;
         }
     }
 

@@ -1,0 +1,29 @@
+# A ramp with a wall at its upper end, and a rover on it that looks up to the wall.
+from math import cos, radians, sin
+from org.SEAR.POJOs import Box, Distance, Floor, Robots
+
+sear = Runtime.start("sear", "SEAR")
+sear.newProject()    # the present project, if there is one, is kept as a backup
+
+SLOPE = 12                  # degrees
+Floor("floor", 8, 8)
+
+def place(along, above):
+    """Height and metres east of a place on the ramp: so far along it from its foot, so far above it."""
+    a = radians(SLOPE)
+    return along * sin(a) + above * cos(a), along * cos(a) - above * sin(a)
+
+y, z = place(1.75, -0.05)
+ramp = Box("ramp", 1, 3.5, 0.1, 0)
+ramp.setColor("silver")
+ramp.move(0, y, z)
+ramp.rotate(-SLOPE, 0, 0)
+y, z = place(3.2, 0.2)
+wall = Box("wall", 1, 0.1, 0.4, 0, "textures/brick.png")
+wall.move(0, y, z)
+wall.rotate(-SLOPE, 0, 0)
+robot = Robots.rover("robot")
+robot.addComponent(Distance("eye", "laser", 0, 0.03, 0.07, 0, 0, 0))
+y, z = place(1.4, 0.05)
+robot.move(0, y, z)
+robot.rotate(-SLOPE, 0, 0)

@@ -1,0 +1,16 @@
+# Check: three corners and back, one after the other, along the sides.
+SECONDS = 60
+SQUARE = ((0, 0), (0, 1), (1, 1), (1, 0), (0, 0))    # x north, z east
+NEAR = 0.1                                           # metres
+
+def check(run):
+    robot = run.robot
+    corners = robot.inOrder(SQUARE[1:], NEAR)
+    for name, metres in zip(("first corner", "second corner", "third corner", "start again"), corners):
+        run.ask(metres <= NEAR, "You came within %.2f m of the %s; %.1f m is asked." % (metres, name, NEAR))
+    beside = max(robot.distancesFrom(SQUARE))
+    run.ask(beside <= NEAR, "You were up to %.2f m beside the sides of the square; %.1f m is allowed." % (beside, NEAR))
+    run.ask(not robot.bumps, "You bumped into something, %d times; the first time after %.1f s." % (len(robot.bumps), (list(robot.bumps) + [0])[0]))
+    run.ask(robot.isStanding(), "At the end your robot was still moving; stop it, and give it half a second to do so.")
+    run.measure("metres beside", beside)
+    run.measure("seconds", run.seconds)

@@ -1,0 +1,97 @@
+package org.SEAR.cli.lessons;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.SEAR.project.problems.FileReasons;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code sear grade SCRIPT.py} for a pupil, {@code sear grade FOLDER} for a teacher. */
+@Command(name = "grade", mixinStandardHelpOptions = true,
+    description = "Says what a script lacks to pass its lesson, or marks all scripts of a folder: those in it, or those in folders that are named "
+        + "after their pupils. Each runs in a process of its own, without a window and in lock-step.",
+    footer = "Exit status: 0 when all have passed, 1 when not, 2 when the command makes no sense.")
+public final class GradeCommand implements Callable<Integer> {
+    private static final int LEAST_MEMORY = 128;
+
+    @Parameters(paramLabel = "SCRIPT.py|FOLDER", description = "What is to be marked.")
+    private Path path;
+    @Option(names = "--lesson", paramLabel = "NAME|FOLDER", description = "Which lesson all of it is for. Default: what the script is named after, "
+        + "as square.py.")
+    private String lesson;
+    @Option(names = "--limit", paramLabel = "SECONDS", defaultValue = "60", description = "How long a script may take by the computer's clock. "
+        + "Default: ${DEFAULT-VALUE}.")
+    private double limit;
+    @Option(names = "--memory", paramLabel = "MB", defaultValue = "512", description = "How much memory a script may take, with all processes that "
+        + "it starts. Default: ${DEFAULT-VALUE}.")
+    private int memory;
+    @Option(names = "--jobs", paramLabel = "N", description = "How many run at once. Default: as many as there are processors.")
+    private Integer jobs;
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Where the random numbers of the sensors begin, for all the "
+        + "same. Default: ${DEFAULT-VALUE}.")
+    private long seed;
+    @Option(names = "--python3", description = "All scripts are Python 3; without it those are whose first line is #!/usr/bin/env python3.")
+    private boolean python3;
+    @Option(names = "--out", paramLabel = "FOLDER", description = "Where marks.csv, marks.txt and marks.xml (JUnit) go. Default: marks, for a "
+        + "folder; nowhere, for a script.")
+    private Path out;
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws InterruptedException {
+        if (!(limit > 0) || memory < LEAST_MEMORY || jobs != null && jobs < 1) {
+            throw new ParameterException(spec.commandLine(), "--limit is " + limit + ", --memory " + memory + ", --jobs " + (jobs == null ? "" : jobs)
+                + ", legal: above 0, " + LEAST_MEMORY + " or more, 1 or more");
+        }
+        PrintWriter err = spec.commandLine().getErr();
+        try {
+            List<Submission> all = Submission.in(path, lesson == null ? null : Lesson.find(lesson));
+            boolean isOne = Files.isRegularFile(path);
+            AtomicInteger ready = new AtomicInteger();
+            List<Mark> marks = new Marking(limit, memory, seed, python3).all(all, jobs == null ? Runtime.getRuntime().availableProcessors() : jobs,
+                mark -> {
+                    if (!isOne) {
+                        err.println(ready.incrementAndGet() + " of " + all.size() + ": " + mark.pupil + ", " + mark.lesson + ": " + mark.kind.words);
+                        err.flush();
+                    }
+                });
+            Path to = out == null && !isOne ? Path.of("marks") : out;
+            if (to != null) {
+                MarkTables.write(marks, to);
+            }
+            tell(marks, isOne, to);
+            return marks.stream().allMatch(Mark::isPassed) ? ExitCode.OK : ExitCode.SOFTWARE;
+        } catch (IOException e) {
+            err.println("sear grade: " + FileReasons.of(e));
+            return ExitCode.USAGE;
+        }
+    }
+
+    private void tell(List<Mark> marks, boolean isOne, Path to) {
+        PrintWriter screen = spec.commandLine().getOut();
+        if (isOne) {
+            Mark mark = marks.get(0);
+            screen.println(mark.isPassed() ? "Passed: all " + mark.asked + " of " + mark.asked + " that lesson " + mark.lesson + " asks for."
+                : "Not yet: " + mark.got + " of " + mark.asked + " that lesson " + mark.lesson + " asks for.");
+            mark.missing.forEach(what -> screen.println("- " + what));
+        } else {
+            screen.print(MarkTables.text(marks));
+        }
+        if (to != null) {
+            screen.println();
+            screen.println("Written: " + to.resolve("marks.csv") + ", marks.txt, marks.xml");
+        }
+        screen.flush();
+    }
+}

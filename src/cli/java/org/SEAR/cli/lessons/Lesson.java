@@ -1,0 +1,139 @@
+package org.SEAR.cli.lessons;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.SEAR.project.Project;
+import org.SEAR.project.bundle.Bundle;
+import org.SEAR.project.bundle.PercentProgress;
+import org.SEAR.project.problems.ProjectException;
+
+/**
+ * A lesson: a folder NAME with the page README.md, pictures, the world world.sear, the script to start from, NAME.py, and check.py. Immutable, any
+ * thread.
+ */
+final class Lesson {
+    private static final String PAGE = "README.md";
+    private static final String WORLD = "world.sear";
+    private static final String CHECK = "check.py";
+    private static final String PROJECT = "SEARproject";
+
+    private final Path folder;
+
+    private Lesson(Path folder) {
+        this.folder = folder;
+    }
+
+    /** Those that come with SEAR, by name. */
+    static List<Lesson> all() throws IOException {
+        Path home = home();
+        if (!Files.isDirectory(home)) {
+            return List.of();
+        }
+        try (Stream<Path> folders = Files.list(home)) {
+            return folders.filter(one -> Files.exists(one.resolve(CHECK))).sorted().map(Lesson::new).collect(Collectors.toList());
+        }
+    }
+
+    private static Path home() {
+        return Path.of(System.getProperty("sear.home", ".")).resolve("lessons").toAbsolutePath().normalize();
+    }
+
+    /**
+     * One that comes with SEAR, or a teacher's own.
+     *
+     * @param nameOrFolder its name, or its folder
+     * @throws IOException that says what there is, or what the folder lacks
+     */
+    static Lesson find(String nameOrFolder) throws IOException {
+        Path given = Path.of(nameOrFolder).toAbsolutePath().normalize();
+        Path own = home().resolve(nameOrFolder).normalize();
+        boolean named = nameOrFolder.matches("[\\w-]+") && Files.exists(own.resolve(CHECK));
+        Lesson lesson = new Lesson(named ? own : given);
+        if (!named && !Files.isDirectory(given)) {
+            throw new IOException("there is no lesson \"" + nameOrFolder + "\", legal: " + names() + ", or the folder of a lesson of your own");
+        }
+        List<String> missing = new ArrayList<>();
+        for (Path part : List.of(lesson.check(), lesson.world(), lesson.script())) {
+            if (!Files.isRegularFile(part)) {
+                missing.add(part.getFileName().toString());
+            }
+        }
+        if (!missing.isEmpty()) {
+            throw new IOException(lesson.folder + " is no lesson, it lacks " + String.join(", ", missing));
+        }
+        return lesson;
+    }
+
+    /** Whether a lesson of that name comes with SEAR. */
+    static boolean isKnown(String name) throws IOException {
+        return all().stream().anyMatch(one -> one.getName().equals(name));
+    }
+
+    private static String names() throws IOException {
+        return all().stream().map(Lesson::getName).collect(Collectors.joining(", "));
+    }
+
+    String getName() {
+        return folder.getFileName().toString();
+    }
+
+    Path check() {
+        return folder.resolve(CHECK);
+    }
+
+    Path world() {
+        return folder.resolve(WORLD);
+    }
+
+    /** The script to start from. */
+    Path script() {
+        return folder.resolve(getName() + ".py");
+    }
+
+    /** What it is about: the heading of its page; empty if it has none. */
+    String title() throws IOException {
+        Path page = folder.resolve(PAGE);
+        if (!Files.exists(page)) {
+            return "";
+        }
+        try (Stream<String> lines = Files.lines(page)) {
+            return lines.filter(line -> line.startsWith("# ")).map(line -> line.substring(2).trim()).findFirst().orElse("");
+        }
+    }
+
+    /** Makes its world the project of a folder. */
+    Project unpack(Path to) throws IOException, ProjectException {
+        Files.createDirectories(to);
+        return Bundle.load(world(), to.resolve(PROJECT), new PercentProgress("opening", world(), line -> { }));
+    }
+
+    /**
+     * Puts what a pupil needs into a folder: page, pictures, world and script.
+     *
+     * @throws IOException if there is a script of that name, which may be the pupil's
+     */
+    void handOut(Path to) throws IOException, ProjectException {
+        Path script = to.resolve(script().getFileName());
+        if (Files.exists(script)) {
+            throw new IOException(script + " is there already and stays as it is: choose another folder, or move it away");
+        }
+        unpack(to);
+        try (Stream<Path> files = Files.list(folder)) {
+            for (Path file : (Iterable<Path>) files.filter(Lesson::isForPupils)::iterator) {
+                Files.copy(file, to.resolve(file.getFileName()), StandardCopyOption.REPLACE_EXISTING);
+            }
+        }
+        Files.copy(script(), script);
+    }
+
+    private static boolean isForPupils(Path file) {
+        String name = file.getFileName().toString();
+        return Files.isRegularFile(file) && !name.endsWith(".py") && !name.equals(WORLD);
+    }
+}

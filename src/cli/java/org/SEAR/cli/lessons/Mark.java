@@ -1,0 +1,43 @@
+package org.SEAR.cli.lessons;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** What one script is worth, and why. Immutable. */
+final class Mark {
+    /** How it went. */
+    enum Kind {
+        PASSED("passed"), NOT_YET("not yet"), FAILED("error"), ENDLESS("endless"), TOO_LARGE("too much memory"), NOTHING("nothing to mark"),
+        CHECK_FAILED("the check has failed");
+
+        final String words;
+
+        Kind(String words) {
+            this.words = words;
+        }
+    }
+
+    final String pupil;
+    final String lesson;
+    final Kind kind;
+    final int got;
+    final int asked;
+    /** What is missing, in words. */
+    final List<String> missing;
+    final Map<String, Double> measures;
+
+    Mark(Submission of, Kind kind, int got, int asked, List<String> missing, Map<String, Double> measures) {
+        pupil = of.pupil;
+        lesson = of.lesson.getName();
+        this.kind = kind;
+        this.got = got;
+        this.asked = asked;
+        this.missing = List.copyOf(missing);
+        this.measures = new LinkedHashMap<>(measures);
+    }
+
+    boolean isPassed() {
+        return kind == Kind.PASSED;
+    }
+}

@@ -1,0 +1,195 @@
+package org.SEAR.cli.lessons;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.function.Consumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.SEAR.lessons.LessonRun;
+import org.SEAR.project.Project;
+import org.SEAR.project.problems.FileReasons;
+import org.SEAR.project.problems.ProjectException;
+
+/** Marks scripts, several at once. */
+final class Marking {
+    private static final String RECORD = "run.searlog";
+    private static final double AFTER = 1;
+    private static final int LONGEST_ERROR = 400;
+
+    private final double limit;
+    private final int memory;
+    private final long seed;
+    private final boolean python3;
+    private final Map<String, LessonCheck> checks = new HashMap<>();
+
+    /**
+     * @param limit seconds of the computer's clock for each script
+     * @param memory megabytes for each
+     * @param python3 whether all scripts are Python 3
+     */
+    Marking(double limit, int memory, long seed, boolean python3) {
+        this.limit = limit;
+        this.memory = memory;
+        this.seed = seed;
+        this.python3 = python3;
+    }
+
+    /**
+     * Marks them, so many at once.
+     *
+     * @param done hears of each that is ready, one at a time
+     * @return their marks in the same order
+     */
+    List<Mark> all(List<Submission> submissions, int jobs, Consumer<Mark> done) throws IOException, InterruptedException {
+        for (Submission one : submissions) {
+            if (!checks.containsKey(one.lesson.getName())) {
+                checks.put(one.lesson.getName(), new LessonCheck(one.lesson));
+            }
+        }
+        ExecutorService workers = Executors.newFixedThreadPool(jobs);
+        try {
+            List<Future<Mark>> futures = new ArrayList<>();
+            for (Submission one : submissions) {
+                futures.add(workers.submit(() -> {
+                    Mark mark = mark(one);
+                    synchronized (done) {
+                        done.accept(mark);
+                    }
+                    return mark;
+                }));
+            }
+            List<Mark> marks = new ArrayList<>();
+            for (Future<Mark> future : futures) {
+                marks.add(future.get());
+            }
+            return marks;
+        } catch (ExecutionException e) {
+            throw new IOException(e.getCause() instanceof IOException ? e.getCause().getMessage() : e.getCause().toString(), e);
+        } finally {
+            workers.shutdownNow();
+        }
+    }
+
+    private Mark mark(Submission of) throws IOException, InterruptedException, ProjectException {
+        if (of.script == null) {
+            return new Mark(of, Mark.Kind.NOTHING, 0, 0, List.of("There is no script " + of.lesson.getName() + ".py."), Map.of());
+        }
+        Path folder = Files.createTempDirectory("sear-mark");
+        try {
+            return mark(of, folder);
+        } finally {
+            delete(folder);
+        }
+    }
+
+    private Mark mark(Submission of, Path folder) throws IOException, InterruptedException, ProjectException {
+        LessonCheck check = checks.get(of.lesson.getName());
+        Path run = Files.createDirectory(folder.resolve("run"));
+        Project world = of.lesson.unpack(folder.resolve("world"));
+        of.lesson.unpack(run);
+        String script = of.lesson.script().getFileName().toString();
+        copy(of, run, script);
+        Path record = folder.resolve(RECORD);
+        List<String> arguments = new ArrayList<>(List.of(script, "--headless", "--speed", "max", "--seed", Long.toString(seed), "--threads", "1",
+            "--port", "none", "--record", record.toString(), "--until", Double.toString(check.getSeconds() + AFTER)));
+        if (python3) {
+            arguments.add("--python3");
+        }
+        PupilProcess process = PupilProcess.run(run, arguments, limit, memory);
+        String text = new String(Files.readAllBytes(of.script), StandardCharsets.UTF_8);
+        LessonRun done = new LessonRun(world, run, text, process.getPrinted());
+        List<String> missing = new ArrayList<>();
+        Mark.Kind kind = howItEnded(process, script, missing);
+        if (!Files.exists(record)) {
+            missing.add("Your script has started no simulation: sear.startSimulation()");
+            return new Mark(of, kind == null ? Mark.Kind.NOTHING : kind, 0, 0, missing, Map.of());
+        }
+        kind = check(done, check, record, world, missing, kind);
+        int got = done.getAsked() - done.getMissing().size();
+        return new Mark(of, kind, got, done.getAsked(), missing, done.getMeasures());
+    }
+
+    private static Mark.Kind check(LessonRun done, LessonCheck check, Path record, Project world, List<String> missing, Mark.Kind ended)
+            throws ProjectException {
+        try {
+            done.follow(record, world, check.getSeconds());
+        } catch (IOException e) {
+            missing.add("What your script did can't be marked: the world must be the lesson's, as it is. (" + FileReasons.of(e) + ")");
+            return ended == null ? Mark.Kind.NOT_YET : ended;
+        }
+        try {
+            check.look(done);
+        } catch (IOException e) {
+            missing.add(e.getMessage());
+            return Mark.Kind.CHECK_FAILED;
+        }
+        done.getByHand().stream().limit(1).forEach(what -> missing.add("Drive, do not move things by hand: " + what + "."));
+        missing.addAll(done.getMissing());
+        return ended != null ? ended : missing.isEmpty() ? Mark.Kind.PASSED : Mark.Kind.NOT_YET;
+    }
+
+    private Mark.Kind howItEnded(PupilProcess process, String script, List<String> missing) throws InterruptedException {
+        if (process.isTooLarge()) {
+            missing.add("Your script took more memory than " + memory + " MB and was ended.");
+            return Mark.Kind.TOO_LARGE;
+        } else if (process.isTooLong()) {
+            missing.add(String.format(Locale.ROOT, "Your script had not ended after %.0f s of the computer's clock and was ended: is there a loop "
+                + "without sear.simSleep?", limit));
+            return Mark.Kind.ENDLESS;
+        } else if (process.getStatus() != 0) {
+            missing.add(error(process.getErrors(), script, process.getStatus()));
+            return Mark.Kind.FAILED;
+        }
+        return null;
+    }
+
+    /** In words: the last line that is said, and where it was. */
+    private static String error(String errors, String script, int status) {
+        Matcher places = Pattern.compile("File \"[^\"\\n]*" + Pattern.quote(script) + "\", line (\\d+)").matcher(errors);
+        String line = "";
+        while (places.find()) {
+            line = " at line " + places.group(1);
+        }
+        List<String> lines = errors.lines().filter(one -> !one.isBlank()).collect(Collectors.toList());
+        String last = lines.isEmpty() ? "exit status " + status : lines.get(lines.size() - 1).trim();
+        if (lines.size() > 1 && last.startsWith("did you mean")) {
+            last = lines.get(lines.size() - 2).trim() + ", " + last;
+        }
+        return "Your script has ended by an error" + line + ": " + (last.length() > LONGEST_ERROR ? last.substring(0, LONGEST_ERROR) : last);
+    }
+
+    /** The script, and the modules of a pupil's own folder. */
+    private static void copy(Submission of, Path run, String script) throws IOException {
+        if (of.script.toAbsolutePath().getParent().getFileName().toString().equals(of.pupil)) {
+            try (Stream<Path> files = Files.list(of.script.toAbsolutePath().getParent())) {
+                for (Path file : (Iterable<Path>) files.filter(one -> Files.isRegularFile(one) && one.toString().endsWith(".py"))::iterator) {
+                    Files.copy(file, run.resolve(file.getFileName()));
+                }
+            }
+            Files.deleteIfExists(run.resolve(script));
+        }
+        Files.copy(of.script, run.resolve(script));
+    }
+
+    private static void delete(Path folder) throws IOException {
+        try (Stream<Path> all = Files.walk(folder)) {
+            for (Path file : all.sorted(Comparator.reverseOrder()).collect(Collectors.toList())) {
+                Files.deleteIfExists(file);
+            }
+        }
+    }
+}

@@ -1,0 +1,180 @@
+package org.SEAR.cli.lessons;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.lang.management.ManagementFactory;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * A pupil's script in a process of its own, without a window, with limits of time and memory that count all processes which it starts. One use; the
+ * thread that waits for it.
+ */
+final class PupilProcess {
+    /** Bytes of what it prints that are kept. */
+    private static final int MOST_PRINTED = 200_000;
+    private static final long LOOK_MILLIS = 100;
+    /** What the JVM takes besides its heap is the rest. */
+    private static final double HEAP_SHARE = 0.6;
+    private static final int KILOBYTES = 1024;
+    private static final String OUT_OF_MEMORY = "java.lang.OutOfMemoryError";
+    private static final Set<String> SCREENS = Set.of("DISPLAY", "WAYLAND_DISPLAY");
+
+    private final Process process;
+    private final Set<ProcessHandle> all = new TreeSet<>();
+    private final Printed out;
+    private final Printed err;
+    private boolean tooLong;
+    private boolean tooLarge;
+
+    /** What it prints; the rest is read and forgotten. */
+    private static final class Printed implements Runnable {
+        private final InputStream from;
+        private final ByteArrayOutputStream kept = new ByteArrayOutputStream();
+        private final Thread thread = new Thread(this, "printed");
+
+        Printed(InputStream from) {
+            this.from = from;
+            thread.setDaemon(true);
+            thread.start();
+        }
+
+        @Override
+        public void run() {
+            byte[] some = new byte[8192];
+            try {
+                for (int count = from.read(some); count >= 0; count = from.read(some)) {
+                    synchronized (kept) {
+                        kept.write(some, 0, Math.min(count, MOST_PRINTED - kept.size()));
+                    }
+                }
+            } catch (IOException e) {
+                synchronized (kept) {       // it was killed: what there is counts
+                    kept.notifyAll();
+                }
+            }
+        }
+
+        /** All of it, once the process has ended; one that it has left behind may hold the line open. */
+        String text() throws InterruptedException {
+            thread.join(TimeUnit.SECONDS.toMillis(1));
+            synchronized (kept) {
+                return new String(kept.toByteArray(), StandardCharsets.UTF_8);
+            }
+        }
+    }
+
+    private PupilProcess(Process process) {
+        this.process = process;
+        out = new Printed(process.getInputStream());
+        err = new Printed(process.getErrorStream());
+    }
+
+    /**
+     * Runs a script to its end or the end of its limits.
+     *
+     * @param folder in which it runs
+     * @param arguments of {@code sear}
+     * @param limits seconds of the computer's clock, megabytes
+     */
+    static PupilProcess run(Path folder, List<String> arguments, double limit, int memory) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
+        ManagementFactory.getRuntimeMXBean().getInputArguments().stream().filter(PupilProcess::isForAll).forEach(command::add);
+        command.addAll(List.of("-Xmx" + (int) (HEAP_SHARE * memory) + "m", "-Xms16m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",
+            "-XX:+ExitOnOutOfMemoryError", "-XX:ActiveProcessorCount=1", "-Djava.awt.headless=true",
+            "-Dsear.home=" + System.getProperty("sear.home", "."), "-cp", System.getProperty("java.class.path"), "org.SEAR.cli.SearCommand"));
+        command.addAll(arguments);
+        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
+        builder.environment().keySet().removeAll(SCREENS);
+        Process process = builder.start();
+        process.getOutputStream().close();
+        PupilProcess pupil = new PupilProcess(process);
+        try {
+            pupil.watch(limit, memory);
+        } finally {
+            pupil.kill();
+        }
+        return pupil;
+    }
+
+    private static boolean isForAll(String option) {
+        return option.startsWith("-XX:SharedArchiveFile") || option.startsWith("-Xlog:cds") || option.startsWith("-XX:+IgnoreUnrecognized")
+            || option.startsWith("--sun-misc") || option.startsWith("--enable-native") || option.startsWith("-Dfile.encoding");
+    }
+
+    private void watch(double limit, int memory) throws InterruptedException {
+        long end = System.nanoTime() + (long) (limit * TimeUnit.SECONDS.toNanos(1));
+        while (!process.waitFor(LOOK_MILLIS, TimeUnit.MILLISECONDS)) {
+            process.descendants().forEach(all::add);
+            tooLong = System.nanoTime() > end;
+            tooLarge = kilobytes() > (long) memory * KILOBYTES;
+            if (tooLong || tooLarge) {
+                return;
+            }
+        }
+    }
+
+    /** Memory that it and those that it has started have now; 0 where the system doesn't say. */
+    private long kilobytes() {
+        return Stream.concat(Stream.of(process.toHandle()), all.stream()).mapToLong(one -> kilobytes(one.pid())).sum();
+    }
+
+    private static long kilobytes(long pid) {
+        Path status = Path.of("/proc", Long.toString(pid), "status");
+        if (!Files.isReadable(status)) {
+            return 0;
+        }
+        try (Stream<String> lines = Files.lines(status)) {
+            return lines.filter(line -> line.startsWith("VmRSS:")).mapToLong(line -> Long.parseLong(line.replaceAll("\\D", "")))
+                .findFirst().orElse(0);
+        } catch (IOException | java.io.UncheckedIOException e) {
+            return 0;       // it has ended meanwhile
+        }
+    }
+
+    private void kill() throws InterruptedException {
+        process.descendants().forEach(all::add);
+        process.destroyForcibly();
+        all.forEach(ProcessHandle::destroyForcibly);
+        process.waitFor();
+    }
+
+    /** Whether it was ended since it went on too long. */
+    boolean isTooLong() {
+        return tooLong && !isTooLarge();
+    }
+
+    /** Whether it was ended since it took too much memory. */
+    boolean isTooLarge() {
+        return tooLarge || said(out).contains(OUT_OF_MEMORY) || said(err).contains(OUT_OF_MEMORY);
+    }
+
+    private static String said(Printed printed) {
+        synchronized (printed.kept) {
+            return new String(printed.kept.toByteArray(), StandardCharsets.UTF_8);
+        }
+    }
+
+    int getStatus() {
+        return process.exitValue();
+    }
+
+    /** What it printed. */
+    String getPrinted() throws InterruptedException {
+        return out.text();
+    }
+
+    /** What it printed as errors. */
+    String getErrors() throws InterruptedException {
+        return err.text().lines().filter(line -> !line.startsWith("Open this in a browser")).collect(Collectors.joining("\n"));
+    }
+}

@@ -2,8 +2,6 @@
 import os
 import tempfile
 
-import numpy
-
 from ._objects import java_class
 
 RUNTIME = "org.myrobotlab.service.Runtime"
@@ -27,11 +25,13 @@ class Record:
         return self._sear.getRecordValues(self.path, [name])
 
     def __getitem__(self, name):
+        import numpy    # here, so that what lacks it can say so
         return numpy.array([numpy.nan if one is None else one for one in self._values(name)["values"][0]])
 
     @property
     def times(self):
         """Simulated seconds since the record began, of each value: 30 a second, or so much fewer that there are at most 4000."""
+        import numpy
         return numpy.array(self._values(self.names[0])["times"])
 
     def _chosen(self):

@@ -14,8 +14,8 @@ final class GroundContact {
      */
     private static final double STEEPEST = 0.35;
     /**
-     * At this one it carries a wheel wholly, and the less the nearer it is to a wall; and what carries a wheel does so until it is as steep as the other.
-     * Else a robot that stands on its tail would hop from carried to not carried and back.
+     * At this one it carries a wheel wholly, and the less the nearer it is to a wall; and what carries a wheel does so until it is as steep as the
+     * other. Else a robot that stands on its tail would hop from carried to not carried and back.
      */
     private static final double CARRYING = 0.5;
     private static final double LETTING_GO = 0.3;

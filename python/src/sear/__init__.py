@@ -18,17 +18,19 @@ from ._errors import (IllegalArgumentException, IllegalStateException, IOExcepti
                       UnsupportedOperationException)
 from ._names import OBJECTS as _OBJECTS
 from ._objects import JavaObject, java_class
+from ._record import Record
 
 POJOS = "org.SEAR.POJOs."
 SERVICES = "org.myrobotlab.service."
+_AGAIN = ", in another way; a program or a notebook's kernel does it once: begin a new one"
 
 Runtime = java_class(SERVICES + "Runtime")
 python = _PythonService()
 for _name in _OBJECTS:
     globals()[_name] = java_class(POJOS + _name)
 
-__all__ = ["Runtime", "python", "start", "connect", "close", "IllegalArgumentException", "IllegalStateException", "IOException", "JavaError",
-           "NullPointerException", "UnsupportedOperationException", "JavaObject"] + list(_OBJECTS)
+__all__ = ["Runtime", "python", "start", "connect", "close", "sweep", "IllegalArgumentException", "IllegalStateException", "IOException",
+           "JavaError", "NullPointerException", "UnsupportedOperationException", "JavaObject", "Record"] + list(_OBJECTS)
 
 
 def start(*options, headless=None, speed=None, seed=None, threads=None):
@@ -40,14 +42,18 @@ def start(*options, headless=None, speed=None, seed=None, threads=None):
     seed: where the random numbers of the sensors begin.
     threads: how many threads sensors and cameras measure on, 1 to 256.
 
-    Raises RuntimeError if it runs already.
+    The same again does nothing. Raises RuntimeError if it runs already in another way.
     """
-    if _objects.connection.backend is not None:
-        raise RuntimeError("SEAR has been started or connected to already")
-    from ._jvm import InProcess
     given = {"sear.headless": None if headless is None else str(bool(headless)).lower(), "sear.speed": speed, "sear.seed": seed,
              "sear.threads": threads}
-    _objects.connection.backend = InProcess(list(options) + ["-D%s=%s" % (key, value) for key, value in given.items() if value is not None])
+    asked = list(options) + ["-D%s=%s" % (key, value) for key, value in given.items() if value is not None]
+    if _objects.connection.backend is not None:
+        if asked == _objects.connection.options:    # a cell of a notebook was run again
+            return
+        raise RuntimeError("SEAR has been started or connected to already%s" % _AGAIN)
+    from ._jvm import InProcess
+    _objects.connection.backend = InProcess(asked)
+    _objects.connection.options = asked
 
 
 def connect(port=25333, token=None):
@@ -59,9 +65,18 @@ def connect(port=25333, token=None):
     Raises FileNotFoundError or ConnectionError with what to do.
     """
     if _objects.connection.backend is not None:
-        raise RuntimeError("SEAR has been started or connected to already")
+        if _objects.connection.options == port:
+            return
+        raise RuntimeError("SEAR has been started or connected to already%s" % _AGAIN)
     from ._gateway import OverGateway, token_of
     _objects.connection.backend = OverGateway(port, token or token_of(port))
+    _objects.connection.options = port
+
+
+def sweep(function, grid=None, seeds=1, **options):
+    """Calls a function once for each seed and each combination of values, on many processes or computers: see sear.sweeps.sweep."""
+    from .sweeps import sweep as all_of_them
+    return all_of_them(function, grid, seeds, **options)
 
 
 def close():

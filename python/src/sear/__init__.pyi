@@ -22,6 +22,10 @@ def connect(port: int = ..., token: Optional[str] = ...) -> None:
     """Uses the SEAR of a running MyRobotLab of this machine that was asked to startPython3()."""
 
 
+def sweep(function: Any, grid: Any = ..., seeds: Any = ..., **options: Any) -> List[Dict[str, Any]]:
+    """Calls a function once for each seed and each combination of values, on many processes or computers."""
+
+
 def close() -> None:
     """Stops what this program has started."""
 
@@ -162,6 +166,8 @@ class _SEAR(JavaObject):
         """Metres to the nearest hit of a distance sensor; its range where nothing was hit."""
     def getLidarResult(self, name: str) -> np.ndarray:
         """Metres of a LIDAR's beams, right to left; its range where nothing was hit."""
+    def getLidarAngles(self, name: str) -> np.ndarray:
+        """Where the beams of a LIDAR point, in the order of its ranges."""
     def getGpsResult(self, name: str) -> np.ndarray:
         """[latitude, longitude, altitude] of a GPS sensor: degrees, + north; degrees, + east; metres."""
     def getCompassResult(self, name: str) -> float:
@@ -198,6 +204,14 @@ class _SEAR(JavaObject):
         """[x, y, z, rx, ry, rz] in the world of a robot, part, sensor or object: metres north, up and east, degrees about the three axes. The heading of what stands upright is 90 - ry."""
     def getGroundHeight(self, x: float, z: float) -> float:
         """The ground's height at a point of the world: its y, metres. Ground is the terrain, a floor, or a model that is the terrain; where one lies over the other, the highest. While no simulation runs it is that of the project as it is."""
+    @overload
+    def getPlan(self) -> str:
+        """The plan of the world as a picture: from above, north upwards, with the names of things, robots as arrows that say their headings, the beams of distance sensors and LIDARs up to what they meet, a scale, and the time. Before the start, of the project as it is."""
+    @overload
+    def getPlan(self, beams: bool) -> str:
+        """The same with or without beams."""
+    def savePlan(self, picture: str) -> None:
+        """Draws the plan into a file."""
     def publishReading(self, reading: Any) -> Any:
         """Comes with each reading: its name, time (simulated seconds) and value, which is what `getReading` answers."""
     def publishImage(self, image: Any) -> Any:
@@ -281,6 +295,10 @@ class _SEAR(JavaObject):
         """The same, with the addresses of a product beside its own, so that programs for that one find them."""
     def stopExportCamera(self, name: str) -> None:
         """Ends all exports of a camera, with the connections of those who look."""
+    def getParameter(self, name: str, standard: Any) -> Any:
+        """What this run of the script is to be made with: `sear SCRIPT.py --set speed=0.2` gives it, and `sear sweep` each value in turn."""
+    def setResult(self, name: str, value: Any) -> None:
+        """Says what has come of this run: a column in the table of `sear sweep`. Without a sweep it is printed."""
     @overload
     def startPython3(self) -> int:
         """Lets Python 3 programs on this computer in: `sear.connect()` of the package `sear`, docs/python3.md. They can do what a script can. The token that they show stands in the file `.sear/gateway-PORT` of the user's home folder, which only that user can read."""

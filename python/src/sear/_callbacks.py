@@ -38,6 +38,7 @@ class PythonService:
                     name = "python3" if number == 2 else "python3_%d" % (number - 1)
                     number += 1
                 self._service = runtime.start(name, TYPE)
+                self._ended = False
                 self._thread = threading.Thread(target=self._serve, name="sear callbacks", daemon=True)
                 self._thread.start()
             return self._service

@@ -8,10 +8,12 @@ from py4j.java_gateway import JavaObject as Remote
 from py4j.protocol import Py4JError, Py4JJavaError, Py4JNetworkError
 
 from . import _errors
+from ._interrupt import interruptible
 from ._objects import wrap
 
 PORT = 25333
 MEMBERS = "org.myrobotlab.service.sear.python3.Members"
+WAITS = "org.myrobotlab.service.sear.python3.Waits"
 CALLS = "org.myrobotlab.service.sear.python3.Calls"
 # What bytes begin with that are an array; three letters follow that are numpy's word for the type
 NUMBERS = b"\0numpy"
@@ -87,9 +89,24 @@ class OverGateway:
                 raise self._translated(error) from None
         except Py4JNetworkError as error:
             raise ConnectionError("the SEAR at port %d has ended (%s)" % (self._port, error)) from None
+        except KeyboardInterrupt:
+            self._hang_up()
+            raise
         kind = self.java_class(class_name)
         legal = self._members.constructors(kind) if name is None else self._members.methods(kind, name)
         raise TypeError(_errors.misfit(name or class_name.rpartition(".")[2], arguments, list(legal)))
+
+    def _hang_up(self):
+        """What answers still come are for a call that is over."""
+        line = self._server._gateway_client.get_thread_connection()
+        if line is not None:
+            line.close()
+
+    def wait(self, java, name, argument):
+        """A call that waits, which an interrupt ends: in Java, so that its answer still comes. Main thread."""
+        threads = self._server.jvm.java.lang.Thread
+        with interruptible(threads.currentThread().interrupt, threads.interrupted):
+            self._run(self._class(WAITS).call, (java, name), [argument], self._members.className(java), name)
 
     def _translated(self, error):
         cause = error.java_exception

@@ -1,6 +1,8 @@
 """Where SEAR's Java half is."""
 import os
+import re
 import shutil
+import zipfile
 
 PLUGIN = "plugin"
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -36,3 +38,15 @@ def jars(home):
     """All jars of SEAR and of the small MyRobotLab that comes with it."""
     return [os.path.join(home, folder, name) for folder in (PLUGIN, "lib") for name in sorted(os.listdir(os.path.join(home, folder)))
             if name.endswith(".jar")]
+
+
+def jar(home):
+    """SEAR's own."""
+    return os.path.join(home, PLUGIN, "sear.jar")
+
+
+def version(home):
+    """Of SEAR, as its jar says."""
+    with zipfile.ZipFile(jar(home)) as opened:
+        found = re.search(r"^Implementation-Version: (\S+)", opened.read("META-INF/MANIFEST.MF").decode("utf-8"), re.MULTILINE)
+    return found.group(1) if found else "development"

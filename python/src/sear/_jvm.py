@@ -4,6 +4,7 @@ import os
 import numpy
 
 from . import _errors, _home
+from ._interrupt import interruptible
 from ._objects import wrap
 
 # As bin/sear starts it, with as much of the log
@@ -13,6 +14,7 @@ OPTIONS = ("-Xlog:cds=off", "-XX:+IgnoreUnrecognizedVMOptions", "--sun-misc-unsa
            "-Dorg.slf4j.simpleLogger.log.org.SEAR.progress=info", "-Dorg.slf4j.simpleLogger.showThreadName=false",
            "-Dorg.slf4j.simpleLogger.showLogName=false", "-Dorg.slf4j.simpleLogger.levelInBrackets=true")
 MEMBERS = "org.myrobotlab.service.sear.python3.Members"
+WAITS = "org.myrobotlab.service.sear.python3.Waits"
 SEAR = "org.myrobotlab.service.SEAR"
 _PLAIN = frozenset((float, int, str, bool, type(None), bytes))
 _NUMBERS = frozenset(("float[]", "double[]", "int[]", "long[]", "short[]", "boolean[]"))
@@ -77,6 +79,12 @@ class InProcess:
             kind = self.java_class(class_name)
             legal = self._members.constructors(kind) if name is None else self._members.methods(kind, name)
             raise TypeError(_errors.misfit(name or class_name.rpartition(".")[2], arguments, [str(one) for one in legal])) from None
+
+    def wait(self, java, name, argument):
+        """A call that waits, which an interrupt ends. Main thread."""
+        threads = self._jpype.JClass("java.lang.Thread")
+        with interruptible(threads.currentThread().interrupt, threads.interrupted):
+            self.run(self._jpype.JClass(WAITS).call, java, name, self.java_list([argument]))
 
     def _translated(self, error):
         message = error.getMessage()

@@ -1,15 +1,23 @@
 """Java's objects as Python sees them. Whoever knows how Java is reached (_jvm, _gateway) is the backend."""
 import builtins
 import difflib
+import threading
 
 _PLAIN = frozenset((float, int, str, bool, type(None), bytes))
 _classes = {}
+SEAR = "org.myrobotlab.service.SEAR"
+# Calls that wait, which the interrupt of a terminal or notebook ends: by how much is asked of them at least
+_WAITS = {(SEAR, "simSleep"): 1, (SEAR, "step"): 60}
+# Calls whose answers are pictures, or have one
+_SHOWN = frozenset(((SEAR, "getPlan"), (SEAR, "getImage"), (SEAR, "getLidarResult"), (SEAR, "getReading")))
 
 
 class _Connection:
     """The backend: none until something is asked for, then one until the end."""
     backend = None
     start = None
+    # With which it was started: a list of options, or the port of a gateway
+    options = None
 
 
 connection = _Connection()
@@ -56,6 +64,37 @@ class _Call:
         return "<method %s of %s>" % (self.name, self.class_name.rpartition(".")[2])
 
 
+class _Wait(_Call):
+    """A method that waits for simulated time to pass."""
+
+    __slots__ = ("owner",)
+
+    def __call__(self, *arguments):
+        if len(arguments) != 1 or not isinstance(arguments[0], (int, float)) or arguments[0] < _WAITS[self.class_name, self.name] \
+                or threading.current_thread() is not threading.main_thread():
+            return super().__call__(*arguments)
+        return connection.backend.wait(self.owner.__dict__["java"], self.name, arguments[0])
+
+
+class _Shown(_Call):
+    """A method whose answer shows itself in a notebook."""
+
+    __slots__ = ("owner",)
+
+    def __call__(self, *arguments):
+        from ._show import answer
+        return answer(self.owner, self.name, arguments, super().__call__(*arguments))
+
+
+def _method(owner, method, class_name, name):
+    key = class_name, name
+    kind = _Wait if key in _WAITS else _Shown if key in _SHOWN else _Call
+    call = kind(method, class_name, name)
+    if kind is not _Call:
+        call.owner = owner
+    return call
+
+
 def _unknown(owner, name, names):
     near = difflib.get_close_matches(name, names, 1)
     return AttributeError("%s has no %s%s" % (owner, name, ": did you mean %s?" % near[0] if near else ""))
@@ -86,11 +125,11 @@ class JavaObject(metaclass=_Statics):
         self.__dict__["java"] = backend().new(self.java_name, [to_java(one) for one in arguments])
 
     def __getattr__(self, name):
-        if name.startswith("__"):
+        if name.startswith("_"):    # as notebooks ask for, to show it
             raise AttributeError(name)
         kind, value = backend().member(self.__dict__["java"], name)
         if kind == "method":
-            call = _Call(value, self.java_name, name)
+            call = _method(self, value, self.java_name, name)
             self.__dict__[name] = call
             return call
         if kind is None:
@@ -107,7 +146,14 @@ class JavaObject(metaclass=_Statics):
         return backend().text(self.__dict__["java"])
 
     def __repr__(self):
-        return "<%s %s>" % (type(self).__name__, self)
+        try:
+            return "<%s %s>" % (type(self).__name__, self)
+        except Exception as error:    # Java has ended; to be shown must not fail
+            return "<%s: %s>" % (type(self).__name__, error)
+
+    def _repr_mimebundle_(self, include=None, exclude=None):
+        from ._show import bundle
+        return bundle(self)
 
     def __eq__(self, other):
         return isinstance(other, JavaObject) and backend().same(self.__dict__["java"], other.__dict__["java"])

@@ -39,7 +39,7 @@ public class RoomsTest {
         "org.myrobotlab.service.sear", "org.myrobotlab.service.link", "org.myrobotlab.serial",
         "org.SEAR.view", "org.SEAR.view.hud", "org.SEAR.view.input", "org.SEAR.view.scene", "org.SEAR.view.terrain", "org.SEAR.view.process",
         "org.SEAR.view.link", "org.SEAR.view.platform",
-        "org.SEAR.scene", "org.SEAR.learning", "org.SEAR.lessons",
+        "org.SEAR.lessons", "org.SEAR.learning", "org.SEAR.plan", "org.SEAR.scene",
         "org.SEAR.record", "org.SEAR.simulator", "org.SEAR.simulator.orders", "org.SEAR.robot", "org.SEAR.robot.wheel", "org.SEAR.robot.servo",
         "org.SEAR.robot.surface",
         "org.SEAR.physics.start", "org.SEAR.physics", "org.SEAR.physics.solid",

@@ -29,16 +29,17 @@ final class MrlRun {
     private static final String PROJECT = "SEARproject";
 
     private final int port;
-    private final boolean token;
+    private final boolean isKnown;
     private final PrintWriter err;
     private final CountDownLatch shutdown = new CountDownLatch(1);
     private String address;
     private boolean released;
     private volatile boolean timeIsUp;
 
-    MrlRun(int port, boolean token, PrintWriter err) {
+    /** @param isKnown whether others know the port already, so that another one is of no use */
+    MrlRun(int port, boolean isKnown, PrintWriter err) {
         this.port = port;
-        this.token = token;
+        this.isKnown = isKnown;
         this.err = err;
     }
 
@@ -50,8 +51,12 @@ final class MrlRun {
     private Python start() {
         Shutdown.then(shutdown::countDown);
         java.lang.Runtime.getRuntime().addShutdownHook(new Thread(this::release, "release"));
+        Parent.watch();
         if (port != NO_PORT) {
-            address = Tabs.start(port, token, err);
+            address = Tabs.start(port, isKnown, err);
+            if (address == null && isKnown) {
+                return null;
+            }
         }
         ServiceInterface python = Runtime.start(PYTHON, "Python");
         return python instanceof Python ? (Python) python : null;
@@ -162,8 +167,8 @@ final class MrlRun {
                 return ExitCode.USAGE;
             }
         }
-        if (address != null && inBrowser) {
-            Browser.open(address + (address.contains("#") ? "" : "#/" + SEAR_NAME));
+        if (address != null && inBrowser && !Tabs.asksForToken()) {    // other users see what programs are started with
+            Browser.open(address + "#/" + SEAR_NAME);
         }
         shutdown.await();
         release();

@@ -6,17 +6,21 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.SEAR.cli.classroom.ClassCommand;
 import org.SEAR.cli.contests.ContestCommand;
 import org.SEAR.cli.install.InstallCommand;
 import org.SEAR.cli.lessons.GradeCommand;
 import org.SEAR.cli.lessons.LessonCommand;
 import org.SEAR.cli.lessons.LessonsCommand;
+import org.SEAR.cli.sweep.SweepCommand;
 import org.SEAR.parallel.WorkerPool;
 import org.SEAR.project.xml.Xml;
 import org.myrobotlab.embedded.python.JythonStart;
 import org.myrobotlab.embedded.python3.Python3Script;
+import org.myrobotlab.service.sear.run.RunParameters;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -27,8 +31,8 @@ import picocli.CommandLine;
 /** {@code sear SCRIPT.py [options]}, and the other commands of the program. */
 @Command(name = "sear", mixinStandardHelpOptions = true, versionProvider = Version.class,
     subcommands = {CheckCommand.class, ScriptCommand.class, SensorsCommand.class, ModemLinesCommand.class, InstallCommand.class,
-        LessonsCommand.class, LessonCommand.class, GradeCommand.class, ContestCommand.class,
-        AutoComplete.GenerateCompletion.class},
+        LessonsCommand.class, LessonCommand.class, GradeCommand.class, SweepCommand.class, ClassCommand.class,
+        ContestCommand.class, AutoComplete.GenerateCompletion.class},
     description = "Runs a Python script in a small MyRobotLab with SEAR in it, or opens a project in the tabs, and in the browser where there is one."
         + " The project of a script is the folder SEARproject in the present folder.",
     footer = "Exit status: 0 when the script ends, 1 when it raises, 2 when the command makes no sense.")
@@ -46,15 +50,17 @@ public final class SearCommand implements Callable<Integer> {
     private String speed;
     @Option(names = "--seed", paramLabel = "N", description = "Where the random numbers of the sensors begin, a whole number.")
     private Long seed;
+    @Option(names = "--set", paramLabel = "NAME=VALUE", description = "A parameter of the script, which sear.getParameter(\"NAME\", default) answers."
+        + " May be given several times.")
+    private List<String> parameters = List.of();
     @Option(names = "--threads", paramLabel = "N", description = "How many threads sensors and cameras measure on, 1 to 256; what they measure does "
         + "not depend on it. Default: as many as there are processors.")
     private String threads;
     @Option(names = "--port", paramLabel = "N|none", defaultValue = "8888", description = "Port of the tabs in the browser: http://localhost:N. "
         + "Default: ${DEFAULT-VALUE}.")
     private String port;
-    @Option(names = "--token", description = "Have the tabs and programs that call services ask for a token, which is printed with the address and "
-        + "written into a file that only you can read. Ports that are exported over TCP ask for none.")
-    private boolean token;
+    @Mixin
+    private ServerOptions server = new ServerOptions();
     @Option(names = "--record", paramLabel = "FILE", description = "Record each simulation that the script starts, the last one stays; besides what "
         + "the script records itself.")
     private String record;
@@ -102,13 +108,17 @@ public final class SearCommand implements Callable<Integer> {
         if (threads != null) {
             System.setProperty("sear.threads", checkedThreads());
         }
+        for (String one : parameters) {
+            set(one);
+        }
         if (record != null) {
             System.setProperty("sear.record", record);
         }
         System.setProperty(Python3Script.ALWAYS, String.valueOf(python3));
         System.setProperty("sear.keep", String.valueOf(keep));
         PrintWriter err = spec.commandLine().getErr();
-        MrlRun run = new MrlRun(checkedPort(), token, err);
+        server.apply(spec);
+        MrlRun run = new MrlRun(checkedPort(), server.isKnown(), err);
         if (script != null && !Files.exists(script)) {
             err.println("sear: " + script + " can't be read: there is no such file. Try sear --help.");
             return CommandLine.ExitCode.USAGE;
@@ -117,6 +127,15 @@ public final class SearCommand implements Callable<Integer> {
             return run.project(script, !headless);
         }
         return run.script(script, arguments, keep, checkedUntil());
+    }
+
+    private void set(String parameter) {
+        int end = parameter.indexOf('=');
+        if (end < 0 || !RunParameters.isLegal(parameter.substring(0, end))) {
+            throw new ParameterException(spec.commandLine(), "--set is \"" + parameter + "\", legal: NAME=VALUE, with a name of "
+                + RunParameters.LEGAL_NAME);
+        }
+        System.setProperty(RunParameters.PROPERTY + parameter.substring(0, end), parameter.substring(end + 1));
     }
 
     private String checkedSpeed() {

@@ -2,11 +2,10 @@ package org.SEAR.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.myrobotlab.embedded.web.Address;
 import org.myrobotlab.embedded.web.Token;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.WebGui;
@@ -20,26 +19,35 @@ final class Tabs {
     private Tabs() {
     }
 
+    /** Whether callers must know a token. */
+    static boolean asksForToken() {
+        return Token.current().isAskedFor();
+    }
+
     /**
-     * Serves them on a port of this machine, on the next one that is free if another program has it, and says where.
+     * Serves them on a port, on the next one that is free if another program has it, and says where. A token that is new is written into a file of
+     * the user.
      *
-     * @param withToken whether callers must know a token, which is printed and written into a file of the user
+     * @param isKnown whether others know port and token already: then it is that port or none
      * @return the address; null if there is none, which has been said then
      */
-    static String start(int wanted, boolean withToken, PrintWriter err) {
-        int port = free(wanted);
-        Token token = withToken ? Token.require() : null;
+    static String start(int wanted, boolean isKnown, PrintWriter err) {
+        int port = isKnown ? wanted : free(wanted);
         WebGui webGui = (WebGui) Runtime.create(NAME, "WebGui");
         webGui.setPort(port);
         Runtime.start(NAME);
         if (!webGui.isStarted()) {
             return null;
         }
-        String address = "http://localhost:" + port + "/" + (token == null ? "" : "#token=" + token.text());
+        Token token = Token.current();
+        String address = Address.current().url(port) + "/" + (token.isAskedFor() && !isKnown ? "?token=" + token.text() : "");
         err.println((port == wanted ? "" : "Port " + wanted + " is in use by another program. ") + "Open this in a browser:");
         err.println(address);
-        if (token != null) {
+        if (token.isAskedFor() && !isKnown) {
             keep(token, port, err);
+        }
+        if (!Address.current().isLoopback()) {
+            err.println("Other computers reach this address. What they send is not encrypted: docs/classroom.md says what to do about it.");
         }
         err.flush();
         return address;
@@ -48,7 +56,7 @@ final class Tabs {
     private static int free(int wanted) {
         for (int port = wanted; port < wanted + MOST_TRIES && port <= MrlRun.HIGHEST_PORT; port++) {
             try (ServerSocket probe = new ServerSocket()) {
-                probe.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
+                probe.bind(Address.current().socket(port));
                 return port;
             } catch (IOException e) {
                 continue;

@@ -7,14 +7,9 @@ import java.awt.RenderingHints;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.image.BufferedImage;
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
-import org.SEAR.POJOs.SearObject;
-import org.SEAR.POJOs.Shape;
 import org.SEAR.geometry.Pose;
-import org.SEAR.project.ObjectPose;
+import org.SEAR.plan.Outline;
 import org.SEAR.robot.Robot;
 import org.SEAR.simulator.Simulation;
 
@@ -26,75 +21,15 @@ final class Plan {
     private static final Color EDGE = new Color(0, 0, 0, 110);
 
     private final Simulation simulation;
-    private final List<Outline> outlines = new ArrayList<>();
+    private final List<Outline> outlines;
     private double scale;
     private double north;
     private double west;
 
-    /** What is drawn of one thing: {x, z} in the world, in order. */
-    private static final class Outline {
-        final double[][] points;
-        final Color color;
-        /** Ground lies below all else. */
-        final boolean ground;
-
-        Outline(double[][] points, Color color, boolean ground) {
-            this.points = points;
-            this.color = color;
-            this.ground = ground;
-        }
-    }
-
     /** Of the world as it is now. */
     Plan(Simulation simulation) {
         this.simulation = simulation;
-        List<SearObject> environment = simulation.getProject().getEnvironment();
-        for (int i = 0; i < environment.size(); i++) {
-            add(environment.get(i), simulation.snapshot().environment.get(i));
-        }
-        outlines.sort(Comparator.comparing((Outline one) -> !one.ground));
-        for (Robot robot : simulation.getRobots()) {
-            for (SearObject part : robot.getObject().getComponents()) {
-                add(part, robot.getPose().times(ObjectPose.of(part)));
-            }
-        }
-    }
-
-    private void add(SearObject object, Pose pose) {
-        double[][] corners = simulation.getOutline(object);
-        if (corners.length < 2 || !(object instanceof Shape)) {
-            return;
-        }
-        double[][] points = new double[corners.length][];
-        for (int i = 0; i < corners.length; i++) {
-            double[] at = pose.transform(corners[i][0], corners[i][1], corners[i][2]);
-            points[i] = new double[] {at[0], at[2]};
-        }
-        Shape shape = (Shape) object;
-        Color color = shape.isGround() && !shape.hasColor() ? Color.WHITE : Color.decode(shape.getColor());
-        outlines.add(new Outline(hull(points), color, shape.isGround()));
-    }
-
-    /** The convex outline of points. */
-    private static double[][] hull(double[][] points) {
-        Arrays.sort(points, Comparator.<double[]>comparingDouble(p -> p[0]).thenComparingDouble(p -> p[1]));
-        List<double[]> hull = new ArrayList<>();
-        for (int pass = 0; pass < 2; pass++) {
-            int first = hull.size();
-            for (int i = 0; i < points.length; i++) {
-                double[] p = points[pass == 0 ? i : points.length - 1 - i];
-                while (hull.size() > first + 1 && turn(hull.get(hull.size() - 2), hull.get(hull.size() - 1), p) <= 0) {
-                    hull.remove(hull.size() - 1);
-                }
-                hull.add(p);
-            }
-            hull.remove(hull.size() - 1);
-        }
-        return hull.toArray(new double[0][]);
-    }
-
-    private static double turn(double[] a, double[] b, double[] c) {
-        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        outlines = Outline.of(simulation);
     }
 
     /**
@@ -141,7 +76,7 @@ final class Plan {
             }
         }
         path.closePath();
-        graphics.setColor(outline.color);
+        graphics.setColor(Color.decode(outline.color));
         graphics.fill(path);
         graphics.setColor(EDGE);
         graphics.setStroke(new BasicStroke(1));
@@ -150,15 +85,7 @@ final class Plan {
 
     /** Finds the scale that shows all of it. */
     private void fit(int width, int height) {
-        double[] box = {Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
-        for (Outline outline : outlines) {
-            for (double[] point : outline.points) {
-                box[0] = Math.min(box[0], point[0]);
-                box[1] = Math.max(box[1], point[0]);
-                box[2] = Math.min(box[2], point[1]);
-                box[3] = Math.max(box[3], point[1]);
-            }
-        }
+        double[] box = Outline.box(outlines);
         double tall = Math.max(box[1] - box[0], 0.1);
         double wide = Math.max(box[3] - box[2], 0.1);
         scale = (1 - 2 * MARGIN) * Math.min(height / tall, width / wide);

@@ -1,13 +1,11 @@
 package org.SEAR.plot;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 
 /**
@@ -59,32 +57,13 @@ public final class Plot {
      * @throws IOException if it can't be written
      */
     public void save(Path file) throws IOException {
-        String name = file.getFileName() == null ? "" : file.getFileName().toString().toLowerCase(Locale.ROOT);
-        if (!name.endsWith(".png") && !name.endsWith(".svg")) {
-            throw new IllegalArgumentException("the picture is " + file + ", legal: a name that ends in .png or .svg");
-        }
+        Pictures.check(file);
         double[] shown = Arrays.stream(places).filter(Double::isFinite).sorted().toArray();
         boolean hasValues = boxes.values().stream().flatMap(List::stream).anyMatch(line -> Arrays.stream(line.values).anyMatch(Double::isFinite));
         if (shown.length == 0 || !hasValues) {
             throw new IllegalArgumentException("there is nothing to draw: no number over \"" + xTitle + "\"; lists are filled in a loop, as with"
                 + " times.append(sear.getTime())");
         }
-        Path folder = file.toAbsolutePath().getParent();
-        if (folder != null && !Files.isDirectory(folder)) {
-            throw new IOException(file + " can't be written, there is no folder " + folder + ": make it first");
-        }
-        PlotDrawing drawing = new PlotDrawing(xTitle, places, new Axis(shown[0], shown[shown.length - 1], false), new ArrayList<>(boxes.values()));
-        drawing.on(name.endsWith(".svg") ? new SvgCanvas(PlotDrawing.WIDTH, drawing.height()) : png(drawing)).save(file);
-    }
-
-    /** A Java without fonts, as one of a server may be, draws no letters. */
-    private static Canvas png(PlotDrawing drawing) throws IOException {
-        try {
-            PngCanvas canvas = new PngCanvas(PlotDrawing.WIDTH, drawing.height());
-            canvas.text("", 0, 0, Canvas.Anchor.LEFT, PlotDrawing.SIZE);
-            return canvas;
-        } catch (LinkageError | RuntimeException e) {
-            throw new IOException("this computer's Java has no fonts for a PNG (" + e + "): save it with the ending .svg", e);
-        }
+        Pictures.save(new PlotDrawing(xTitle, places, new Axis(shown[0], shown[shown.length - 1], false), new ArrayList<>(boxes.values())), file);
     }
 }

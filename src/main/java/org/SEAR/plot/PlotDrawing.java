@@ -3,7 +3,7 @@ package org.SEAR.plot;
 import java.util.List;
 
 /** Where everything of a plot stands, in points of the picture. One thread. */
-final class PlotDrawing {
+final class PlotDrawing implements Drawing {
     static final int WIDTH = 900;
     /** Of letters. */
     static final int SIZE = 14;
@@ -35,12 +35,18 @@ final class PlotDrawing {
         this.boxes = boxes;
     }
 
-    int height() {
+    @Override
+    public int width() {
+        return WIDTH;
+    }
+
+    @Override
+    public int height() {
         return boxes.size() * (LEGEND + BOX) + BOTTOM;
     }
 
-    /** Draws all of it. */
-    Canvas on(Canvas canvas) {
+    @Override
+    public void on(Canvas canvas) {
         int colour = 0;
         for (int i = 0; i < boxes.size(); i++) {
             double top = LEGEND + i * (double) (LEGEND + BOX);
@@ -48,7 +54,6 @@ final class PlotDrawing {
             colour += boxes.get(i).size();
         }
         canvas.text(xTitle, (LEFT + WIDTH - RIGHT) / 2.0, height() - SIZE, Canvas.Anchor.MIDDLE, SIZE);
-        return canvas;
     }
 
     private void box(Canvas canvas, List<Line> lines, double top, int firstColor, boolean isLast) {

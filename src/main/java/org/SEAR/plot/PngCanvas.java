@@ -5,18 +5,20 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.awt.font.TextLayout;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import javax.imageio.ImageIO;
 
 /** A PNG file, with the fonts that the computer has. One thread. */
 final class PngCanvas implements Canvas {
+    private static final int OPAQUE = 255;
+    private static final double RIM = 3;
+
     private final BufferedImage picture;
     private final Graphics2D graphics;
 
@@ -53,12 +55,43 @@ final class PngCanvas implements Canvas {
     }
 
     @Override
+    public void area(double[] x, double[] y, String color, double opacity, String edge) {
+        Path2D path = new Path2D.Double();
+        path.moveTo(x[0], y[0]);
+        for (int i = 1; i < x.length; i++) {
+            path.lineTo(x[i], y[i]);
+        }
+        path.closePath();
+        Color fill = Color.decode(color);
+        graphics.setColor(new Color(fill.getRed(), fill.getGreen(), fill.getBlue(), (int) Math.round(opacity * OPAQUE)));
+        graphics.fill(path);
+        pen(edge, 1);
+        graphics.draw(path);
+    }
+
+    @Override
     public void text(String text, double x, double y, Anchor anchor, int size) {
+        double left = left(text, x, anchor, size);
         graphics.setColor(Color.BLACK);
+        graphics.drawString(text, (float) left, (float) y);
+    }
+
+    /** Where a text of that size, which is chosen, begins. */
+    private double left(String text, double x, Anchor anchor, int size) {
         graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, size));
         double width = graphics.getFontMetrics().stringWidth(text);
-        double left = anchor == Anchor.LEFT ? x : anchor == Anchor.RIGHT ? x - width : x - width / 2;
-        graphics.drawString(text, (float) left, (float) y);
+        return anchor == Anchor.LEFT ? x : anchor == Anchor.RIGHT ? x - width : x - width / 2;
+    }
+
+    @Override
+    public void label(String text, double x, double y, Anchor anchor, int size) {
+        double left = left(text, x, anchor, size);
+        if (!text.isEmpty()) {
+            pen("#ffffff", RIM);
+            graphics.draw(new TextLayout(text, graphics.getFont(), graphics.getFontRenderContext())
+                .getOutline(AffineTransform.getTranslateInstance(left, y)));
+        }
+        text(text, x, y, anchor, size);
     }
 
     @Override
@@ -70,11 +103,11 @@ final class PngCanvas implements Canvas {
         graphics.setTransform(before);
     }
 
-    @Override
-    public void save(Path file) throws IOException {
+    /** The whole file. */
+    byte[] file() throws IOException {
         graphics.dispose();
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         ImageIO.write(picture, "png", bytes);
-        Files.write(file, bytes.toByteArray());
+        return bytes.toByteArray();
     }
 }

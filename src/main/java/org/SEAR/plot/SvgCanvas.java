@@ -1,9 +1,5 @@
 package org.SEAR.plot;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Locale;
 
 /** An SVG file: the same bytes everywhere. One thread. */
@@ -36,9 +32,27 @@ final class SvgCanvas implements Canvas {
     }
 
     @Override
+    public void area(double[] x, double[] y, String color, double opacity, String edge) {
+        add("<polygon fill=\"%s\" fill-opacity=\"%.2f\" stroke=\"%s\" points=\"", color, opacity, edge);
+        for (int i = 0; i < x.length; i++) {
+            add("%s%.2f,%.2f", i == 0 ? "" : " ", x[i], y[i]);
+        }
+        add("\"/>\n");
+    }
+
+    @Override
     public void text(String text, double x, double y, Anchor anchor, int size) {
+        write(text, x, y, anchor, size, "");
+    }
+
+    private void write(String text, double x, double y, Anchor anchor, int size, String more) {
         String at = anchor == Anchor.LEFT ? "start" : anchor == Anchor.RIGHT ? "end" : "middle";
-        add("<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"%s\" font-size=\"%d\">%s</text>\n", x, y, at, size, escaped(text));
+        add("<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"%s\" font-size=\"%d\"%s>%s</text>\n", x, y, at, size, more, escaped(text));
+    }
+
+    @Override
+    public void label(String text, double x, double y, Anchor anchor, int size) {
+        write(text, x, y, anchor, size, " paint-order=\"stroke\" stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\"");
     }
 
     @Override
@@ -50,8 +64,8 @@ final class SvgCanvas implements Canvas {
         return text.replaceAll("\\p{Cntrl}", " ").replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
     }
 
-    @Override
-    public void save(Path file) throws IOException {
-        Files.write(file, (out + "</svg>\n").getBytes(StandardCharsets.UTF_8));
+    /** The whole file. */
+    String file() {
+        return out + "</svg>\n";
     }
 }

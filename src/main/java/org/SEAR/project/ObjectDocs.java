@@ -15,6 +15,7 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.BeamCone;
+import org.SEAR.POJOs.BoardWire;
 import org.SEAR.POJOs.Noise;
 import org.SEAR.POJOs.OpenInterfaceBody;
 import org.SEAR.POJOs.SearObject;
@@ -94,7 +95,7 @@ public final class ObjectDocs {
                 .append(Parameter.format(farthest)).append(" m | ").append(Parameter.format(beam.getMinRange())).append(" m | ")
                 .append(beam.getDescription()).append(" |\n");
         }
-        for (Class<?> type : List.of(Beam.class, BeamCone.class, VoltagePoint.class, Noise.class)) {
+        for (Class<?> type : List.of(Beam.class, BeamCone.class, VoltagePoint.class, Noise.class, BoardWire.class)) {
             section(out, type, List.of());
         }
         return out.toString();

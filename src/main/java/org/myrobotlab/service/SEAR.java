@@ -20,6 +20,7 @@ import org.myrobotlab.service.sear.panel.Preview;
 import org.myrobotlab.service.sear.records.Plots;
 import org.myrobotlab.service.sear.records.Recording;
 import org.myrobotlab.service.sear.records.Records;
+import org.myrobotlab.service.sear.run.RunParameters;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
 /**
@@ -597,6 +598,18 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     }
 
     /**
+     * Where the beams of a LIDAR point, in the order of its ranges.
+     *
+     * @param name of the sensor
+     * @return an angle for each: degrees from straight ahead, + to the left
+     * @throws IllegalArgumentException that names the sensors there are
+     * @example print sear.getLidarAngles("myLidar")[0]
+     */
+    public double[] getLidarAngles(String name) {
+        return calls.attempt(() -> parts.readings().angles(name));
+    }
+
+    /**
      * [latitude, longitude, altitude] of a GPS sensor: degrees, + north; degrees, + east; metres.
      *
      * @param name of the sensor
@@ -784,6 +797,40 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      */
     public double getGroundHeight(double x, double z) {
         return calls.attempt(() -> parts.readings().groundHeight(x, z));
+    }
+
+    /**
+     * The plan of the world as a picture: from above, north upwards, with the names of things, robots as arrows that say their headings, the beams of
+     * distance sensors and LIDARs up to what they meet, a scale, and the time. Before the start, of the project as it is.
+     *
+     * @return the text of an SVG file
+     * @throws IllegalStateException with every problem of a project that does not run
+     * @example print len(sear.getPlan()), "characters"
+     */
+    public String getPlan() {
+        return getPlan(true);
+    }
+
+    /**
+     * The same with or without beams.
+     *
+     * @param beams whether they are drawn; no reading is changed by it
+     * @throws IllegalStateException with every problem of a project that does not run
+     * @example print len(sear.getPlan(False)), "characters"
+     */
+    public String getPlan(boolean beams) {
+        return calls.attempt(() -> parts.plans().svg(beams));
+    }
+
+    /**
+     * Draws the plan into a file.
+     *
+     * @param picture a file whose name ends in .png or .svg; one of that name is replaced
+     * @throws IllegalStateException with every problem of a project that does not run
+     * @example sear.savePlan("plan.png")
+     */
+    public void savePlan(String picture) {
+        calls.act(() -> parts.plans().save(picture));
     }
 
     // ---- readings that come by themselves --------------------------------------------------------------------------
@@ -1234,6 +1281,32 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      */
     public void stopExportCamera(String name) {
         calls.act(() -> parts.networkCameras().end(name));
+    }
+
+    // ---- parameters and results of a run (with or without a simulation; see sweeps.md) ----------------------------------------
+
+    /**
+     * What this run of the script is to be made with: {@code sear SCRIPT.py --set speed=0.2} gives it, and {@code sear sweep} each value in turn.
+     *
+     * @param name letters, digits and _; "seed" answers where the random numbers of the sensors begin
+     * @param standard what it is unless one was given: a number, a text, True or False; what was given has to be of the same kind
+     * @throws IllegalArgumentException that names parameter, value and what is legal
+     * @example speed = sear.getParameter("speed", 0.3)
+     */
+    public Object getParameter(String name, Object standard) {
+        return calls.attempt(() -> RunParameters.get(name, standard));
+    }
+
+    /**
+     * Says what has come of this run: a column in the table of {@code sear sweep}. Without a sweep it is printed.
+     *
+     * @param name letters, digits and _, and not the name of a parameter
+     * @param value a number, a text, True or False
+     * @throws IllegalArgumentException that names result, value and what is legal
+     * @example sear.setResult("distance", 1.25)
+     */
+    public void setResult(String name, Object value) {
+        calls.act(() -> RunParameters.setResult(name, value));
     }
 
     // ---- Python 3 ---------------------------------------------------------------------------------------------------

@@ -36,6 +36,7 @@ import org.myrobotlab.service.sear.readings.ScriptCameras;
 import org.myrobotlab.service.sear.readings.ScriptDriving;
 import org.myrobotlab.service.sear.readings.ScriptReadings;
 import org.myrobotlab.service.sear.records.KeptPictures;
+import org.myrobotlab.service.sear.records.Plans;
 import org.myrobotlab.service.sear.records.Plots;
 import org.myrobotlab.service.sear.records.Recording;
 import org.myrobotlab.service.sear.records.Records;
@@ -56,6 +57,7 @@ final class SearParts {
     private final ScriptDriving driving;
     private final ScriptActuators actuators;
     private final ScriptBodies bodies;
+    private final Plans plans;
     private final Projects projects;
     private final Edits edits;
     private final Publisher publisher;
@@ -78,6 +80,7 @@ final class SearParts {
         actuators = new ScriptActuators(control);
         bodies = new ScriptBodies(control);
         control.setActs(bodies);
+        plans = new Plans(control);
         projects = new Projects(control, host);
         edits = new Edits(control);
         exports = new Exports(host, control);
@@ -123,6 +126,11 @@ final class SearParts {
 
     public ScriptActuators actuators() {
         return actuators;
+    }
+
+    /** See {@link Plans}. */
+    public Plans plans() {
+        return plans;
     }
 
     /** See {@link ScriptBodies}. */

@@ -2,6 +2,7 @@ package org.myrobotlab.service;
 
 import java.io.IOException;
 import java.util.Set;
+import org.myrobotlab.embedded.web.Address;
 import org.myrobotlab.embedded.web.Hub;
 import org.myrobotlab.embedded.web.WebServer;
 import org.myrobotlab.framework.Message;
@@ -12,7 +13,7 @@ import org.myrobotlab.service.config.WebGuiConfig;
 import org.myrobotlab.service.interfaces.ServiceLifeCycleListener;
 import org.slf4j.Logger;
 
-/** Shows services in a browser on this machine: a tab for each. Nobody else can reach it. */
+/** Shows services in a browser on this machine: a tab for each. Nobody else can reach it, unless the program was started so. */
 public class WebGui extends Service<WebGuiConfig> implements ServiceLifeCycleListener {
     public static final Logger log = LoggerFactory.getLogger(WebGui.class);
 
@@ -39,7 +40,7 @@ public class WebGui extends Service<WebGuiConfig> implements ServiceLifeCycleLis
         if (server == null) {
             try {
                 server = new WebServer(config.port, config.resources, hub);
-                info("tabs at http://localhost:%d", config.port);
+                info("tabs at %s", Address.current().url(config.port));
             } catch (IOException e) {
                 error(e.getMessage());
             }

@@ -72,9 +72,11 @@ public class SearCommandTest {
 
     @Test
     public void optionsReachTheSimulationAsSystemProperties() throws Exception {
-        String code = "from java.lang import System\nprint [System.getProperty('sear.' + x) for x in ['headless', 'speed', 'seed', 'threads']]";
-        assertEquals(0, sear(script(code), "--headless", "--speed", "max", "--seed", "42", "--threads", "3", "--port", "none"));
-        assertEquals("[u'true', u'max', u'42', u'3']\n", out);
+        String code = "from java.lang import System\nprint [System.getProperty('sear.' + x) for x in ['headless', 'speed', 'seed', 'threads', "
+            + "'parameter.gain']]";
+        assertEquals(0, sear(script(code), "--headless", "--speed", "max", "--seed", "42", "--threads", "3", "--set", "gain=0.5", "--port",
+            "none"));
+        assertEquals("[u'true', u'max', u'42', u'3', u'0.5']\n", out);
     }
 
     @Test
@@ -111,7 +113,7 @@ public class SearCommandTest {
         Path file = Paths.get(home, ".sear", "token-" + port);
         assertEquals(err, 0, sear(script("print open('" + file + "').read()"), "--headless", "--token", "--port", String.valueOf(port)));
         assertTrue(out, out.trim().matches("[\\w-]{32}"));
-        assertTrue(err, err.startsWith("Open this in a browser:\nhttp://localhost:" + port + "/#token=" + out.trim() + "\ntoken: " + file
+        assertTrue(err, err.startsWith("Open this in a browser:\nhttp://localhost:" + port + "/?token=" + out.trim() + "\ntoken: " + file
             + " has it"));
         assertFalse("it goes when the program ends", Files.exists(file));
     }

@@ -13,6 +13,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.SEAR.Slow;
 import org.SEAR.benchmark.PerformancePageTest;
+import org.SEAR.cli.ClassCommandTest;
 import org.SEAR.cli.ReadmeTest;
 import org.SEAR.cli.ScriptProcess;
 import org.SEAR.cli.SearCommandTest;
@@ -20,6 +21,7 @@ import org.SEAR.cli.install.DistributionTest;
 import org.SEAR.cli.contests.ContestTest;
 import org.SEAR.cli.lessons.GradeTest;
 import org.SEAR.cli.lessons.LessonChecksTest;
+import org.SEAR.cli.sweep.SweepTest;
 import org.SEAR.learning.GymnasiumTest;
 import org.SEAR.project.HandWrittenProjectTest;
 import org.SEAR.project.ObjectDocsTest;
@@ -29,6 +31,7 @@ import org.junit.Rule;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
+import org.myrobotlab.service.python3.JupyterTest;
 import org.myrobotlab.service.python3.Python3PackageTest;
 import org.myrobotlab.service.thirdparty.OpencvExamplesTest;
 import org.myrobotlab.service.thirdparty.ThirdPartyCameraTest;
@@ -57,6 +60,9 @@ public class CodeOfTheDocsTest {
         entry("docs/add-a-sensor.md text", AddASensorTest.class),
         entry("docs/cameras.md python3", ThirdPartyCameraTest.class),
         entry("docs/cameras.md sh python3 examples/python3/", OpencvExamplesTest.class),
+        entry("docs/classroom.md sh sear --headless", ClassCommandTest.class),
+        entry("docs/classroom.md sh sear class --pupils names.txt", ClassCommandTest.class),
+        entry("docs/classroom.md text", ClassCommandTest.class),
         entry("docs/contests.md python", ContestTest.class),
         entry("docs/contests.md sh sear contest", ContestTest.class),
         entry("docs/contests.md text", ContestTest.class),
@@ -71,6 +77,7 @@ public class CodeOfTheDocsTest {
         entry("docs/lessons.md sh sear lesson square", GradeTest.class),
         entry("docs/lessons.md sh sear lessons", GradeTest.class),
         entry("docs/lessons.md text", LessonChecksTest.class),
+        entry("docs/notebooks.md python3", JupyterTest.class),
         entry("docs/objects.md text", ObjectDocsTest.class),
         entry("docs/objects.md xml", ObjectDocsTest.class),
         entry("docs/other-programs.md python", ReadmeTest.class),
@@ -91,9 +98,16 @@ public class CodeOfTheDocsTest {
         entry("docs/python3.md sh venv/bin/pip install", Python3PackageTest.class),
         entry("docs/python3.md sh sear examples/drive/maze_solver.py", Python3PackageTest.class),
         entry("docs/python3.md python", Python3PackageTest.class),
-        entry("docs/scripting.md python", ScriptExamplesTest.class)));
+        entry("docs/scripting.md python", ScriptExamplesTest.class),
+        entry("docs/sweeps.md python", SweepTest.class),
+        entry("docs/sweeps.md python3", SweepTest.class),
+        entry("docs/sweeps.md sh sear sweep ahead.py --seeds", SweepTest.class),
+        entry("docs/sweeps.md sh sear sweep ahead.py --again", SweepTest.class)));
     private static final Map<String, String> NOT_RUN = new TreeMap<>(Map.of(
         "CONTRIBUTING.md sh MYROBOTLAB=", "it is CI, and runs this test",
+        "docs/classroom.md sh podman ", "needs a registry of images; the page says what was tried",
+        "docs/classroom.md sh ssh ", "needs a second computer",
+        "docs/notebooks.md sh venv/bin/", "JupyterLab is some 100 packages; what it runs, a kernel, JupyterTest does",
         "docs/other-programs.md sh rosrun ", "needs ROS 1, which is in no package of Debian 12; the page says that it was not tried"));
     private static final String GRADLE = "./gradlew ";
     private static final String BEFORE = "from org.SEAR.POJOs import Floor\nif sear.isSimulating(): sear.stopSimulation()\n"

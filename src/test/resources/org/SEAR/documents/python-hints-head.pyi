@@ -22,6 +22,10 @@ def connect(port: int = ..., token: Optional[str] = ...) -> None:
     """Uses the SEAR of a running MyRobotLab of this machine that was asked to startPython3()."""
 
 
+def sweep(function: Any, grid: Any = ..., seeds: Any = ..., **options: Any) -> List[Dict[str, Any]]:
+    """Calls a function once for each seed and each combination of values, on many processes or computers."""
+
+
 def close() -> None:
     """Stops what this program has started."""
 

@@ -50,10 +50,9 @@ public final class GradeCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        if (!(limit > 0) || memory < LEAST_MEMORY || jobs != null && jobs < 1) {
-            throw new ParameterException(spec.commandLine(), "--limit is " + limit + ", --memory " + memory + ", --jobs " + (jobs == null ? "" : jobs)
-                + ", legal: above 0, " + LEAST_MEMORY + " or more, 1 or more");
-        }
+        check(limit > 0, "--limit is " + limit + ", legal: seconds above 0");
+        check(memory >= LEAST_MEMORY, "--memory is " + memory + ", legal: " + LEAST_MEMORY + " megabytes or more");
+        check(jobs == null || jobs > 0, "--jobs is " + jobs + ", legal: 1 or more");
         PrintWriter err = spec.commandLine().getErr();
         try {
             List<Submission> all = Submission.in(path, lesson == null ? null : Lesson.find(lesson));
@@ -75,6 +74,12 @@ public final class GradeCommand implements Callable<Integer> {
         } catch (IOException e) {
             err.println("sear grade: " + FileReasons.of(e));
             return ExitCode.USAGE;
+        }
+    }
+
+    private void check(boolean isLegal, String what) {
+        if (!isLegal) {
+            throw new ParameterException(spec.commandLine(), what);
         }
     }
 

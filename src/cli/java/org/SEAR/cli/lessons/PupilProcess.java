@@ -51,16 +51,19 @@ final class PupilProcess {
         @Override
         public void run() {
             byte[] some = new byte[8192];
+            for (int count = read(some); count >= 0; count = read(some)) {
+                synchronized (kept) {
+                    kept.write(some, 0, Math.min(count, MOST_PRINTED - kept.size()));
+                }
+            }
+        }
+
+        /** The number of bytes; negative at the end, and when it was killed: what there is counts. */
+        private int read(byte[] some) {
             try {
-                for (int count = from.read(some); count >= 0; count = from.read(some)) {
-                    synchronized (kept) {
-                        kept.write(some, 0, Math.min(count, MOST_PRINTED - kept.size()));
-                    }
-                }
+                return from.read(some);
             } catch (IOException e) {
-                synchronized (kept) {       // it was killed: what there is counts
-                    kept.notifyAll();
-                }
+                return -1;
             }
         }
 

@@ -14,6 +14,12 @@ final class GroundContact {
      */
     private static final double STEEPEST = 0.35;
     /**
+     * At this one it carries a wheel wholly, and the less the nearer it is to a wall; and what carries a wheel does so until it is as steep as the
+     * other. Else a robot that stands on its tail would hop from carried to not carried and back.
+     */
+    private static final double CARRYING = 0.5;
+    private static final double LETTING_GO = 0.3;
+    /**
      * A wheel that is in something that moves by more than this share of its diameter does not stand on it, nor does any on what is far in something:
      * first they come apart as bodies do.
      */
@@ -25,6 +31,7 @@ final class GroundContact {
     private final Hit hit = new Hit();
     private Body under;
     private boolean touches;
+    private double share;
     private double seen;
     private double gap;
 
@@ -45,7 +52,7 @@ final class GroundContact {
             normal.scale(-1);
         }
         seen = distance - wheel;
-        boolean carries = distance < wheel + rest && Math.abs(lean) > STEEPEST && normal.y > 0;
+        boolean carries = distance < wheel + rest && Math.abs(lean) > (touches ? LETTING_GO : STEEPEST) && normal.y > 0;
         under = carries ? scenes.body(hit.shape) : null;
         touches = under != null && (under.isFixed() || seen > -DEEPEST * wheel && !under.isDeep());
         if (touches) {
@@ -53,6 +60,7 @@ final class GroundContact {
         } else {
             under = null;
         }
+        share = Math.max(0, Math.min(1, (Math.abs(lean) - STEEPEST) / (CARRYING - STEEPEST)));
         point.set(from).add(-distance, up);
     }
 
@@ -79,6 +87,11 @@ final class GroundContact {
     /** Whether the wheel is on the ground. */
     boolean touches() {
         return touches;
+    }
+
+    /** How much of what the suspension can give the ground takes, 0 to 1, as steep as it is for the wheel. */
+    double share() {
+        return share;
     }
 
     /** How far the wheel hangs when it just touches the ground, metres; negative if it can't go up so far. As the ray has seen it. */

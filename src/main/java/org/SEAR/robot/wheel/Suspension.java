@@ -33,13 +33,15 @@ final class Suspension {
         seconds = body.seconds();
         aim(spring, ground, body, before);
         aim(stop, ground, body, before);
-        double damping = spring.speed(body.v) < 0 ? of.compressing : of.releasing;
-        double soft = damping + seconds * of.stiffness;
+        double share = ground.share();
+        double stiffness = share * of.stiffness;
+        double damping = share * (spring.speed(body.v) < 0 ? of.compressing : of.releasing);
+        double soft = damping + seconds * stiffness;
         double gap = ground.gap();
         softness = soft > 0 ? 1 / (seconds * soft) : 0;
-        bias = soft > 0 ? of.stiffness * Math.min(of.rest, of.rest - gap) / soft : 0;
-        allowed = gap > 0 ? -gap / seconds : -CORRECTION * gap;
-        mostImpulse = of.mostForce * seconds;
+        bias = soft > 0 ? stiffness * Math.min(of.rest, of.rest - gap) / soft : 0;
+        allowed = gap > 0 ? -gap / seconds : -CORRECTION * share * gap;
+        mostImpulse = share * of.mostForce * seconds;
         spring.push(body.v, spring.impulse);
         stop.push(body.v, stop.impulse);
     }

@@ -7,7 +7,6 @@ import io.undertow.util.Headers;
 import io.undertow.util.HttpString;
 import io.undertow.util.Methods;
 import io.undertow.util.StatusCodes;
-import java.util.Set;
 
 /**
  * Stands before everything. Whoever calls this server by another name (DNS rebinding) or from a page of another server is refused, as is each method
@@ -18,11 +17,11 @@ final class Guard implements HttpHandler {
     private static final HttpString FRAME_OPTIONS = new HttpString("X-Frame-Options");
 
     private final HttpHandler next;
-    private final Set<String> hosts;
+    private final Address.Names names;
 
-    Guard(HttpHandler next, int port) {
+    Guard(HttpHandler next, Address.Names names) {
         this.next = next;
-        this.hosts = Set.of("localhost:" + port, "127.0.0.1:" + port, "[::1]:" + port);
+        this.names = names;
     }
 
     @Override
@@ -30,9 +29,9 @@ final class Guard implements HttpHandler {
         HeaderValues host = exchange.getRequestHeaders().get(Headers.HOST);
         HeaderValues origin = exchange.getRequestHeaders().get(Headers.ORIGIN);
         exchange.getResponseHeaders().put(CONTENT_TYPE_OPTIONS, "nosniff").put(FRAME_OPTIONS, "DENY");
-        if (host == null || host.size() != 1 || !hosts.contains(host.getFirst())) {
-            refuse(exchange, StatusCodes.FORBIDDEN, "host " + host + " is refused: call this server localhost");
-        } else if (origin != null && !(origin.size() == 1 && origin.getFirst().equals("http://" + host.getFirst()))) {
+        if (host == null || host.size() != 1 || !names.has(host.getFirst(), exchange.getDestinationAddress().getAddress())) {
+            refuse(exchange, StatusCodes.FORBIDDEN, "host " + host + " is refused: call this server " + names.one());
+        } else if (origin != null && !(origin.size() == 1 && origin.getFirst().equals(names.origin(host.getFirst())))) {
             refuse(exchange, StatusCodes.FORBIDDEN, "pages of " + origin + " are refused");
         } else if (!is(exchange, Methods.GET) && !is(exchange, Methods.POST)) {
             refuseMethod(exchange, "GET, POST");

@@ -30,10 +30,11 @@ import org.xnio.Xnio;
 import org.xnio.XnioWorker;
 import org.xnio.channels.AcceptingChannel;
 
-/** Serves pages, panels and calls to browsers on this machine, and to nobody else. Any thread. */
+/**
+ * Serves pages, panels and calls to browsers on this machine, and to nobody else unless {@link Address} and {@link Token} say so. Any thread.
+ */
 public final class WebServer {
     private static final String API = "/api";
-    private static final String ADDRESS = "127.0.0.1";
     /** A folder with nothing in it that is not served: no classes. */
     private static final String PAGES = "org/myrobotlab/embedded/pages";
     private static final String WEB_JARS = "META-INF/resources/webjars/";
@@ -59,7 +60,7 @@ public final class WebServer {
 
     /**
      * @param folders on the disk that panels come from; the first that has a file wins.
-     * @throws IOException if the port is taken
+     * @throws IOException if the port is taken, the address is none of this computer's, or others would reach it without a token
      */
     public WebServer(int port, List<String> folders, Hub hub) throws IOException {
         this.port = port;
@@ -70,9 +71,13 @@ public final class WebServer {
             files = new DiskHandler(folder, files);
         }
         calls = new Calls("web server " + port);
-        Token token = Token.current();
-        PathHandler paths = Handlers.path(Guard.reading(fresh(files))).addPrefixPath(API + "/service", CallGuard.calls(new RestHandler(calls), token))
-            .addExactPath(API + "/messages", CallGuard.sockets(Handlers.websocket((exchange, channel) -> hub.connect(channel, calls)), token));
+        Address address = Address.current();
+        if (!address.isLoopback() && !Token.current().isAskedFor()) {
+            throw new IOException("other computers would reach this server without a token: nothing is served");
+        }
+        Address.Names names = address.names(port);
+        PathHandler paths = Handlers.path(Guard.reading(fresh(files))).addPrefixPath(API + "/service", CallGuard.calls(new RestHandler(calls)))
+            .addExactPath(API + "/messages", CallGuard.sockets(Handlers.websocket((exchange, channel) -> hub.connect(channel, calls))));
         for (String name : LIBRARIES) {
             paths.addPrefixPath("/webjars/" + name, Guard.reading(library(name)));
         }
@@ -83,8 +88,8 @@ public final class WebServer {
             .set(UndertowOptions.BUFFER_PIPELINED_DATA, true).set(UndertowOptions.MAX_ENTITY_SIZE, (long) RequestBody.LONGEST)
             .set(UndertowOptions.REQUEST_PARSE_TIMEOUT, HEADERS_MILLIS).set(UndertowOptions.NO_REQUEST_TIMEOUT, IDLE_MILLIS).getMap());
         Connections connections = new Connections(http);
-        http.setRootHandler(connections.watching(new Guard(paths, port)));
-        server = listen(connections);
+        http.setRootHandler(connections.watching(new Guard(new Login(paths, Token.current(), names), names)));
+        server = listen(connections, address.socket(port));
         server.resumeAccepts();
     }
 
@@ -126,15 +131,17 @@ public final class WebServer {
         };
     }
 
-    private AcceptingChannel<StreamConnection> listen(Connections connections) throws IOException {
+    private AcceptingChannel<StreamConnection> listen(Connections connections, InetSocketAddress address) throws IOException {
         try {
-            return worker.createStreamConnectionServer(new InetSocketAddress(ADDRESS, port),
+            return worker.createStreamConnectionServer(address,
                 ChannelListeners.openListenerAdapter(connections), OptionMap.builder().set(Options.TCP_NODELAY, true)
                     .set(Options.REUSE_ADDRESSES, true).set(Options.BACKLOG, BACKLOG).set(Options.CONNECTION_HIGH_WATER, MOST_CONNECTIONS)
                     .set(Options.CONNECTION_LOW_WATER, MOST_CONNECTIONS).getMap());
         } catch (BindException e) {
             worker.shutdownNow();
-            throw new IOException("port " + port + " is in use by another program: choose another one", e);
+            boolean isTaken = String.valueOf(e.getMessage()).contains("in use");
+            throw new IOException(isTaken ? "port " + port + " is in use by another program: choose another one"
+                : address + " can't be listened at: " + e.getMessage(), e);
         } catch (IOException e) {
             worker.shutdownNow();
             throw e;

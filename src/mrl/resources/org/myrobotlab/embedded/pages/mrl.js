@@ -13,23 +13,13 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
     var methods = {}        // service -> names of its methods
     var interfaces = {}     // service -> msg
     var missed = false      // whether states may have changed while there was no connection
-    var TOKEN = 'mrl.token'
     this.connected = false
     this.refused = false    // whether the server asks for a token, and has not got the right one
     this.services = []
 
-    // The printed address ends in #token=...: it is kept for this server's pages, and taken out of sight.
-    var given = /^#token=([\w-]+)$/.exec(location.hash)
-    if (given) {
-        localStorage.setItem(TOKEN, given[1])
-        history.replaceState(null, '', location.pathname + location.search + '#/')
-    }
-
     function connect() {
-        var token = localStorage.getItem(TOKEN)
         var opened = false
-        socket = new WebSocket((location.protocol === 'https:' ? 'wss://' : 'ws://') + location.host + '/api/messages'
-            + (token ? '?token=' + token : ''))
+        socket = new WebSocket((location.protocol === 'https:' ? 'wss://' : 'ws://') + location.host + '/api/messages')
         socket.onopen = function() {
             opened = true
             self.connected = true
@@ -52,7 +42,7 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
             $rootScope.$applyAsync()
             setTimeout(connect, RETRY)
             if (!opened) {
-                askWhy(token)
+                askWhy()
             }
         }
         socket.onmessage = function(event) {
@@ -61,8 +51,8 @@ angular.module('mrlapp.mrl', []).service('mrl', ['$rootScope', '$q', '$timeout',
     }
 
     /** A web socket does not say why it could not be opened. */
-    function askWhy(token) {
-        fetch('api/service', {headers: {Authorization: 'Bearer ' + token}}).then(function(answer) {
+    function askWhy() {
+        fetch('api/service').then(function(answer) {
             self.refused = answer.status === 401
             $rootScope.$applyAsync()
         }, angular.noop)

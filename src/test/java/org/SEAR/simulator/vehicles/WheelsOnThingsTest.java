@@ -125,6 +125,29 @@ public class WheelsOnThingsTest {
         assertTrue("only " + turned + " of " + count + " lie on their backs", turned >= 6);
     }
 
+    /** Its caster met the ground as a wheel does, then as a wall does, and so on: it hopped away at 0.15 m/s, for ever. */
+    @Test
+    public void aRoverThatStandsOnItsTailStands() throws Exception {
+        new Floor("floor", 40, 10);
+        int count = 8;
+        for (int i = 0; i < count; i++) {
+            SEARrobot rover = Robots.rover("robot" + i);
+            rover.move(3 * i - 12, 0.2, 0);
+            rover.rotate(-66 - 2 * i, 0, 0);
+        }
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 10);
+        Pose[] before = poses(simulation, count);
+        Worlds.run(simulation, 5);
+        int upright = 0;
+        for (int i = 0; i < count; i++) {
+            Pose now = Worlds.body(simulation, "robot" + i).getPose();
+            assertEquals("robot" + i, 0, Math.hypot(Math.hypot(now.x - before[i].x, now.y - before[i].y), now.z - before[i].z), STILL);
+            upright += now.rotate(0, 0, 1)[1] > 0.9 ? 1 : 0;
+        }
+        assertTrue("only " + upright + " of " + count + " stand on their tails", upright >= 3);
+    }
+
     /** The height of the lowest point of all its parts, metres. */
     private static double lowest(Body body) {
         double lowest = Double.POSITIVE_INFINITY;

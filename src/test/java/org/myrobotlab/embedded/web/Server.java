@@ -5,6 +5,7 @@ import static org.junit.Assert.assertEquals;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
@@ -48,6 +49,7 @@ final class Server extends ExternalResource {
     @Override
     protected void after() {
         Token.dismiss();
+        Address.dismiss();
         Runtime.releaseAll();
     }
 
@@ -75,6 +77,26 @@ final class Server extends ExternalResource {
         Socket socket = new Socket("127.0.0.1", port);
         socket.setSoTimeout(PATIENCE_MILLIS);
         return socket;
+    }
+
+    /** The same from another address of this computer, as 127.0.0.2. */
+    private Socket connect(String from) throws IOException {
+        Socket socket = new Socket(InetAddress.getByName("127.0.0.1"), port, InetAddress.getByName(from), 0);
+        socket.setSoTimeout(PATIENCE_MILLIS);
+        return socket;
+    }
+
+    /**
+     * Sends a request and answers all that comes: status, headers and body.
+     *
+     * @param from the address of this computer that it is sent from
+     */
+    String response(String from, String request, String body, String... headers) throws IOException {
+        try (Socket socket = connect(from)) {
+            byte[] bytes = body.getBytes(StandardCharsets.UTF_8);
+            send(socket, head(request, headers) + "Connection: close\r\nContent-Length: " + bytes.length + "\r\n\r\n" + body);
+            return new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        }
     }
 
     /** The head of a request; a Host among the headers replaces the right one. */

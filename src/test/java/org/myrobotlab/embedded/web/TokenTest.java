@@ -37,7 +37,8 @@ public class TokenTest {
         assertEquals(200, call(JSON, "Authorization: Bearer " + server.token().text()));
         assertEquals("tick", server.talker().heard.take());
         assertEquals(200, server.status("GET /api/service", "", "Authorization: Bearer " + server.token().text()));
-        assertEquals("pages are no secret", 200, server.status("GET /", ""));
+        assertEquals("pages, too", 401, server.status("GET /", ""));
+        assertEquals(200, server.status("GET /", "", "Authorization: Bearer " + server.token().text()));
     }
 
     @Test
@@ -45,10 +46,12 @@ public class TokenTest {
         String origin = "Origin: http://localhost:" + server.port();
         assertNull(server.webSocket("/api/messages", origin));
         assertNull(server.webSocket("/api/messages?token=wrong", origin));
-        try (Socket page = server.webSocket("/api/messages?token=" + server.token().text(), origin)) {
+        assertNull("a token in an address gets into logs", server.webSocket("/api/messages?token=" + server.token().text(), origin));
+        String bearer = "Authorization: Bearer " + server.token().text();
+        try (Socket page = server.webSocket("/api/messages", origin, bearer)) {
             assertNotNull(page);
         }
-        assertNull(server.webSocket("/api/messages?token=" + server.token().text(), "Origin: http://evil.example"));
+        assertNull(server.webSocket("/api/messages", "Origin: http://evil.example", bearer));
     }
 
     @Test

@@ -140,6 +140,8 @@ public final class Calls {
             return value.floatValue();
         } else if (type == long.class || type == Long.class) {
             return value.longValue();
+        } else if (type == int.class || type == Integer.class) {
+            return Math.toIntExact(value.longValue());    // of Python in Java's process, where each whole number is a long one
         } else if (type == short.class || type == Short.class) {
             return value.shortValue();
         } else if (type == byte.class || type == Byte.class) {

@@ -1,6 +1,7 @@
 package org.myrobotlab.service.sear.readings;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import org.SEAR.POJOs.Accelerometer;
 import org.SEAR.POJOs.Compass;
 import org.SEAR.POJOs.Distance;
@@ -14,6 +15,7 @@ import org.SEAR.project.Project;
 import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.robot.Robot;
+import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.OdometerSensor;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.simulator.Simulation;
@@ -52,6 +54,16 @@ public final class ScriptReadings {
         return (float[]) read(name, LIDAR.class);
     }
 
+    /** Degrees of each range of a scan from straight ahead, + to the left. */
+    public double[] angles(String asked) throws InterruptedException {
+        String name = given(asked);
+        return control.session().ask(world -> {
+            mustBe(LIDAR.class, world, name);
+            LidarScan scan = world.read(name).scan();
+            return IntStream.range(0, scan.size()).mapToDouble(scan::angle).toArray();
+        });
+    }
+
     /** [latitude, longitude, altitude] in degrees and metres. */
     public double[] position(String name) throws InterruptedException {
         return (double[]) read(name, GPS.class);
@@ -70,14 +82,17 @@ public final class ScriptReadings {
     private Object read(String asked, Class<? extends SearObject> type) throws InterruptedException {
         String name = given(asked);
         return control.session().ask(world -> {
-            Sensor<?> sensor = world.getSensor(name);
-            SearObject object = sensor.getParameters();
-            if (!type.isInstance(object)) {
-                throw new IllegalArgumentException("sensor " + name + " is a " + object.getClass().getSimpleName() + ", not a"
-                    + (type.getSimpleName().matches("[AEIOU].*") ? "n " : " ") + type.getSimpleName() + "; there are " + describe(world));
-            }
+            mustBe(type, world, name);
             return world.read(name).value();
         });
+    }
+
+    private static void mustBe(Class<? extends SearObject> type, Simulation world, String name) {
+        SearObject object = world.getSensor(name).getParameters();
+        if (!type.isInstance(object)) {
+            throw new IllegalArgumentException("sensor " + name + " is a " + object.getClass().getSimpleName() + ", not a"
+                + (type.getSimpleName().matches("[AEIOU].*") ? "n " : " ") + type.getSimpleName() + "; there are " + describe(world));
+        }
     }
 
     /**

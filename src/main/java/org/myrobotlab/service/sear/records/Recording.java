@@ -65,12 +65,13 @@ public final class Recording {
             throw new IOException(file + " can't be written, there is no folder " + parent + ": make it, or choose another");
         }
         Recorder.check(file);
-        limit = (long) (megabytes * MEGABYTE);
-        rate = pictures;
+        long most = (long) (megabytes * MEGABYTE);
         SimulationSession session = control.sessionOrNull();
         if (session != null) {
-            recorder = session.ask(world -> made(world, file, limit, rate));
+            recorder = session.ask(world -> made(world, file, most, pictures));
         }
+        limit = most;
+        rate = pictures;
         wanted = file;
         return file.toString();
     }

@@ -1,0 +1,218 @@
+"""Many runs of a function or a script, on many processes or computers by Dask Distributed: docs/sweeps.md."""
+import hashlib
+import importlib.util
+import inspect
+import os
+import sys
+import time
+
+from . import _plan
+from ._folder import Folder, columns, flat, lines
+
+LIMIT = 600
+NEEDED = {"distributed": "distributed", "pyarrow": "pyarrow", "jpype": "JPype1", "numpy": "numpy"}
+TERMINAL_SECONDS = 0.5
+FILE_SECONDS = 30
+
+
+def sweep(function, grid=None, seeds=1, *, workers=None, scheduler=None, scheduler_file=None, limit=LIMIT, memory=None, out=None, fresh=False,
+          again=None, quiet=False):
+    """Calls a function once for each seed and each combination of values: function(seed=7, speed=0.1).
+
+    function: answers a dictionary of results (numbers, texts, True, False), one of them, or None.
+    grid: names of parameters and their values, such as {"speed": [0.1, 0.2]}.
+    seeds: how many, from 1 on, or a list of them.
+    workers: processes on this computer; as many as it has processors unless said.
+    scheduler, scheduler_file: the address of a Dask scheduler that runs, or the file with it.
+    limit: seconds after which a run is ended.
+    memory: MB above which a run's process is ended; None: no limit.
+    out: a folder for rows.csv and rows.parquet; a sweep that was broken off there goes on. None: nothing is written.
+    fresh: whether to forget the rows that are there, and begin anew.
+    again: the number of a row of the sweep in the folder: only that one is run again, and answered.
+    quiet: whether to say nothing of the progress.
+
+    Answers the rows as dictionaries, in the order of their numbers. Raises ValueError for what is not legal, RuntimeError if no run can be made, or
+    if a row is not the same again.
+    """
+    if not callable(function):
+        raise ValueError("function is %r, legal: a function of seed and parameters" % (function,))
+    checked = _plan.checked_grid(grid)
+    try:
+        inspect.signature(function).bind(seed=0, **{name: None for name, _ in checked})
+    except TypeError as error:
+        names = ", ".join(["seed"] + [name for name, _ in checked])
+        raise ValueError("function %s can't be called with %s: %s" % (_name(function), names, error)) from None
+    _missing(("distributed", "jpype", "numpy") + (("pyarrow",) if out is not None else ()))
+    import cloudpickle
+    plan = {"kind": "function", "name": _name(function), "digest": _digest(function)}
+    return _Sweep(plan, cloudpickle.dumps(function), "", checked, _plan.seeds_of("seeds", seeds), limit, memory, out, quiet).run(
+        workers, scheduler, scheduler_file, fresh, again)
+
+
+def sweep_script(script, grid, seeds, *, python3=False, workers=None, scheduler=None, scheduler_file=None, limit=LIMIT, memory=None, out=None,
+                 fresh=False, again=None):
+    """The same of a script, which asks for its parameters by sear.getParameter and tells its results by sear.setResult."""
+    try:
+        with open(script, "rb") as file:
+            source = file.read()
+    except OSError as error:
+        raise ValueError("script %s can't be read: %s" % (script, error.strerror)) from None
+    _missing(tuple(NEEDED))
+    is_python3 = python3 or source[:3].strip(b"\xef\xbb\xbf#!") != source[:3] and b"python3" in source.split(b"\n", 1)[0]
+    plan = {"kind": "python3" if is_python3 else "jython", "name": os.path.basename(script), "digest": hashlib.sha256(source).hexdigest()}
+    return _Sweep(plan, source, os.path.abspath(script), _plan.checked_grid(grid), seeds, limit, memory, out, False).run(
+        workers, scheduler, scheduler_file, fresh, again)
+
+
+def _missing(modules):
+    lacking = [NEEDED[one] for one in modules if importlib.util.find_spec(one) is None]
+    if lacking:
+        raise RuntimeError("this Python (%s) lacks %s: %s -m pip install %s" % (sys.executable, " and ".join(lacking), sys.executable,
+                                                                               " ".join(lacking)))
+
+
+def _name(function):
+    return getattr(function, "__qualname__", type(function).__name__)
+
+
+def _digest(function):
+    """Of the file that the function stands in, else of its source, else of its code."""
+    try:
+        with open(inspect.getsourcefile(function), "rb") as file:
+            return hashlib.sha256(file.read()).hexdigest()
+    except (OSError, TypeError):
+        pass
+    try:
+        return hashlib.sha256(inspect.getsource(function).encode("utf-8")).hexdigest()
+    except (OSError, TypeError):
+        return hashlib.sha256(getattr(getattr(function, "__code__", None), "co_code", b"")).hexdigest()
+
+
+class _Sweep:
+    """One of them."""
+
+    def __init__(self, plan, payload, path, grid, seeds, limit, memory, out, quiet):
+        self._rows = _plan.Rows(seeds, grid)
+        self._limit = _plan.positive("limit", limit)
+        self._memory = None if memory is None else _plan.positive("memory", memory)
+        self._plan = {**plan, "version": _plan.version(), "seeds": seeds, "grid": grid, "limit": self._limit, "memory": self._memory}
+        self._payload = payload
+        self._path = path
+        self._folder = None if out is None else Folder(os.fspath(out))
+        self._quiet = quiet
+        self._told = 0
+        self._width = 0
+
+    def _common(self):
+        """What all runs are given."""
+        return {"kind": self._plan["kind"], "digest": self._plan["digest"], "version": self._plan["version"], "payload": self._payload,
+                "path": self._path, "folder": os.getcwd(), "limit": self._limit, "memory": self._memory,
+                "imports": os.path.abspath(sys.path[0] or "."), "modules": [one for one in ("sear.gym",) if one in sys.modules]}
+
+    def _part(self, row):
+        """What a run has for itself."""
+        seed, parameters = self._rows[row]
+        return {"row": row, "seed": seed, "parameters": parameters}
+
+    def _row(self, part, answer):
+        return {**part, "results": answer["results"], "status": answer["status"], "message": answer["message"], "version": self._plan["version"],
+                "digest": self._plan["digest"]}
+
+    def run(self, workers, scheduler, scheduler_file, fresh, again):
+        """Makes all runs that are missing. Answers the rows."""
+        if scheduler is not None and scheduler_file is not None:
+            raise ValueError("scheduler is %s and scheduler_file %s, legal: one of them" % (scheduler, scheduler_file))
+        if scheduler_file is not None and not os.path.isfile(scheduler_file):
+            raise ValueError("scheduler_file is %s, legal: a file that a Dask scheduler has written" % scheduler_file)
+        if workers is not None and (scheduler or scheduler_file):
+            raise ValueError("workers is %s with a scheduler, legal: one of them; a scheduler has its own workers" % workers)
+        number = _plan.whole("workers", os.cpu_count() or 1 if workers is None else workers, 1, 1024)
+        if again is not None:
+            return self._again(again)
+        done = {}
+        if self._folder is not None:
+            if fresh:
+                self._folder.forget()
+            done = self._folder.begin(self._plan)
+        missing = [row for row in range(len(self._rows)) if row not in done]
+        try:
+            if missing:
+                self._deal(missing, done, number, scheduler, scheduler_file)
+            elif not self._quiet:
+                self._tell("all %d rows are there already" % len(done))
+        finally:
+            rows = [done[row] for row in sorted(done)]
+            if self._folder is not None:
+                self._folder.tables(rows)
+                self._folder.close()
+        names = columns(rows)
+        return [flat(one, names) for one in rows]
+
+    def _deal(self, missing, done, number, scheduler, scheduler_file):
+        from . import _deal
+        before = len(done)
+        begun = []
+
+        def took(answers):
+            made = [self._row(part, answer) for part, answer in answers]
+            done.update((one["row"], one) for one in made)
+            if self._folder is not None:
+                self._folder.add(made)
+            self._progress(done, before, begun)
+
+        with _deal.connected(number, scheduler, scheduler_file, self._tell) as client:
+            begun.append(time.monotonic())
+            if before:
+                self._tell("%d of %d rows are there already" % (before, len(self._rows)))
+            _deal.deal(client, self._common(), (self._part(row) for row in missing), took)
+
+    def _tell(self, text):
+        if not self._quiet:
+            print("sear sweep: " + text, file=sys.stderr, flush=True)
+
+    def _progress(self, done, before, begun):
+        """Now and then, and at the end."""
+        terminal = sys.stderr.isatty()
+        now = time.monotonic()
+        ended = len(done) == len(self._rows)
+        if self._quiet or not ended and now - self._told < (TERMINAL_SECONDS if terminal else FILE_SECONDS):
+            return
+        self._told = now
+        rate = (len(done) - before) / max(now - begun[0], 1e-9)
+        bad = sum(one["status"] != "ok" for one in done.values())
+        text = "sear sweep: %d of %d rows, %d not ok, %.1f a second%s" % (
+            len(done), len(self._rows), bad, rate, "" if ended else ", %.0f s left" % ((len(self._rows) - len(done)) / rate))
+        self._width = max(self._width, len(text))
+        print(("\r" if terminal else "") + text.ljust(self._width if terminal else 0), end="" if terminal and not ended else "\n", file=sys.stderr,
+              flush=True)
+
+    def _again(self, row):
+        """Runs one row again, here and without Dask."""
+        there = None if self._folder is None else self._folder.plan()
+        if there is None:
+            raise ValueError("row %s can't be run again: %s; legal: a folder with the rows of this sweep"
+                             % (row, "no folder is named" if self._folder is None else "%s has no sweep" % self._folder.path))
+        if (there["kind"], there["digest"]) != (self._plan["kind"], self._plan["digest"]):
+            raise ValueError("row %s can't be run again: %s is another one than that of the sweep (SHA-256 %s now, %s then)"
+                             % (row, self._plan["name"], self._plan["digest"][:8], there["digest"][:8]))
+        self._rows = _plan.Rows(there["seeds"], there["grid"])
+        number = _plan.whole("row", row, 0, len(self._rows) - 1)
+        old = self._folder.rows().get(number)
+        if old is None:
+            raise ValueError("row %d can't be run again: it has not been run yet" % number)
+        from . import _worker
+        self._limit, self._memory = there["limit"], there["memory"]
+        answer = _worker.run({**self._common(), **self._part(number), "output": True})
+        _worker.close()
+        print(answer.pop("output"), end="", file=sys.stderr)
+        new = self._row(self._part(number), answer)
+        if old["version"] != new["version"]:
+            self._tell("the row was made by SEAR %s, this is %s" % (old["version"], new["version"]))
+            new["version"] = old["version"]
+        names = columns([old, new])
+        if lines([old]) != lines([new]):
+            other = ["%s was %s and is %s" % (name, _plan.shown(flat(old, names)[name]), _plan.shown(flat(new, names)[name])) for name in names
+                     if repr(flat(old, names)[name]) != repr(flat(new, names)[name])]
+            raise RuntimeError("row %d is not the same again: %s" % (number, "; ".join(other) or "its results come in another order"))
+        self._tell("row %d is the same again, to the byte" % number)
+        return flat(new, names)

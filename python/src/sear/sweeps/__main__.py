@@ -1,0 +1,75 @@
+"""The command: python3 -m sear.sweeps SCRIPT.py, which `sear sweep` starts."""
+import argparse
+import os
+import signal
+import sys
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message):
+        raise ValueError(message)
+
+
+def _parser():
+    parser = _Parser(prog="sear sweep", allow_abbrev=False, description="Runs a script once for each seed and each combination of parameters: "
+                     "sear sweep --help has the options.")
+    parser.add_argument("script")
+    for name in ("--seeds", "--workers", "--scheduler", "--scheduler-file", "--limit", "--memory", "--out", "--again"):
+        parser.add_argument(name)
+    parser.add_argument("--set", action="append", default=[])
+    parser.add_argument("--fresh", action="store_true")
+    parser.add_argument("--python3", action="store_true")
+    return parser
+
+
+def _interrupt(number, frame):
+    """Once: what is done is written then, and that takes its time."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    raise KeyboardInterrupt
+
+
+def main(arguments):
+    """Answers the exit status."""
+    from . import LIMIT, _plan, sweep_script
+    folder = None
+    try:
+        given = _parser().parse_args(arguments)
+        grid = {}
+        for one in given.set:
+            name, values = _plan.values_of(one)
+            if name in grid:
+                raise ValueError('--set is "%s", legal: each parameter once' % one)
+            grid[name] = values
+        seeds = _plan.seeds_of("--seeds", "1" if given.seeds is None else given.seeds)
+        folder = given.out or os.path.splitext(os.path.basename(given.script))[0] + "-sweep"
+        limit = LIMIT if given.limit is None else _plan.positive("--limit", given.limit)
+        memory = None if given.memory is None else _plan.positive("--memory", given.memory)
+        workers = None if given.workers is None else _plan.whole("--workers", given.workers, 1, 1024)
+        signal.signal(signal.SIGINT, _interrupt)
+        signal.signal(signal.SIGTERM, _interrupt)
+        rows = sweep_script(given.script, grid, seeds, python3=given.python3, workers=workers, scheduler=given.scheduler,
+                            scheduler_file=given.scheduler_file, limit=limit, memory=memory, out=folder, fresh=given.fresh, again=given.again)
+    except ValueError as error:
+        print("sear sweep: %s" % error, file=sys.stderr)
+        return 2
+    except (RuntimeError, OSError) as error:
+        print("sear sweep: %s" % error, file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("\nsear sweep: broken off; the rows that were there are in %s, and the same command goes on" % folder, file=sys.stderr)
+        return 130
+    if given.again is None:
+        print("%d rows in %s: %s" % (len(rows), folder, _counts(rows)))
+    return 0
+
+
+def _counts(rows):
+    counts = {}
+    for row in rows:
+        counts[row["status"]] = counts.get(row["status"], 0) + 1
+    return ", ".join("%d %s" % (counts[status], status) for status in sorted(counts, key=lambda one: (one != "ok", one)))
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,50 @@
+"""Workers of Dask on this computer, in a process of its own: python3 -m sear.sweeps._cluster NUMBER. It ends when its standard input does.
+
+In the process of the program that sweeps they would read that program once more, and what it does outside of functions would be done again.
+"""
+import json
+import os
+import subprocess
+import sys
+
+SETTINGS = {"DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False",       # it would look a hundred times a second what a worker that waits does
+            "DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES": "20"}       # how many workers may be killed under one run
+
+
+class Local:
+    """Such a process."""
+
+    def __init__(self, workers):
+        self._process = subprocess.Popen([sys.executable, "-m", "sear.sweeps._cluster", str(workers)], stdin=subprocess.PIPE,
+                                         stdout=subprocess.PIPE, env={**SETTINGS, **os.environ}, start_new_session=True)
+        told = self._process.stdout.readline()
+        if not told:
+            self.close()
+            raise RuntimeError("Dask's workers do not start; what they say stands above")
+        said = json.loads(told)
+        self.address = said["address"]
+        self.dashboard = said["dashboard"]
+
+    def close(self):
+        """Ends all of it."""
+        self._process.stdin.close()
+        try:
+            self._process.wait(20)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+        self._process.stdout.close()
+
+
+def main(workers):
+    """Tells the addresses and waits for the end."""
+    import logging
+    from distributed import LocalCluster
+    with LocalCluster(n_workers=workers, threads_per_worker=1, memory_limit=0, host="127.0.0.1", dashboard_address="127.0.0.1:0",
+                      silence_logs=logging.CRITICAL) as cluster:
+        print(json.dumps({"address": cluster.scheduler_address, "dashboard": "http://127.0.0.1:%s/status" % cluster.scheduler.http_server.port}),
+              flush=True)
+        sys.stdin.read()
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]))

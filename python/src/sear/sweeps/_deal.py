@@ -1,0 +1,138 @@
+"""Deals runs out to workers of Dask and takes their answers."""
+import contextlib
+import itertools
+import logging
+import uuid
+
+from . import _worker
+from ._cluster import Local
+
+AHEAD = 10             # tasks that Dask has at once, and for each of its workers' threads:
+AHEAD_OF_THREAD = 4
+TASK_SECONDS = 0.5     # so long a task of several runs is to take
+MOST = 100             # runs in one
+WEIGHT = 0.1           # of the last run in the mean
+TIMES = 5              # a run under which workers end again and again is given up
+
+
+@contextlib.contextmanager
+def connected(workers, scheduler, scheduler_file, tell):
+    """A client of Dask: of workers on this computer, or of a scheduler that runs."""
+    from distributed import Client
+    local = None
+    try:
+        if scheduler is None and scheduler_file is None:
+            local = Local(workers)
+            scheduler = local.address
+        try:
+            client = Client(scheduler, timeout=30) if scheduler_file is None else Client(scheduler_file=scheduler_file, timeout=30)
+        except (OSError, ValueError, TimeoutError) as error:
+            raise ValueError("no Dask scheduler answers at %s (%s), legal: the address of one that runs, such as tcp://host:8786"
+                             % (scheduler or scheduler_file, error or type(error).__name__)) from None
+        logging.getLogger("distributed").setLevel(logging.CRITICAL)
+        try:
+            tell("%d workers at %s" % (len(client.scheduler_info(n_workers=-1)["workers"]), client.scheduler.address))
+            dashboard = local.dashboard if local else client.dashboard_link
+            tell("Dask's dashboard: %s%s" % (dashboard, "" if _has("bokeh") else " (needs bokeh: python3 -m pip install bokeh)"))
+            yield client
+        finally:
+            with contextlib.suppress(Exception):
+                client.run(_worker.close) if local is None else None
+            with contextlib.suppress(Exception):
+                client.close(timeout=5)
+    finally:
+        if local is not None:
+            local.close()
+
+
+def _has(module):
+    import importlib.util
+    return importlib.util.find_spec(module) is not None
+
+
+class _Size:
+    """How many runs go into one task of Dask: of short ones several, since each task costs some milliseconds; it grows with what runs have taken."""
+
+    def __init__(self):
+        self._seconds = TASK_SECONDS
+
+    def took(self, seconds):
+        """A run has taken so long."""
+        self._seconds += (seconds - self._seconds) * WEIGHT
+
+    def now(self):
+        """The number."""
+        return max(1, min(MOST, int(TASK_SECONDS / max(self._seconds, 1e-6))))
+
+
+class _Dealer:
+    """Has all runs done on the workers of a client."""
+
+    def __init__(self, client, common, parts, took):
+        from distributed import as_completed
+        self._client = client
+        self._common = common
+        self._parts = parts
+        self._took = took
+        self._name = uuid.uuid4().hex[:8]
+        self._number = itertools.count()
+        self._size = _Size()
+        self._out = {}
+        self._coming = as_completed()
+
+    def _give(self, parts, tries):
+        future = self._client.submit(_worker.run_all, self._common, parts, key="sear-%s-%d" % (self._name, next(self._number)), pure=False)
+        self._out[future.key] = parts, tries
+        self._coming.add(future)
+
+    def _more(self):
+        threads = sum(self._client.nthreads().values())
+        while len(self._out) < AHEAD + AHEAD_OF_THREAD * threads:
+            parts = list(itertools.islice(self._parts, self._size.now()))
+            if not parts:
+                return
+            self._give(parts, 0)
+
+    def _failed(self, future):
+        """Gives the runs of a task out again if workers have ended under it; answers that of a run that is given up."""
+        from distributed.scheduler import KilledWorker
+        parts, tries = self._out.pop(future.key)
+        error = future.exception() if future.status == "error" else RuntimeError("Dask has cancelled runs")
+        if not isinstance(error, KilledWorker):
+            raise RuntimeError(str(error) or type(error).__name__) from None
+        if len(parts) == 1 and tries + 1 >= TIMES:
+            return [(parts[0], {"status": "died", "message": "workers of Dask ended under the run again and again", "results": {}})]
+        for one in parts:
+            self._give([one], tries + 1)
+        return []
+
+    def run(self):
+        """Until the last is there."""
+        self._more()
+        for batch in self._coming.batches():
+            good = [future for future in batch if future.status == "finished"]
+            answers = []
+            for future, made in zip(good, self._client.gather(good)):
+                for part, answer in zip(self._out.pop(future.key)[0], made):
+                    self._size.took(answer.pop("seconds"))
+                    answers.append((part, answer))
+            for future in batch:
+                if future.status != "finished":
+                    answers += self._failed(future)
+            if answers:
+                self._took(answers)
+            self._more()
+
+
+def deal(client, common, parts, took):
+    """Has all runs done; took gets lists of (part, answer) as they come.
+
+    common: what is the same in all tasks. parts: dictionaries of what is not.
+
+    Raises RuntimeError if a worker can make no run, or the scheduler has gone.
+    """
+    from distributed import CancelledError
+    try:
+        _Dealer(client, common, parts, took).run()
+    except (CancelledError, OSError) as error:
+        raise RuntimeError("Dask's scheduler has gone (%s)" % (error or type(error).__name__)) from None

@@ -1,0 +1,156 @@
+"""The folder of a sweep: what it is (sweep.json), each row as soon as it is there (journal.jsonl), and the tables (rows.csv, rows.parquet)."""
+import csv
+import io
+import json
+import os
+
+PLAN = "sweep.json"
+JOURNAL = "journal.jsonl"
+CSV = "rows.csv"
+PARQUET = "rows.parquet"
+LAST = ("status", "message", "version", "digest")
+
+
+def columns(rows):
+    """All of them: row, seed, parameters, results in the order in which they first come, and how it went."""
+    results = {}
+    for one in rows:
+        results.update(dict.fromkeys(one["results"]))
+    parameters = list(rows[0]["parameters"]) if rows else []
+    return ["row", "seed"] + parameters + list(results) + list(LAST)
+
+
+def flat(row, names):
+    """A row as a dictionary with all columns; what it has not is None."""
+    values = {"row": row["row"], "seed": row["seed"], **row["parameters"], **row["results"], **{name: row[name] for name in LAST}}
+    return {name: values.get(name) for name in names}
+
+
+def text(value):
+    """As in the table of text; numbers are so long that they are the same when they are read again."""
+    return "" if value is None else str(value).lower() if isinstance(value, bool) else repr(value) if isinstance(value, float) else str(value)
+
+
+def lines(rows):
+    """The table of text, with its head."""
+    names = columns(rows)
+    made = io.StringIO()
+    writer = csv.writer(made, lineterminator="\n")
+    writer.writerow(names)
+    for one in rows:
+        writer.writerow([text(value) for value in flat(one, names).values()])
+    return made.getvalue()
+
+
+def parquet(rows, path):
+    """The table in columns: whole numbers, numbers, truth or texts; a column of several kinds is one of texts."""
+    import pyarrow
+    from pyarrow import parquet as format
+    names = columns(rows)
+    made = [flat(one, names) for one in rows]
+    arrays = []
+    for name in names:
+        values = [one[name] for one in made]
+        kinds = {type(one) for one in values if one is not None}
+        if kinds == {bool}:
+            kind = pyarrow.bool_()
+        elif kinds == {int}:
+            kind = pyarrow.int64()
+        elif kinds and kinds <= {int, float}:
+            kind, values = pyarrow.float64(), [None if one is None else float(one) for one in values]
+        else:
+            kind, values = pyarrow.string(), [None if one is None else text(one) for one in values]
+        arrays.append(pyarrow.array(values, kind))
+    format.write_table(pyarrow.table(arrays, names=names), path)
+
+
+class Folder:
+    """One of them. One thread."""
+
+    def __init__(self, path):
+        self.path = path
+        self._journal = None
+
+    def _at(self, name):
+        return os.path.join(self.path, name)
+
+    def plan(self):
+        """What is written of the sweep; None if there is none."""
+        try:
+            with open(self._at(PLAN), encoding="utf-8") as file:
+                return json.load(file)
+        except FileNotFoundError:
+            return None
+
+    def forget(self):
+        """Deletes what a sweep has written, and nothing else."""
+        for name in (PLAN, JOURNAL, CSV, PARQUET):
+            if os.path.exists(self._at(name)):
+                os.remove(self._at(name))
+
+    def begin(self, plan):
+        """Opens it; answers the rows that it has, by their numbers.
+
+        Raises ValueError if they are those of another sweep, OSError if it can't be written.
+        """
+        os.makedirs(self.path, exist_ok=True)
+        there = self.plan()
+        if there is None:
+            self.forget()
+            with open(self._at(PLAN) + ".part", "w", encoding="utf-8") as file:
+                json.dump(plan, file, indent=1)
+            os.replace(self._at(PLAN) + ".part", self._at(PLAN))
+        elif json.loads(json.dumps(plan)) != there:
+            other = [name for name in plan if json.loads(json.dumps(plan[name])) != there.get(name)]
+            raise ValueError("%s has the rows of another sweep, with another %s: name another folder, or begin anew there (--fresh)"
+                             % (self.path, " and ".join(other)))
+        self._journal = open(self._at(JOURNAL), "a+b")
+        self._lock()
+        rows = self._read()
+        return {one["row"]: one for one in rows}
+
+    def _lock(self):
+        try:
+            import fcntl
+        except ImportError:
+            return    # Windows
+        try:
+            fcntl.flock(self._journal, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            raise ValueError("another sweep is at work in %s: name another folder" % self.path) from None
+
+    def _read(self):
+        """All whole lines; half a one, at which it was broken off, is cut off."""
+        self._journal.seek(0)
+        rows = []
+        end = 0
+        for line in self._journal:
+            if not line.endswith(b"\n"):
+                break
+            rows.append(json.loads(line))
+            end += len(line)
+        self._journal.truncate(end)
+        return rows
+
+    def rows(self):
+        """All rows that are there, by their numbers, without opening it to write."""
+        with open(self._at(JOURNAL), "rb") as file:
+            return {one["row"]: one for one in (json.loads(line) for line in file if line.endswith(b"\n"))}
+
+    def add(self, rows):
+        """Writes rows into the journal."""
+        self._journal.write(b"".join(json.dumps(one).encode("ascii") + b"\n" for one in rows))
+        self._journal.flush()
+
+    def tables(self, rows):
+        """Writes both tables, each as a whole or not at all."""
+        with open(self._at(CSV) + ".part", "w", encoding="utf-8", newline="") as file:
+            file.write(lines(rows))
+        parquet(rows, self._at(PARQUET) + ".part")
+        for name in (CSV, PARQUET):
+            os.replace(self._at(name) + ".part", self._at(name))
+
+    def close(self):
+        """Lets go of it."""
+        if self._journal is not None:
+            self._journal.close()

@@ -1,0 +1,161 @@
+"""What a sweep consists of: seeds, values of parameters, and in which order the rows come."""
+import hashlib
+import itertools
+import math
+import numbers
+import re
+
+from .. import _home
+
+NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z")
+TAKEN = ("row", "seed", "status", "message", "version", "digest")
+LEGAL_NAME = "letters, digits and _, not a digit first, and none of " + ", ".join(TAKEN)
+SEED_LIMIT = 2 ** 63
+MOST_ROWS = 10_000_000
+DIGITS = "%.12g"    # so that 0.1:0.5:5 has 0.3 and not 0.30000000000000004
+
+
+def whole(thing, value, low, high):
+    """A whole number, also as text.
+
+    Raises ValueError, with thing, value and what is legal.
+    """
+    try:
+        number = int(value)
+        if isinstance(value, bool) or number != float(value) or not low <= number <= high:
+            raise ValueError
+        return number
+    except (TypeError, ValueError, OverflowError):
+        raise ValueError("%s is %s, legal: a whole number from %d to %d" % (thing, shown(value), low, high)) from None
+
+
+def positive(thing, value):
+    """A number above 0, also as text.
+
+    Raises ValueError, with thing, value and what is legal.
+    """
+    try:
+        number = float(value)
+        if isinstance(value, bool) or not 0 < number < math.inf:
+            raise ValueError
+        return number
+    except (TypeError, ValueError):
+        raise ValueError("%s is %s, legal: a number above 0" % (thing, shown(value))) from None
+
+
+def shown(value):
+    """A value in a message."""
+    return '"%s"' % value if isinstance(value, str) else repr(value)
+
+
+def seeds_of(thing, given):
+    """The seeds as a list: a number is how many from 1 on, "A:B" from A to B, and a list has them."""
+    legal = "legal: how many, from 1 to %d, or A:B, from A to B%s" % (MOST_ROWS, "" if isinstance(given, str) else ", or a list of whole numbers")
+    if isinstance(given, str) and ":" in given:
+        first, _, last = given.partition(":")
+        try:
+            made = range(int(first), int(last) + 1)
+        except ValueError:
+            made = ()
+        if not made or len(made) > MOST_ROWS:
+            raise ValueError("%s is %s, %s" % (thing, shown(given), legal))
+        return [whole(thing, one, -SEED_LIMIT, SEED_LIMIT - 1) for one in (made[0], made[-1])] and list(made)
+    if isinstance(given, (list, tuple, range)) or hasattr(given, "tolist"):
+        made = [whole(thing, plain(one), -SEED_LIMIT, SEED_LIMIT - 1) for one in given]
+        if not made or len(set(made)) < len(made):
+            raise ValueError("%s is %s, legal: at least one seed, and none twice" % (thing, shown(given)))
+        return made
+    try:
+        return list(range(1, whole(thing, given, 1, MOST_ROWS) + 1))
+    except ValueError:
+        raise ValueError("%s is %s, %s" % (thing, shown(given), legal)) from None
+
+
+def plain(value):
+    """One of numpy's numbers as one of Python's."""
+    return value.item() if hasattr(value, "item") else value
+
+
+def read(text):
+    """A value on the command line: a whole number, a number, true, false or a text."""
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return {"true": True, "false": False}.get(text.lower(), text)
+
+
+def values_of(text):
+    """What --set says: name and values."""
+    name, equals, said = text.partition("=")
+    legal = "legal: NAME=A:B:N, N values from A to B, or NAME=A,B,C; a name has " + LEGAL_NAME
+    if not equals or not said or not legal_name(name):
+        raise ValueError("--set is %s, %s" % (shown(text), legal))
+    if said.count(":") == 2:
+        first, last, count = said.split(":")
+        try:
+            low, high = float(first), float(last)
+            if not (math.isfinite(low) and math.isfinite(high)):
+                raise ValueError
+        except ValueError:
+            raise ValueError("--set is %s, %s" % (shown(text), legal)) from None
+        number = whole("--set %s: how many values" % name, count, 2, MOST_ROWS)
+        made = [float(DIGITS % (low + (high - low) * at / (number - 1))) for at in range(number)]
+        isWhole = isinstance(read(first), int) and isinstance(read(last), int) and all(one.is_integer() for one in made)
+        return name, [int(one) for one in made] if isWhole else made
+    return name, [read(one) for one in said.split(",")]
+
+
+def legal_name(name):
+    """Whether a parameter or a result may be called so."""
+    return isinstance(name, str) and bool(NAME.match(name)) and name not in TAKEN
+
+
+def checked_grid(grid):
+    """A list of names and values, of numbers, texts, True and False of Python's own.
+
+    Raises ValueError, with thing, value and what is legal.
+    """
+    made = []
+    for name, values in (grid or {}).items():
+        if not legal_name(name):
+            raise ValueError("parameter is called %s, legal: %s" % (shown(name), LEGAL_NAME))
+        if isinstance(values, (str, bytes)) or not hasattr(values, "__iter__"):
+            raise ValueError("parameter %s is %s, legal: a list of numbers, texts, True or False" % (name, shown(values)))
+        listed = [plain(one) for one in values]
+        wrong = [one for one in listed if not isinstance(one, (numbers.Real, str))]
+        if wrong or not listed:
+            raise ValueError("parameter %s is %s, legal: a list of numbers, texts, True or False" % (name, shown(wrong[0] if wrong else listed)))
+        keys = [(type(one), one) for one in listed]
+        twice = [one for at, one in enumerate(keys) if one in keys[:at]]
+        if twice:
+            raise ValueError("parameter %s has %s twice, legal: each value once" % (name, shown(twice[0][1])))
+        made.append([name, listed])
+    return made
+
+
+class Rows:
+    """The rows of seeds and values: the first parameter changes slowest, the seed fastest."""
+
+    def __init__(self, seeds, grid):
+        self.seeds = seeds
+        self.names = [name for name, _ in grid]
+        self._combinations = list(itertools.product(*(values for _, values in grid)))
+        if len(self) > MOST_ROWS:
+            raise ValueError("the sweep has %d rows, legal: up to %d" % (len(self), MOST_ROWS))
+
+    def __len__(self):
+        return len(self._combinations) * len(self.seeds)
+
+    def __getitem__(self, row):
+        """Seed and parameters."""
+        combination, seed = divmod(row, len(self.seeds))
+        return self.seeds[seed], dict(zip(self.names, self._combinations[combination]))
+
+
+def version():
+    """Of SEAR, with the first digits of its jar's SHA-256: two builds of one version can differ."""
+    home = _home.find()
+    with open(_home.jar(home), "rb") as jar:
+        return "%s+%s" % (_home.version(home), hashlib.sha256(jar.read()).hexdigest()[:8])

@@ -1,0 +1,204 @@
+package org.SEAR.cli.classroom;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
+
+/** One pupil: a folder, a port, a link, and a program that runs, or should. Guarded by its {@link Classroom}. */
+final class Pupil {
+    /** How it is with the program. */
+    enum State { WAITING, STARTING, RUNNING, GIVEN_UP }
+
+    /** So often in a row is it started again by itself. */
+    static final int MOST_RESTARTS = 5;
+    /** After so long it counts as well. */
+    private static final long WELL_NANOS = TimeUnit.MINUTES.toNanos(10);
+    private static final long START_NANOS = TimeUnit.MINUTES.toNanos(3);
+    private static final int CONNECT_MILLIS = 200;
+    private static final int OUT_OF_MEMORY = 3;
+    private static final int BY_SIGNAL = 128;
+    private static final int KILLED = 137;
+
+    final String name;
+    final Path folder;
+    final int port;
+    final String link;
+    private final List<String> command;
+    private final InetSocketAddress address;
+    private final Path log;
+    private final Set<ProcessHandle> started = ConcurrentHashMap.newKeySet();
+
+    private State state = State.WAITING;
+    private Process process;
+    private OutputLog output;
+    private int restarts;
+    private long since;
+    private long megabytes;
+    private String end;
+
+    Pupil(String name, Path folder, int port, String link, List<String> command, InetSocketAddress address, Path log) {
+        this.name = name;
+        this.folder = folder;
+        this.port = port;
+        this.link = link;
+        this.command = command;
+        this.address = address;
+        this.log = log;
+        this.since = System.nanoTime();
+    }
+
+    State state() {
+        return state;
+    }
+
+    /** MB that the program and what it has started held when it was looked at last. */
+    long megabytes() {
+        return megabytes;
+    }
+
+    /** Whether its program may start now: after each restart it waits twice as long. */
+    boolean isDue() {
+        return state == State.WAITING && System.nanoTime() - since >= (restarts == 0 ? 0 : TimeUnit.SECONDS.toNanos(1L << restarts - 1));
+    }
+
+    /**
+     * Starts the program.
+     *
+     * @throws IOException if the port is not free, or the program can't be started
+     */
+    void start() throws IOException {
+        since = System.nanoTime();
+        try (ServerSocket probe = new ServerSocket()) {
+            probe.bind(address);
+        } catch (IOException e) {
+            throw new IOException("port " + port + " can't be had: " + e.getMessage(), e);
+        }
+        end = null;
+        process = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).start();
+        process.getOutputStream().close();
+        output = OutputLog.keep(process.getInputStream(), log);
+        state = State.STARTING;
+    }
+
+    /** It could not be started. */
+    void failed() {
+        restarts++;
+        since = System.nanoTime();
+        state = restarts > MOST_RESTARTS ? State.GIVEN_UP : State.WAITING;
+    }
+
+    /** What has happened to the program, in words; empty if nothing has. */
+    Optional<String> look() {
+        if (process == null) {
+            return Optional.empty();
+        }
+        long age = System.nanoTime() - since;
+        if (!process.isAlive()) {
+            return Optional.of(ended());
+        }
+        if (state == State.STARTING && answers()) {
+            state = State.RUNNING;
+        } else if (state == State.STARTING && age > START_NANOS) {
+            stop("it did not start in " + TimeUnit.NANOSECONDS.toMinutes(START_NANOS) + " minutes");
+        } else if (state == State.RUNNING && age > WELL_NANOS) {
+            restarts = 0;
+        }
+        return Optional.empty();
+    }
+
+    private boolean answers() {
+        try (Socket socket = new Socket()) {
+            InetSocketAddress own = address.getAddress().isAnyLocalAddress() ? new InetSocketAddress("localhost", port) : address;
+            socket.connect(own, CONNECT_MILLIS);
+            return true;
+        } catch (IOException e) {
+            return false;
+        }
+    }
+
+    private String ended() {
+        String why = why(process.exitValue());
+        endStarted();
+        process = null;
+        megabytes = 0;
+        restarts++;
+        since = System.nanoTime();
+        state = restarts > MOST_RESTARTS ? State.GIVEN_UP : State.WAITING;
+        return why + (state == State.GIVEN_UP ? "; not started again after " + MOST_RESTARTS + " times: type the name and Enter to start it"
+            : "; starts again (" + restarts + " of " + MOST_RESTARTS + ")");
+    }
+
+    private String why(int status) {
+        if (end != null) {
+            return end;
+        }
+        if (status == OUT_OF_MEMORY && output.isOutOfMemory()) {
+            return "out of memory";
+        }
+        if (status == KILLED) {
+            return "killed, by a user or because the computer is short of memory";
+        }
+        return status > BY_SIGNAL ? "ended by signal " + (status - BY_SIGNAL) : "ended with status " + status;
+    }
+
+    /** Looks at how much memory the program and what it has started hold, and ends all if it is more than they may. */
+    void weigh(ProcessTable table, long most) {
+        if (process == null || !process.isAlive()) {
+            return;
+        }
+        megabytes = table.megabytes(process.pid());
+        started.removeIf(one -> !one.isAlive());
+        for (long one : table.tree(process.pid())) {
+            if (one != process.pid()) {
+                ProcessHandle.of(one).ifPresent(started::add);
+            }
+        }
+        if (megabytes > most) {
+            stop("held " + megabytes + " MB with what it has started, more than " + most);
+        }
+    }
+
+    private void stop(String why) {
+        end = why;
+        process.destroyForcibly();
+        endStarted();
+    }
+
+    /** Ends what the program has started and left behind. */
+    private void endStarted() {
+        started.forEach(ProcessHandle::destroyForcibly);
+        started.clear();
+    }
+
+    /** Ends the program, to be started anew; one that was given up starts anew. */
+    void renew() {
+        if (process != null) {
+            stop("ended by the teacher");
+        }
+        restarts = 0;
+        state = process == null ? State.WAITING : state;
+    }
+
+    /** Asks the program to end. */
+    void askToEnd() {
+        if (process != null) {
+            process.descendants().forEach(started::add);
+            process.destroy();
+        }
+    }
+
+    /** Waits for its end, and ends it if that takes too long. */
+    void end(long deadline) throws InterruptedException {
+        if (process != null && !process.waitFor(Math.max(0, deadline - System.nanoTime()), TimeUnit.NANOSECONDS)) {
+            process.destroyForcibly().waitFor();
+        }
+        endStarted();
+    }
+}

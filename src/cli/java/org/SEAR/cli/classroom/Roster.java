@@ -1,0 +1,62 @@
+package org.SEAR.cli.classroom;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/** The names of a class: a file with one a line; empty lines and those that begin with # don't count. */
+final class Roster {
+    private static final int LONGEST = 60;
+    private static final String MARK = "\uFEFF";
+
+    private Roster() {
+    }
+
+    /**
+     * Reads it.
+     *
+     * @return the pupils' names and the names of their folders, in the order of the file
+     * @throws IllegalArgumentException if a name makes no sense, or two would have the same folder
+     */
+    static Map<String, String> read(Path file) throws IOException {
+        Map<String, String> folders = new LinkedHashMap<>();
+        Map<String, String> taken = new LinkedHashMap<>();
+        List<String> wrong = new ArrayList<>();
+        int number = 0;
+        for (String line : Files.readString(file, StandardCharsets.UTF_8).replace(MARK, "").split("\\R")) {
+            String name = line.trim();
+            number++;
+            if (name.isEmpty() || name.startsWith("#")) {
+                continue;
+            }
+            String folder = folder(name);
+            String other = taken.putIfAbsent(folder.toLowerCase(Locale.ROOT), name);
+            if (folder.isEmpty() || name.length() > LONGEST) {
+                wrong.add(file + ":" + number + ": \"" + name + "\" is no name, legal: 1 to " + LONGEST
+                    + " characters, a letter or digit among them");
+            } else if (other != null) {
+                wrong.add(file + ":" + number + ": \"" + name + "\" has the folder of \"" + other + "\", " + folder
+                    + ": write one of them otherwise");
+            }
+            folders.put(name, folder);
+        }
+        if (folders.isEmpty()) {
+            wrong.add(file + " has no names: write one a line");
+        }
+        if (!wrong.isEmpty()) {
+            throw new IllegalArgumentException(String.join("\n", wrong));
+        }
+        return folders;
+    }
+
+    /** A name that every disk takes, and no way out of the folder. */
+    private static String folder(String name) {
+        return name.replaceAll("[^\\p{L}\\p{M}\\p{N}_]+", "-").replaceAll("^-+|-+$", "");
+    }
+}

@@ -1,0 +1,75 @@
+package org.SEAR.cli.sweep;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import org.myrobotlab.embedded.python.PythonEngine;
+import org.myrobotlab.framework.interfaces.ServiceInterface;
+import org.myrobotlab.service.Python;
+import org.myrobotlab.service.Runtime;
+import org.myrobotlab.service.SEAR;
+
+/** Runs scripts by Jython one after the other in a Java machine that stays, each in a MyRobotLab of its own. Python calls it; one thread. */
+public final class ScriptRuns {
+    private static final String PYTHON = "python";
+    /** So long may a callback, or a thread of the script, go on after its end. */
+    private static final int PATIENCE_MILLIS = 5000;
+
+    private ScriptRuns() {
+    }
+
+    /** Does what has to be done once in a Java machine before the first script, which takes seconds, so that it is not taken for a part of a run. */
+    public static void prepare() {
+        Runtime.start(PYTHON, "Python");
+        PythonEngine engine = PythonEngine.of(PYTHON);
+        if (engine != null) {
+            engine.run("import org\n");
+        }
+        release();
+    }
+
+    /**
+     * Runs a script from start to release.
+     *
+     * @return nothing if all went well; else what went wrong, the last line being the shortest account
+     */
+    public static String run(String script) throws IOException, InterruptedException {
+        try {
+            ServiceInterface python = Runtime.start(PYTHON, "Python");
+            PythonEngine engine = PythonEngine.of(PYTHON);
+            if (!(python instanceof Python) || engine == null) {
+                throw new IllegalStateException("Python can't start");
+            }
+            List<String> errors = new ArrayList<>();
+            engine.setFailed(errors::add);
+            ((Python) python).execFile(script);
+            engine.finishCallbacks(PATIENCE_MILLIS);
+            stopSimulations();
+            engine.finishThreads(PATIENCE_MILLIS);
+            String traceback = engine.getLastResult().getTraceback();
+            if (traceback != null) {
+                return traceback;
+            }
+            if (engine.getLastResult().getExitCode() != 0) {
+                return "exit status " + engine.getLastResult().getExitCode();
+            }
+            return !engine.hasCallFailed() ? "" : errors.isEmpty() ? "a function that was called back has failed" : errors.get(0);
+        } finally {
+            release();
+        }
+    }
+
+    /** Ends all simulations and releases all services, so that the next run finds none. */
+    public static void release() {
+        stopSimulations();
+        Runtime.releaseAll();
+    }
+
+    private static void stopSimulations() {
+        for (ServiceInterface service : Runtime.getServices()) {
+            if (service instanceof SEAR && ((SEAR) service).isSimulating()) {
+                ((SEAR) service).stopSimulation();
+            }
+        }
+    }
+}

@@ -1,0 +1,96 @@
+package org.SEAR.cli.sweep;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code sear sweep SCRIPT.py}: many runs of a script, by {@code python3 -m sear.sweeps}, which also says what is wrong with the options. */
+@Command(name = "sweep", mixinStandardHelpOptions = true,
+    description = "Runs a script once for each seed and each combination of parameters, on many processes or computers, and writes a table of the "
+        + "results. The processes are those of Dask Distributed: python3 -m pip install numpy JPype1 distributed pyarrow.",
+    footer = "Exit status: 0 when all runs were made, whatever came of them, 1 when not, or when a row is not the same again, 2 when the command "
+        + "makes no sense, 130 after Ctrl+C.")
+public final class SweepCommand implements Callable<Integer> {
+    private static final int PATIENCE_SECONDS = 30;
+
+    @Parameters(paramLabel = "SCRIPT.py", description = "A script, as sear SCRIPT.py runs it; it asks sear.getParameter(\"NAME\", default) and "
+        + "says sear.setResult(\"NAME\", value).")
+    private Path script;
+    @Option(names = "--seeds", paramLabel = "N|A:B", description = "How many seeds, from 1 on, or from A to B. Default: 1.")
+    private String seeds;
+    @Option(names = "--set", paramLabel = "NAME=A:B:N|NAME=A,B,C", description = "Values of a parameter: N from A to B, or those that are listed. "
+        + "May be given for several parameters; each combination is run.")
+    private List<String> set;
+    @Option(names = "--workers", paramLabel = "N", description = "Processes on this computer. Default: as many as it has processors.")
+    private String workers;
+    @Option(names = "--scheduler", paramLabel = "ADDRESS", description = "Of a Dask scheduler that runs, such as tcp://host:8786.")
+    private String scheduler;
+    @Option(names = "--scheduler-file", paramLabel = "FILE", description = "Where a Dask scheduler has written its address.")
+    private String schedulerFile;
+    @Option(names = "--limit", paramLabel = "SECONDS", description = "A run that takes longer is ended. Default: 600.")
+    private String limit;
+    @Option(names = "--memory", paramLabel = "MB", description = "A run whose process takes more memory is ended. Default: no limit.")
+    private String memory;
+    @Option(names = "--out", paramLabel = "FOLDER", description = "Where the results are written; a sweep that was broken off there goes on. Default:"
+        + " the script's name with -sweep.")
+    private String out;
+    @Option(names = "--fresh", description = "Forget the results that are there, and begin anew.")
+    private boolean fresh;
+    @Option(names = "--again", paramLabel = "ROW", description = "Run that row of a sweep again and say whether it is the same; no other is run.")
+    private String again;
+    @Option(names = "--python3", description = "The script is Python 3, whatever its first line says.")
+    private boolean python3;
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws InterruptedException {
+        boolean windows = System.getProperty("os.name").toLowerCase(Locale.ROOT).startsWith("windows");
+        String python = System.getenv().getOrDefault("SEAR_PYTHON", windows ? "python" : "python3");
+        List<String> command = new ArrayList<>(List.of(python, "-u", "-m", "sear.sweeps", script.toString()));
+        for (OptionSpec option : spec.options()) {
+            if (option.getValue() instanceof List) {
+                option.<List<String>>getValue().forEach(value -> command.add(option.longestName() + "=" + value));
+            } else if (option.getValue() instanceof String) {
+                command.add(option.longestName() + "=" + option.getValue());
+            } else if (Boolean.TRUE.equals(option.getValue())) {
+                command.add(option.longestName());
+            }
+        }
+        ProcessBuilder builder = new ProcessBuilder(command).inheritIO();
+        Path modules = Path.of(System.getProperty("sear.home", "."), "python");
+        builder.environment().merge("PYTHONPATH", modules.toString(), (old, own) -> old + File.pathSeparator + own);
+        try {
+            Process process = builder.start();
+            java.lang.Runtime.getRuntime().addShutdownHook(new Thread(() -> end(process), "sweep end"));
+            return process.waitFor();
+        } catch (IOException e) {
+            PrintWriter err = spec.commandLine().getErr();
+            err.println("sear sweep: there is no " + python + ": install Python 3.9 or newer, or set SEAR_PYTHON to it");
+            return ExitCode.SOFTWARE;
+        }
+    }
+
+    /** After Ctrl+C, which comes to both processes, or the end of this one alone: the other still writes what is done. */
+    private static void end(Process process) {
+        process.destroy();
+        try {
+            process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

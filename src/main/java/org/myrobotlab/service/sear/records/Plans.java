@@ -1,0 +1,58 @@
+package org.myrobotlab.service.sear.records;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import org.SEAR.grammar.ScriptText;
+import org.SEAR.plan.Plan;
+import org.SEAR.plan.PlanDrawing;
+import org.SEAR.plot.Pictures;
+import org.SEAR.project.ProjectSwap;
+import org.SEAR.project.problems.ProjectException;
+import org.SEAR.simulator.Simulation;
+import org.myrobotlab.service.sear.run.RunSettings;
+import org.myrobotlab.service.sear.run.SimulationControl;
+
+/** Plans of the running world, or else of the project, for scripts. Any thread. */
+public final class Plans {
+    private final SimulationControl control;
+
+    public Plans(SimulationControl control) {
+        this.control = control;
+    }
+
+    /** The text of an SVG file. */
+    public String svg(boolean beams) throws InterruptedException, IOException, ProjectException {
+        return Pictures.svg(new PlanDrawing(plan(beams)));
+    }
+
+    /** Writes a PNG or SVG file. */
+    public void save(String picture) throws InterruptedException, IOException, ProjectException {
+        String text = ScriptText.of(picture);
+        if (text == null) {
+            throw new IllegalArgumentException("the path of the picture is missing (None), legal: a text such as \"plan.png\"");
+        }
+        Path file = Paths.get(text);
+        Pictures.check(file);
+        Pictures.save(new PlanDrawing(plan(true)), file);
+    }
+
+    private Plan plan(boolean beams) throws InterruptedException, IOException, ProjectException {
+        Plan running = control.look((world, session) -> Plan.of(world, beams), null);
+        if (running != null) {
+            return running;
+        }
+        Path folder = control.getFolder();
+        if (!Files.isDirectory(folder)) {
+            throw new IOException("there is no project folder " + folder.toAbsolutePath() + ": create some objects first (org.SEAR.POJOs), or"
+                + " loadProject(\"file.sear\")");
+        }
+        ProjectSwap.hold();
+        try (Simulation start = Simulation.load(folder, RunSettings.fromSystem().seed)) {
+            return Plan.of(start, beams);
+        } finally {
+            ProjectSwap.letGo();
+        }
+    }
+}

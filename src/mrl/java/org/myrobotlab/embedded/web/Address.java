@@ -1,0 +1,197 @@
+package org.myrobotlab.embedded.web;
+
+import java.io.IOException;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.net.UnknownHostException;
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Set;
+import java.util.regex.Pattern;
+
+/**
+ * Where servers listen: on this computer only, unless the user asked for more with {@code --host}; and by which names browsers reach them there. Any
+ * thread.
+ */
+public final class Address {
+    private static final String LOOPBACK = "127.0.0.1";
+    private static final String PORT = "{port}";
+    private static final Set<String> SCHEMES = Set.of("http", "https");
+    private static final Pattern NUMERIC = Pattern.compile("[0-9]+(\\.[0-9]+){3}|\\[[0-9a-f:.]+\\]");
+    /** Of no computer, by RFC 5737; nothing is sent there. */
+    private static final String ELSEWHERE = "192.0.2.1";
+    private static final int WEB = 80;
+    private static volatile Address current = new Address(InetAddress.getLoopbackAddress(), LOOPBACK, null);
+
+    private final InetAddress listening;
+    private final String host;
+    private final String url;
+
+    private Address(InetAddress listening, String host, String url) {
+        this.listening = listening;
+        this.host = host;
+        this.url = url;
+    }
+
+    /** Where servers that start now listen. */
+    public static Address current() {
+        return current;
+    }
+
+    /**
+     * From now on servers that start listen there.
+     *
+     * @param host a name or number of this computer; 0.0.0.0 for all of its IPv4 addresses, :: for all; null for this computer alone
+     * @param url how browsers reach the server, if otherwise: http://HOST:PORT or https://HOST, where {port} becomes the server's port; may be null
+     * @throws IllegalArgumentException if one of them makes no sense
+     */
+    public static Address listen(String host, String url) {
+        if (url != null) {
+            authority(url.replace(PORT, "1"));
+        }
+        try {
+            String name = host == null ? LOOPBACK : host;
+            current = new Address(InetAddress.getByName(name), name, url);
+        } catch (UnknownHostException e) {
+            throw new IllegalArgumentException("\"" + host + "\" is no address of this computer", e);
+        }
+        return current;
+    }
+
+    /** From now on servers that start listen on this computer only. */
+    public static void dismiss() {
+        current = new Address(InetAddress.getLoopbackAddress(), LOOPBACK, null);
+    }
+
+    /** Whether only this computer's own programs get there. */
+    public boolean isLoopback() {
+        return listening.isLoopbackAddress();
+    }
+
+    /** What a server binds. */
+    public InetSocketAddress socket(int port) {
+        return new InetSocketAddress(isLoopback() && host.equals(LOOPBACK) ? InetAddress.getLoopbackAddress() : listening, port);
+    }
+
+    /** What a browser opens, without a slash at its end: {@code http://localhost:8888}. */
+    public String url(int port) {
+        if (url != null) {
+            return url.replace(PORT, String.valueOf(port)).replaceFirst("/$", "");
+        }
+        String name = host;
+        if (isLoopback()) {
+            name = "localhost";
+        } else if (listening.isAnyLocalAddress()) {
+            name = outside();
+        }
+        return "http://" + (name.contains(":") ? "[" + name + "]" : name) + ":" + port;
+    }
+
+    /** This computer's address on the way to others. */
+    private static String outside() {
+        try (DatagramSocket socket = new DatagramSocket()) {
+            socket.connect(InetAddress.getByName(ELSEWHERE), WEB);
+            InetAddress local = socket.getLocalAddress();
+            return local.isAnyLocalAddress() ? hostName() : local.getHostAddress();
+        } catch (IOException | RuntimeException e) {
+            return hostName();
+        }
+    }
+
+    private static String hostName() {
+        try {
+            return InetAddress.getLocalHost().getHostName();
+        } catch (UnknownHostException e) {
+            return "localhost";
+        }
+    }
+
+    /** Host and port as browsers write them into the header Host. */
+    private static String authority(String url) {
+        String legal = "\"" + url + "\" is no address of this server, legal: http://HOST, http://HOST:PORT, https://HOST, https://HOST:PORT";
+        try {
+            URI uri = new URI(url);
+            String scheme = String.valueOf(uri.getScheme()).toLowerCase(Locale.ROOT);
+            boolean isBare = uri.getUserInfo() == null && uri.getQuery() == null && uri.getFragment() == null && uri.getPath().matches("/?");
+            if (uri.getHost() == null || !SCHEMES.contains(scheme) || !isBare) {
+                throw new IllegalArgumentException(legal);
+            }
+            boolean isUsual = uri.getPort() < 0 || uri.getPort() == (scheme.equals("http") ? WEB : 443);
+            return uri.getHost().toLowerCase(Locale.ROOT) + (isUsual ? "" : ":" + uri.getPort());
+        } catch (URISyntaxException e) {
+            throw new IllegalArgumentException(legal, e);
+        }
+    }
+
+    /** The names of a server on a port. */
+    Names names(int port) {
+        Set<String> names = new HashSet<>(Set.of("localhost", LOOPBACK, "[::1]"));
+        if (!isLoopback()) {
+            String own = hostName().toLowerCase(Locale.ROOT);
+            names.add(own);
+            names.add(own + ".local");
+        }
+        names.add(host.toLowerCase(Locale.ROOT));
+        return new Names(names, port, url == null ? null : url(port));
+    }
+
+    /** By which names a server is called, and from which pages: a name that another server has got to itself (DNS rebinding) is none of them. */
+    static final class Names {
+        private final Set<String> hosts;
+        private final int port;
+        private final String outer;
+        private final String outerHost;
+
+        private Names(Set<String> hosts, int port, String outer) {
+            this.hosts = hosts;
+            this.port = port;
+            this.outer = outer;
+            this.outerHost = outer == null ? null : authority(outer);
+        }
+
+        /**
+         * Whether a header Host names this server.
+         *
+         * @param reached the address of this computer that the request came to
+         */
+        boolean has(String header, InetAddress reached) {
+            String text = header.toLowerCase(Locale.ROOT);
+            String end = ":" + port;
+            if (text.equals(outerHost)) {
+                return true;
+            }
+            if (!text.endsWith(end) && port != WEB) {
+                return false;
+            }
+            String name = text.endsWith(end) ? text.substring(0, text.length() - end.length()) : text;
+            return hosts.contains(name) || isNumberOf(name, reached);
+        }
+
+        /** A number names nobody else, whatever a name server says. */
+        private static boolean isNumberOf(String name, InetAddress reached) {
+            try {
+                return NUMERIC.matcher(name).matches() && InetAddress.getByName(name).equals(reached);
+            } catch (UnknownHostException e) {
+                return false;
+            }
+        }
+
+        /** The origin of this server's own pages, for those who call it so. */
+        String origin(String header) {
+            return header.toLowerCase(Locale.ROOT).equals(outerHost) && isSecure(header) ? "https://" + header : "http://" + header;
+        }
+
+        /** Whether who calls it so comes through an encrypted connection. */
+        boolean isSecure(String header) {
+            return header.toLowerCase(Locale.ROOT).equals(outerHost) && outer.toLowerCase(Locale.ROOT).startsWith("https:");
+        }
+
+        /** One of the names, to be told. */
+        String one() {
+            return outerHost == null ? "localhost" : outerHost;
+        }
+    }
+}

@@ -1,0 +1,235 @@
+package org.SEAR.cli;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
+import static org.junit.Assert.assertTrue;
+
+import java.io.IOException;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
+import java.util.concurrent.Callable;
+import java.util.concurrent.locks.LockSupport;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.After;
+import org.junit.Rule;
+import org.junit.rules.TemporaryFolder;
+import org.junit.Test;
+import org.SEAR.documents.DocBlock;
+import org.SEAR.FreePort;
+import org.SEAR.SearProcess;
+import org.myrobotlab.embedded.web.Token;
+
+/** {@code sear class}: programs that end are started again, the others go on, and none stays. */
+public class ClassCommandTest {
+    private static final int PATIENCE_SECONDS = 240;
+    private static final String ADA = "Ada-Lovelace";
+    private static final String BEN = "Ben";
+
+    @Rule
+    public final TemporaryFolder folder = new TemporaryFolder();
+    private Process process;
+    private int port;
+
+    @After
+    public void end() throws InterruptedException {
+        if (process != null) {
+            process.descendants().forEach(ProcessHandle::destroyForcibly);
+            process.destroyForcibly().waitFor();
+        }
+    }
+
+    private Path path(String name) {
+        return folder.getRoot().toPath().resolve(name);
+    }
+
+    private void sear(String... arguments) throws IOException {
+        List<String> command = SearProcess.command("-Xmx128m", "-Dfile.encoding=UTF-8");
+        command.addAll(List.of(arguments));
+        process = new ProcessBuilder(command).directory(folder.getRoot()).redirectErrorStream(true).redirectOutput(path("out.txt").toFile()).start();
+    }
+
+    /** A command of the page. */
+    private static String command(Predicate<String> wanted) {
+        List<String> commands = DocBlock.commands("docs/classroom.md", "sear class --pupils names.txt").stream().filter(wanted)
+            .collect(Collectors.toList());
+        assertEquals(commands.toString(), 1, commands.size());
+        return commands.get(0);
+    }
+
+    private static List<String> arguments(String command) {
+        String[] words = command.split(" ");
+        return new ArrayList<>(List.of(words).subList(1, words.length));
+    }
+
+    /** The example of the page: its command, for a free port. */
+    private void startClass() throws IOException {
+        Files.writeString(path("names.txt"), DocBlock.of("docs/classroom.md", "text").get(0));
+        Files.writeString(path("lesson1.py"), "print 'begin'\n");
+        port = FreePort.find();
+        List<String> arguments = arguments(command(line -> line.contains("--script")));
+        arguments.addAll(List.of("--port", String.valueOf(port), "--memory", "96"));
+        sear(arguments.toArray(new String[0]));
+        until("all run", () -> out().contains("All 2 run."));
+    }
+
+    private String out() throws IOException {
+        return Files.readString(path("out.txt"));
+    }
+
+    private void until(String what, Callable<Boolean> condition) throws IOException {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (!holds(condition)) {
+            assertTrue(what + "\n" + out(), System.nanoTime() < end && process.isAlive());
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(100));
+        }
+    }
+
+    private static boolean holds(Callable<Boolean> condition) {
+        try {
+            return condition.call();
+        } catch (Exception e) {
+            return false;    // not yet
+        }
+    }
+
+    private String token(String pupil) throws IOException {
+        return Files.readString(path("class/.tokens/" + pupil)).trim();
+    }
+
+    private HttpResponse<String> call(int number, String token, String method, String arguments) throws IOException, InterruptedException {
+        return client().send(request(number, token, method, arguments), HttpResponse.BodyHandlers.ofString());
+    }
+
+    /** A new one: connections that one keeps to a killed process are of no use at the next. */
+    private static HttpClient client() {
+        return HttpClient.newHttpClient();
+    }
+
+    private static HttpRequest request(int number, String token, String method, String arguments) {
+        return HttpRequest.newBuilder(URI.create("http://localhost:" + number + "/api/service/" + method))
+            .header("Content-Type", "application/json").header("Authorization", "Bearer " + token)
+            .POST(HttpRequest.BodyPublishers.ofString(arguments)).build();
+    }
+
+    /** Whether Python is there, too, which comes after the port. */
+    private boolean runsScripts(int number, String token) throws IOException, InterruptedException {
+        return call(number, token, "python/exec", "[\"pass\"]").body().trim().equals("true");
+    }
+
+    private ProcessHandle pupil(int number) {
+        return process.children().filter(one -> commandLine(one).contains("--port\0" + number + "\0")).findFirst().orElseThrow();
+    }
+
+    /** All of it: Java's own answer ends after the first 4096 characters. */
+    private static String commandLine(ProcessHandle one) {
+        try {
+            return Files.readString(Path.of("/proc", String.valueOf(one.pid()), "cmdline"));
+        } catch (IOException e) {
+            return "";    // it has ended
+        }
+    }
+
+    @Test
+    public void whatEndsIsStartedAgainTheOthersGoOnAndNothingStays() throws Exception {
+        startClass();
+        assertTrue(out(), out().contains("http://localhost:" + port + "/?token=" + token(ADA)));
+        assertEquals("name,link\n\"Ada Lovelace\",http://localhost:" + port + "/?token=" + token(ADA) + "\n\"Ben\",http://localhost:" + (port + 1)
+            + "/?token=" + token(BEN) + "\n", Files.readString(path("class/links.csv")));
+        for (String own : new String[] {"class/links.csv", "class/.tokens/Ben"}) {
+            assertEquals("rw-------", PosixFilePermissions.toString(Files.getPosixFilePermissions(path(own))));
+        }
+        assertEquals("rwx------", PosixFilePermissions.toString(Files.getPosixFilePermissions(path("class"))));
+        assertEquals("print 'begin'\n", Files.readString(path("class/Ben/lesson1.py")));
+        assertEquals(200, call(port + 1, token(BEN), "python/isRunning", "[]").statusCode());
+        assertEquals("another's token", 401, call(port + 1, token(ADA), "python/isRunning", "[]").statusCode());
+
+        ProcessHandle ben = pupil(port + 1);
+        assertTrue(pupil(port).destroyForcibly());
+        String killed = "Ada Lovelace: killed, by a user or because the computer is short of memory; starts again (1 of 5)";
+        until("Ada's starts again", () -> out().contains(killed)
+            && runsScripts(port, token(ADA)));
+        client().sendAsync(request(port, token(ADA), "python/exec", "[\"x = []\\nwhile True: x.append('a' * 1000000)\"]"),
+            HttpResponse.BodyHandlers.ofString());    // nobody answers any more
+        until("Ada's is out of memory", () -> out().contains("Ada Lovelace: out of memory; starts again (2 of 5)")
+            && runsScripts(port, token(ADA)));
+        assertTrue("Ben's goes on", ben.isAlive() && ben.pid() == pupil(port + 1).pid());
+
+        String sleeper = "[\"import subprocess\\nsubprocess.Popen(['sleep', '600'])\\nopen('begun', 'w').close()\"]";
+        until("Ben's runs scripts", () -> runsScripts(port + 1, token(BEN)));
+        assertEquals(200, call(port + 1, token(BEN), "python/exec", sleeper).statusCode());
+        assertTrue(Files.exists(path("class/Ben/begun")));
+        List<ProcessHandle> all = process.descendants().collect(Collectors.toList());
+        assertTrue("two Javas and a sleep: " + all, all.size() >= 3);
+        process.destroy();    // as Ctrl+C does
+        assertTrue("it goes on", process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+        for (ProcessHandle one : all) {
+            one.onExit().get(PATIENCE_SECONDS, TimeUnit.SECONDS);    // what it has killed may take a moment to be gone
+        }
+        assertEquals("nothing stays", "[]", all.stream().filter(ProcessHandle::isAlive).collect(Collectors.toList()).toString());
+        try (Stream<Path> logs = Files.list(path("class/.logs"))) {
+            for (Path log : logs.collect(Collectors.toList())) {
+                assertFalse(Files.readString(log).contains(token(ADA)) || Files.readString(log).contains(token(BEN)));
+            }
+        }
+    }
+
+    @Test
+    public void withoutTheTeachersProgramThePupilsEnd() throws Exception {
+        Files.writeString(path("names.txt"), "Ada\n");
+        port = FreePort.find();
+        List<String> arguments = arguments(command(line -> line.contains("--url")));
+        arguments.addAll(List.of("--port", String.valueOf(port)));
+        sear(arguments.toArray(new String[0]));
+        until("it runs", () -> out().contains("All 1 run."));
+        assertTrue(out(), out().contains("https://Ada.class.example/?token=" + token("Ada")));
+        ProcessHandle ada = pupil(port);
+        process.destroyForcibly().waitFor();
+        ada.onExit().get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        assertFalse(ada.isAlive());
+    }
+
+    @Test
+    public void aSearForOneTakesItsTokenFromAFileAndKeepsToItsPort() throws Exception {
+        List<String> commands = DocBlock.commands("docs/classroom.md", "sear --headless");
+        assertEquals(commands.toString(), 1, commands.size());
+        port = FreePort.find();
+        List<String> arguments = arguments(commands.get(0).replace("8901", String.valueOf(port)));
+        Token.writePrivate(path("token.txt"), "sixteen-letters-\n");
+        sear(arguments.toArray(new String[0]));
+        until("it runs", () -> call(port, "sixteen-letters-", "python/isRunning", "[]").statusCode() == 200);
+        assertEquals(401, call(port, "sixteen-letters", "python/isRunning", "[]").statusCode());
+        assertTrue(out(), out().contains("is not encrypted") && !out().contains("sixteen-letters-"));
+        Process first = process;
+        sear(arguments.toArray(new String[0]));
+        assertTrue("another one has the port", process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+        assertEquals(out(), 1, process.exitValue());
+        assertTrue(out(), out().contains("port " + port + " is in use by another program"));
+        first.destroyForcibly().waitFor();
+    }
+
+    @Test
+    public void whatMakesNoSenseIsToldAndNothingStarts() throws Exception {
+        Files.writeString(path("names.txt"), "\uFEFFAda\n\n# nobody\nada\n../..\n" + "x".repeat(61) + "\n");
+        sear("class", "--pupils", "names.txt");
+        assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+        assertEquals(2, process.exitValue());
+        assertTrue(out(), out().contains("names.txt:4: \"ada\" has the folder of \"Ada\"")
+            && out().contains("names.txt:5: \"../..\" is no name, legal: ")
+            && out().contains("names.txt:6: ") && !out().contains("names.txt:1:"));
+        assertFalse(Files.exists(path("class")));
+        Files.writeString(path("names.txt"), "Ada\nBen\n");
+        sear("class", "--pupils", "names.txt", "--port", "65535");
+        assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+        assertTrue(out(), out().contains("the last of 2 pupils would have 65536, legal: 1 to 65535"));
+    }
+}

@@ -1,0 +1,168 @@
+package org.SEAR.cli.sweep;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import org.SEAR.HowMany;
+import org.SEAR.SearProcess;
+import org.SEAR.Slow;
+import org.SEAR.documents.DocBlock;
+import org.junit.Before;
+import org.junit.Rule;
+import org.junit.Test;
+import org.junit.experimental.categories.Category;
+import org.junit.rules.TemporaryFolder;
+
+/** {@code sear sweep} and {@code sear.sweep} with workers of Dask; the programs and commands of docs/sweeps.md. */
+@Category(Slow.class)
+public class SweepTest {
+    private static final Path ROOT = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath();
+    private static final String HOME = System.getProperty("sear.home.built", ROOT.resolve("build/install/sear").toString());
+    private static final Path PROGRAMS = ROOT.resolve("src/test/sweep");
+    private static final String LIBRARIES = String.join(File.pathSeparator, System.getProperty("sear.sweep"), System.getProperty("sear.python3"),
+        System.getProperty("sear.gymnasium"));
+    private static final long PATIENCE_SECONDS = 600;
+    private static final int ROWS = HowMany.of("sear.sweepRows", 1000);
+
+    @Rule
+    public final TemporaryFolder temporary = new TemporaryFolder();
+    private Path folder;
+    private String said;
+
+    @Before
+    public void makeAFolder() throws IOException {
+        folder = temporary.newFolder().toPath();
+    }
+
+    /** What a command prints, and in {@link #said} what it says besides. */
+    private String run(int status, String modules, List<String> command) throws IOException, InterruptedException {
+        File out = temporary.newFile();
+        File err = temporary.newFile();
+        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectOutput(out).redirectError(err);
+        builder.environment().put("PYTHONPATH", modules);
+        builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
+        builder.environment().put("SEAR_HOME", HOME);
+        Process process = builder.start();
+        boolean ended = process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        process.destroyForcibly();
+        said = Files.readString(err.toPath());
+        assertTrue("it has not ended:\n" + said, ended);
+        assertEquals(said, status, process.exitValue());
+        return Files.readString(out.toPath());
+    }
+
+    private String sear(int status, String... arguments) throws IOException, InterruptedException {
+        List<String> command = SearProcess.command("-Dsear.home=" + HOME);
+        command.addAll(List.of(arguments));
+        return run(status, LIBRARIES, command);
+    }
+
+    private String python(Path program, String... arguments) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(List.of("python3", program.toString()));
+        command.addAll(List.of(arguments));
+        return run(0, String.join(File.pathSeparator, ROOT.resolve("python/src").toString(), PROGRAMS.toString(), LIBRARIES), command);
+    }
+
+    /** The page's script by Jython, broken off and gone on with, and a row of it again. */
+    @Test
+    public void aScriptOfJythonIsSweptGoesOnAndIsTheSameAgain() throws Exception {
+        Path script = folder.resolve("ahead.py");
+        List<String> blocks = DocBlock.of("docs/sweeps.md", "python");
+        assertEquals(1, blocks.size());
+        Files.writeString(script, blocks.get(0));
+        List<String> commands = DocBlock.commands("docs/sweeps.md", "sear sweep ahead.py --seeds");
+        assertEquals(1, commands.size());
+        String[] words = commands.get(0).replace("--seeds 1000", "--seeds 2").replace("0.1:0.5:5", "0.2:0.4:2 --workers 1")
+            .substring("sear ".length()).split(" ");
+        assertEquals("4 rows in ahead-sweep: 4 ok\n", sear(0, words));
+        Path table = folder.resolve("ahead-sweep/rows.csv");
+        List<String> rows = Files.readAllLines(table);
+        assertTrue(rows.get(0), rows.get(0).startsWith("row,seed,speed,ahead,status,message,version,digest"));
+        assertTrue(rows.get(3), rows.get(3).matches("2,1,0\\.4,\\d\\.\\d+,ok,,\\d.*\\+[0-9a-f]{8},[0-9a-f]{64}"));
+        byte[] bytes = Files.readAllBytes(table);
+        byte[] columns = Files.readAllBytes(folder.resolve("ahead-sweep/rows.parquet"));
+
+        Path journal = folder.resolve("ahead-sweep/journal.jsonl");
+        List<String> lines = Files.readAllLines(journal);
+        Files.writeString(journal, String.join("\n", lines.subList(0, 3)) + "\n" + lines.get(3).substring(0, 20));
+        Files.delete(table);
+        sear(0, words);
+        assertTrue(said, said.contains("3 of 4 rows are there already"));
+        assertTrue("the same bytes when it has gone on", java.util.Arrays.equals(bytes, Files.readAllBytes(table))
+            && java.util.Arrays.equals(columns, Files.readAllBytes(folder.resolve("ahead-sweep/rows.parquet"))));
+
+        String[] again = DocBlock.commands("docs/sweeps.md", "sear sweep ahead.py --again").get(0).replace("--again 17", "--again 3")
+            .substring("sear ".length()).split(" ");
+        sear(0, again);
+        assertTrue(said, said.contains("row 3 is the same again, to the byte"));
+        Files.writeString(journal, Files.readString(journal).replace("\"ahead\": ", "\"ahead\": 1"));
+        sear(1, again);
+        assertTrue(said, said.contains("row 3 is not the same again: ahead was 1"));
+        Files.writeString(script, "# another\n" + blocks.get(0));
+        sear(2, words);
+        assertTrue(said, said.contains("ahead-sweep has the rows of another sweep, with another digest"));
+    }
+
+    /** A script of Python 3 that fails, has no end, ends its process, or takes too much memory: each costs one row, which says so. */
+    @Test
+    public void whatGoesWrongCostsOneRow() throws Exception {
+        Path script = folder.resolve("wrong.py");
+        Files.writeString(script, String.join("\n", "#!/usr/bin/env python3", "import os, signal", "sear = Runtime.start('sear', 'SEAR')",
+            "kind = sear.getParameter('kind', 'good')", "while kind == 'endless': sleep(0.1)", "if kind == 'dies':",
+            "    os.kill(os.getpid(), signal.SIGKILL)", "if kind == 'greedy':", "    much = b'x' * 1500000000",
+            "    while True: sleep(0.1)",
+            "if kind == 'fails':", "    sear.loadProject('nowhere.sear')", "sear.setResult('answer', 42)", "sear.setResult('big', kind == 'good')"));
+        String out = sear(0, "sweep", "wrong.py", "--set", "kind=good,endless,dies,greedy,fails", "--workers", "2", "--limit", "20", "--memory",
+            "1200", "--out", "out");
+        assertEquals("5 rows in out: 1 ok, 1 died, 1 failed, 1 memory, 1 time\n", out);
+        List<String> rows = Files.readAllLines(folder.resolve("out/rows.csv")).stream().map(row -> row.replaceFirst(",[^,]*,[^,]*$", ""))
+            .collect(Collectors.toList());
+        assertEquals("row,seed,kind,answer,big,status,message", rows.get(0));
+        assertEquals("0,1,good,42,true,ok,", rows.get(1));
+        assertEquals("1,1,endless,,,time,the run took longer than 20 s", rows.get(2));
+        assertEquals("2,1,dies,,,died,the run's process was ended by SIGKILL", rows.get(3));
+        assertEquals("3,1,greedy,,,memory,the run's process took more than 1200 MB", rows.get(4));
+        assertTrue(rows.get(5), rows.get(5).startsWith("4,1,fails,,,failed,") && rows.get(5).contains("line 12: ")
+            && rows.get(5).contains("nowhere.sear"));
+    }
+
+    @Test
+    public void aKilledWorkerCostsNoRowAndTheSameSweepWritesTheSameBytes() throws Exception {
+        String out = python(PROGRAMS.resolve("killed.py"), String.valueOf(ROWS), "2");
+        assertEquals(ROWS + " rows, " + ROWS + " ok, one worker killed, the same to the byte\n", out);
+    }
+
+    @Test
+    public void whatIsNotLegalIsTold() throws Exception {
+        Files.writeString(folder.resolve("script.py"), "");
+        assertEquals("all refused\n", python(PROGRAMS.resolve("refused.py")));
+        assertTrue(said, said.contains("sear sweep: --limit is \"-1\", legal: a number above 0\n"));
+    }
+
+    /** The page's function, and its table read as the page says. */
+    @Test
+    public void thePagesProgramsRun() throws Exception {
+        List<String> blocks = DocBlock.of("docs/sweeps.md", "python3");
+        assertEquals(2, blocks.size());
+        String out = python(Files.writeString(folder.resolve("function.py"), blocks.get(0)));
+        assertTrue(out, out.matches("(0\\.\\d m/s, seed \\d: \\d\\.\\d+ m\n){4}"));
+        out = python(Files.writeString(folder.resolve("read.py"), blocks.get(1)));
+        assertTrue(out, out.matches("(?s).*speed: double.*distance: double.*4 rows\n"));
+    }
+
+    /** One of its runs, without Dask. */
+    @Test
+    public void theExampleFindsTheCone() throws Exception {
+        Path program = Files.writeString(folder.resolve("once.py"), "import sys\nsys.path.insert(0, sys.argv[1])\nimport maze_sweep\n"
+            + "made = maze_sweep.drive(2, 0.3)\nprint(made['found'], made['seconds'] < 150, sorted(made))\n");
+        assertEquals("True True ['bumps', 'found', 'seconds']\n", python(program, ROOT.resolve("examples/python3").toString()));
+    }
+}

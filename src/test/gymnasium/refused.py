@@ -49,7 +49,8 @@ refused(ValueError, "start is (1, 2), legal: x and z in metres and heading in de
 free = SearEnv(OFFICE, actions=0.5)
 free.reset(seed=1)
 refused(ValueError, "action is [0.6 0. ], legal: two speeds from -0.5 to 0.5 m/s", free.step, numpy.array([0.6, 0]))
-refused(RuntimeError, "SEAR has been started or connected to already", sear.connect)
+refused(RuntimeError, "SEAR has been started or connected to already, in another way; a program or a notebook's kernel does it once: begin a new one",
+        sear.connect)
 free.close()
 refused(RuntimeError, "reset() has to come before step()", free.step, numpy.array([0.1, 0]))
 refused(RuntimeError, "the environment is closed: make another one", free.reset)

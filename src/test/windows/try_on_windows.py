@@ -22,7 +22,7 @@ DISTRIBUTION = "sear"  # no blank here: cmd /c would take a quote at its beginni
 SCRIPTS = "Skripte für Tests"
 LOCK_STEP = ["--headless", "--speed", "max", "--port", "none"]
 REAL_TIME = ["--headless", "--port", "none"]
-PATIENCE = 300  # seconds for one run; an idle machine needs 30
+PATIENCE = 1500  # seconds for one run; an idle machine needs 30, one that tests at the same time leaves it what is over
 UTF_8 = {"LC_ALL": "C.UTF-8"}
 
 

@@ -94,30 +94,45 @@ class _Dealer:
             self._give(parts, 0)
 
     def _failed(self, future):
-        """Gives the runs of a task out again if workers have ended under it; answers that of a run that is given up."""
+        """Of a task that has come to nothing: the answers of runs that are given up; the others are given out again."""
         from distributed.scheduler import KilledWorker
-        parts, tries = self._out.pop(future.key)
-        error = future.exception() if future.status == "error" else RuntimeError("Dask has cancelled runs")
-        if not isinstance(error, KilledWorker):
+        error = future.exception() if future.status == "error" else None
+        if error is not None and not isinstance(error, KilledWorker):
             raise RuntimeError(str(error) or type(error).__name__) from None
+        return self._again(future)
+
+    def _again(self, future):
+        """The same, where workers have ended under the task or with what it had answered."""
+        if self._client.status != "running":
+            raise RuntimeError("Dask's scheduler has gone")
+        parts, tries = self._out.pop(future.key)
         if len(parts) == 1 and tries + 1 >= TIMES:
             return [(parts[0], {"status": "died", "message": "workers of Dask ended under the run again and again", "results": {}})]
         for one in parts:
             self._give([one], tries + 1)
         return []
 
+    def _made(self, batch):
+        """The finished tasks of a batch with what they have answered; none if a worker has ended meanwhile and taken some with it."""
+        from distributed import CancelledError
+        from distributed.scheduler import KilledWorker
+        good = [future for future in batch if future.status == "finished"]
+        try:
+            return list(zip(good, self._client.gather(good)))
+        except (CancelledError, KilledWorker):
+            return []
+
     def run(self):
         """Until the last is there."""
         self._more()
         for batch in self._coming.batches():
-            good = [future for future in batch if future.status == "finished"]
             answers = []
-            for future, made in zip(good, self._client.gather(good)):
+            for future, made in self._made(batch):
                 for part, answer in zip(self._out.pop(future.key)[0], made):
                     self._size.took(answer.pop("seconds"))
                     answers.append((part, answer))
             for future in batch:
-                if future.status != "finished":
+                if future.key in self._out:     # not among the finished ones
                     answers += self._failed(future)
             if answers:
                 self._took(answers)

@@ -103,8 +103,8 @@ public class OpencvExamplesTest {
     @Test
     public void everyProgramIsTriedHere() throws IOException {
         try (Stream<Path> files = Files.list(EXAMPLES)) {
-            assertEquals("learn_wall_follower.py is looked at by GymnasiumTest",
-                List.of("docking.py", "learn_wall_follower.py", "opencv_lines.py", "robotlab.py", "simulated.py"),
+            assertEquals("learn_wall_follower.py is looked at by GymnasiumTest, maze_sweep.py by SweepTest",
+                List.of("docking.py", "learn_wall_follower.py", "maze_sweep.py", "opencv_lines.py", "robotlab.py", "simulated.py"),
                 files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".py")).sorted()
                     .collect(Collectors.toList()));
         }

@@ -116,7 +116,7 @@ class _Dealer:
         """The finished tasks of a batch with what they have answered; none if a worker has ended meanwhile and taken some with it."""
         from distributed import CancelledError
         from distributed.scheduler import KilledWorker
-        good = [future for future in batch if future.status == "finished"]
+        good = [future for future in batch if future.status == "finished" and future.key in self._out]
         try:
             return list(zip(good, self._client.gather(good)))
         except (CancelledError, KilledWorker):

@@ -29,7 +29,8 @@ public final class Trail {
     private int count;
     private double lastTouch = Double.NEGATIVE_INFINITY;
 
-    Trail(String name) {
+    /** One in which nothing has happened yet. */
+    public Trail(String name) {
         this.name = name;
     }
 
@@ -39,7 +40,12 @@ public final class Trail {
         lastTouch = Double.NEGATIVE_INFINITY;
     }
 
-    void add(double time, Pose pose, boolean touched) {
+    /**
+     * The next moment.
+     *
+     * @param touched whether any part of it but its wheels touches something
+     */
+    public void add(double time, Pose pose, boolean touched) {
         if (moments.length < SIZE * (count + 1)) {
             moments = Arrays.copyOf(moments, 2 * moments.length);
         }

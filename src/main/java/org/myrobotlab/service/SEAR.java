@@ -1301,7 +1301,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * Says what has come of this run: a column in the table of {@code sear sweep}. Without a sweep it is printed.
      *
      * @param name letters, digits and _, and not the name of a parameter
-     * @param value a number, a text, True or False
+     * @param value a number, a text of at most 10,000 characters, True or False; at most 1000 results of a run
      * @throws IllegalArgumentException that names result, value and what is legal
      * @example sear.setResult("distance", 1.25)
      */

@@ -15,6 +15,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.SEAR.geometry.Pose;
+import org.SEAR.lessons.Trail;
 import org.SEAR.robot.Robot;
 import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.Simulation;
@@ -27,8 +28,6 @@ import org.myrobotlab.embedded.python3.Python3Script;
  * when it waits for simulated time. Public because referees in Python call it; what is public belongs to the contest's thread.
  */
 public final class Entrant {
-    /** What touches again so soon has not let go, s. */
-    private static final double SAME_BUMP = 0.5;
     private static final double ROUNDING = 1e-6;
     private static final int LONGEST_ERROR = 300;
     private static final int MOST_PRINTED = 200_000;
@@ -55,8 +54,7 @@ public final class Entrant {
     private double time = Double.POSITIVE_INFINITY;
     private String why = "";
     private double points;
-    private int bumps;
-    private double touched = Double.NEGATIVE_INFINITY;
+    private final Trail trail;
 
     /** What a script prints; more is forgotten. */
     private static final class Printed extends OutputStream {
@@ -79,6 +77,7 @@ public final class Entrant {
         this.script = script;
         this.world = world;
         this.robot = robot;
+        trail = new Trail(name);
         engine = new PythonEngine("contest " + name, printed, printed);
         EntrantSear sear = new EntrantSear(this);
         engine.set("sear", sear);
@@ -210,10 +209,7 @@ public final class Entrant {
 
     /** Looks at what the step has done to it. */
     void look() {
-        if (isTouching()) {
-            bumps += world.getTime() - touched > SAME_BUMP ? 1 : 0;
-            touched = world.getTime();
-        }
+        trail.add(world.getTime(), robot.getPose(), isTouching());
     }
 
     /** Ends its script and forgets its variables. */
@@ -298,6 +294,11 @@ public final class Entrant {
         return robot.getPose().heading();
     }
 
+    /** Where its robot was after each step. */
+    public Trail getTrail() {
+        return trail;
+    }
+
     /** How far it is from a place, metres. */
     public double distance(double x, double z) {
         return Math.hypot(getX() - x, getZ() - z);
@@ -310,7 +311,7 @@ public final class Entrant {
 
     /** How often it began to touch something. */
     public int getBumps() {
-        return bumps;
+        return trail.getBumps().size();
     }
 
     /** Whether its script goes on. */

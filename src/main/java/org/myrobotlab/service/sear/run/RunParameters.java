@@ -19,6 +19,9 @@ public final class RunParameters {
     public static final String LEGAL_NAME = "letters, digits and _, not a digit first, and none of row, seed, status, message, version, digest";
 
     private static final String SEED = "seed";
+    /** Results that are kept until they are taken, and characters of a text. */
+    private static final int MOST_RESULTS = 1000;
+    private static final int LONGEST_TEXT = 10_000;
     private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z0-9_]*");
     /** Columns of their own in the table of a sweep. */
     private static final Set<String> TAKEN = Set.of("row", SEED, "status", "message", "version", "digest");
@@ -97,7 +100,13 @@ public final class RunParameters {
         if (!(kept instanceof String || kept instanceof Number || kept instanceof Boolean)) {
             throw new IllegalArgumentException("result " + name + " is " + value + ", legal: a number, a text, True or False");
         }
+        if (kept instanceof String && ((String) kept).length() > LONGEST_TEXT) {
+            throw new IllegalArgumentException("result " + name + " has " + ((String) kept).length() + " characters, legal: at most " + LONGEST_TEXT);
+        }
         synchronized (RESULTS) {
+            if (RESULTS.size() >= MOST_RESULTS && !RESULTS.containsKey(name)) {
+                throw new IllegalArgumentException("result " + name + " is one too many, legal: at most " + MOST_RESULTS + " of a run");
+            }
             RESULTS.put(name, kept);
         }
         PROGRESS.info("result: {} = {}", name, kept);

@@ -75,4 +75,17 @@ public class RunParametersTest {
         assertEquals("result way is [1], legal: a number, a text, True or False", refused(() -> RunParameters.setResult("way", List.of(1))));
         assertEquals("result way is null, legal: a number, a text, True or False", refused(() -> RunParameters.setResult("way", null)));
     }
+
+    @Test
+    public void resultsAreNotKeptWithoutEnd() {
+        assertEquals("result text has 10001 characters, legal: at most 10000", refused(() -> RunParameters.setResult("text", "a".repeat(10_001))));
+        for (int i = 0; i < 1000; i++) {
+            RunParameters.setResult("number" + i, i);
+        }
+        assertEquals("result more is one too many, legal: at most 1000 of a run", refused(() -> RunParameters.setResult("more", 1)));
+        RunParameters.setResult("number7", 8);
+        Map<String, Object> taken = RunParameters.takeResults();
+        assertEquals(1000, taken.size());
+        assertEquals(8L, taken.get("number7"));
+    }
 }

@@ -110,7 +110,7 @@ public class ContestTest {
             Files.writeString(script, namesAndScripts[i + 1]);
             arguments.add(script.toString());
         }
-        arguments.addAll(List.of("--limit", "1", "--out", contest.resolve("result").toString()));
+        arguments.addAll(List.of("--limit", "8", "--out", contest.resolve("result").toString()));
         return arguments;
     }
 
@@ -140,7 +140,7 @@ public class ContestTest {
         assertEquals(alone, scores.get("good"));
         assertTrue(alone, alone.startsWith("1.1") && alone.endsWith(",,0,\"the time was over\""));
         assertTrue(told, scores.get("failing").contains(",\"its script failed at 1.0 s, line 5: ZeroDivisionError: integer division"));
-        assertTrue(told, scores.get("hanging").contains(",\"its script hung at 1.0 s: it went on for 1.00 s without a simSleep\""));
+        assertTrue(told, scores.get("hanging").contains(",\"its script hung at 1.0 s: it went on for 8.00 s without a simSleep\""));
         assertTrue(told, scores.get("short").contains(",\"its script ended at 1.0 s\""));
         assertTrue(told, scores.get("stubborn").endsWith(",,0,\"the time was over\""));
         assertTrue(told, scores.get("modern").contains("it is Python 3; a contest has Python 2.7"));
@@ -177,5 +177,19 @@ public class ContestTest {
         assertTrue(run(entered(contest, "one", drive)).contains("lacks SECONDS, how much simulated time there is"));
         assertTrue(run(List.of(folder.getRoot().toString(), "x.py")).contains("is no contest, it lacks world.sear"));
         assertTrue(run(List.of(contest.toString(), "x.py")).startsWith("2\nsear contest: x.py can't be read: there is no such file"));
+    }
+
+    @Test
+    public void bumpsAreCountedAndPlacesKept() throws Exception {
+        Path contest = rovers("SECONDS = 8\ndef positions(contest):\n    for entry, z, heading in zip(contest.entries, (0, 2), (90, -90)):\n"
+            + "        entry.place(-3, z, heading)\n"
+            + "def stepped(contest): pass\n"
+            + "def finished(contest):\n    one, two = contest.entries\n    print one.bumps == len(one.trail.bumps), two.trail.length > 0.5\n");
+        String drive = START + "sear.driveStraight(0.3)\nsear.simSleep(60)\n";
+        String told = run(entered(contest, "one", drive, "two", drive));
+        assertTrue(told, told.startsWith("0\nTrue True\n"));
+        for (String name : List.of("one", "two")) {
+            assertTrue(told, scores(contest).get(name).matches("0,,[1-9]\\d*,\"the time was over\""));
+        }
     }
 }

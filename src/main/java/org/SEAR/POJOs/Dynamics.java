@@ -21,7 +21,7 @@ public class Dynamics extends SearObject implements SerialObject {
     private double compression = COMPRESSION;
     @Param(doc = "damping while the suspension is released, as a share of the critical one")
     private double damping = DAMPING;
-    @Param(doc = "largest force of a wheel's suspension", unit = "N", max = 1e9)
+    @Param(doc = "largest force of a wheel's suspension; without a stiffness at least ten times what its wheel carries", unit = "N", max = 1e9)
     private double maxSuspensionForce = MAX_FORCE;
     @Param(doc = "length of the suspension when nothing presses it; without it as long as the robot needs to stand level and clear of the ground,"
         + " or 0.1 where the stiffness is given", unit = "m", max = 100)

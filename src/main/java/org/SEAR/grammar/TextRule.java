@@ -1,6 +1,7 @@
 package org.SEAR.grammar;
 
 import java.nio.charset.StandardCharsets;
+import java.text.Normalizer;
 import java.util.Locale;
 import java.util.Set;
 import java.util.regex.Pattern;
@@ -103,6 +104,11 @@ public enum TextRule {
     /** Whether a GPS receiver is one of u-blox. */
     public static boolean isUblox(String receiver) {
         return UBLOX.contains(plain(receiver));
+    }
+
+    /** Two names or paths for which this is the same are one on some system: capitals do not count there, nor how an accent is spelt. */
+    public static String onAnySystem(String name) {
+        return Normalizer.normalize(name, Normalizer.Form.NFC).toUpperCase(Locale.ROOT).toLowerCase(Locale.ROOT);
     }
 
     private static String plain(String text) {

@@ -14,6 +14,7 @@ import java.util.function.Supplier;
 import org.SEAR.POJOs.Beam;
 import org.SEAR.POJOs.ObjectStore;
 import org.SEAR.POJOs.SearObject;
+import org.SEAR.grammar.TextRule;
 import org.SEAR.project.problems.FileReasons;
 import org.SEAR.project.xml.Xml;
 
@@ -137,15 +138,15 @@ public final class FileStore implements ObjectStore {
     }
 
     private static void refuseOtherCapitals(Path file, String name) throws IOException {
-        String wanted = file.getFileName().toString();
+        String wanted = TextRule.onAnySystem(file.getFileName().toString());
         if (Files.exists(file)) {
             return;
         }
         try (DirectoryStream<Path> others = Files.newDirectoryStream(file.getParent())) {
             for (Path other : others) {
-                if (other.getFileName().toString().equalsIgnoreCase(wanted)) {
+                if (TextRule.onAnySystem(other.getFileName().toString()).equals(wanted)) {
                     throw new IllegalArgumentException("name is \"" + name + "\", legal: a name that differs from that of " + other
-                        + " by more than capitals, since some systems take both for the same file");
+                        + " by more than capitals or accents' spelling, since some systems take both for the same file");
                 }
             }
         }

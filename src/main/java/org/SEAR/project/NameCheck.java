@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import org.SEAR.POJOs.Assembly;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.grammar.TextRule;
 import org.SEAR.project.problems.ProblemList;
 import org.SEAR.project.xml.ParsedObject;
 
@@ -65,7 +65,7 @@ final class NameCheck {
             return;
         }
         String name = ((SearObject) object).getName();
-        String key = name.toLowerCase(Locale.ROOT);
+        String key = TextRule.onAnySystem(name);
         String other = whole.containsKey(key) ? whole.get(key) : seen.putIfAbsent(key, parsed.file);
         if (other != null) {
             problems.add(parsed.file, parsed.line(element), "name", name, "a name of its own (capitals don't count); " + other + " has it too");
@@ -76,10 +76,10 @@ final class NameCheck {
     private void checkFiles() {
         Map<String, ParsedObject> seen = new LinkedHashMap<>();
         for (ParsedObject parsed : parts.values()) {
-            ParsedObject other = owners.containsKey(parsed) ? seen.putIfAbsent(parsed.file.toLowerCase(Locale.ROOT), parsed) : null;
+            ParsedObject other = owners.containsKey(parsed) ? seen.putIfAbsent(TextRule.onAnySystem(parsed.file), parsed) : null;
             if (other != null && owners.get(other) != owners.get(parsed)) {
                 problems.add(parsed.file, parsed.line("name"), "name", ((SearObject) parsed.object).getName(), "a name that differs from that of "
-                    + other.file + " by more than capitals, since some systems take both for the same file");
+                    + other.file + " by more than capitals or accents' spelling, since some systems take both for the same file");
             }
         }
     }

@@ -1,11 +1,11 @@
 package org.SEAR.project.bundle;
 
 import java.nio.charset.StandardCharsets;
-import java.text.Normalizer;
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import org.SEAR.grammar.TextRule;
+import org.SEAR.project.ProjectFolder;
 import org.SEAR.project.problems.ProblemList;
 
 /** What a bundle may hold: the same rules when it is saved and when it is loaded, so that what was saved can be loaded everywhere. */
@@ -87,7 +87,7 @@ final class BundleRules {
         String[] parts = name.split("/", -1);
         boolean legal = name.length() <= MAX_PATH && parts.length <= MAX_DEPTH;
         for (String part : parts) {
-            legal &= TextRule.NAME.isLegal(part);
+            legal &= TextRule.NAME.isLegal(part) || part.endsWith(ProjectFolder.XML) && TextRule.NAME.isLegal(stem(part));
         }
         if (!legal) {
             refuse(name, "a path inside the project, with forward slashes, at most " + MAX_PATH + " characters and " + MAX_DEPTH
@@ -96,9 +96,13 @@ final class BundleRules {
         return legal;
     }
 
+    private static String stem(String file) {
+        return file.substring(0, file.length() - ProjectFolder.XML.length());
+    }
+
     /** Two names that any file system takes for one, or a file where others need a folder. */
     private void place(String name) {
-        String key = key(name);
+        String key = TextRule.onAnySystem(name);
         String twin = files.putIfAbsent(key, name);
         if (twin != null) {
             refuse(name, twin.equals(name) ? "each name once" : "a name that differs from " + twin + " by more than capitals or accents' spelling");
@@ -117,18 +121,14 @@ final class BundleRules {
     private void placeFolders(String name, String path) {
         for (int slash = path.indexOf('/'); slash >= 0; slash = path.indexOf('/', slash + 1)) {
             String folder = path.substring(0, slash);
-            String other = folders.putIfAbsent(key(folder), folder);
+            String other = folders.putIfAbsent(TextRule.onAnySystem(folder), folder);
             if (other != null && !other.equals(folder)) {
                 refuse(name, "a folder that differs from " + other + " by more than capitals");
             }
-            if (files.containsKey(key(folder))) {
+            if (files.containsKey(TextRule.onAnySystem(folder))) {
                 refuse(name, "a folder that isn't a file too");
             }
         }
-    }
-
-    private static String key(String name) {
-        return Normalizer.normalize(name, Normalizer.Form.NFC).toUpperCase(Locale.ROOT).toLowerCase(Locale.ROOT);
     }
 
     /**

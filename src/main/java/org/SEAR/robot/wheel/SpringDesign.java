@@ -19,6 +19,8 @@ public final class SpringDesign {
     private static final double LENGTH = 0.1;
     /** A wheel that carries less than this share of an equal one counts as if it carried so much. */
     private static final double LEAST_LOAD = 0.05;
+    /** A spring that is chosen can press its wheel down by so many times what that carries: else wheels of heavy robots would have no grip. */
+    private static final double LEAST_FORCE = 10;
 
     private final Dynamics dynamics;
     private final List<Wheel> wheels;
@@ -48,14 +50,13 @@ public final class SpringDesign {
         Spring[] springs = new Spring[wheels.size()];
         for (int i = 0; i < springs.length; i++) {
             springs[i] = spring(dynamics.getMass() / springs.length, stiffness * dynamics.getMass(),
-                2 * Math.sqrt(stiffness) * dynamics.getMass(), rest, Math.max(0, rest - sag));
+                2 * Math.sqrt(stiffness) * dynamics.getMass(), dynamics.getMaxSuspensionForce(), rest, Math.max(0, rest - sag));
         }
         return springs;
     }
 
-    private Spring spring(double carried, double stiffness, double critical, double rest, double hangs) {
-        return new Spring(carried, stiffness, critical, dynamics.getCompression(), dynamics.getDamping(), dynamics.getMaxSuspensionForce(), rest,
-            hangs);
+    private Spring spring(double carried, double stiffness, double critical, double force, double rest, double hangs) {
+        return new Spring(carried, stiffness, critical, dynamics.getCompression(), dynamics.getDamping(), force, rest, hangs);
     }
 
     private Spring[] chosen(double lowest) {
@@ -75,7 +76,8 @@ public final class SpringDesign {
                 hangs = Math.max(0, rest - sag);
             }
             double square = PhysicsWorld.GRAVITY / sag;
-            springs[i] = spring(loads[i], loads[i] * square, 2 * loads[i] * Math.sqrt(square), rest, hangs);
+            double force = Math.max(dynamics.getMaxSuspensionForce(), LEAST_FORCE * PhysicsWorld.GRAVITY * loads[i]);
+            springs[i] = spring(loads[i], loads[i] * square, 2 * loads[i] * Math.sqrt(square), force, rest, hangs);
         }
         return springs;
     }

@@ -29,9 +29,18 @@ public final class JythonStart {
 
     /** Begins on a thread of its own, while the one that calls does other things. */
     public static void begin() {
-        Thread thread = new Thread(JythonStart::warmUp, "jython start");
+        Thread thread = new Thread(JythonStart::tryToWarmUp, "jython start");
         thread.setDaemon(true);
         thread.start();
+    }
+
+    /** A program that ends meanwhile, by Ctrl+C or for want of its script, needs no Python any more; else the script's interpreter has the error. */
+    private static void tryToWarmUp() {
+        try {
+            warmUp();
+        } catch (IllegalStateException e) {
+            LOG.debug("Python was not started: {}", e.toString());
+        }
     }
 
     /** Who wants an interpreter meanwhile waits for the end: what both do takes longer than what one does. */

@@ -53,6 +53,22 @@ public class BundleTest {
     }
 
     @Test
+    public void aNameThatAnObjectMayHaveIsOneThatABundleMayHave() throws Exception {
+        new Box("x".repeat(100), 1, 1, 1, 0);
+        Bundle.save(project.folder(), place("a.sear"));
+        Bundle.load(place("a.sear"), place("other"));
+        assertEquals(project.files(), ProjectRule.files(place("other")));
+        new Box("caf\u00e9", 1, 1, 1, 0);
+        try {
+            new Box("cafe\u0301", 1, 1, 1, 0);
+            fail("made");
+        } catch (IllegalArgumentException e) {
+            assertTrue(e.getMessage(), e.getMessage().contains("by more than capitals or accents' spelling"));
+        }
+        Bundle.save(project.folder(), place("b.sear"));
+    }
+
+    @Test
     public void aBundleThatWasUnpackedByHandIsSavedAsTheSameBundle() throws Exception {
         createProject();
         Bundle.save(project.folder(), place("a.sear"));

@@ -48,6 +48,27 @@ public class FirstRobotTest {
         }
     }
 
+    /** Its springs press the driven wheels down as they should: the casters carry no more than their share, and there is grip. */
+    @Test
+    public void oneOfAHundredTonnesStartsAsFastAsOthers() throws Exception {
+        new Floor("floor", 200, 200);
+        SEARrobot robot = new SEARrobot("giant");
+        robot.addComponent(new Dynamics("drive", 1e5));
+        Box body = new Box("body", 6, 12, 2, 1e5);
+        body.move(0, 2, 0);
+        robot.addComponent(body);
+        robot.addWheel(new Wheel("left", 0.8, 0.5, 1, 3, 0.2, 0));
+        robot.addWheel(new Wheel("right", 0.8, 0.5, 1, -3, 0.2, 0));
+        robot.addWheel(new Wheel("front", 0.8, 0.5, 0, 0, 0.2, 5));
+        robot.addWheel(new Wheel("back", 0.8, 0.5, 0, 0, 0.2, -5));
+        try (Simulation simulation = Worlds.start(project)) {
+            Worlds.run(simulation, 2);
+            simulation.getRobots().get(0).drive(4, Double.POSITIVE_INFINITY);
+            Worlds.run(simulation, 3);
+            assertEquals("2 m while it speeds up by 4 m/s in a second, and 8 m", 10, simulation.getPose("giant").z, 0.2);
+        }
+    }
+
     @Test
     public void itStandsLevelAndDrives() throws Exception {
         for (double mass : new double[] {0.2, 2, 50}) {

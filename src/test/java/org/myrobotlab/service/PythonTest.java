@@ -182,6 +182,17 @@ public class PythonTest {
     }
 
     @Test
+    public void anErrorShowsLettersThatAreNotAscii() throws Exception {
+        Path script = folder.newFile("umlaut.py").toPath();
+        for (String error : new String[] {"ValueError(u'T\u00fcr?')", "ValueError('T\u00fcr?')", "IOError(u'T\u00fcr?')"}) {
+            Files.writeString(script, "# coding: utf-8\nname = 'K\u00e4fer \ud83d\ude00'; raise " + error + "\n");
+            assertFalse(python.execFile(script.toString()));
+            assertEquals("Traceback (most recent call last):\n  File \"" + script + "\", line 2, in <module>\n    name = 'K\u00e4fer \ud83d\ude00';"
+                + " raise " + error + "\n" + error.substring(0, error.indexOf('(')) + ": T\u00fcr?", python.getLastError().key);
+        }
+    }
+
+    @Test
     public void aFileImportsFromItsOwnFolder() throws Exception {
         Files.writeString(folder.newFile("helper_of_test.py").toPath(), "value = 42\n");
         Path script = folder.newFile("main.py").toPath();

@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.python.core.Py;
 import org.python.core.PyException;
 import org.python.core.PyFile;
@@ -19,6 +20,9 @@ public final class ScriptResult {
 
     /** A Java exception's class, as Jython writes it. */
     private static final Pattern TWICE = Pattern.compile("^([\\w.$]+): \\1: ");
+
+    private static final int ASCII_END = 128;
+    private static final int BYTE_END = 255;
 
     private final int exitCode;
     private final String traceback;
@@ -49,7 +53,7 @@ public final class ScriptResult {
         if (syntax != null) {
             return failed(syntax);
         }
-        String message = e.value.__str__().toString().trim();
+        String message = letters(e.value.__str__().toString().trim());
         String headline = message.contains("\n") ? message.substring(0, message.indexOf('\n')) + "\n" : "";
         return new ScriptResult(1, headline + traceback(e) + (calledBack == null ? "" : CalledBack.hint(e, calledBack)) + ScriptHints.of(e), false);
     }
@@ -72,15 +76,35 @@ public final class ScriptResult {
         Py.displayException(e.type, e.value, e.traceback, file);
         file.flush();
         String message = e.value.__str__().toString();
+        String shown = bytes.toString(StandardCharsets.UTF_8);
+        if (e.traceback != null) {
+            shown = spelt(shown, e.traceback.dumpStack());
+        }
+        shown = spelt(shown, message);
         if (e.value.__tojava__(Throwable.class) instanceof Throwable) {
             String foreign = SyntaxErrors.ofModule(message);
             if (message.contains("\n") || foreign != null) {
-                return bytes.toString(StandardCharsets.UTF_8).lines().takeWhile(line -> line.startsWith("Traceback") || line.startsWith("  "))
+                return shown.lines().takeWhile(line -> line.startsWith("Traceback") || line.startsWith("  "))
                     .collect(Collectors.joining("\n")) + "\n" + (foreign == null ? message : foreign);
             }
         }
-        return bytes.toString(StandardCharsets.UTF_8).lines().filter(line -> !line.startsWith("\tat ") && !line.startsWith("\t... "))
+        return shown.lines().filter(line -> !line.startsWith("\tat ") && !line.startsWith("\t... "))
             .distinct().map(line -> TWICE.matcher(line).replaceFirst("$1: ")).collect(Collectors.joining("\n"));
+    }
+
+    /** Jython shows a question mark for each letter that is not ASCII: the last place where it shows a text so gets the text. */
+    private static String spelt(String shown, String text) {
+        StringBuilder marks = new StringBuilder();
+        text.chars().forEach(c -> marks.append(c < ASCII_END ? (char) c : '?'));
+        int at = shown.lastIndexOf(marks.toString());
+        String whole = Stream.of(text.split("\n", -1)).map(ScriptResult::letters).collect(Collectors.joining("\n"));
+        return at < 0 ? shown : shown.substring(0, at) + whole + shown.substring(at + text.length());
+    }
+
+    /** In Python 2 a plain string is bytes, and Jython makes a character of each. */
+    private static String letters(String text) {
+        String spelt = new String(text.getBytes(StandardCharsets.ISO_8859_1), StandardCharsets.UTF_8);
+        return text.chars().anyMatch(c -> c > BYTE_END) || spelt.indexOf('\ufffd') >= 0 ? text : spelt;
     }
 
     /** 0 if it ran to its end. */

@@ -152,6 +152,10 @@ public class DistributionTest {
             distribution.launcher().toString(), script.toString(), "--headless", "--port", "none"));
         assertEquals(result.toString(), 0, result.status);
         assertTrue(Files.exists(folder.getRoot().toPath().resolve("SEARproject/environment/T\u00fcr.xml")));
+        Path here = Files.copy(script, folder.newFolder("T\u00fcr").toPath().resolve("umlaut.py"));
+        Distribution.Result unknown = Distribution.run(here.getParent(), folder.newFolder().toPath(), List.of("env", "LC_ALL=xx_XX.UTF-8",
+            distribution.launcher().toString(), "umlaut.py", "--headless", "--port", "none"));
+        assertEquals(unknown.toString(), 0, unknown.status);
         Distribution.Result bare = Distribution.run(folder.getRoot().toPath(), folder.newFolder().toPath(), List.of("env", "LC_ALL=C", "LANG=C",
             Distribution.java().toString(), "-cp", distribution.home().resolve("plugin") + "/*:" + distribution.home().resolve("lib") + "/*",
             "org.SEAR.cli.SearCommand", script.toString(), "--headless", "--port", "none"));

@@ -30,14 +30,15 @@ final class Notices {
     }
 
     /**
-     * An object was put elsewhere.
+     * An object is not any more what it was.
      *
+     * @param what was done with it
+     * @param instead what does it at once; empty if nothing does
      * @param madeAfter so many starts
      */
-    static void moved(String label, int madeAfter) {
+    static void changed(String label, String what, String instead, int madeAfter) {
         if (Workbenches.ALL.actsFor(madeAfter) != null) {
-            say(label + " was moved while a simulation runs: its file says so, and the next startSimulation() finds it there;"
-                + " sear.edit({\"do\": \"set\", ...}) moves it at once");
+            say(label + " was " + what + " while a simulation runs: its file says so, and the next startSimulation() finds it so" + instead);
         }
     }
 

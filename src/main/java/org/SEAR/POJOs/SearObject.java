@@ -76,8 +76,8 @@ public abstract class SearObject {
         checkWhole();
         boolean taken = isTaken();
         life = Life.LIVE;
-        changed();
         starts = Workbenches.ALL.starts();
+        write();
         if (!Stores.isRedirected()) {
             Notices.made(label(), name, taken);
         }
@@ -109,13 +109,30 @@ public abstract class SearObject {
      * @throws UncheckedIOException if it can't be written; the old file is whole then
      */
     protected final void changed() {
-        if (life != Life.LIVE) {
-            return;
+        if (life == Life.LIVE) {
+            write();
+            tell("changed", "");
         }
+    }
+
+    private void write() {
         try {
             save();
         } catch (IOException e) {
             throw new UncheckedIOException(label() + " could not be written: " + e.getMessage(), e);
+        }
+    }
+
+    private void moved() {
+        if (life == Life.LIVE) {
+            write();
+            tell("moved", "; sear.edit({\"do\": \"set\", ...}) moves it at once");
+        }
+    }
+
+    private void tell(String what, String instead) {
+        if (!Stores.isRedirected()) {
+            Notices.changed(label(), what, instead, starts);
         }
     }
 
@@ -347,8 +364,7 @@ public abstract class SearObject {
         z = checked("z", newZ);
         x = checkedX;
         y = checkedY;
-        changed();
-        tellMoved();
+        moved();
     }
 
     /** Turns the object: degrees about the three axes, applied as jME's Quaternion.fromAngles. */
@@ -358,14 +374,7 @@ public abstract class SearObject {
         rz = checked("rz", newRz);
         rx = checkedX;
         ry = checkedY;
-        changed();
-        tellMoved();
-    }
-
-    private void tellMoved() {
-        if (life == Life.LIVE && !Stores.isRedirected()) {
-            Notices.moved(label(), starts);
-        }
+        moved();
     }
 
     /** Puts it elsewhere; the values are checked already. */

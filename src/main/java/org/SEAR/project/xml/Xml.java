@@ -43,6 +43,9 @@ public final class Xml {
     /** Making one takes longer than reading a file with it. The keys are the classes that one may make. */
     private static final Map<Set<Class<?>>, XStream> XSTREAMS = new ConcurrentHashMap<>();
 
+    /** Each thread reads many files with its own, for it promises nothing to several. */
+    private static final ThreadLocal<XMLInputFactory> FACTORIES = ThreadLocal.withInitial(Xml::inputFactory);
+
     private Xml() {
     }
 
@@ -179,7 +182,7 @@ public final class Xml {
 
     private static ParsedObject unmarshal(String text, String name, Map<String, ? extends Class<?>> classes, ProblemList problems)
             throws XMLStreamException {
-        StrictXmlStream stream = new StrictXmlStream(inputFactory().createXMLStreamReader(new StringReader(text)));
+        StrictXmlStream stream = new StrictXmlStream(FACTORIES.get().createXMLStreamReader(new StringReader(text)));
         HierarchicalStreamReader reader = new StaxReader(new QNameMap(), stream);
         String root = reader.getNodeName();
         int line = LineNumber.line(reader);

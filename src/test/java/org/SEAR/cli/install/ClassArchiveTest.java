@@ -18,8 +18,8 @@ import org.junit.rules.TemporaryFolder;
 public class ClassArchiveTest {
     private static final Path HOME = Path.of(System.getProperty("sear.classArchive")).getParent().getParent();
     private static final String SHARED = "source: shared objects file";
-    /** 60 on Java 17, of 5000; the JVM makes most of them as it goes. */
-    private static final int MOST_OTHERS = 150;
+    /** 60 of 5000 on Java 17; Java 25 leaves classes in the form of before Java 6 out of its archive, as all of Jython's are, which makes 1400. */
+    private static final int MOST_OTHERS = Runtime.version().feature() == 17 ? 150 : 2000;
 
     @Rule
     public TemporaryFolder folder = new TemporaryFolder();

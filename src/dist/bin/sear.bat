@@ -11,7 +11,7 @@ echo sear: needs Java 11 or newer on the PATH (or JAVA_HOME set): install it, fo
 exit /b 1
 :start
 set SEAR_TERMINAL=1
-rem Java 24 and newer warn of what XStream, LWJGL and JNA do unless they are told; older ones do not know how to be told.
+rem Java 24 and newer warn of what the server of the tabs, Jython, LWJGL and JNA do unless they are told; older ones do not know how to be told.
 set "QUIET=-Xlog:cds=off -XX:+IgnoreUnrecognizedVMOptions --sun-misc-unsafe-memory-access=allow --enable-native-access=ALL-UNNAMED"
 rem A simulation lives in some 20 MB: the collector that big machines get by default would take 300 before it tidies up.
 rem Classes from an archive lie where it says: elsewhere, as is the default from Java 17 on, each address among them is written anew at each start.

@@ -35,9 +35,18 @@ def find():
 
 
 def jars(home):
-    """All jars of SEAR and of the small MyRobotLab that comes with it."""
-    return [os.path.join(home, folder, name) for folder in (PLUGIN, "lib") for name in sorted(os.listdir(os.path.join(home, folder)))
+    """All jars of SEAR and of the small MyRobotLab that comes with it.
+
+    They are in the order in which the folder lists them, as Java takes lib/*: else it could not use the archive of classes.
+    """
+    return [os.path.join(home, folder, name) for folder in (PLUGIN, "lib") for name in os.listdir(os.path.join(home, folder))
             if name.endswith(".jar")]
+
+
+def class_archive(home):
+    """Java's option for what the build has written down of these classes; none where it has not."""
+    file = os.path.join(home, "lib", "sear.jsa")
+    return ["-XX:SharedArchiveFile=" + file] if os.path.exists(file) else []
 
 
 def jar(home):

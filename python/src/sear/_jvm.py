@@ -9,10 +9,11 @@ from ._objects import wrap
 
 # As bin/sear starts it, with as much of the log
 OPTIONS = ("-Xlog:cds=off", "-XX:+IgnoreUnrecognizedVMOptions", "--sun-misc-unsafe-memory-access=allow", "--enable-native-access=ALL-UNNAMED",
-           "-XX:+UseSerialGC", "-Xms64m", "-XX:Tier4InvocationThreshold=50000", "-XX:Tier4CompileThreshold=150000",
-           "-XX:Tier4BackEdgeThreshold=400000", "-XX:Tier3DelayOn=0", "-Dsear.inPython=true", "-Dorg.slf4j.simpleLogger.defaultLogLevel=warn",
-           "-Dorg.slf4j.simpleLogger.log.org.SEAR.progress=info", "-Dorg.slf4j.simpleLogger.showThreadName=false",
-           "-Dorg.slf4j.simpleLogger.showLogName=false", "-Dorg.slf4j.simpleLogger.levelInBrackets=true")
+           "-XX:+UseSerialGC", "-Xms64m", "-XX:+UnlockDiagnosticVMOptions", "-XX:ArchiveRelocationMode=0", "-XX:Tier4InvocationThreshold=50000",
+           "-XX:Tier4CompileThreshold=150000", "-XX:Tier4BackEdgeThreshold=400000", "-XX:Tier3DelayOn=0", "-Dsear.inPython=true",
+           "-Dorg.slf4j.simpleLogger.defaultLogLevel=warn", "-Dorg.slf4j.simpleLogger.log.org.SEAR.progress=info",
+           "-Dorg.slf4j.simpleLogger.showThreadName=false", "-Dorg.slf4j.simpleLogger.showLogName=false",
+           "-Dorg.slf4j.simpleLogger.levelInBrackets=true")
 MEMBERS = "org.myrobotlab.service.sear.python3.Members"
 WAITS = "org.myrobotlab.service.sear.python3.Waits"
 SEAR = "org.myrobotlab.service.SEAR"
@@ -30,8 +31,8 @@ class InProcess:
         self._jpype = jpype
         if not jpype.isJVMStarted():
             try:
-                jpype.startJVM(*OPTIONS, "-Dsear.home=" + home, *os.environ.get("JAVA_OPTS", "").split(), *options, classpath=_home.jars(home),
-                               convertStrings=True, interrupt=False)
+                jpype.startJVM(*OPTIONS, *_home.class_archive(home), "-Dsear.home=" + home, *os.environ.get("JAVA_OPTS", "").split(), *options,
+                               classpath=_home.jars(home), convertStrings=True, interrupt=False)
             except jpype.JVMNotFoundException as error:
                 raise FileNotFoundError("SEAR needs Java 11 or newer: install it, for example 'sudo apt-get install default-jre', or set JAVA_HOME "
                                         "(%s)" % error) from None

@@ -39,7 +39,7 @@ public final class SearProcess {
             "-XX:TieredStopAtLevel=1"));
         String archive = System.getProperty("sear.classArchive");
         if (archive != null) {
-            command.add("-XX:SharedArchiveFile=" + archive);
+            command.addAll(List.of("-XX:+UnlockDiagnosticVMOptions", "-XX:ArchiveRelocationMode=0", "-XX:SharedArchiveFile=" + archive));
         }
         command.addAll(Arrays.asList(options));
         String classPath = System.getProperty(archive != null ? "sear.cliJars" : "sear.cliClasspath");

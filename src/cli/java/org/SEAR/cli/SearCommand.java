@@ -14,7 +14,6 @@ import org.SEAR.cli.lessons.LessonCommand;
 import org.SEAR.cli.lessons.LessonsCommand;
 import org.SEAR.cli.sweep.SweepCommand;
 import org.SEAR.parallel.WorkerPool;
-import org.SEAR.project.xml.Xml;
 import org.myrobotlab.embedded.python.JythonStart;
 import org.myrobotlab.embedded.python3.Python3Script;
 import org.myrobotlab.service.sear.run.RunParameters;
@@ -78,9 +77,6 @@ public final class SearCommand implements Callable<Integer> {
         Console.quiet();
         if (arguments.length == 0 || Arrays.stream(arguments).anyMatch(one -> one.endsWith(".py") || one.endsWith(".sear"))) {
             JythonStart.begin();
-            Thread xml = new Thread(Xml::prepare, "xml start");
-            xml.setDaemon(true);
-            xml.start();
         }
         int status = commandLine().execute(arguments);
         System.out.flush();

@@ -1,6 +1,7 @@
 package org.SEAR.POJOs;
 
 import java.util.Map;
+import java.util.Set;
 import org.SEAR.grammar.ColorNames;
 import org.SEAR.grammar.Faults;
 import org.SEAR.grammar.Param;
@@ -24,6 +25,8 @@ public abstract class Shape extends PlacedObject {
     private static final double TURNING = 100000;
     /** How warm everything is that has no temperature of its own, degrees Celsius. */
     public static final double AMBIENT = 20;
+    /** What says how it moves at the start; looked for in each parameter of each object. */
+    private static final Set<String> LAUNCHING = Set.of("velocityX", "velocityY", "velocityZ", "spinX", "spinY", "spinZ");
     /** The pictures of surfaces that come with SEAR, and how many metres wide and high one is. */
     private static final Map<String, Double> TILES = Map.of("textures/tiles.png", 1.0, "textures/brick.png", 1.0, "textures/grass.png", 2.0);
 
@@ -357,7 +360,7 @@ public abstract class Shape extends PlacedObject {
 
     /** Whether a parameter says how it moves at the start. */
     static boolean isLaunching(String parameter) {
-        return parameter.matches("(velocity|spin)[XYZ]");
+        return LAUNCHING.contains(parameter);
     }
 
     /** The first parameter by which it moves at the start; null if there is none. */

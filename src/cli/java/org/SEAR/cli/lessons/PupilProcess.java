@@ -110,7 +110,8 @@ final class PupilProcess {
     }
 
     private static boolean isForAll(String option) {
-        return option.startsWith("-XX:SharedArchiveFile") || option.startsWith("-Xlog:cds") || option.startsWith("-XX:+IgnoreUnrecognized")
+        return option.startsWith("-XX:SharedArchiveFile") || option.startsWith("-XX:ArchiveRelocation") || option.startsWith("-Xlog:cds")
+            || option.equals("-XX:+UnlockDiagnosticVMOptions") || option.startsWith("-XX:+IgnoreUnrecognized")
             || option.startsWith("--sun-misc") || option.startsWith("--enable-native") || option.startsWith("-Dfile.encoding");
     }
 

@@ -3,13 +3,17 @@ package org.SEAR.project.xml;
 import com.thoughtworks.xstream.XStream;
 import com.thoughtworks.xstream.XStreamException;
 import com.thoughtworks.xstream.converters.DataHolder;
-import com.thoughtworks.xstream.converters.reflection.PureJavaReflectionProvider;
+import com.thoughtworks.xstream.converters.reflection.ReflectionProviderWrapper;
+import com.thoughtworks.xstream.core.ClassLoaderReference;
 import com.thoughtworks.xstream.core.MapBackedDataHolder;
 import com.thoughtworks.xstream.io.HierarchicalStreamReader;
 import com.thoughtworks.xstream.io.xml.PrettyPrintWriter;
 import com.thoughtworks.xstream.io.xml.QNameMap;
 import com.thoughtworks.xstream.io.xml.StaxDriver;
 import com.thoughtworks.xstream.io.xml.StaxReader;
+import com.thoughtworks.xstream.mapper.ClassAliasingMapper;
+import com.thoughtworks.xstream.mapper.DefaultMapper;
+import com.thoughtworks.xstream.mapper.SecurityMapper;
 import com.thoughtworks.xstream.security.NoTypePermission;
 import java.io.IOException;
 import java.io.StringReader;
@@ -39,13 +43,30 @@ public final class Xml {
     /** Making one takes longer than reading a file with it. The keys are the classes that one may make. */
     private static final Map<Set<Class<?>>, XStream> XSTREAMS = new ConcurrentHashMap<>();
 
+    /** Each thread reads many files with its own, for it promises nothing to several. */
+    private static final ThreadLocal<XMLInputFactory> FACTORIES = ThreadLocal.withInitial(Xml::inputFactory);
+
     private Xml() {
     }
 
-    /** XStream without its converters for other classes: they took a quarter of the time in which a fresh JVM opens a thousand objects. */
+    /**
+     * XStream without what it has for other classes. Its converters took a quarter of the time in which a fresh JVM opens a thousand objects; and who
+     * asks it for a way to fields has it try the whole JVM, whether Java knows UTC for example, which loads the names of all time zones: that was a
+     * twentieth of all processor time to a script's first reading.
+     */
     private static final class GrammarStream extends XStream {
         GrammarStream() {
-            super(new PureJavaReflectionProvider(), new StaxDriver());
+            this(new ClassLoaderReference(Xml.class.getClassLoader()));
+        }
+
+        private GrammarStream(ClassLoaderReference loader) {
+            super(new ReflectionProviderWrapper(null), new StaxDriver(), loader,
+                new SecurityMapper(new ClassAliasingMapper(new DefaultMapper(loader))));
+        }
+
+        @Override
+        protected void setupSecurity() {
+            // nothing is allowed but the grammar's classes
         }
 
         @Override
@@ -67,14 +88,6 @@ public final class Xml {
         protected void setupImmutableTypes() {
             // objects are written without references
         }
-    }
-
-    /**
-     * Does what XStream does once in a JVM: to see whether Java knows UTC it loads the names of all time zones, which takes a tenth of the time from
-     * the start to a first reading. Any thread; who calls it on one of its own while there are other things to do saves that time.
-     */
-    public static void prepare() {
-        new GrammarStream();
     }
 
     private static XStream xstream(Map<String, ? extends Class<?>> classes) {
@@ -169,7 +182,7 @@ public final class Xml {
 
     private static ParsedObject unmarshal(String text, String name, Map<String, ? extends Class<?>> classes, ProblemList problems)
             throws XMLStreamException {
-        StrictXmlStream stream = new StrictXmlStream(inputFactory().createXMLStreamReader(new StringReader(text)));
+        StrictXmlStream stream = new StrictXmlStream(FACTORIES.get().createXMLStreamReader(new StringReader(text)));
         HierarchicalStreamReader reader = new StaxReader(new QNameMap(), stream);
         String root = reader.getNodeName();
         int line = LineNumber.line(reader);

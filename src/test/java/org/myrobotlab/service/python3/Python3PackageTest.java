@@ -82,6 +82,13 @@ public class Python3PackageTest {
         assertEquals("numpy 1", here, inProcess(script, System.getProperty("sear.numpy1")));
     }
 
+    @Test
+    public void itBeginsWithTheClassesThatTheBuildHasWrittenDown() throws Exception {
+        String classes = run(List.of("python3", "-c", "import os; os.environ['JAVA_OPTS'] += ' -Xlog:class+load'; import sear; "
+            + "sear.start(headless=True, speed='max'); sear.Runtime.start('sear', 'SEAR')"), ROOT.resolve("python/src").toString(), LIBRARIES);
+        assertTrue(classes, classes.contains(" org.myrobotlab.service.SEAR source: shared objects file"));
+    }
+
     /** One that measures distances, one that draws, and by the command one with a GPS receiver's driver. */
     @Test
     public void examplesPrintTheSameInPython2And3() throws Exception {

@@ -8,11 +8,13 @@ import java.io.IOException;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.net.Socket;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.Callable;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.TimeUnit;
@@ -126,6 +128,14 @@ public class ClassCommandTest {
         return call(number, token, "python/exec", "[\"pass\"]").body().trim().equals("true");
     }
 
+    private static boolean answers(int number) {
+        try (Socket socket = new Socket("localhost", number)) {
+            return socket.isConnected();
+        } catch (IOException e) {
+            return false;
+        }
+    }
+
     private ProcessHandle pupil(int number) {
         return process.children().filter(one -> commandLine(one).contains("--port\0" + number + "\0")).findFirst().orElseThrow();
     }
@@ -199,6 +209,34 @@ public class ClassCommandTest {
     }
 
     @Test
+    public void oneStartsAfterTheOtherEachWithTheProject() throws Exception {
+        Files.writeString(path("names.txt"), "Ada\nBen\n");
+        Files.copy(Path.of(System.getProperty("sear.root", "."), "examples", "line.sear"), path("begin.sear"));
+        port = FreePort.find();
+        sear("class", "--pupils", "names.txt", "--port", String.valueOf(port), "--memory", "96", "--project", "begin.sear", "--at-once", "1");
+        AtomicBoolean together = new AtomicBoolean();
+        until("all run", () -> {
+            if (process.children().count() > 1 && !answers(port)) {
+                together.set(true);
+            }
+            return out().contains("All 2 run.");
+        });
+        assertFalse("Ben's began before Ada's was there", together.get());
+        for (String pupil : new String[] {"Ada", "Ben"}) {
+            until(pupil + " has the project", () -> Files.exists(path("class/" + pupil + "/SEARproject/robot/follower.xml")));
+        }
+    }
+
+    @Test
+    public void whatHoldsTooMuchIsEnded() throws Exception {
+        Files.writeString(path("names.txt"), "Ada\n");
+        port = FreePort.find();
+        sear("class", "--pupils", "names.txt", "--port", String.valueOf(port), "--memory", "64", "--total-memory", "64");
+        until("Ada's is too large", () -> out()
+            .matches("(?s).* Ada: held \\d+ MB with what it has started, more than 64; starts again \\(1 of 5\\).*"));
+    }
+
+    @Test
     public void aSearForOneTakesItsTokenFromAFileAndKeepsToItsPort() throws Exception {
         List<String> commands = DocBlock.commands("docs/classroom.md", "sear --headless");
         assertEquals(commands.toString(), 1, commands.size());
@@ -231,5 +269,11 @@ public class ClassCommandTest {
         sear("class", "--pupils", "names.txt", "--port", "65535");
         assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
         assertTrue(out(), out().contains("the last of 2 pupils would have 65536, legal: 1 to 65535"));
+        sear("class", "--pupils", "names.txt", "--total-memory", "255");
+        assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+        assertTrue(out(), out().contains("--total-memory is 255, legal: 256, as --memory, or more"));
+        sear("class", "--pupils", "names.txt", "--at-once", "0");
+        assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+        assertTrue(out(), out().contains("--at-once is 0, legal: 1 or more"));
     }
 }

@@ -17,12 +17,13 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.SEAR.Digests;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
 
-/** The scripts in examples/drive, each in lock-step: the robot gets where the script wants it to be. */
+/** The scripts in examples/drive, each in lock-step: the robot gets where the script wants it to be, and its record is the one of the list. */
 public class DrivingExamplesTest {
     private static final Path EXAMPLES = Path.of(System.getProperty("sear.root", ".")).toAbsolutePath().resolve("examples");
 
@@ -53,7 +54,10 @@ public class DrivingExamplesTest {
         }
         Path file = folder.getRoot().toPath().resolve(script);
         Files.writeString(file, code);
-        return ScriptProcess.run(folder.getRoot().toPath(), file);
+        Path record = folder.getRoot().toPath().resolve(script + ".searlog");
+        String text = ScriptProcess.run(folder.getRoot().toPath(), file, "--record", record.toString());
+        Digests.assertSame("drive/" + script, Digests.hex(record));
+        return text;
     }
 
     private static double[] numbers(String text, String pattern) {

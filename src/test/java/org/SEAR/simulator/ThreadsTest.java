@@ -5,9 +5,7 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertTrue;
 
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.util.ArrayList;
@@ -15,6 +13,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Collectors;
+import org.SEAR.Digests;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Camera;
 import org.SEAR.POJOs.Distance;
@@ -26,7 +25,6 @@ import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.devices.SerialLine;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.record.Recorder;
-import org.SEAR.sensors.CameraImage;
 import org.SEAR.sensors.LidarScan;
 import org.SEAR.sensors.Reading;
 import org.junit.Rule;
@@ -111,37 +109,17 @@ public class ThreadsTest {
         }
     }
 
-    private static void put(MessageDigest digest, double value) {
-        digest.update(ByteBuffer.allocate(Double.BYTES).putDouble(value).array());
-    }
-
-    private static void put(MessageDigest digest, Reading reading) {
-        for (double value : reading.numbers()) {
-            put(digest, value);
-        }
-        if (reading instanceof LidarScan) {
-            for (double range : ((LidarScan) reading).ranges()) {
-                put(digest, range);
-            }
-        } else if (reading instanceof CameraImage) {
-            CameraImage image = (CameraImage) reading;
-            for (int i = 0; i < image.getWidth() * image.getHeight(); i++) {
-                put(digest, image.getPixels() == null ? image.getValues()[i] : image.getPixels()[i]);
-            }
-        }
-    }
-
     /** What comes out of a run: digests of readings, of each line's telegrams, of the record; and the pieces of work that were shared. */
     private List<String> run(int threads) throws Exception {
         Path record = project.getRoot().toPath().resolve("run" + threads + ".searlog");
-        MessageDigest readings = MessageDigest.getInstance("SHA-256");
+        MessageDigest readings = Digests.sha256();
         List<MessageDigest> telegrams = new ArrayList<>();
         List<String> found = new ArrayList<>();
         try (Simulation simulation = Worlds.start(project)) {
             simulation.setThreads(threads);
             long[] bytes = new long[simulation.getLines().size()];
             for (SerialLine line : simulation.getLines()) {
-                MessageDigest digest = MessageDigest.getInstance("SHA-256");
+                MessageDigest digest = Digests.sha256();
                 int number = telegrams.size();
                 telegrams.add(digest);
                 line.setSink(each -> {
@@ -158,9 +136,9 @@ public class ThreadsTest {
                 }
                 simulation.step();
                 if (step % 7 == 0) {
-                    simulation.read(simulation.getSensorNames()).forEach(reading -> put(readings, reading));
+                    simulation.read(simulation.getSensorNames()).forEach(reading -> Digests.put(readings, reading));
                 }
-                simulation.snapshot().readings.values().forEach(reading -> put(readings, reading));
+                simulation.snapshot().readings.values().forEach(reading -> Digests.put(readings, reading));
             }
             recorder.end();
             for (int i = 0; i < bytes.length; i++) {
@@ -168,15 +146,10 @@ public class ThreadsTest {
             }
             assertEquals(threads + " threads", threads > 1, simulation.getWorld().getWorkers().getShared() > STEPS);
         }
-        found.add("readings " + hex(readings));
-        telegrams.forEach(digest -> found.add("telegrams " + hex(digest)));
-        found.add("record " + hex(MessageDigest.getInstance("SHA-256"), Files.readAllBytes(record)));
+        found.add("readings " + Digests.hex(readings));
+        telegrams.forEach(digest -> found.add("telegrams " + Digests.hex(digest)));
+        found.add("record " + Digests.hex(record));
         return found;
-    }
-
-    private static String hex(MessageDigest digest, byte... more) {
-        digest.update(more);
-        return new java.math.BigInteger(1, digest.digest()).toString(16);
     }
 
     @Test

@@ -106,6 +106,9 @@ public final class ClassCommand implements Callable<Integer> {
         if (memory < LEAST_MEMORY) {
             throw new IllegalArgumentException("--memory is " + memory + ", legal: " + LEAST_MEMORY + " or more");
         }
+        if (total != null && total < memory) {
+            throw new IllegalArgumentException("--total-memory is " + total + ", legal: " + memory + ", as --memory, or more");
+        }
         if (atOnce != null && atOnce < 1) {
             throw new IllegalArgumentException("--at-once is " + atOnce + ", legal: 1 or more");
         }

@@ -32,10 +32,13 @@ public final class InstallCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         try {
             Installer installer = new Installer(folder);
-            Path plugin = pluginFolder();
-            InstallPlan plan = remove ? installer.remove(plugin) : installer.install(plugin, replaceEngine);
-            String version = installer.old == null ? null : "SEAR " + installer.old.version;
-            out.println("MyRobotLab: " + installer.mrl.root + (version == null ? "" : ", with " + version));
+            String home = System.getProperty("sear.home"); // by the start script
+            if (home == null) {
+                throw new InstallException("Start this command as bin/sear of the distribution (./gradlew installDist makes one).");
+            }
+            InstallPlan plan = remove ? installer.remove() : installer.install(Path.of(home, "plugin"), replaceEngine);
+            String version = "SEAR " + installer.old.version;
+            out.println("MyRobotLab: " + installer.mrl.root + (installer.old.version == null ? "" : ", with " + version));
             if (installer.recovered != null) {
                 out.println(installer.recovered);
             }
@@ -59,14 +62,5 @@ public final class InstallCommand implements Callable<Integer> {
                 : ". Putting everything back failed as well: " + Arrays.toString(e.getSuppressed())));
         }
         return 1;
-    }
-
-    /** The start script names the distribution's folder. */
-    private static Path pluginFolder() throws InstallException {
-        String home = System.getProperty("sear.home");
-        if (home == null) {
-            throw new InstallException("Start this command as bin/sear of the distribution (./gradlew installDist makes one).");
-        }
-        return Path.of(home, "plugin");
     }
 }

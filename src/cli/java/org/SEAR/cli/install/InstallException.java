@@ -7,8 +7,4 @@ public final class InstallException extends Exception {
     InstallException(String message) {
         super(message);
     }
-
-    InstallException(String message, Throwable cause) {
-        super(message, cause);
-    }
 }

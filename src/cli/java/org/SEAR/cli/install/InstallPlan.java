@@ -1,7 +1,5 @@
 package org.SEAR.cli.install;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -10,23 +8,19 @@ import java.nio.file.attribute.PosixFileAttributeView;
 import java.nio.file.attribute.PosixFileAttributes;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collection;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.TreeMap;
-import java.util.TreeSet;
 
 /**
- * Files to write and to delete below one folder, done as a whole or not at all. What they held before is on the disk, in a journal, until all is
- * done: when anything fails it is put back, and when the program is killed the next call does that, or finishes when all files were in their places.
- * Putting back and finishing may be killed, too, and are then done again. Paths are relative to the folder, with '/'. Any one thread.
+ * Files to write and to delete below one folder, done as a whole or not at all. A journal on the disk has what they held before; deleting it is the
+ * last step. While it is there, whatever was begun is put back: at once when something fails, by the next call when the program was killed, and once
+ * more when that is killed, too. Folders come and go with what is in them. Paths are relative to the folder, with '/'. Any one thread.
  */
 final class InstallPlan {
     /** Where new bytes wait beside their place. */
     private static final String STAGED = ".sear-new";
     private static final String JOURNAL = ".sear-install-journal.json";
-    private static final ObjectMapper MAPPER = new ObjectMapper();
 
     /** What will be done, or is left alone, a line each. */
     final List<String> notes = new ArrayList<>();
@@ -38,22 +32,9 @@ final class InstallPlan {
     private final Path root;
     /** What each file is to hold; null: it is to go. */
     private final Map<String, byte[]> files = new TreeMap<>();
-    private final Journal journal = new Journal();
 
     InstallPlan(Path root) {
         this.root = root;
-    }
-
-    /** What a call is about to do, for the call after it, should it be killed. */
-    private static final class Journal {
-        /** What the files held; null: they were not there. */
-        public Map<String, byte[]> before = new TreeMap<>();
-        /** Folders that were not there before. */
-        public Set<String> folders = new TreeSet<>();
-        /** Folders to delete in the end, where they are empty then. */
-        public Set<String> emptied = new TreeSet<>();
-        /** Whether all files are in their places. */
-        public boolean done;
     }
 
     /** What a file holds now, null where there is none. */
@@ -61,60 +42,34 @@ final class InstallPlan {
         return Files.exists(root.resolve(path)) ? Files.readAllBytes(root.resolve(path)) : null;
     }
 
-    /**
-     * Lets a file have these bytes.
-     *
-     * @param bytes null to delete it
-     */
+    /** Lets a file have these bytes; null: deletes it. */
     void write(String path, byte[] bytes) throws IOException {
         byte[] now = now(path);
         if (!Arrays.equals(now, bytes)) {
             notes.add((now == null ? "add     " : bytes == null ? "delete  " : "change  ") + path);
             files.put(path, bytes);
-            journal.before.put(path, now);
         }
-    }
-
-    /** Deletes folders in the end, where they are empty then. */
-    void deleteEmptied(Collection<String> folders) {
-        journal.emptied.addAll(folders);
     }
 
     boolean isEmpty() {
         return files.isEmpty();
     }
 
-    /** Folders that have to be made for the files. */
-    Set<String> newFolders() {
-        Set<String> folders = new TreeSet<>();
-        for (String path : files.keySet()) {
-            for (Path folder = Path.of(path).getParent(); folder != null && !Files.exists(root.resolve(folder)); folder = folder.getParent()) {
-                folders.add(folder.toString().replace('\\', '/'));
-            }
-        }
-        return folders;
-    }
-
-    /** Refuses when something that has to be written can't be: a file, or a folder that gets or loses files. */
+    /** Refuses when something that has to be written can't be: a file, or a folder that gets or loses files, or the journal. */
     void refuseIfNotWritable() throws InstallException {
-        Set<Path> touched = new TreeSet<>();
         for (Map.Entry<String, byte[]> file : files.entrySet()) {
-            touched.add(root); // for the journal
             Path path = root.resolve(file.getKey());
-            if (file.getValue() != null && Files.exists(path)) {
-                touched.add(path);
+            Path folder = path.getParent();
+            while (!Files.exists(folder)) {
+                folder = folder.getParent();
             }
-            do {
-                path = path.getParent();
-            } while (!Files.exists(path));
-            touched.add(path);
-        }
-        for (Path path : touched) {
-            if (!Files.isWritable(path)) {
-                throw new InstallException("No permission to write into " + path + ". Run the command as the user who owns it.");
+            for (Path touched : List.of(root, folder, file.getValue() != null && Files.exists(path) ? path : folder)) {
+                if (!Files.isWritable(touched)) {
+                    throw new InstallException("No permission to write into " + touched + ". Run the command as the user who owns it.");
+                }
             }
-            if (!Files.isDirectory(path) && !files.containsKey(root.relativize(path).toString().replace('\\', '/'))) {
-                throw new InstallException(path + " is a file, and has to be a folder. Rename it and call again.");
+            if (!Files.isDirectory(folder)) {
+                throw new InstallException(folder + " is a file, and has to be a folder. Rename it and call again.");
             }
         }
     }
@@ -125,103 +80,76 @@ final class InstallPlan {
      * @throws IOException after everything was put back as it was; what could not be put back is among its suppressed exceptions
      */
     void apply() throws IOException {
-        journal.folders = newFolders();
-        write();
+        Receipt journal = new Receipt();
+        for (String path : files.keySet()) {
+            journal.originals.put(path, now(path));
+        }
         try {
-            for (String folder : journal.folders) {
-                beforeStep.run();
-                giveToOwner(Files.createDirectory(root.resolve(folder)));
-            }
-            for (Map.Entry<String, byte[]> file : files.entrySet()) {
-                put(file.getKey(), file.getValue());
-            }
+            put(JOURNAL, journal.bytes());
+            bring(files);
         } catch (IOException e) {
             try {
-                undo(journal);
+                bring(journal.originals);
             } catch (IOException more) {
                 e.addSuppressed(more);
             }
             throw e;
         }
-        journal.done = true;
-        journal.before.clear();
-        write();
-        finish(journal);
-    }
-
-    /** Writes the journal, as a whole or not at all. */
-    private void write() throws IOException {
-        put(JOURNAL, MAPPER.writeValueAsBytes(journal));
     }
 
     /**
-     * Undoes or finishes what a call that was killed has begun.
+     * Undoes what a call that was killed has begun.
      *
      * @return what was done, null if no call was killed
      */
     String recover() throws IOException, InstallException {
-        Files.deleteIfExists(root.resolve(JOURNAL + STAGED));
-        if (!isPending()) {
-            return null;
-        }
-        Journal begun;
-        try {
-            begun = MAPPER.readValue(now(JOURNAL), Journal.class);
-        } catch (JsonProcessingException e) {
-            throw new InstallException(root.resolve(JOURNAL) + " can't be read (" + e.getOriginalMessage() + "): it should say what a call that was "
-                + "killed had begun. Call the sear install that was killed once more, or delete this file and look for files that end in " + STAGED
-                + ".", e);
-        }
-        if (begun.done) {
-            finish(begun);
-        } else {
-            undo(begun);
-        }
-        return "An earlier call was interrupted. What it had begun was " + (begun.done ? "finished." : "undone.");
+        boolean killed = Files.exists(root.resolve(JOURNAL));
+        bring(Receipt.read(root.resolve(JOURNAL), "It should say what a call that was killed had begun. Call the sear install that was killed once "
+            + "more, or delete this file and look for files that end in " + STAGED + ".").originals);
+        return killed ? "An earlier call was interrupted. What it had begun was undone." : null;
     }
 
-    /** Whether an earlier call was killed. */
-    boolean isPending() {
-        return Files.exists(root.resolve(JOURNAL));
-    }
-
-    private void undo(Journal begun) throws IOException {
-        for (Map.Entry<String, byte[]> file : begun.before.entrySet()) {
-            deleteFile(file.getKey() + STAGED);
-            if (!Arrays.equals(now(file.getKey()), file.getValue())) {
-                put(file.getKey(), file.getValue());
-            }
+    /** Lets files have these bytes, and deletes the journal last: there is no more to put back. */
+    private void bring(Map<String, byte[]> contents) throws IOException {
+        for (Map.Entry<String, byte[]> file : contents.entrySet()) {
+            put(file.getKey(), file.getValue());
         }
-        begun.emptied = begun.folders;
-        finish(begun);
-    }
-
-    private void finish(Journal begun) throws IOException {
-        beforeStep.run();
-        for (String folder : new TreeSet<>(begun.emptied).descendingSet()) {
-            if (Files.isDirectory(root.resolve(folder)) && MrlFolder.list(root.resolve(folder), "*").isEmpty()) {
-                Files.delete(root.resolve(folder));
-            }
-        }
-        beforeStep.run();
-        Files.deleteIfExists(root.resolve(JOURNAL));
+        put(JOURNAL, null);
     }
 
     /** Lets a file have these bytes, as a whole or not at all; null: deletes it. */
     private void put(String path, byte[] bytes) throws IOException {
-        beforeStep.run();
-        if (bytes == null) {
-            deleteFile(path);
-            return;
+        Path file = root.resolve(path);
+        Path staged = root.resolve(path + STAGED);
+        if (Files.isRegularFile(staged)) {
+            Files.delete(staged);
         }
-        giveToOwner(Files.write(root.resolve(path + STAGED), bytes));
-        beforeStep.run();
-        Files.move(root.resolve(path + STAGED), root.resolve(path), StandardCopyOption.ATOMIC_MOVE);
+        if (bytes == null) {
+            delete(file);
+        } else if (!Arrays.equals(now(path), bytes)) {
+            beforeStep.run();
+            makeFolder(file.getParent());
+            giveToOwner(Files.write(staged, bytes));
+            beforeStep.run();
+            Files.move(staged, file, StandardCopyOption.ATOMIC_MOVE);
+        }
     }
 
-    private void deleteFile(String path) throws IOException {
-        if (Files.isRegularFile(root.resolve(path))) {
-            Files.delete(root.resolve(path));
+    /** Deletes a file, where there is one, and the folders that are empty without it. */
+    private void delete(Path file) throws IOException {
+        beforeStep.run();
+        Files.deleteIfExists(file);
+        for (Path folder = file.getParent(); !folder.equals(root) && !Files.isSymbolicLink(folder) && MrlFolder.list(folder, "*").isEmpty();
+                folder = folder.getParent()) {
+            beforeStep.run();
+            Files.deleteIfExists(folder);
+        }
+    }
+
+    private void makeFolder(Path folder) throws IOException {
+        if (!Files.isDirectory(folder)) {
+            makeFolder(folder.getParent());
+            giveToOwner(Files.createDirectory(folder));
         }
     }
 

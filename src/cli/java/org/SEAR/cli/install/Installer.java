@@ -4,63 +4,77 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.jar.JarFile;
 import java.util.jar.Manifest;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
-import java.util.zip.ZipException;
 import java.util.zip.ZipFile;
 import org.myrobotlab.service.link.PanelFiles;
 
 /**
  * Puts the plug-in into a MyRobotLab and takes it out again. Everything is decided first, as a {@link InstallPlan}; nothing is written before that.
- * Any one thread.
+ * No library is put there twice: what MyRobotLab has, in whatever version, stays, unless the user wants its jMonkeyEngine replaced. Any one thread.
  */
 final class Installer {
     /** Where the services' panels are, in the plug-in's jar and in MyRobotLab's folder. */
     private static final String PANELS = "resource/";
     private static final String PLUGIN = "sear.jar";
-    private static final String INSTALLED = LibraryChoice.JARS + PLUGIN;
+    /** Where MyRobotLab's jars are. */
+    private static final String JARS = "libraries/jar/";
+    /** Where the jars are kept that were replaced; no class path leads there. */
+    private static final String REPLACED = "libraries/sear-replaced/";
     private static final String SERVICE_DATA = "libraries/serviceData.json";
     private static final String RECEIPT = "libraries/sear-install.json";
-    /** A folder of our own, which a service may have made. */
-    private static final Pattern OWN_FOLDER = Pattern.compile("resource/(?!WebGui$)\\w+|resource/WebGui/app/service/js/sear(/\\w+)?");
-    private static final Pattern BARE = Pattern.compile("(?s)\\A(---\\s*)?!!org\\.myrobotlab\\.service\\.config\\.ServiceConfig\\b.*");
-    private static final Pattern TYPE = Pattern.compile("(?m)^type:\\s*['\"]?(?:org\\.myrobotlab\\.service\\.)?(\\w+)['\"]?\\s*$");
+    /** The yml of a service of ours that has lost its type. */
+    private static final Pattern BARE = Pattern.compile("(?sm)\\A((?:---\\s*)?!!org\\.myrobotlab\\.service\\.config\\.)Service(Config\\b"
+        + ".*?^type:\\s*['\"]?(?:org\\.myrobotlab\\.service\\.)?(" + String.join("|", ServiceData.SERVICES.keySet()) + ")['\"]?\\s*$)");
 
     final MrlFolder mrl;
     /** What became of an earlier call that was killed; null if there was none. */
     final String recovered;
-    /** What is installed, or null. */
+    /** What is installed; without a version where nothing is. */
     final Receipt old;
     private final InstallPlan plan;
     /** What will be installed. */
     private final Receipt receipt = new Receipt();
+    /** What the files are to hold. */
+    private final Map<String, byte[]> files = new TreeMap<>();
+    /** Check sums of what an installation or the services have put here, by path. */
+    private final Map<String, Set<String>> ours = new TreeMap<>();
 
     /**
-     * Looks at a MyRobotLab; what a call that was killed has begun there is undone or finished first.
+     * Looks at a MyRobotLab, which must not run; what a call that was killed has begun there is undone first.
      *
      * @param folder MyRobotLab's folder, or the one right above it
      */
     Installer(Path folder) throws InstallException, IOException {
         mrl = new MrlFolder(folder);
+        mrl.refuseIfRunning();
         plan = new InstallPlan(mrl.root);
-        if (plan.isPending()) {
-            mrl.refuseIfRunning();
-        }
         recovered = plan.recover();
-        old = Receipt.read(mrl.root.resolve(RECEIPT));
+        old = Receipt.read(mrl.root.resolve(RECEIPT), "Delete it and install again; nothing was changed.");
+        old.added.forEach(this::know);
+        old.changed.forEach(this::know);
+        PanelFiles.record(mrl.root.resolve(PANELS)).forEach((name, hash) -> know(PANELS + name, (String) hash));
+    }
+
+    private void know(String path, String hash) {
+        ours.computeIfAbsent(path, any -> new HashSet<>()).add(hash);
+    }
+
+    private boolean isOurs(String path, byte[] now) {
+        return ours.getOrDefault(path, Set.of()).contains(PanelFiles.hash(now));
     }
 
     /**
@@ -70,108 +84,97 @@ final class Installer {
      * @param replaceEngine whether a jMonkeyEngine that is too old for the window makes room for the distribution's
      */
     InstallPlan install(Path plugin, boolean replaceEngine) throws InstallException, IOException {
-        Path jar = jarIn(plugin);
-        receipt.version = version(jar);
-        mrl.refuseIfRunning();
-        if (old != null && JarName.compare(old.version, receipt.version) > 0) {
+        Path jar = plugin.resolve(PLUGIN);
+        if (!Files.isRegularFile(jar)) {
+            throw new InstallException("The distribution is incomplete: " + jar
+                + " is missing. Unpack sear's zip again, or run ./gradlew installDist.");
+        }
+        addPlugin(jar);
+        if (old.version != null && JarName.compare(old.version, receipt.version) > 0) {
             throw new InstallException("SEAR " + old.version + " is installed in " + mrl.root + ", which is newer than this " + receipt.version
                 + ". To go back, remove it first: sear install --remove " + mrl.root);
         }
-        Map<String, byte[]> files = libraries(plugin, replaceEngine);
-        files.put(INSTALLED, Files.readAllBytes(jar));
-        if (Files.isDirectory(mrl.root.resolve(PANELS))) {
-            files.putAll(panelsToAdd(jar));
-        } else {
-            plan.notes.add("later   panels: MyRobotLab unpacks its resource folder at its first start; the services add their panels then");
-        }
-        for (Map.Entry<String, byte[]> file : files.entrySet()) {
-            plan.write(file.getKey(), file.getValue());
-            receipt.added.put(file.getKey(), PanelFiles.hash(file.getValue()));
-        }
+        receipt.replaced.putAll(old.replaced);
+        addLibraries(plugin, replaceEngine);
         addPickerEntries();
         repairConfigs();
-        if (old != null) {
-            old.added.keySet().removeAll(receipt.added.keySet());
-            deleteIfOurs(old.added);
-            receipt.folders.addAll(old.folders);
-        }
-        receipt.folders.addAll(plan.newFolders());
-        if (!plan.isEmpty() || old == null || !old.version.equals(receipt.version)) {
+        bring();
+        if (!plan.isEmpty() || !receipt.version.equals(old.version)) {
             plan.write(RECEIPT, receipt.bytes());
         }
         plan.refuseIfNotWritable();
         return plan;
     }
 
-    private static Path jarIn(Path plugin) throws InstallException {
-        if (!Files.isRegularFile(plugin.resolve(PLUGIN))) {
-            throw new InstallException("The distribution is incomplete: " + plugin.resolve(PLUGIN)
-                + " is missing. Unpack sear's zip again, or run ./gradlew installDist.");
+    /** The jar, and what the services serve from MRL's resource root. */
+    private void addPlugin(Path plugin) throws IOException {
+        files.put(JARS + PLUGIN, Files.readAllBytes(plugin));
+        boolean unpacked = Files.isDirectory(mrl.root.resolve(PANELS));
+        if (!unpacked) {
+            plan.notes.add("later   panels: MyRobotLab unpacks its resource folder at its first start; the services add their panels then");
         }
-        return plugin.resolve(PLUGIN);
-    }
-
-    private static String version(Path plugin) throws IOException {
         try (JarFile jar = new JarFile(plugin.toFile())) {
             Manifest manifest = jar.getManifest();
             String version = manifest == null ? null : manifest.getMainAttributes().getValue("Implementation-Version");
-            return version == null ? "0" : version;
-        }
-    }
-
-    private Map<String, byte[]> libraries(Path plugin, boolean replaceEngine) throws IOException, InstallException {
-        if (old != null) {
-            receipt.replaced.putAll(old.replaced);
-        }
-        List<Path> ours = MrlFolder.list(plugin, "*.jar");
-        ours.remove(plugin.resolve(PLUGIN));
-        List<JarName> there = MrlFolder.list(mrl.root.resolve(LibraryChoice.JARS), "*.jar").stream().map(JarName::new)
-            .filter(jar -> old == null || !old.added.containsKey(LibraryChoice.JARS + jar.name)).collect(Collectors.toList());
-        LibraryChoice choice = new LibraryChoice(plan, receipt);
-        Map<String, byte[]> files = choice.choose(ours, there, mrl.ownEntries(), replaceEngine);
-        if (choice.olderEngine() != null) {
-            plan.remarks.add("The window needs jMonkeyEngine 3.6; " + choice.olderEngine() + " is there, so SEAR runs without a window. To have one, "
-                + "call \"sear install --replace-jme " + mrl.root + "\"; --remove brings the old one back.");
-        }
-        return files;
-    }
-
-    private Map<String, byte[]> panelsToAdd(Path jar) throws IOException {
-        Map<String, byte[]> panels = panels(jar);
-        Map<String, String> copied = copiedByServices();
-        for (Map.Entry<String, byte[]> panel : Map.copyOf(panels).entrySet()) {
-            String path = panel.getKey();
-            byte[] now = plan.now(path);
-            String present = now == null ? null : PanelFiles.hash(now);
-            if (now != null && !present.equals(PanelFiles.hash(panel.getValue())) && !present.equals(copied.get(path))
-                    && (old == null || !present.equals(old.added.get(path)))) {
-                plan.notes.add("keep    " + path + ": it was changed by hand");
-                panels.remove(path);
-            }
-        }
-        return panels;
-    }
-
-    /** The files that the services serve from MRL's resource root, by path. */
-    private static Map<String, byte[]> panels(Path plugin) throws IOException {
-        Map<String, byte[]> files = new TreeMap<>();
-        try (ZipFile jar = new ZipFile(plugin.toFile())) {
+            receipt.version = version == null ? "0" : version;
             for (ZipEntry entry : Collections.list(jar.entries())) {
-                if (entry.getName().startsWith(PANELS) && !entry.isDirectory()) {
+                if (unpacked && entry.getName().startsWith(PANELS) && !entry.isDirectory()) {
                     try (InputStream in = jar.getInputStream(entry)) {
                         files.put(entry.getName(), in.readAllBytes());
                     }
                 }
             }
         }
-        return files;
     }
 
-    /** What the services put below the resource root at run time, by path, as SHA-256. */
-    private Map<String, String> copiedByServices() throws IOException {
-        Map<String, String> files = new TreeMap<>();
-        PanelFiles.record(mrl.root.resolve(PANELS)).forEach((name, hash) -> files.put(PANELS + name, (String) hash));
-        return files;
+    private void addLibraries(Path plugin, boolean replaceEngine) throws IOException, InstallException {
+        Set<String> inside = mrl.ownEntries();
+        List<JarName> there = MrlFolder.list(mrl.root.resolve(JARS), "*.jar").stream().map(JarName::new)
+            .filter(jar -> !old.added.containsKey(JARS + jar.name)).collect(Collectors.toList());
+        String olderEngine = null;
+        List<Path> libraries = MrlFolder.list(plugin, "*.jar");
+        libraries.remove(plugin.resolve(PLUGIN));
+        for (Path library : libraries) {
+            JarName wanted = new JarName(library);
+            JarName found = null;
+            for (JarName jar : there) {
+                if (!jar.artifact.equals(wanted.artifact)) {
+                    continue;
+                }
+                if (replaceEngine && jar.isTooOldForTheWindow()) {
+                    setAside(jar.name);
+                } else if (found == null || JarName.compare(jar.version, found.version) > 0) {
+                    found = jar;
+                }
+            }
+            if (found != null) {
+                plan.notes.add("keep    " + found.name + (found.version.equals(wanted.version) ? ": MyRobotLab has this library"
+                    : ", " + wanted.version + " would be ours: " + found.verdict(wanted)));
+                olderEngine = found.isTooOldForTheWindow() && (olderEngine == null || found.artifact.equals("jme3-core")) ? found.name : olderEngine;
+            } else if (isInside(library, inside)) {
+                plan.notes.add("keep    " + wanted.name + ": myrobotlab.jar holds this library");
+            } else {
+                files.put(JARS + wanted.name, Files.readAllBytes(library));
+            }
+        }
+        if (olderEngine != null) {
+            plan.remarks.add("The window needs jMonkeyEngine 3.6; " + olderEngine + " is there, so SEAR runs without a window. To have one, call "
+                + "\"sear install --replace-jme " + mrl.root + "\"; --remove brings the old one back.");
+        }
+    }
+
+    private static boolean isInside(Path library, Set<String> entries) throws IOException {
+        try (ZipFile jar = new ZipFile(library.toFile())) {
+            return jar.stream().map(ZipEntry::getName).filter(name -> name.endsWith(".class") && !name.contains("-info"))
+                .findFirst().map(entries::contains).orElse(false);
+        }
+    }
+
+    private void setAside(String jar) throws IOException {
+        byte[] bytes = plan.now(JARS + jar);
+        plan.write(REPLACED + jar, bytes);
+        plan.write(JARS + jar, null);
+        receipt.replaced.put(jar, PanelFiles.hash(bytes));
     }
 
     private void addPickerEntries() throws IOException, InstallException {
@@ -189,16 +192,12 @@ final class Installer {
 
     /** A yml that MRL wrote while the plug-in was missing has lost its type; MRL then answers null for the service until it is mended. */
     private void repairConfigs() throws IOException {
-        for (Path yml : mrl.serviceConfigs()) {
-            String path = mrl.root.relativize(yml).toString().replace('\\', '/');
-            byte[] now = plan.now(path);
-            String text = new String(now, StandardCharsets.UTF_8);
-            Matcher type = TYPE.matcher(text);
-            if (BARE.matcher(text).matches() && type.find() && ServiceData.services().contains(type.group(1))) {
-                String mended = text.replaceFirst("config\\.ServiceConfig\\b", "config." + type.group(1) + "Config");
-                change(path, now, now, mended.getBytes(StandardCharsets.UTF_8));
-            } else {
-                change(path, now, now, now);
+        for (Path folder : MrlFolder.list(mrl.root.resolve("data/config"), "*")) {
+            for (Path yml : MrlFolder.list(folder, "*.yml")) {
+                String path = mrl.root.relativize(yml).toString().replace('\\', '/');
+                byte[] now = plan.now(path);
+                Matcher bare = BARE.matcher(new String(now, StandardCharsets.UTF_8));
+                change(path, now, now, bare.find() ? bare.replaceFirst("$1$3$2").getBytes(StandardCharsets.UTF_8) : now);
             }
         }
     }
@@ -208,75 +207,60 @@ final class Installer {
      *
      * @param untouched how it is without us
      */
-    private void change(String path, byte[] now, byte[] untouched, byte[] then) throws IOException {
-        boolean oursSoFar = old != null && PanelFiles.hash(now).equals(old.changed.get(path));
-        byte[] original = oursSoFar ? old.originals.get(path) : untouched;
+    private void change(String path, byte[] now, byte[] untouched, byte[] then) {
+        byte[] original = isOurs(path, now) ? old.originals.get(path) : untouched;
         if (!Arrays.equals(original, then)) {
-            plan.write(path, then);
-            receipt.changed.put(path, PanelFiles.hash(then));
+            files.put(path, then);
             receipt.originals.put(path, original);
         }
     }
 
-    /**
-     * What taking the plug-in out would do.
-     *
-     * @param plugin this distribution's plug-in folder, whose panels the services may have copied
-     */
-    InstallPlan remove(Path plugin) throws InstallException, IOException {
-        if (old == null) {
+    /** Brings the files, and puts back what else is ours; a panel, and what is to be put back, stays where it was changed by hand. */
+    private void bring() throws IOException {
+        Set<String> paths = new TreeSet<>(files.keySet());
+        paths.addAll(ours.keySet());
+        for (String path : paths) {
+            byte[] now = plan.now(path);
+            byte[] then = files.getOrDefault(path, now == null ? null : old.originals.get(path));
+            boolean mayStay = path.startsWith(PANELS) || !files.containsKey(path);
+            if (mayStay && now != null && !Arrays.equals(now, then) && !isOurs(path, now)) {
+                plan.notes.add("keep    " + path + ": it was changed by hand");
+                continue;
+            }
+            plan.write(path, then);
+            if (then != null) {
+                (receipt.originals.containsKey(path) ? receipt.changed : receipt.added).put(path, PanelFiles.hash(then));
+            }
+        }
+    }
+
+    /** What taking the plug-in out would do. */
+    InstallPlan remove() throws InstallException, IOException {
+        if (old.version == null) {
             throw new InstallException("SEAR is not installed in " + mrl.root + ": there is no " + RECEIPT + ".");
         }
-        mrl.refuseIfRunning();
-        Map<String, String> ours = new TreeMap<>();
-        panelsToRemove(plugin).forEach((path, bytes) -> ours.put(path, PanelFiles.hash(bytes)));
-        ours.putAll(copiedByServices());
-        ours.putAll(old.added);
-        ours.remove(INSTALLED);
-        plan.write(INSTALLED, null); // nobody else's, even if it is damaged
+        files.put(JARS + PLUGIN, null); // nobody else's, even if it is damaged
         plan.write(PANELS + PanelFiles.RECORD, null);
-        deleteIfOurs(ours);
-        old.changed.putIfAbsent(SERVICE_DATA, "");
-        for (Map.Entry<String, String> file : old.changed.entrySet()) {
-            restore(file.getKey(), file.getValue());
+        byte[] data = plan.now(SERVICE_DATA);
+        if (data != null && !isOurs(SERVICE_DATA, data)) {
+            files.put(SERVICE_DATA, ServiceData.without(data));
         }
-        new LibraryChoice(plan, old).putBack();
+        bring();
+        for (String jar : old.replaced.keySet()) {
+            putBack(jar);
+        }
         plan.write(RECEIPT, null);
-        plan.deleteEmptied(old.folders);
-        plan.deleteEmptied(ours.keySet().stream().map(Path::of).flatMap(path -> Stream.iterate(path, Objects::nonNull, Path::getParent))
-            .map(folder -> folder.toString().replace('\\', '/')).filter(OWN_FOLDER.asMatchPredicate()).collect(Collectors.toSet()));
         plan.refuseIfNotWritable();
         return plan;
     }
 
-    /** The installed jar's; of this distribution where that jar is gone or damaged. */
-    private Map<String, byte[]> panelsToRemove(Path plugin) throws InstallException, IOException {
-        try {
-            return panels(mrl.root.resolve(INSTALLED));
-        } catch (ZipException | NoSuchFileException e) {
-            return panels(jarIn(plugin));
+    private void putBack(String jar) throws IOException {
+        byte[] kept = plan.now(REPLACED + jar);
+        if (kept == null) {
+            plan.notes.add("lost    " + JARS + jar + ": it is no longer in " + REPLACED + "; MyRobotLab can install it again");
+        } else if (plan.now(JARS + jar) == null) {
+            plan.write(JARS + jar, kept);
         }
-    }
-
-    private void restore(String path, String written) throws IOException, InstallException {
-        byte[] now = plan.now(path);
-        if (now != null && PanelFiles.hash(now).equals(written)) {
-            plan.write(path, old.originals.get(path));
-        } else if (now != null && path.equals(SERVICE_DATA)) {
-            plan.write(path, ServiceData.without(now));
-        } else if (now != null) {
-            plan.notes.add("keep    " + path + ": it was changed since");
-        }
-    }
-
-    private void deleteIfOurs(Map<String, String> hashes) throws IOException {
-        for (Map.Entry<String, String> file : hashes.entrySet()) {
-            byte[] now = plan.now(file.getKey());
-            if (now != null && PanelFiles.hash(now).equals(file.getValue())) {
-                plan.write(file.getKey(), null);
-            } else if (now != null) {
-                plan.notes.add("keep    " + file.getKey() + ": it was changed by hand");
-            }
-        }
+        plan.write(REPLACED + jar, null);
     }
 }

@@ -6,16 +6,18 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** What a library's file name says of it. Immutable. */
 final class JarName {
     private static final Pattern PARTS = Pattern.compile("(.*?)(?:-(\\d.*?))?(-natives-.*)?\\.jar");
-    private static final Pattern BETWEEN_NUMBERS = Pattern.compile("[.-]");
     private static final int NUMBERS = 8;
     /** What the window needs, by the first word of the name: jMonkeyEngine, and LWJGL below it, which belongs to it. */
     private static final Map<String, String> WINDOW_NEEDS = Map.of("jme3", "3.6", "lwjgl", "3.3");
     /** Optional reader of models; there is no newer one. */
     private static final String BLENDER = "jme3-blender";
+    /** Older than ours, and known to do: MyRobotLab's develop of 2024 has it. */
+    private static final Map<String, String> WORKS_FROM = Map.of("xstream", "1.4.19");
 
     /** The file's name. */
     final String name;
@@ -23,6 +25,8 @@ final class JarName {
     final String artifact;
     /** {@code 3.6.1-stable} of {@code jme3-core-3.6.1-stable.jar}; empty where the name has none. */
     final String version;
+    /** The lowest version that the window works with, null for a library that it does not need. */
+    private final String needed;
 
     JarName(Path jar) {
         name = jar.getFileName().toString();
@@ -32,15 +36,23 @@ final class JarName {
         }
         artifact = parts.group(1) + (parts.group(3) == null ? "" : parts.group(3));
         version = parts.group(2) == null ? "" : parts.group(2);
-    }
-
-    /** The lowest version that the window works with, null for a library that it does not need. */
-    String neededVersion() {
-        return artifact.equals(BLENDER) ? null : WINDOW_NEEDS.get(artifact.replaceAll("-.*", ""));
+        needed = artifact.equals(BLENDER) ? null : WINDOW_NEEDS.get(artifact.replaceAll("-.*", ""));
     }
 
     boolean isTooOldForTheWindow() {
-        return neededVersion() != null && compare(version, neededVersion()) < 0;
+        return needed != null && compare(version, needed) < 0;
+    }
+
+    /** What to expect of it in the place of ours. */
+    String verdict(JarName ours) {
+        if (isTooOldForTheWindow()) {
+            return "the window needs " + needed + "; --replace-jme puts ours into its place";
+        }
+        String enough = WORKS_FROM.getOrDefault(artifact, needed);
+        if (enough != null && compare(version, enough) >= 0) {
+            return "works";
+        }
+        return compare(version, ours.version) > 0 ? "newer, should work" : "older, and SEAR was not tried with it";
     }
 
     /** Compares versions number by number; what is not a number counts as 0. */
@@ -49,7 +61,7 @@ final class JarName {
     }
 
     private static int[] numbers(String version) {
-        IntStream numbers = BETWEEN_NUMBERS.splitAsStream(version).mapToInt(part -> part.matches("\\d{1,9}") ? Integer.parseInt(part) : 0);
+        IntStream numbers = Stream.of(version.split("[.-]")).mapToInt(part -> part.matches("\\d{1,9}") ? Integer.parseInt(part) : 0);
         return IntStream.concat(numbers, IntStream.generate(() -> 0)).limit(NUMBERS).toArray();
     }
 }

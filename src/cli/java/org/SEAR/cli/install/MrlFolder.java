@@ -27,10 +27,7 @@ final class MrlFolder {
         if (!Files.isDirectory(given)) {
             throw new InstallException(given + " is not a folder. Name the folder that holds MyRobotLab's " + JAR + ".");
         }
-        List<Path> found = Stream.of(given).filter(MrlFolder::isMrl).collect(Collectors.toList());
-        if (found.isEmpty()) {
-            list(given, "*").stream().filter(MrlFolder::isMrl).forEach(found::add);
-        }
+        List<Path> found = isMrl(given) ? List.of(given) : list(given, "*").stream().filter(MrlFolder::isMrl).collect(Collectors.toList());
         if (found.size() != 1) {
             throw new InstallException(given + (found.isEmpty() ? " holds no " + JAR + ". Name the folder that does."
                 : " holds several MyRobotLabs: " + found + ". Name one of them."));
@@ -54,21 +51,12 @@ final class MrlFolder {
         return content;
     }
 
-    /** The ymls of services, one folder a configuration. */
-    List<Path> serviceConfigs() throws IOException {
-        List<Path> files = new ArrayList<>();
-        for (Path folder : list(root.resolve("data/config"), "*")) {
-            files.addAll(list(folder, "*.yml"));
-        }
-        return files;
-    }
-
     /** Names of all entries of {@code myrobotlab.jar}. */
     Set<String> ownEntries() throws InstallException {
         try (ZipFile jar = new ZipFile(root.resolve(JAR).toFile())) {
             return jar.stream().map(ZipEntry::getName).collect(Collectors.toSet());
         } catch (IOException e) {
-            throw new InstallException(root.resolve(JAR) + " is not a readable jar (" + e.getMessage() + "). Reinstall MyRobotLab.", e);
+            throw new InstallException(root.resolve(JAR) + " is not a readable jar (" + e.getMessage() + "). Reinstall MyRobotLab.");
         }
     }
 
@@ -85,7 +73,7 @@ final class MrlFolder {
             jar.size();
         } catch (IOException e) {
             if (Files.isWritable(root.resolve(JAR))) {
-                throw new InstallException(root.resolve(JAR) + " is in use (" + e.getMessage() + "). Shut MyRobotLab down and call again.", e);
+                throw new InstallException(root.resolve(JAR) + " is in use (" + e.getMessage() + "). Shut MyRobotLab down and call again.");
             }
         }
     }

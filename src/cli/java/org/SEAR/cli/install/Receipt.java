@@ -10,32 +10,37 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.TreeSet;
 
-/** What an installation put where, kept in {@code libraries/sear-install.json}, so that it can be taken out to the byte. Paths use '/'. */
+/**
+ * What an installation put where, kept in {@code libraries/sear-install.json}, so that it can be taken out to the byte. The journal of a call that is
+ * under way is one, too, with nothing but originals. Paths use '/'.
+ */
 final class Receipt {
     private static final ObjectMapper MAPPER = new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
 
-    /** Version of the plug-in that was installed. */
-    public String version = "0";
+    /** Version of the plug-in, null where none is installed. */
+    public String version;
     /** SHA-256 of each file that was not there before. */
     public Map<String, String> added = new TreeMap<>();
     /** SHA-256 of each file that was there before, as it was written. */
     public Map<String, String> changed = new TreeMap<>();
-    /** The bytes that the changed files had before. */
+    /** The bytes that the changed files had before; in a journal null for a file that was not there. */
     public Map<String, byte[]> originals = new TreeMap<>();
     /** SHA-256 of each jar of MyRobotLab's that made room for one of ours, by its name; it lies in {@code libraries/sear-replaced}. */
     public Map<String, String> replaced = new TreeMap<>();
-    /** Folders that were not there before. */
-    public Set<String> folders = new TreeSet<>();
+    /** What earlier versions wrote: folders that were not there before. */
+    public Set<String> folders = Set.of();
 
-    /** The receipt of an installation, or null where there is none. */
-    static Receipt read(Path file) throws IOException, InstallException {
+    /**
+     * What a file says, nothing where there is none.
+     *
+     * @param advice what to do when it can't be read
+     */
+    static Receipt read(Path file, String advice) throws IOException, InstallException {
         try {
-            return Files.exists(file) ? MAPPER.readValue(Files.readAllBytes(file), Receipt.class) : null;
+            return Files.exists(file) ? MAPPER.readValue(Files.readAllBytes(file), Receipt.class) : new Receipt();
         } catch (JsonProcessingException e) {
-            throw new InstallException(file + " cannot be read (" + e.getOriginalMessage()
-                + "). Delete it and install again; nothing was changed.", e);
+            throw new InstallException(file + " can't be read (" + e.getOriginalMessage() + "). " + advice);
         }
     }
 

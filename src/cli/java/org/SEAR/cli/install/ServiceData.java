@@ -11,7 +11,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.BiConsumer;
 
@@ -20,20 +19,15 @@ import java.util.function.BiConsumer;
  * version knows, ours have them too. Pure functions.
  */
 final class ServiceData {
-    private static final String PACKAGE = "org.myrobotlab.service.";
     /** Services by simple name, with the line that the service picker shows. */
-    private static final Map<String, String> SERVICES = new TreeMap<>(Map.of(
+    static final Map<String, String> SERVICES = new TreeMap<>(Map.of(
         "SEAR", "Robot simulator: worlds and robots from scripts, with the sensors and serial protocols of real hardware",
         "LIDAR", "SICK LMS200 laser scanner, real or simulated",
         "GPS", "GPS receiver that sends NMEA 0183, real or simulated"));
+    private static final String PACKAGE = "org.myrobotlab.service.";
     private static final ObjectMapper MAPPER = new ObjectMapper().enable(SerializationFeature.INDENT_OUTPUT);
 
     private ServiceData() {
-    }
-
-    /** Simple names of the services that SEAR brings. */
-    static Set<String> services() {
-        return SERVICES.keySet();
     }
 
     /** The file with SEAR's services, each in its category: the same bytes where they are there already. */
@@ -53,23 +47,20 @@ final class ServiceData {
                 throw new InstallException("libraries/serviceData.json has no serviceTypes. Delete it; MyRobotLab makes it anew at its next start.");
             }
             ObjectNode root = read.deepCopy();
-            services().forEach(service -> edit.accept(root, service));
+            SERVICES.keySet().forEach(service -> edit.accept(root, service));
             return root.equals(read) ? text : (MAPPER.writeValueAsString(root) + "\n").getBytes(StandardCharsets.UTF_8);
         } catch (JsonProcessingException e) {
             throw new InstallException("libraries/serviceData.json is not JSON (" + e.getOriginalMessage()
-                + "). Delete it; MyRobotLab makes it anew at its next start.", e);
+                + "). Delete it; MyRobotLab makes it anew at its next start.");
         }
     }
 
     private static void add(ObjectNode root, String service) {
         ObjectNode types = (ObjectNode) root.get("serviceTypes");
-        JsonNode model = types.get(PACKAGE + "Clock");
-        ObjectNode entry = model instanceof ObjectNode ? model.deepCopy() : MAPPER.createObjectNode();
-        entry.fields().forEachRemaining(field -> {
-            if (field.getValue().isTextual() && !"class".equals(field.getKey())) {
-                field.setValue(new TextNode(field.getValue().asText().replace("Clock", service)));
-            }
-        });
+        ObjectNode entry = MAPPER.createObjectNode();
+        types.path(PACKAGE + "Clock").fields().forEachRemaining(field -> entry.set(field.getKey(),
+            !field.getValue().isTextual() || "class".equals(field.getKey()) ? field.getValue()
+                : new TextNode(field.getValue().asText().replace("Clock", service))));
         entry.put("available", true).put("description", SERVICES.get(service)).put("simpleName", service).put("type", PACKAGE + service);
         entry.putArray("dependencies");
         entry.put("license", "apache").remove("link");

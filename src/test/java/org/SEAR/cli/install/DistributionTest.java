@@ -68,6 +68,7 @@ public class DistributionTest {
     private Path myRobotLab() throws IOException {
         Path mrl = folder.newFolder("my robot lab").toPath();
         Files.createDirectories(mrl.resolve("libraries/jar"));
+        Files.createFile(mrl.resolve("libraries/jar/own.jar"));
         Files.copy(distribution.home().resolve("lib/sear-embedded-mrl.jar"), mrl.resolve("myrobotlab.jar"));
         Files.writeString(mrl.resolve("libraries/serviceData.json"), "{\"serviceTypes\":{}}");
         return mrl;

@@ -108,11 +108,28 @@ public class InstallerTest extends LaidOutMrl {
         install();
         text("resource/SEAR.png", "resource/SEAR.png");
         text("resource/SEAR/SEAR.py", "an older version's example");
-        text("resource/.sear-files.properties", "SEAR/SEAR.py=" + PanelFiles.hash("an older version's example".getBytes(StandardCharsets.UTF_8)));
+        text("resource/.sear-files.properties", "SEAR/SEAR.py=" + PanelFiles.hash("an older version's example".getBytes(StandardCharsets.UTF_8))
+            + "\nSEAR.png=" + PanelFiles.hash("resource/SEAR.png".getBytes(StandardCharsets.UTF_8)));
         remove();
         assertFalse(Files.exists(mrl.resolve("resource/SEAR.png")));
         assertFalse(Files.exists(mrl.resolve("resource/SEAR/SEAR.py")));
         assertFalse(Files.exists(mrl.resolve("resource/.sear-files.properties")));
+    }
+
+    /** Folders that lose their last file go, but not what the user has put there, be it a link to a folder. */
+    @Test
+    public void emptiedFoldersGoAndLinksStay() throws Exception {
+        Path elsewhere = folder.newFolder("elsewhere").toPath();
+        Files.createSymbolicLink(mrl.resolve("resource/SEAR"), elsewhere);
+        text("resource/GPS/GPS.py", "gps");
+        text("resource/SEAR/SEAR.py", "sear");
+        install();
+        text("resource/.sear-files.properties", "GPS/GPS.py=" + PanelFiles.hash("gps".getBytes(StandardCharsets.UTF_8))
+            + "\nSEAR/SEAR.py=" + PanelFiles.hash("sear".getBytes(StandardCharsets.UTF_8)));
+        remove();
+        assertFalse(Files.exists(mrl.resolve("resource/GPS")));
+        assertTrue(Files.isDirectory(mrl.resolve("resource/SEAR")));
+        assertEquals(0, elsewhere.toFile().list().length);
     }
 
     @Test
@@ -168,7 +185,7 @@ public class InstallerTest extends LaidOutMrl {
     @Test
     public void removingWhatIsNotThereIsRefused() throws Exception {
         try {
-            new Installer(mrl).remove(plugin);
+            new Installer(mrl).remove();
             throw new AssertionError("was not refused");
         } catch (InstallException e) {
             assertTrue(e.getMessage(), e.getMessage().contains("SEAR is not installed in"));

@@ -63,7 +63,7 @@ abstract class LaidOutMrl {
     }
 
     final void remove() throws Exception {
-        new Installer(mrl).remove(plugin).apply();
+        new Installer(mrl).remove().apply();
     }
 
     final void text(String path, String content) throws IOException {

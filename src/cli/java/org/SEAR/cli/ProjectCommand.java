@@ -1,0 +1,63 @@
+package org.SEAR.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.SEAR.project.Project;
+import org.SEAR.project.bundle.Bundle;
+import org.SEAR.project.bundle.PercentProgress;
+import org.SEAR.project.problems.FileReasons;
+import org.SEAR.project.problems.ProjectException;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** A command that looks at a project, in a folder or a bundle: 0, or 2 and every problem. */
+abstract class ProjectCommand implements Callable<Integer> {
+    private static final int PROBLEMS = 2;
+    private static final String PROJECT = "SEARproject";
+
+    @Parameters(paramLabel = "FOLDER_OR_FILE.sear", arity = "0..1", defaultValue = PROJECT,
+        description = "A SEARproject folder, the folder that it lies in, or a bundle. Default: ${DEFAULT-VALUE}.")
+    private Path path;
+    @Spec
+    private CommandSpec spec;
+
+    /** What it does to a large bundle, as {@code checking}. */
+    abstract String doing();
+
+    /** What there is to print of a project. */
+    abstract List<String> look(Project project) throws ProjectException;
+
+    /** Prints what was found. */
+    abstract void print(List<String> found, Path of, PrintWriter out);
+
+    /** Prints what is wrong. */
+    abstract void print(ProjectException problems, Path of, PrintWriter out, PrintWriter err);
+
+    @Override
+    public Integer call() {
+        PrintWriter out = spec.commandLine().getOut();
+        PrintWriter err = spec.commandLine().getErr();
+        String unreadable = "sear " + spec.name() + ": " + path + " can't be read: ";
+        if (!Files.exists(path)) {
+            err.println(unreadable + "there is no such file or folder");
+            return PROBLEMS;
+        }
+        try {
+            Path inside = path.resolve(PROJECT);
+            print(Files.isDirectory(path) ? look(Project.read(Files.isDirectory(inside) ? inside : path))
+                : Bundle.check(path, new PercentProgress(doing(), path, err::println), this::look), path, out);
+            return ExitCode.OK;
+        } catch (ProjectException e) {
+            print(e, path, out, err);
+        } catch (IOException e) {
+            err.println(unreadable + FileReasons.of(e));
+        }
+        return PROBLEMS;
+    }
+}

@@ -1,0 +1,76 @@
+package org.SEAR;
+
+import static org.junit.Assert.assertEquals;
+
+import java.io.IOException;
+import java.math.BigInteger;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import org.SEAR.sensors.CameraImage;
+import org.SEAR.sensors.LidarScan;
+import org.SEAR.sensors.Reading;
+
+/**
+ * Check sums of all that comes out of a run. {@code src/test/resources/digests.txt} has those of the examples, a line each: name, check sum, what the
+ * example is. So a change of bytes is seen in the diff of the commit that brings it.
+ */
+public final class Digests {
+    private static final Path FILE = Path.of(System.getProperty("sear.root", "."), "src/test/resources/digests.txt");
+    private static final int DIGITS = 16;
+
+    private Digests() {
+    }
+
+    public static MessageDigest sha256() {
+        try {
+            return MessageDigest.getInstance("SHA-256");
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("this Java has no SHA-256", e);
+        }
+    }
+
+    /** The first digits of what has come together, which is forgotten. */
+    public static String hex(MessageDigest digest) {
+        return String.format("%064x", new BigInteger(1, digest.digest())).substring(0, DIGITS);
+    }
+
+    public static String hex(Path file) throws IOException {
+        MessageDigest digest = sha256();
+        digest.update(Files.readAllBytes(file));
+        return hex(digest);
+    }
+
+    private static void put(MessageDigest digest, double value) {
+        digest.update(ByteBuffer.allocate(Double.BYTES).putDouble(value).array());
+    }
+
+    /** Adds all that a reading has: each beam, each pixel. */
+    public static void put(MessageDigest digest, Reading reading) {
+        for (double value : reading.numbers()) {
+            put(digest, value);
+        }
+        if (reading instanceof LidarScan) {
+            for (double range : ((LidarScan) reading).ranges()) {
+                put(digest, range);
+            }
+        } else if (reading instanceof CameraImage) {
+            CameraImage image = (CameraImage) reading;
+            int[] pixels = image.getPixels();    // a copy
+            float[] values = image.getValues();
+            for (int i = 0; i < image.getWidth() * image.getHeight(); i++) {
+                put(digest, pixels == null ? values[i] : pixels[i]);
+            }
+        }
+    }
+
+    /** Fails unless an example gives what the list says. */
+    public static void assertSame(String name, String digest) throws IOException {
+        String listed = Files.readAllLines(FILE).stream().filter(line -> line.startsWith(name + " ")).map(line -> line.split(" +")[1])
+            .findFirst().orElse("not there");
+        assertEquals("what " + name + " gives, in " + FILE + ": bytes of a port or readings of a sensor are others. If that is meant, write it there",
+            listed, digest);
+    }
+}

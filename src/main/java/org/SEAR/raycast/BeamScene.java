@@ -7,6 +7,7 @@ import org.SEAR.geometry.HeightTiles;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Rotation;
 import org.SEAR.geometry.Triangles;
+import org.SEAR.raycast.solid.Mesh;
 import org.SEAR.raycast.solid.RaySolid;
 import org.SEAR.raycast.solid.TileTree;
 

@@ -2,6 +2,8 @@ package org.SEAR.raycast;
 
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Rotation;
+import org.SEAR.raycast.solid.Mesh;
+import org.SEAR.raycast.solid.Patches;
 import org.SEAR.raycast.solid.RayBox;
 import org.SEAR.raycast.solid.RaySolid;
 import org.SEAR.raycast.tree.Bvh;
@@ -9,7 +11,7 @@ import org.SEAR.raycast.tree.Bvh;
 /**
  * Casts plane fans, as of a LIDAR. How it works: all beams of a fan lie in one plane, so three dimensions become two. The hierarchy of bounding
  * volumes is walked once for the whole fan; each shape whose box the plane cuts gives the lines or curve in which the plane cuts its surface ({@link
- * BoxCut}, {@link TriangleCut}, {@link FanHeights}), and each line goes into a {@link DepthBuffer} that has one place for each beam, by only those
+ * BoxCut}, {@link PatchCut}, {@link FanHeights}), and each line goes into a {@link DepthBuffer} that has one place for each beam, by only those
  * beams that lie between its ends. What lies behind what all of its beams have met is left out. This is the scan conversion of computer graphics in
  * one dimension less; exact, because each beam meets the line itself and not a pixel.
  *
@@ -20,6 +22,7 @@ final class FanCaster {
     private final DepthBuffer depth = new DepthBuffer();
     private final PlaneCut world = new PlaneCut();
     private final TriangleCut triangles = new TriangleCut(depth);
+    private final PatchCut cut = new PatchCut(depth, triangles);
     private final FanHeights heights = new FanHeights(depth, triangles);
     private final CutStack stack = new CutStack(depth, world);
     private final CutStack meshStack = new CutStack(depth, triangles.plane);
@@ -226,7 +229,8 @@ final class FanCaster {
     private void mesh(int number, double sx, double sy, double sz) {
         triangles.start(own, number, sx, sy, sz);
         Mesh mesh = shapes.mesh[number];
-        Bvh tree = mesh.tree;
+        Patches patches = mesh.patches;
+        Bvh tree = patches.tree;
         ready(tree);
         meshStack.start();
         meshStack.pushRoot(tree);
@@ -237,14 +241,15 @@ final class FanCaster {
                 meshStack.pushChildren(tree, node);
                 continue;
             }
+            int patch = tree.link(node);
+            if (!meshStack.around) {
+                rays.triangles += cut.meet(patches, patch, n, meshStack.first, meshStack.last);
+                continue;
+            }
             rays.triangles += n;
-            int first = tree.link(node);
-            for (int i = first; i < first + n; i++) {
-                if (meshStack.around) {
-                    triangles.triangle(mesh.corners, 9 * i);
-                } else {
-                    triangles.triangle(mesh.corners, 9 * i, meshStack.first, meshStack.last);
-                }
+            int first = 9 * patches.links[patch + Patches.TRIANGLE];
+            for (int at = first; at < first + 9 * n; at += 9) {
+                triangles.triangle(mesh.corners, at);
             }
         }
     }

@@ -4,6 +4,8 @@ package org.SEAR.raycast;
  * The directions of a fan's beams in its own plane: beam i points to (x[i], z[i]) = (sin a, cos a), a = start + i * step; angles grow to the left.
  */
 final class FanDirections {
+    /** So many beams are counted rather than searched. */
+    private static final int FEW = 8;
     /** Radians between two beams up to which the search by angle is safe. */
     private static final double GREATEST_STEP = 0.2;
     private static final double TURN = 2 * Math.PI;
@@ -111,6 +113,18 @@ final class FanDirections {
             i--;
         }
         return i;
+    }
+
+    /** The same, faster where it is asked among few beams: these are counted. */
+    int firstOfFew(double px, double pz, int from, int to) {
+        if (to - from >= FEW) {
+            return first(px, pz, from, to);
+        }
+        int beam = from;
+        for (int i = from; i <= to; i++) {
+            beam += side(i, px, pz) > 0 ? 1 : 0;
+        }
+        return beam;
     }
 
     /** The first beam that may lie to the left of an angle in spite of its error. */

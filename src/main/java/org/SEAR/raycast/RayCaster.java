@@ -2,6 +2,7 @@ package org.SEAR.raycast;
 
 import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.HeightTiles;
+import org.SEAR.raycast.solid.Mesh;
 import org.SEAR.raycast.solid.RayBox;
 import org.SEAR.raycast.solid.RayHeights;
 import org.SEAR.raycast.solid.RayTriangle;

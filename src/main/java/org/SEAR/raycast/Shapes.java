@@ -5,6 +5,7 @@ import org.SEAR.geometry.HeightField;
 import org.SEAR.geometry.HeightGrid;
 import org.SEAR.geometry.HeightTiles;
 import org.SEAR.geometry.Rotation;
+import org.SEAR.raycast.solid.Mesh;
 import org.SEAR.raycast.solid.RaySolid;
 import org.SEAR.raycast.solid.TileTree;
 

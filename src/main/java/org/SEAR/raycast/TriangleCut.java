@@ -65,19 +65,16 @@ final class TriangleCut {
         }
     }
 
-    /** The same where some beams are the only ones that may see it; it lies ahead of them, less than half a turn apart. */
-    void triangle(float[] v, int at, int first, int last) {
-        if (!cross(v, at)) {
-            return;
-        }
-        int p = depth.beams.first(px, pz, first, last);
-        int q = depth.beams.first(qx, qz, first, last);
+    /** The line from p to q, where some beams are the only ones that may see it; it lies ahead of them, less than half a turn apart. */
+    void line(double fromX, double fromZ, double toX, double toZ, int first, int last) {
+        int p = depth.beams.firstOfFew(fromX, fromZ, first, last);
+        int q = depth.beams.firstOfFew(toX, toZ, first, last);
         if (p == q) {
             return;
         }
-        double turn = pz * qx - px * qz;
+        double turn = fromZ * toX - fromX * toZ;
         if (turn != 0) {
-            depth.fill(turn > 0 ? p : q, turn > 0 ? q : p, (pz - qz) / turn, (qx - px) / turn, shape);
+            depth.fill(turn > 0 ? p : q, turn > 0 ? q : p, (fromZ - toZ) / turn, (toX - fromX) / turn, shape);
         }
     }
 

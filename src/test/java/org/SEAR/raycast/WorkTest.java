@@ -7,6 +7,8 @@ import java.lang.management.ManagementFactory;
 import org.SEAR.Slow;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Triangles;
+import org.SEAR.raycast.solid.Mesh;
+import org.SEAR.raycast.solid.Patches;
 import org.SEAR.raycast.tree.Bvh;
 import org.junit.Test;
 import org.junit.experimental.categories.Category;
@@ -75,10 +77,10 @@ public class WorkTest {
         long nodes = work.nodes();
         long triangles = work.triangles;
         scan(world.scene, world, 5);
-        assertTrue((work.triangles - triangles) / FANS + " triangles of " + hills.size(), (work.triangles - triangles) / FANS < 400);
-        assertTrue((work.nodes() - nodes) / FANS + " nodes", (work.nodes() - nodes) / FANS < 680);
+        assertTrue((work.triangles - triangles) / FANS + " triangles of " + hills.size(), (work.triangles - triangles) / FANS < 390);
+        assertTrue((work.nodes() - nodes) / FANS + " nodes", (work.nodes() - nodes) / FANS < 360);
         long all = (work.nodes() - nodes + work.triangles - triangles) / FANS;
-        assertTrue(all + " nodes and triangles", all < 1060);
+        assertTrue(all + " nodes and triangles", all < 760);
     }
 
     @Test
@@ -135,13 +137,16 @@ public class WorkTest {
     }
 
     @Test
-    public void aMillionTrianglesTakeLessThan100BytesEachAndAreSortedALogarithmOfTimes() {
+    public void aMillionTrianglesTakeLessThan120BytesEachAndAreSortedALogarithmOfTimes() {
         Triangles hills = RandomScenes.terrain(708, 100, 3, 9);
         long own = 4L * hills.vertices.length + 4L * hills.indices.length;
         Mesh mesh = Mesh.of(hills);
-        long bytes = 4L * mesh.corners.length + 4L * mesh.tree.data.length + 4L * mesh.tree.items.length + own;
+        Patches patches = mesh.patches;
+        long forFans = 4L * (patches.corners.length + patches.links.length + patches.tree.data.length);
+        long bytes = 4L * (mesh.corners.length + mesh.order.length + mesh.tree.data.length) + forFans + own;
         assertEquals(1002528, hills.size());
-        assertTrue(bytes / hills.size() + " bytes a triangle", bytes / hills.size() < 100);
+        assertTrue(bytes / hills.size() + " bytes a triangle", bytes / hills.size() < 120);
+        assertTrue(forFans / hills.size() + " bytes a triangle for fans", forFans / hills.size() < 25);
         double depth = (double) depths(mesh.tree, 0, 0) / hills.size();
         assertTrue("sorted " + depth + " times each while building", depth < 25);
     }

@@ -1,4 +1,4 @@
-package org.SEAR.raycast;
+package org.SEAR.raycast.solid;
 
 import java.util.Map;
 import java.util.WeakHashMap;
@@ -7,18 +7,21 @@ import org.SEAR.raycast.tree.Bvh;
 import org.SEAR.raycast.tree.BvhBuilder;
 
 /**
- * Triangles in the order of their hierarchy, in the model's own unscaled frame: 40 bytes a triangle for the corners and its number and about as many
- * for the nodes. Immutable, any thread. The same {@link Triangles} share one mesh as long as somebody holds them.
+ * Triangles in the order of their hierarchy, in the model's own unscaled frame: 40 bytes a triangle for the corners and its number, about as many for
+ * the nodes, and 20 for the patches. Immutable, any thread. The same {@link Triangles} share one mesh as long as somebody holds them.
  */
-final class Mesh {
+public final class Mesh {
     private static final int LEAF_SIZE = 4;
     private static final Map<Triangles, Mesh> KNOWN = new WeakHashMap<>();
 
-    final Bvh tree;
+    /** Its leaves link to triangles. */
+    public final Bvh tree;
     /** Nine floats a triangle, in the order of the tree: x, y, z of its three corners. */
-    final float[] corners;
+    public final float[] corners;
     /** The number that each had before. */
-    final int[] order;
+    public final int[] order;
+    /** The same triangles as a fan looks at them. */
+    public final Patches patches;
 
     /** Bounds are rounded outward: the slab test leaves out a beam that runs within a box's side, so none may. */
     private Mesh(Triangles triangles) {
@@ -43,10 +46,11 @@ final class Mesh {
             }
         }
         tree = new Bvh(built.data, new int[0]);
+        patches = new Patches(tree, corners);
     }
 
     /** The mesh of these triangles, built when it is asked for the first time. */
-    static Mesh of(Triangles triangles) {
+    public static Mesh of(Triangles triangles) {
         synchronized (KNOWN) {
             return KNOWN.computeIfAbsent(triangles, Mesh::new);
         }

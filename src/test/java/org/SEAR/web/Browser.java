@@ -74,9 +74,10 @@ public final class Browser implements AutoCloseable {
         downloads = Files.createTempDirectory("sear-downloads").toRealPath();
         ChromeOptions options = new ChromeOptions();
         options.setBinary(binary);
+        // and with a profile of its driver's: told of another, the first of BROWSERS does not start
         options.addArguments("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
             "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--hide-scrollbars", "--lang=en",
-            "--window-size=" + width + "," + height);    // and a profile of its driver's: told of another, the first of BROWSERS does not start
+            "--window-size=" + width + "," + height);
         options.addArguments(more);
         options.setExperimentalOption("prefs", Map.of("download.default_directory", downloads().toString(), "download.prompt_for_download", false));
         LoggingPreferences logs = new LoggingPreferences();

@@ -38,7 +38,6 @@ public class PerformancePageTest {
         command.addAll(Arrays.asList(options));
         Path output = folder.newFile().toPath();
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(output.toFile());
-        builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
         builder.environment().put("PYTHONIOENCODING", "utf-8");
         Process process = builder.start();
         boolean ended = process.waitFor(LONGEST, TimeUnit.SECONDS);

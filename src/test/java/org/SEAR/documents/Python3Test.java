@@ -53,7 +53,7 @@ public class Python3Test {
         Files.writeString(folder.resolve("robotlab.py"), client.replace("http://localhost:8888\"", robotLab.url().replaceAll("/$", "") + "\""));
         Files.writeString(folder.resolve("program.py"), program);
         Path output = folder.resolve("output.txt");
-        Process process = new ProcessBuilder("python3", "-B", "program.py").directory(folder.toFile()).redirectErrorStream(true)
+        Process process = new ProcessBuilder("python3", "program.py").directory(folder.toFile()).redirectErrorStream(true)
             .redirectOutput(output.toFile()).start();
         boolean ended = process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
         process.destroyForcibly();

@@ -78,7 +78,7 @@ public class SiteTest {
     /** What the command says; it ends with that status. */
     private String make(int status, Path root, Path pages, Path site, String... more) throws IOException, InterruptedException {
         Path output = temporary.newFile().toPath();
-        List<String> command = new ArrayList<>(List.of("python3", "-B", ROOT.resolve("scripts/site").toString(), pages.toString(), site.toString()));
+        List<String> command = new ArrayList<>(List.of("python3", ROOT.resolve("scripts/site").toString(), pages.toString(), site.toString()));
         command.addAll(List.of(more));
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(output.toFile());
         builder.environment().put("PYTHONPATH", System.getProperty("sear.mkdocs"));

@@ -34,7 +34,7 @@ public class GymnasiumTest {
     /** What a program prints. */
     private String run(int status, String packages, Path program, String... arguments) throws IOException, InterruptedException {
         Path output = folder.newFile().toPath();
-        List<String> command = new java.util.ArrayList<>(List.of("python3", "-B", program.toString()));
+        List<String> command = new java.util.ArrayList<>(List.of("python3", program.toString()));
         command.addAll(List.of(arguments));
         ProcessBuilder builder = new ProcessBuilder(command).directory(folder.getRoot()).redirectErrorStream(true).redirectOutput(output.toFile());
         builder.environment().put("PYTHONPATH", packages);

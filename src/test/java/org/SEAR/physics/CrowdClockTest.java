@@ -1,8 +1,11 @@
 package org.SEAR.physics;
 
+import org.SEAR.Slow;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Far too much at one spot costs a bounded time and comes apart slowly. */
+@Category(Slow.class)
 public class CrowdClockTest {
     private final Findings findings = new Findings();
 

@@ -1,8 +1,11 @@
 package org.SEAR.physics;
 
+import org.SEAR.Slow;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** What is dropped singly comes to rest on a face, a rim or a side; {@code -Dsear.singles=1000} drops so many for each seed. */
+@Category(Slow.class)
 public class SingleDropsTest {
     private static final int SINGLES = Integer.getInteger("sear.singles", 200);
 

@@ -22,13 +22,16 @@ import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Wheel;
+import org.SEAR.Slow;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.edit.ProjectEditor;
 import org.SEAR.simulator.Simulation;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Each ready robot comes into a project that has robots already, in each way, and the project starts. */
+@Category(Slow.class)
 public class ReadyRobotsInProjectsTest {
     private static final Path EXAMPLES = Paths.get(System.getProperty("sear.root", ".")).resolve("examples");
     private static final Map<String, BiFunction<String, String, SEARrobot>> ALL = new LinkedHashMap<>();

@@ -40,7 +40,7 @@ public class RasterioTest {
     public static void write() throws IOException, InterruptedException {
         Path script = Paths.get(System.getProperty("sear.root", "."), "src/test/rasterio/make_maps.py");
         File log = FOLDER.newFile("log");
-        Process python = new ProcessBuilder("python3", "-B", script.toString(), System.getProperty("sear.rasterio", "build/rasterio"),
+        Process python = new ProcessBuilder("python3", script.toString(), System.getProperty("sear.rasterio", "build/rasterio"),
             FOLDER.getRoot().getPath(), Long.toString(SEED)).redirectErrorStream(true).redirectOutput(log).start();
         assertTrue("GDAL takes long", python.waitFor(5, TimeUnit.MINUTES));
         assertEquals(Files.readString(log.toPath(), StandardCharsets.UTF_8), 0, python.exitValue());

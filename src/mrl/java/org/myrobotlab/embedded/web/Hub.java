@@ -62,6 +62,9 @@ public final class Hub {
         clients.add(client);
         OpenPages.come();
         channel.addCloseTask(closed -> forget(client));
+        if (!channel.isOpen()) {
+            forget(client);     // it was closed before the task was there
+        }
         client.send(services());
         channel.getReceiveSetter().set(new AbstractReceiveListener() {
             @Override
@@ -124,6 +127,9 @@ public final class Hub {
     }
 
     private synchronized void subscribe(Client client, String name, String topic) {
+        if (!clients.contains(client)) {
+            return;     // what it has sent before it went is worked off after that, and nobody would end the subscription
+        }
         client.subscribe(name, topic);
         ServiceInterface service = Runtime.getService(name);
         if (service != null) {

@@ -48,7 +48,6 @@ public class SweepTest {
         File err = temporary.newFile();
         ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectOutput(out).redirectError(err);
         builder.environment().put("PYTHONPATH", modules);
-        builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
         builder.environment().put("SEAR_HOME", HOME);
         Process process = builder.start();
         boolean ended = process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);

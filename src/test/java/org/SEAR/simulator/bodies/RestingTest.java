@@ -9,6 +9,7 @@ import org.SEAR.POJOs.Cylinder;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.POJOs.Sphere;
+import org.SEAR.Slow;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
 import org.SEAR.simulator.Simulation;
@@ -16,8 +17,10 @@ import org.SEAR.simulator.Worlds;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 
 /** Objects that stand or lie stay where they are, and what is pushed goes straight. */
+@Category(Slow.class)
 public class RestingTest {
     private static final double STRAIGHT = Double.POSITIVE_INFINITY;
 

@@ -1,6 +1,7 @@
 package org.myrobotlab.embedded.web;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
 
 import java.io.IOException;
@@ -22,6 +23,7 @@ import org.junit.experimental.categories.Category;
 @Category(Slow.class)
 public class SturdyServerTest {
     private static final String JSON = "Content-Type: application/json";
+    private static final int PATIENCE_SECONDS = 120;
     private static final int MANY = 20;
     private static final int MEGABYTE = 1 << 20;
     private static final String DIGITS = "1".repeat(8 * MEGABYTE);
@@ -229,5 +231,20 @@ public class SturdyServerTest {
         open.add(socket);
         assertEquals("HTTP/1.1 413", start(socket));
         server.servesOthers();
+    }
+
+    /** The first message is worked off for so long that the page has gone before the second is looked at. */
+    @Test
+    public void whatAPageSubscribesJustBeforeItGoesIsNotListenedTo() throws Exception {
+        Socket page = server.webSocket();
+        open.add(page);
+        String slow = "{\"name\":\"talker\",\"method\":\"half\",\"data\":[[" + "[1],".repeat(MEGABYTE) + "0]]}";
+        for (String message : new String[] {slow, "{\"subscribe\":\"talker\",\"topic\":\"publishNumber\"}",
+            "{\"name\":\"talker\",\"method\":\"tick\"}"}) {
+            page.getOutputStream().write(Server.frame(TEXT, message.getBytes(StandardCharsets.UTF_8)));
+        }
+        page.shutdownOutput();
+        assertEquals("all was worked off", "tick", server.talker().heard.poll(PATIENCE_SECONDS, TimeUnit.SECONDS));
+        assertNull("nobody has listened", server.talker().getNotifyList("publishNumber"));
     }
 }

@@ -7,10 +7,12 @@ import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.SEAR.HowMany;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.Python;
 import org.myrobotlab.service.Runtime;
@@ -19,6 +21,7 @@ import org.myrobotlab.service.Runtime;
  * In lock-step the callbacks of several services come in one order always, and what they make robots do is the same each time. {@code
  * -Dsear.orderRuns=200} has a script run that often.
  */
+@Category(Slow.class)
 public class OneOrderTest {
     private static final int RUNS = HowMany.of("sear.orderRuns", 25);
 

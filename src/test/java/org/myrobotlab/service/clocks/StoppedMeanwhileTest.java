@@ -19,10 +19,12 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.ReadWriteLock;
 import java.util.concurrent.locks.ReentrantReadWriteLock;
 import org.SEAR.HowMany;
+import org.SEAR.Slow;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.rules.TemporaryFolder;
 import org.myrobotlab.service.Runtime;
 import org.myrobotlab.service.SEAR;
@@ -32,6 +34,7 @@ import org.myrobotlab.service.sear.run.SimulationControl;
 import org.myrobotlab.service.sear.run.SimulationSession;
 
 /** Panels look at the world again and again; one that looks while the simulation is stopped has nothing to complain of. */
+@Category(Slow.class)
 public class StoppedMeanwhileTest {
     private static final int STOPS = HowMany.of("sear.stops", 40);
     private static final int PANELS = 3;

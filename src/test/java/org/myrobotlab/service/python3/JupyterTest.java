@@ -46,7 +46,6 @@ public class JupyterTest {
         modules.add(ROOT.resolve("python/src").toString());
         modules.add(LIBRARIES);
         builder.environment().put("PYTHONPATH", String.join(File.pathSeparator, modules));
-        builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
         builder.environment().put("SEAR_HOME", HOME);
         builder.environment().put("IPYTHONDIR", folder.resolve(".ipython").toString());
         builder.environment().put("JUPYTER_PREFER_ENV_PATH", "0");

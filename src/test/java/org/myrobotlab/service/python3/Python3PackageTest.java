@@ -42,7 +42,6 @@ public class Python3PackageTest {
         File output = temporary.newFile();
         ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).redirectOutput(output);
         builder.environment().put("PYTHONPATH", String.join(File.pathSeparator, modules));
-        builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
         builder.environment().put("SEAR_HOME", HOME);
         builder.environment().put("MPLBACKEND", "agg");
         builder.environment().put("JAVA_OPTS", System.getenv("JAVA_OPTS") + " -Dsear.headless=true");

@@ -65,7 +65,7 @@ public class OpencvExamplesTest {
 
     /** @param modules where Python finds OpenCV */
     private Process start(Path modules, List<String> arguments) throws IOException {
-        List<String> command = new ArrayList<>(List.of("python3", "-B", "-u"));
+        List<String> command = new ArrayList<>(List.of("python3", "-u"));
         command.addAll(arguments);
         ProcessBuilder builder = new ProcessBuilder(command);
         builder.environment().put("PYTHONPATH", modules.toString());

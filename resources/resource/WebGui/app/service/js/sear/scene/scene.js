@@ -17,6 +17,8 @@ var SUN = [-0.35, 1, -0.25]
 var SHADOW_PIXELS = 2048
 var SKY = {light: ['#7fb2e5', '#e8f1fa', '#cfd3c8', '#b9bdb0'], dark: ['#0d1b2f', '#33475f', '#2c2f2b', '#20231f']}
 var BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i
+var COARSE = 0.5            // share of the pixels' number a side that the processor draws of what moves, for it to keep 30 pictures a second
+var STILL_MILLIS = 300      // after which it draws all of them again
 var PAUSE_MILLIS = 15       // between two pictures by the processor of what moves: some 30 a second are enough
 var PATH = '#337ab7'
 
@@ -68,6 +70,7 @@ export function Scene(canvas, ask, repaint) {
     this.arrived = 0
     this.period = 100
     this.byProcessor = isByProcessor(this.renderer.context)
+    this.movedAt = 0
     this.unshaded = true        // whether shadows are not those of what is shown
     this.pictures = 0           // drawn so far, and how many of them with other shadows
     this.shadings = 0
@@ -354,7 +357,7 @@ Scene.prototype.draw = function(sensor, followed, dark) {
     this.paintSky(dark)
     var width = this.canvas.clientWidth
     var height = this.canvas.clientHeight
-    var ratio = Math.min(2, window.devicePixelRatio || 1)
+    var ratio = Math.min(2, window.devicePixelRatio || 1) * (this.isCoarse(moving, now) ? COARSE : 1)
     if (this.size !== width + ' ' + height + ' ' + ratio) {
         this.size = width + ' ' + height + ' ' + ratio
         this.renderer.setPixelRatio(ratio)
@@ -372,6 +375,19 @@ Scene.prototype.draw = function(sensor, followed, dark) {
     } else if (moving) {
         this.repaint()
     }
+}
+
+/** Whether fewer pixels are drawn since something moves or the user looks around, or just did; what has come to rest is drawn again. */
+Scene.prototype.isCoarse = function(moving, now) {
+    var seenFrom = this.camera.matrixWorld.elements.join(' ')
+    this.movedAt = moving || this.seenFrom && this.seenFrom !== seenFrom ? now : this.movedAt
+    this.seenFrom = seenFrom
+    var coarse = this.byProcessor && now - this.movedAt < STILL_MILLIS
+    if (coarse && !moving) {
+        window.clearTimeout(this.sharpening)
+        this.sharpening = window.setTimeout(this.repaint, STILL_MILLIS)
+    }
+    return coarse
 }
 
 /** The shadow lies where the camera looks. */

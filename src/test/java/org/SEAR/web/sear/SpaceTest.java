@@ -125,7 +125,9 @@ public class SpaceTest {
         tab.start();
         browser.click(".sear-follow");
         double before = ((Number) inScene("scene.robots[0].parts[1].holder.quaternion.x")).doubleValue();
+        double wide = number("scene.canvas.clientWidth");
         browser.click(".sear-forward");
+        browser.until("half of the pixels a side of what the processor draws while it moves", () -> number("scene.canvas.width") <= wide / 2);
         browser.until("the robot half a metre ahead", () -> tab.number("world.running.robots[0].pose[2]") > 0.5);
         browser.click(".sear-halt");
         browser.until("the robot stands, in the view, too", () -> tab.number("world.running.robots[0].speed") == 0
@@ -134,6 +136,7 @@ public class SpaceTest {
         assertEquals("the camera's target", tab.number("world.running.robots[0].pose[2]"), number("scene.orbit.target.z"), 0.002);
         assertTrue("beams that met something", ((Number) inScene("[].filter.call(scene.sensors[0].fan.geometry.attributes.position.array,"
             + " function(value) { return value !== 0 }).length")).intValue() > 50);
+        browser.until("all pixels of what rests", () -> number("scene.canvas.width") == wide);
         browser.click(".sear-follow");
     }
 

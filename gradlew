@@ -15,7 +15,7 @@ case " $* " in
         needed="$needed python3:python3 pip3:python3-pip cc:gcc" ;;
 esac
 case " $* " in
-    *" realMrlTest "*) needed="$needed $browser:$browser chromedriver:chromium-driver" ;;
+    *" realMrlTest "*) needed="$needed chromium:chromium chromedriver:chromium-driver" ;;
 esac
 case " $* " in *" check "*|*" build "*|*" test "*|*" eslint "*) needed="$needed npm:npm node:nodejs" ;; esac
 case " $* " in *" tryOnWindows "*) needed="$needed wine:wine python3:python3 pip3:python3-pip" ;; esac

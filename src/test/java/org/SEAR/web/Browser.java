@@ -42,9 +42,10 @@ public final class Browser implements AutoCloseable {
     private static final Duration LIMIT = Duration.ofSeconds(400);
     private static final Duration LOOK = Duration.ofMillis(100);
     private static final int ATTEMPTS = 2;
+    /** As users have them. */
+    private static final List<String> WHOLE = List.of("chromium", "chromium-browser", "google-chrome", "google-chrome-stable");
     /** The first is Chromium without the windows that nobody sees here: the same pages take it two thirds of the processor time. */
-    private static final List<String> BROWSERS = List.of("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome",
-        "google-chrome-stable");
+    private static final List<String> BROWSERS = Stream.concat(Stream.of("chromium-headless-shell"), WHOLE.stream()).collect(Collectors.toList());
     /** For tests that look at no edges: by the processor, smooth ones take as long as the whole picture without. */
     private static final String ROUGH_EDGES = "--webgl-antialiasing-mode=none";
     private static final List<String> DRIVERS = List.of("chromedriver");
@@ -69,7 +70,11 @@ public final class Browser implements AutoCloseable {
      * @param more arguments of the browser
      */
     public Browser(int width, int height, String... more) throws IOException {
-        String binary = program(BROWSERS);
+        this(BROWSERS, width, height, more);
+    }
+
+    private Browser(List<String> programs, int width, int height, String... more) throws IOException {
+        String binary = program(programs);
         String driverProgram = program(DRIVERS);
         downloads = Files.createTempDirectory("sear-downloads").toRealPath();
         ChromeOptions options = new ChromeOptions();
@@ -85,6 +90,11 @@ public final class Browser implements AutoCloseable {
         options.setCapability("goog:loggingPrefs", logs);
         driver = start(driverProgram, options);
         driver.manage().window().setSize(new Dimension(width, height));
+    }
+
+    /** One as users have it. */
+    public static Browser whole(int width, int height) throws IOException {
+        return new Browser(WHOLE, width, height);
     }
 
     /**

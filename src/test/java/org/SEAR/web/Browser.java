@@ -42,10 +42,7 @@ public final class Browser implements AutoCloseable {
     private static final Duration LIMIT = Duration.ofSeconds(400);
     private static final Duration LOOK = Duration.ofMillis(100);
     private static final int ATTEMPTS = 2;
-    /** As users have them. */
-    private static final List<String> WHOLE = List.of("chromium", "chromium-browser", "google-chrome", "google-chrome-stable");
-    /** The first is Chromium without the windows that nobody sees here: the same pages take it two thirds of the processor time. */
-    private static final List<String> BROWSERS = Stream.concat(Stream.of("chromium-headless-shell"), WHOLE.stream()).collect(Collectors.toList());
+    private static final List<String> BROWSERS = List.of("chromium", "chromium-browser", "google-chrome", "google-chrome-stable");
     /** For tests that look at no edges: by the processor, smooth ones take as long as the whole picture without. */
     private static final String ROUGH_EDGES = "--webgl-antialiasing-mode=none";
     private static final List<String> DRIVERS = List.of("chromedriver");
@@ -61,7 +58,7 @@ public final class Browser implements AutoCloseable {
     private static Browser shared;
 
     private final ChromeDriver driver;
-    private final Path downloads;
+    private final Path profile;
     private final List<String> expected = new ArrayList<>();
 
     /**
@@ -70,19 +67,15 @@ public final class Browser implements AutoCloseable {
      * @param more arguments of the browser
      */
     public Browser(int width, int height, String... more) throws IOException {
-        this(BROWSERS, width, height, more);
-    }
-
-    private Browser(List<String> programs, int width, int height, String... more) throws IOException {
-        String binary = program(programs);
+        String binary = program(BROWSERS);
         String driverProgram = program(DRIVERS);
-        downloads = Files.createTempDirectory("sear-downloads").toRealPath();
+        profile = Files.createTempDirectory("sear-browser").toRealPath();
+        Files.createDirectories(downloads());
         ChromeOptions options = new ChromeOptions();
         options.setBinary(binary);
-        // and with a profile of its driver's: told of another, the first of BROWSERS does not start
         options.addArguments("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
             "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--hide-scrollbars", "--lang=en",
-            "--window-size=" + width + "," + height);
+            "--window-size=" + width + "," + height, "--user-data-dir=" + profile.resolve("profile"));
         options.addArguments(more);
         options.setExperimentalOption("prefs", Map.of("download.default_directory", downloads().toString(), "download.prompt_for_download", false));
         LoggingPreferences logs = new LoggingPreferences();
@@ -90,11 +83,6 @@ public final class Browser implements AutoCloseable {
         options.setCapability("goog:loggingPrefs", logs);
         driver = start(driverProgram, options);
         driver.manage().window().setSize(new Dimension(width, height));
-    }
-
-    /** One as users have it. */
-    public static Browser whole(int width, int height) throws IOException {
-        return new Browser(WHOLE, width, height);
     }
 
     /**
@@ -161,7 +149,7 @@ public final class Browser implements AutoCloseable {
             }
         }
         throw new AssertionError("the browser tests need " + names.get(0) + " on the PATH: install Chromium and its driver"
-            + " (on Debian: apt-get install chromium-headless-shell chromium-driver; ./gradlew test does it by itself)");
+            + " (on Debian: apt-get install chromium chromium-driver; ./gradlew test does it by itself)");
     }
 
     /** For what has no shorter way here. */
@@ -171,7 +159,7 @@ public final class Browser implements AutoCloseable {
 
     /** Where downloads go. */
     public Path downloads() {
-        return downloads;
+        return profile.resolve("downloads");
     }
 
     // ---- elements ------------------------------------------------------------------------------------------------------
@@ -373,7 +361,7 @@ public final class Browser implements AutoCloseable {
         try {
             driver.quit();
         } finally {
-            MyRobotLab.deleteFolder(downloads);
+            MyRobotLab.deleteFolder(profile);
         }
     }
 }

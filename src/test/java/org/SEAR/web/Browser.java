@@ -33,7 +33,6 @@ import org.openqa.selenium.chrome.ChromeOptions;
 import org.openqa.selenium.logging.LogEntry;
 import org.openqa.selenium.logging.LogType;
 import org.openqa.selenium.logging.LoggingPreferences;
-import org.openqa.selenium.support.ui.ExpectedConditions;
 import org.openqa.selenium.support.ui.WebDriverWait;
 
 /** A headless Chromium without display and without memory of earlier runs. Elements are named by CSS selectors and waited for. */
@@ -59,6 +58,7 @@ public final class Browser implements AutoCloseable {
 
     private final ChromeDriver driver;
     private final Path profile;
+    private final Elements elements = new Elements(this);
     private final List<String> expected = new ArrayList<>();
 
     /**
@@ -189,7 +189,7 @@ public final class Browser implements AutoCloseable {
 
     /** The first visible element. */
     public WebElement see(String css) {
-        return value("a visible " + css, () -> all(css).stream().filter(WebElement::isDisplayed).findFirst().orElse(null));
+        return value("a visible " + css, () -> elements.first(css));
     }
 
     /** All elements that are there now, visible or not. */
@@ -199,12 +199,13 @@ public final class Browser implements AutoCloseable {
 
     /** Waits until there is a visible element whose text has such a part. */
     public void seeText(String css, String part) {
-        value(css + " with the text \"" + part + "\"", () -> texts(css).stream().filter(text -> text.contains(part)).findFirst().orElse(null));
+        value(css + " with the text \"" + part + "\"", () -> elements.withLetters(css, part).stream().map(WebElement::getText)
+            .filter(text -> text.contains(part)).findFirst().orElse(null));
     }
 
     /** Texts of all visible elements. */
     public List<String> texts(String css) {
-        return all(css).stream().filter(WebElement::isDisplayed).map(WebElement::getText).collect(Collectors.toList());
+        return elements.shown(css).stream().map(WebElement::getText).collect(Collectors.toList());
     }
 
     /** Text of the first visible element. */
@@ -215,8 +216,8 @@ public final class Browser implements AutoCloseable {
     /** Clicks an element as soon as that can be clicked. */
     public void click(String css) {
         until(css + " that can be clicked", () -> {
-            WebElement element = all(css).stream().filter(WebElement::isDisplayed).findFirst().orElse(null);
-            if (element == null || ExpectedConditions.elementToBeClickable(element).apply(driver) == null) {
+            WebElement element = elements.clickable(css);
+            if (element == null) {
                 return false;
             }
             element.click();
@@ -234,10 +235,8 @@ public final class Browser implements AutoCloseable {
     /** Chooses an option of a select by its text. */
     public void choose(String css, String option) {
         until("option " + option + " of " + css, () -> {
-            WebElement select = see(css);
-            WebElement found = select.findElements(By.tagName("option")).stream().filter(one -> one.getText().trim().equals(option)).findFirst()
-                .orElse(null);
-            if (found == null || !select.isEnabled()) {
+            WebElement found = elements.option(css, option);
+            if (found == null) {
                 return false;
             }
             found.click();

@@ -4,10 +4,14 @@
 # Ends a test run with the line "N passed, N failed, N skipped".
 cd "$(dirname "$0")" || exit 1
 
+# Pages are tried in Chromium without windows, which Debian has; Ubuntu has only the whole one.
+browser=chromium-headless-shell
+grep -qs '^ID=ubuntu' /etc/os-release && browser=chromium
+
 needed="javac:default-jdk-headless gradle:gradle"
 case " $* " in
     *" test "*|*" check "*|*" build "*)
-        needed="$needed Xvfb:xvfb xdotool:xdotool chromium:chromium chromedriver:chromium-driver gpsd:gpsd gpspipe:gpsd-clients rawlog-grabber:mrpt-apps"
+        needed="$needed Xvfb:xvfb xdotool:xdotool $browser:$browser chromedriver:chromium-driver gpsd:gpsd gpspipe:gpsd-clients rawlog-grabber:mrpt-apps"
         needed="$needed python3:python3 pip3:python3-pip cc:gcc" ;;
 esac
 case " $* " in

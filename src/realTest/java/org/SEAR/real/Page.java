@@ -20,7 +20,7 @@ final class Page implements AutoCloseable {
     private int loads;
 
     Page() throws IOException {
-        browser = new Browser(1366, 768);
+        browser = Browser.whole(1366, 768);
     }
 
     /** Loads the page anew, as one who comes for the first time. */

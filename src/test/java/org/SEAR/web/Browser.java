@@ -41,7 +41,14 @@ public final class Browser implements AutoCloseable {
     private static final Duration LIMIT = Duration.ofSeconds(400);
     private static final Duration LOOK = Duration.ofMillis(100);
     private static final int ATTEMPTS = 2;
-    private static final List<String> BROWSERS = List.of("chromium", "chromium-browser", "google-chrome", "google-chrome-stable");
+    /** As users have them. */
+    private static final List<String> WHOLE = List.of("chromium", "chromium-browser", "google-chrome", "google-chrome-stable");
+    /**
+     * The first is Debian's Chromium without the windows that nobody sees here, which takes less processor time. By its full name: on the PATH is a
+     * script that waits for it, which is what its driver would end then, and not the browser, whose pages would stay connected.
+     */
+    private static final List<String> BROWSERS = Stream.concat(Stream.of("/usr/lib/chromium/chromium-headless-shell"), WHOLE.stream())
+        .collect(Collectors.toList());
     /** For tests that look at no edges: by the processor, smooth ones take as long as the whole picture without. */
     private static final String ROUGH_EDGES = "--webgl-antialiasing-mode=none";
     private static final List<String> DRIVERS = List.of("chromedriver");
@@ -57,7 +64,7 @@ public final class Browser implements AutoCloseable {
     private static Browser shared;
 
     private final ChromeDriver driver;
-    private final Path profile;
+    private final Path downloads;
     private final Elements elements = new Elements(this);
     private final List<String> expected = new ArrayList<>();
 
@@ -67,22 +74,34 @@ public final class Browser implements AutoCloseable {
      * @param more arguments of the browser
      */
     public Browser(int width, int height, String... more) throws IOException {
-        String binary = program(BROWSERS);
+        this(BROWSERS, width, height, more);
+    }
+
+    private Browser(List<String> programs, int width, int height, String... more) throws IOException {
+        String binary = program(programs);
         String driverProgram = program(DRIVERS);
-        profile = Files.createTempDirectory("sear-browser").toRealPath();
-        Files.createDirectories(downloads());
+        downloads = Files.createTempDirectory("sear-downloads").toRealPath();
         ChromeOptions options = new ChromeOptions();
         options.setBinary(binary);
+        // and with a profile of its driver's: told of another, the first of BROWSERS opens no page
         options.addArguments("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
             "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--hide-scrollbars", "--lang=en",
-            "--window-size=" + width + "," + height, "--user-data-dir=" + profile.resolve("profile"));
+            "--window-size=" + width + "," + height);
         options.addArguments(more);
-        options.setExperimentalOption("prefs", Map.of("download.default_directory", downloads().toString(), "download.prompt_for_download", false));
+        options.setExperimentalOption("prefs", Map.of("download.default_directory", downloads.toString(), "download.prompt_for_download", false));
         LoggingPreferences logs = new LoggingPreferences();
         logs.enable(LogType.BROWSER, Level.ALL);
         options.setCapability("goog:loggingPrefs", logs);
         driver = start(driverProgram, options);
+        if (!WHOLE.contains(Paths.get(binary).getFileName().toString())) {      // its driver tells it for the first tab only
+            driver.executeCdpCommand("Browser.setDownloadBehavior", Map.of("behavior", "allow", "downloadPath", downloads.toString()));
+        }
         driver.manage().window().setSize(new Dimension(width, height));
+    }
+
+    /** One as users have it. */
+    public static Browser whole(int width, int height) throws IOException {
+        return new Browser(WHOLE, width, height);
     }
 
     /**
@@ -142,14 +161,14 @@ public final class Browser implements AutoCloseable {
     private static String program(List<String> names) {
         for (String name : names) {
             for (String folder : System.getenv().getOrDefault("PATH", "").split(File.pathSeparator)) {
-                Path file = Paths.get(folder, name);
+                Path file = Paths.get(folder).resolve(name);    // a full name is itself
                 if (Files.isExecutable(file)) {
                     return file.toString();
                 }
             }
         }
-        throw new AssertionError("the browser tests need " + names.get(0) + " on the PATH: install Chromium and its driver"
-            + " (on Debian: apt-get install chromium chromium-driver; ./gradlew test does it by itself)");
+        throw new AssertionError("the browser tests need one of " + names + " on the PATH: install Chromium and its driver"
+            + " (on Debian: apt-get install chromium-headless-shell chromium-driver; ./gradlew test does it by itself)");
     }
 
     /** For what has no shorter way here. */
@@ -159,7 +178,7 @@ public final class Browser implements AutoCloseable {
 
     /** Where downloads go. */
     public Path downloads() {
-        return profile.resolve("downloads");
+        return downloads;
     }
 
     // ---- elements ------------------------------------------------------------------------------------------------------
@@ -360,7 +379,7 @@ public final class Browser implements AutoCloseable {
         try {
             driver.quit();
         } finally {
-            MyRobotLab.deleteFolder(profile);
+            MyRobotLab.deleteFolder(downloads);
         }
     }
 }

@@ -70,6 +70,7 @@ public class SpaceTest {
         browser.click(".sear-space");
         browser.until("all of it", () -> Boolean.TRUE.equals(inScene("Object.keys(scene.looks.wanted).length === 0 && scene.robots.length === 1"
             + " && scene.objects.concat(scene.robots[0].parts).every(function(item) { return item.dressed && item.holder.visible })")));
+        browser.until("a view that will not turn by itself to show all", () -> tab.isTrue("view.fitted"));
     }
 
     @After

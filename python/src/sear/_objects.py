@@ -1,9 +1,12 @@
 """Java's objects as Python sees them. Whoever knows how Java is reached (_jvm, _gateway) is the backend."""
 import builtins
+import collections.abc
 import difflib
 import threading
 
 _PLAIN = frozenset((float, int, str, bool, type(None), bytes))
+# What stands for a list, as list() makes one of it
+_LISTS = list, tuple, range, collections.abc.KeysView, collections.abc.ValuesView
 _classes = {}
 SEAR = "org.myrobotlab.service.SEAR"
 # Calls that wait, which the interrupt of a terminal or notebook ends: by how much is asked of them at least
@@ -31,7 +34,7 @@ def backend():
 
 
 def to_java(value):
-    """What Java takes for a value: what is behind a proxy, and so in lists, tuples and dictionaries; of numpy's arrays their numbers."""
+    """What Java takes for a value: what is behind a proxy, and so in lists, tuples, ranges and dictionaries; of numpy's arrays their numbers."""
     if type(value) in _PLAIN:
         return value
     if isinstance(value, JavaObject):
@@ -40,11 +43,17 @@ def to_java(value):
         return backend().java_class(value.java_name)
     if hasattr(value, "tolist"):
         return to_java(value.tolist())
-    if isinstance(value, (list, tuple)):
+    if isinstance(value, _LISTS):
         return backend().java_list([to_java(one) for one in value])
     if isinstance(value, dict):
         return backend().java_map({key: to_java(one) for key, one in value.items()})
     return value
+
+
+def _refuse_names(name, named):
+    """Java has no names of arguments when a program runs, those in the documentation and the stubs are for people."""
+    raise TypeError("%s takes its arguments in their order, without names: %s" % (name, ", ".join("%s and not %s=%s" % (repr(value), key, repr(value))
+                                                                                           for key, value in named.items())))
 
 
 class _Call:
@@ -57,7 +66,9 @@ class _Call:
         self.class_name = class_name
         self.name = name
 
-    def __call__(self, *arguments):
+    def __call__(self, *arguments, **named):
+        if named:
+            _refuse_names(self.name, named)
         return connection.backend.call(self.method, [one if type(one) in _PLAIN else to_java(one) for one in arguments], self.class_name, self.name)
 
     def __repr__(self):
@@ -69,10 +80,10 @@ class _Wait(_Call):
 
     __slots__ = ("owner",)
 
-    def __call__(self, *arguments):
-        if len(arguments) != 1 or not isinstance(arguments[0], (int, float)) or arguments[0] < _WAITS[self.class_name, self.name] \
+    def __call__(self, *arguments, **named):
+        if named or len(arguments) != 1 or not isinstance(arguments[0], (int, float)) or arguments[0] < _WAITS[self.class_name, self.name] \
                 or threading.current_thread() is not threading.main_thread():
-            return super().__call__(*arguments)
+            return super().__call__(*arguments, **named)
         return connection.backend.wait(self.owner.__dict__["java"], self.name, arguments[0])
 
 
@@ -81,9 +92,9 @@ class _Shown(_Call):
 
     __slots__ = ("owner",)
 
-    def __call__(self, *arguments):
+    def __call__(self, *arguments, **named):
         from ._show import answer
-        return answer(self.owner, self.name, arguments, super().__call__(*arguments))
+        return answer(self.owner, self.name, arguments, super().__call__(*arguments, **named))
 
 
 def _method(owner, method, class_name, name):
@@ -121,7 +132,9 @@ class JavaObject(metaclass=_Statics):
 
     java_name = None
 
-    def __init__(self, *arguments):
+    def __init__(self, *arguments, **named):
+        if named:
+            _refuse_names(type(self).__name__, named)
         self.__dict__["java"] = backend().new(self.java_name, [to_java(one) for one in arguments])
 
     def __getattr__(self, name):

@@ -7,10 +7,10 @@ from java.lang import IllegalArgumentException, IllegalStateException
 from org.SEAR.POJOs import Box, Distance, Floor, LIDAR, Robots
 
 
-def refused(kinds, words, call, *arguments):
+def refused(kinds, words, call, *arguments, **named):
     """Has a call refused, with these words."""
     try:
-        call(*arguments)
+        call(*arguments, **named)
     except kinds[0] as error:
         assert all(isinstance(error, kind) for kind in kinds), type(error).__mro__
         assert words in str(error), str(error)
@@ -37,6 +37,9 @@ rover.addComponent(Distance("ping", "PING)))", 0, 0.1, 0.15, 0, 0, 0))
 rover.addComponent(LIDAR("scanner", 8, 180, 1, 0, 0.3, 0))
 refused((TypeError,), "Box can't be called with (str, int); legal: Box(name: str, length: float, width: float, height: float)", Box, "crate", 1)
 refused((IllegalArgumentException, ValueError), "mass is -1, legal: ", Box, "crate", 1, 1, 1, -1)
+refused((TypeError,), "Box takes its arguments in their order, without names: 1 and not length=1", Box, "crate", length=1)
+refused((TypeError,), "getPose takes its arguments in their order, without names: 'rover' and not name='rover'", robots.getPose, name="rover")
+refused((TypeError,), "simSleep takes its arguments in their order, without names: 2 and not seconds=2", robots.simSleep, seconds=2)
 robots.setGroundVisible(False)
 robots.startSimulation()
 robots.simSleep(1)
@@ -57,6 +60,7 @@ refused((TypeError,), "driveStraight can't be called with (str, str, str); legal
         robots.driveStraight, "a", "b", "c")
 robots.push("rover", numpy.array([0, 0, 0.5]), 0.1)
 robots.setWheelSpeeds(numpy.float32(0.25), 0.25)
+robots.savePlot("lists.svg", "time (s)", range(3), {"way (m)": {"a": 1, "b": 2, "c": 3}.values()})
 
 heard = []
 

@@ -6,6 +6,7 @@ import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Frame;
 import org.SEAR.geometry.Placement;
 import org.SEAR.geometry.Pose;
+import org.SEAR.geometry.TimeStep;
 import org.SEAR.physics.solid.Solid;
 
 /**
@@ -30,6 +31,7 @@ public final class Body {
     private final double cy;
     private final double cz;
     private final PlacedSolid[] placed;
+    private final InnerMotion inner;
     private long placedAt = -1;
     private int shapeVersion;
     private double leastReach;
@@ -78,6 +80,7 @@ public final class Body {
         this.cz = centre[2];
         this.start = start;
         this.pose = start;
+        inner = new InnerMotion(solids, places, centre);
         placed = new PlacedSolid[places.length];
         for (int i = 0; i < placed.length; i++) {
             placed[i] = new PlacedSolid(solids.get(i), mass > 0);
@@ -130,6 +133,8 @@ public final class Body {
         double[] centre = at.transform(cx, cy, cz);
         solver.put(centre[0], centre[1], centre[2], at);
         rest.begin(solver);
+        inner.end();
+        placedAt = -1;
         turningSpeed = 0;
         touching = false;
         shapeVersion++;    // contacts that were known are elsewhere
@@ -176,7 +181,21 @@ public final class Body {
     }
 
     /**
-     * Moves one of its solids in its own frame.
+     * Moves one of its solids in its own frame, in the step that comes: it pushes and takes along what touches it.
+     *
+     * @param solid its number
+     */
+    public void move(int solid, Pose to) {
+        inner.move(solid, to);
+    }
+
+    /** How its solids move in it in this step. */
+    InnerMotion inner() {
+        return inner;
+    }
+
+    /**
+     * Puts one of its solids elsewhere in its own frame, before the world starts.
      *
      * @param solid its number
      */
@@ -257,14 +276,14 @@ public final class Body {
         double[] v = solver.v;
         double square = v[3] * v[3] + v[4] * v[4] + v[5] * v[5];
         if (square == 0 || symmetry == Symmetry.BALL) {
-            return 0;
+            return inner.fastest();
         }
         if (symmetry == Symmetry.ABOUT_Y) {
             Placement at = solver.place;
             double about = v[3] * at.m01 + v[4] * at.m11 + v[5] * at.m21;
             square = Math.max(0, square - about * about);
         }
-        return Math.sqrt(square) * reach;
+        return Math.sqrt(square) * reach + inner.fastest();
     }
 
     /** How far its surface has moved by turning so far, at most, metres. */
@@ -319,6 +338,11 @@ public final class Body {
 
     /** Takes over where the solver has moved it in a step. */
     void follow() {
+        turned += inner.fastest() * TimeStep.SECONDS;
+        if (inner.end()) {
+            shapeVersion++;
+            placedAt = -1;
+        }
         double[] moved = solver.moved;
         turned += symmetry == Symmetry.BALL ? 0 : Math.sqrt(moved[3] * moved[3] + moved[4] * moved[4] + moved[5] * moved[5]) * reach;
         Spin spin = solver.spin();

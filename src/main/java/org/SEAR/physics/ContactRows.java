@@ -46,8 +46,10 @@ final class ContactRows {
     private static final int ASIDE = BASE + 3;
     /** 1 if it comes to throw both apart, at the end of this substep or later: until then nothing brakes them. */
     private static final int AWAITED = BASE + 4;
+    /** The speed at which solids that move in their bodies come together here, m/s; 0 where none does. */
+    private static final int DRIVEN = BASE + 5;
     /** Numbers of a point. */
-    static final int POINT = BASE + 5;
+    static final int POINT = BASE + 6;
     private static final int PATCH = POINTS + Manifold.MOST_POINTS * POINT;
     private static final int BLOCK = PATCH + FrictionRows.SIZE;
     private static final int SIZE = BLOCK + NormalBlock.SIZE;
@@ -65,10 +67,14 @@ final class ContactRows {
     private int size;
     /** Whether anything of the island bounces. */
     private boolean bounces;
+    /** How much of the step has gone, seconds: solids that move in their bodies have been under way so long, but are put there at its end. */
+    private double gone;
     private final NormalBlock block = new NormalBlock();
+    private final double[] normal = new double[3];
 
-    /** An island begins. */
+    /** The step of an island begins. */
     void clear() {
+        gone = 0;
         size = 0;
         bounces = false;
     }
@@ -137,20 +143,25 @@ final class ContactRows {
             my += of.points[i].y / of.count;
             mz += of.points[i].z / of.count;
         }
+        boolean driven = of.isDriven();
+        normal[0] = of.nx;
+        normal[1] = of.ny;
+        normal[2] = of.nz;
         for (int i = 0; i < of.count; i++) {
-            fill(at + POINTS + i * POINT, of, of.points[i], mx, my, mz);
+            fill(at + POINTS + i * POINT, of, of.points[i], driven, mx, my, mz);
         }
         FrictionRows.prepare(r, at + PATCH, of, mx, my, mz);
         r[at + READY] = 0;
         r[at + STRUCK] = of.struck ? 1 : 0;
     }
 
-    private void fill(int at, Manifold of, Manifold.Point point, double mx, double my, double mz) {
+    private void fill(int at, Manifold of, Manifold.Point point, boolean driven, double mx, double my, double mz) {
         double half = point.found / 2;
         PairRow.prepare(r, at, of, of.nx, of.ny, of.nz, point.x + half * of.nx, point.y + half * of.ny, point.z + half * of.nz);
         r[at + PairRow.IMPULSE] = point.impulse;
         r[at + BASE] = point.found - PairRow.along(r, at, of.a.moved, of.b.moved);
-        r[at + GAP] = point.found;
+        r[at + DRIVEN] = driven ? of.driven(normal, point.x, point.y, point.z) : 0;
+        r[at + GAP] = point.found - r[at + DRIVEN] * gone;
         r[at + THROWN] = 0;
         double dx = point.x - mx;
         double dy = point.y - my;
@@ -200,6 +211,7 @@ final class ContactRows {
                 }
             }
         }
+        gone += seconds;
     }
 
     /** Looks how far both are from each other now. */
@@ -208,7 +220,7 @@ final class ContactRows {
         double[] q = movedB[slot];
         for (int i = 0; i < points[slot]; i++) {
             int point = slot * SIZE + POINTS + i * POINT;
-            r[point + GAP] = r[point + BASE] + PairRow.along(r, point, p, q);
+            r[point + GAP] = r[point + BASE] + PairRow.along(r, point, p, q) - r[point + DRIVEN] * gone;
         }
     }
 
@@ -271,7 +283,8 @@ final class ContactRows {
             all &= r[point + AWAITED] == 0;
             double gap = r[point + GAP];
             double seconds = r[at + SECONDS];
-            block.wanted[i] = (gap > CLOSE ? -(gap - CLOSE) / seconds : 0) + (recovers ? recovery(Math.min(gap, CLOSE), seconds) : 0);
+            block.wanted[i] = (gap > CLOSE ? -(gap - CLOSE) / seconds : 0) + (recovers ? recovery(Math.min(gap, CLOSE), seconds) : 0)
+                + r[point + DRIVEN];
             parting = parting && PairRow.along(r, point, p, q) >= block.wanted[i];
         }
         if (parting || all && solveAll(at, count, p, q, recovers)) {
@@ -340,11 +353,13 @@ final class ContactRows {
         int at = slot * SIZE;
         Manifold of = manifolds[slot];
         boolean pushes = false;
+        boolean driven = false;
         for (int i = 0; i < points[slot]; i++) {
             int point = at + POINTS + i * POINT;
             pushes |= r[point + PairRow.IMPULSE] > 0 || r[point + THROWN] > 0;
+            driven |= r[point + DRIVEN] > 0;
         }
-        if (gap(slot) < -DEEP) {
+        if (!driven && gap(slot) < -DEEP) {
             of.a.setDeep();
             of.b.setDeep();
         }
@@ -397,7 +412,8 @@ final class ContactRows {
 
     /** Speed at which both part at a point, m/s. */
     double parting(int slot, int i) {
-        return PairRow.along(r, slot * SIZE + POINTS + i * POINT, speedsA[slot], speedsB[slot]);
+        int point = slot * SIZE + POINTS + i * POINT;
+        return PairRow.along(r, point, speedsA[slot], speedsB[slot]) - r[point + DRIVEN];
     }
 
     /** Nothing brakes what comes at a point until it is there. */
@@ -423,7 +439,7 @@ final class ContactRows {
      */
     double rebound(int slot, int i, double blow, double speed) {
         int point = slot * SIZE + POINTS + i * POINT;
-        double sum = Math.max(0, blow + PairRow.missing(r, point, speedsA[slot], speedsB[slot], speed));
+        double sum = Math.max(0, blow + PairRow.missing(r, point, speedsA[slot], speedsB[slot], speed + r[point + DRIVEN]));
         push(slot, point, sum - blow);
         return sum;
     }

@@ -23,7 +23,9 @@ final class FrictionRows {
     private static final int ABOUT_AXIS = TURNED + 13;
     private static final int AXIS = TURNED + 14;
     private static final int ROLL = TURNED + 17;
-    static final int SIZE = TURNED + 20;
+    /** How fast solids that move in their bodies slide over each other along both directions, m/s, and turn about the normal, rad/s. */
+    private static final int DRIVEN = TURNED + 20;
+    static final int SIZE = TURNED + 23;
     /**
      * No edge or corner is so sharp that nothing brakes what rocks on it, metres: else a box that leans on others by corners would swing for ever. A
      * tenth of what a hard wheel has on a hard floor.
@@ -44,6 +46,7 @@ final class FrictionRows {
         r[at + PairRow.IMPULSE] = of.fx * r[at] + of.fy * r[at + 1] + of.fz * r[at + 2];
         r[at + SECOND + PairRow.IMPULSE] = of.fx * r[at + SECOND] + of.fy * r[at + SECOND + 1] + of.fz * r[at + SECOND + 2];
         r[at + TURNED] = of.turned;
+        drive(r, at, of, mx, my, mz);
         PairRow.turn(r, at + NORMAL, at + TURN_A, of.a, of.massA > 0);
         PairRow.turn(r, at + NORMAL, at + TURN_B, of.b, of.massB > 0);
         double yields = PairRow.dot(r, at + NORMAL, at + TURN_A) + PairRow.dot(r, at + NORMAL, at + TURN_B);
@@ -57,6 +60,20 @@ final class FrictionRows {
         } else if (of.rocks && of.count < STANDS) {
             r[at + LEVER] = ROCKING;
             aboutAll(r, at, of);
+        }
+    }
+
+    private static void drive(double[] r, int at, Manifold of, double mx, double my, double mz) {
+        for (int i = 0; i < 3; i++) {
+            r[at + DRIVEN + i] = 0;
+        }
+        if (of.isDriven()) {
+            double[] first = {r[at], r[at + 1], r[at + 2]};
+            double[] second = {r[at + SECOND], r[at + SECOND + 1], r[at + SECOND + 2]};
+            r[at + DRIVEN] = of.driven(first, mx, my, mz);
+            r[at + DRIVEN + 1] = of.driven(second, mx, my, mz);
+            // a metre on, for what moves is rigid; the second direction is the normal times the first
+            r[at + DRIVEN + 2] = of.driven(second, mx + first[0], my + first[1], mz + first[2]) - r[at + DRIVEN + 1];
         }
     }
 
@@ -190,13 +207,14 @@ final class FrictionRows {
             solveRolling(r, at, rows, slot, pressing * r[at + LEVER]);
         }
         if (mostTurning > 0 || r[at + TURNED] != 0) {
-            double turning = r[at + NORMAL] * (p[3] - q[3]) + r[at + NORMAL + 1] * (p[4] - q[4]) + r[at + NORMAL + 2] * (p[5] - q[5]);
+            double turning = r[at + NORMAL] * (p[3] - q[3]) + r[at + NORMAL + 1] * (p[4] - q[4]) + r[at + NORMAL + 2] * (p[5] - q[5])
+                - r[at + DRIVEN + 2];
             double sum = Math.max(-mostTurning, Math.min(mostTurning, r[at + TURNED] - r[at + TURNING_MASS] * turning));
             twist(r, at, rows, slot, sum - r[at + TURNED]);
             r[at + TURNED] = sum;
         }
-        double one = PairRow.wanted(r, at, p, q, 0);
-        double other = PairRow.wanted(r, at + SECOND, p, q, 0);
+        double one = PairRow.wanted(r, at, p, q, r[at + DRIVEN]);
+        double other = PairRow.wanted(r, at + SECOND, p, q, r[at + DRIVEN + 1]);
         double length = Math.sqrt(one * one + other * other);
         double scale = length > most ? most / length : 1;
         rows.push(slot, at, one * scale - r[at + PairRow.IMPULSE]);

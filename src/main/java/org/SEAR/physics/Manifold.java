@@ -198,6 +198,22 @@ final class Manifold {
         return solver.turning() * ahead > SPINNING && body.isCorner(solid, own[frame], own[frame + 1], own[frame + 2]) ? ahead / 2 : 0;
     }
 
+    /** Whether one of both solids moves in its body. */
+    boolean isDriven() {
+        return bodyA.inner().moves(solidA) || bodyB.inner().moves(solidB);
+    }
+
+    /**
+     * How fast solids that move in their bodies come together at a point, m/s: at this speed the bodies have to part there.
+     *
+     * @param d unit direction, world frame: from the second to the first where they come together
+     */
+    double driven(double[] d, double x, double y, double z) {
+        double ofA = bodyA.inner().moves(solidA) ? bodyA.inner().speed(solidA, a.place, d, x, y, z) : 0;
+        double ofB = bodyB.inner().moves(solidB) ? bodyB.inner().speed(solidB, b.place, d, x, y, z) : 0;
+        return ofB - ofA;
+    }
+
     /** The least distance of its points, metres. */
     double gap() {
         double least = Double.POSITIVE_INFINITY;

@@ -49,6 +49,7 @@ public final class StartChecks {
         }
         checkDimensions(robot, warnings);
         checkSides(robot.getObject(), warnings);
+        checkPlaces(robot.getObject(), warnings);
         checkMotors(robot, warnings);
         if (!robot.hasFarWheels()) {
             checkStand(robot, warnings);
@@ -81,6 +82,23 @@ public final class StartChecks {
                 + " and hardly turn: x above 0 is to the left, below 0 to the right; wheel.move(%s, %s, %s) puts one on the other side",
                 robot.getName(), left ? "left" : "right", first.getName(), Parameter.format(first.getX()), Parameter.format(-first.getX()),
                 Parameter.format(first.getY()), Parameter.format(first.getZ())));
+        }
+    }
+
+    /** Wheels that nobody has put anywhere are all at the robot's origin. */
+    private static void checkPlaces(SEARrobot robot, List<String> warnings) {
+        List<Wheel> wheels = robot.getWheels();
+        for (int i = 0; i < wheels.size(); i++) {
+            Wheel one = wheels.get(i);
+            for (Wheel other : wheels.subList(0, i)) {
+                if (Math.hypot(one.getX() - other.getX(), one.getZ() - other.getZ()) < MIDDLE) {
+                    warnings.add(String.format(Locale.ROOT, "robot %s has its wheels %s and %s at the same place, x %s, z %s m, so that it can't"
+                        + " stand on them: Wheel(name, radius, width, type, x, y, z) or wheel.move(x, y, z) puts one to the left (x above 0),"
+                        + " right, front (z above 0) or back", robot.getName(), other.getName(), one.getName(), Parameter.format(one.getX()),
+                        Parameter.format(one.getZ())));
+                    return;
+                }
+            }
         }
     }
 

@@ -56,7 +56,7 @@ final class Turrets {
         if (any) {
             weigh();
             body.setLeastReach(reach());
-            place();
+            place(body::setPlace);
         }
     }
 
@@ -124,7 +124,7 @@ final class Turrets {
                     servo.restart();
                 }
             }
-            place();
+            place(body::setPlace);
         }
     }
 
@@ -139,18 +139,23 @@ final class Turrets {
             turned |= servos[i] != null && servos[i].step(body.getPose(), PhysicsWorld.GRAVITY);
         }
         if (turned) {
-            place();
+            place(body::move);
         }
         return turned;
     }
 
-    private void place() {
+    /** Where its shapes go. */
+    private interface Places {
+        void put(int solid, Pose place);
+    }
+
+    private void place(Places of) {
         Pose[] now = new Pose[homes.length];
         Arrays.fill(turns, null);
         for (int i = 0; i < now.length; i++) {
             now[i] = carriers[i] == NONE ? homes[i] : turned(carriers[i]).times(homes[i]);
             if (carriers[i] != NONE && shapes.shapes.containsKey(parts.get(i))) {
-                body.setPlace(shapes.solidOf(parts.get(i)), now[i].times(shapes.shapes.get(parts.get(i)).offset));
+                of.put(shapes.solidOf(parts.get(i)), now[i].times(shapes.shapes.get(parts.get(i)).offset));
             }
         }
         for (int i = 0; i < servos.length; i++) {

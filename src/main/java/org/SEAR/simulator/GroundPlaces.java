@@ -78,7 +78,7 @@ final class GroundPlaces {
             : Parameter.format(point[0]) + ", " + Parameter.format(point[1]);
     }
 
-    /** The pose with its up turned, the shortest way, to where the ground below points up; as it is where the ground ends. */
+    /** The pose with its up where the ground below points up, and its heading as it is; nothing changes where the ground ends. */
     private Pose alongSlope(Pose level, double[][] feet) {
         double base = HALF_BASE;
         for (double[] foot : feet) {
@@ -93,7 +93,19 @@ final class GroundPlaces {
         double half = Math.atan(steep) / 2;
         double sine = Math.sin(half) / steep;
         Pose lean = new Pose(level.x, level.y, level.z, -eastward * sine, 0, northward * sine, Math.cos(half));
-        return lean.times(new Pose(0, 0, 0, level.qx, level.qy, level.qz, level.qw));
+        return lean.times(Pose.ofDegrees(0, 0, 0, 0, stray(lean, level.rotate(0, 0, 1), northward, eastward), 0))
+            .times(new Pose(0, 0, 0, level.qx, level.qy, level.qz, level.qw));
+    }
+
+    /**
+     * By how much leaning alone would turn the heading of what goes obliquely up a slope, clockwise, degrees.
+     *
+     * @param ahead the way that it is to look, world frame
+     * @param northward by how much the ground rises a metre to the north, likewise eastward
+     */
+    private static double stray(Pose lean, double[] ahead, double northward, double eastward) {
+        double[] before = lean.rotateBack(ahead[0], northward * ahead[0] + eastward * ahead[2], ahead[2]);
+        return Math.toDegrees(Math.atan2(ahead[2], ahead[0]) - Math.atan2(before[2], before[0]));
     }
 
     /**

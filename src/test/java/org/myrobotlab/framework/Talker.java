@@ -79,6 +79,11 @@ public class Talker extends Service<ServiceConfig> {
         heard.add("released " + name);
     }
 
+    /** As SEAR's: what may be read by GET. */
+    public String getReading(String name) {
+        return "of " + name;
+    }
+
     public double half(double value) {
         return value / 2;
     }

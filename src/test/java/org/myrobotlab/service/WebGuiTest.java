@@ -139,11 +139,22 @@ public class WebGuiTest {
     }
 
     @Test
+    public void anyNameOfASensorIsReadByGet() throws Exception {
+        String[][] names = {{"rover%2Fping", "rover/ping"}, {"1%20eye", "1 eye"}, {"1.50", "1.50"}, {"null", "null"}, {"%22quoted%22", "quoted"}};
+        for (String[] name : names) {
+            assertEquals("\"of " + name[1] + "\"\n", get("/api/service/talker/getReading/" + name[0]).body());
+        }
+    }
+
+    @Test
     public void wrongCallsSayWhatIsWrong() throws Exception {
         assertEquals("\"there is no service nix\"\n", get("/api/service/nix").body());
         assertEquals(404, get("/api/service/nix").statusCode());
         assertEquals("\"Talker has no method half for the arguments [1,2]\"\n", post("/api/service/talker/half", "[1, 2]").body());
         assertTrue(post("/api/service/talker/half", "[1").body().startsWith("\"not JSON for List"));
+        assertTrue(post("/api/service/talker/half", "[1] [2]").body().startsWith("\"not JSON for List"));
+        assertEquals("what JavaScript makes of NaN is no 0", "\"Talker has no method half for the arguments [null]: "
+            + "argument 1 is null, legal: a value of type double\"\n", post("/api/service/talker/half", "[null]").body());
         assertEquals(500, post("/api/service/talker/fail", "[]").statusCode());
         assertEquals("\"talker.fail: no good\"\n", post("/api/service/talker/fail", "[]").body());
     }

@@ -140,10 +140,10 @@ public final class SpringDesign {
         return loads;
     }
 
-    /** Cramer's rule; null if wheels stand on a line. */
+    /** Cramer's rule; null if wheels stand on a line, or all under the centre of mass. */
     private static double[] solve(double[][] m) {
         double whole = determinant(m, -1);
-        if (Math.abs(whole) < 1e-12 * m[0][0] * (m[1][1] + m[2][2]) * (m[1][1] + m[2][2])) {
+        if (Math.abs(whole) <= 1e-12 * m[0][0] * (m[1][1] + m[2][2]) * (m[1][1] + m[2][2])) {
             return null;
         }
         return new double[] {determinant(m, 0) / whole, determinant(m, 1) / whole, determinant(m, 2) / whole};

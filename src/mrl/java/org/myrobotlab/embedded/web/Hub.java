@@ -67,6 +67,17 @@ public final class Hub {
         }
         client.send(services());
         channel.getReceiveSetter().set(new AbstractReceiveListener() {
+            /** Undertow throws at a length of 2^63 and more, and reads no further: nobody would see that the page has gone. */
+            @Override
+            public void handleEvent(WebSocketChannel from) {
+                try {
+                    super.handleEvent(from);
+                } catch (RuntimeException e) {
+                    LOG.debug("a page sent what is no frame: closed", e);
+                    IoUtils.safeClose(from);
+                }
+            }
+
             @Override
             protected void onText(WebSocketChannel from, StreamSourceFrameChannel message) {
                 TextReader.read(message, RequestBody.LONGEST, text -> client.inOrder(calls::execute, () -> receive(client, calls, text)));
@@ -106,7 +117,7 @@ public final class Hub {
             } else if (msg.containsKey("unsubscribe")) {
                 unsubscribe(client, text(msg, "unsubscribe"), text(msg, "topic"));
             } else {
-                call(client, calls, id, text(msg, "name"), text(msg, "method"), (List<?>) msg.get("data"));
+                call(client, calls, id, text(msg, "name"), text(msg, "method"), list(msg, "data"));
             }
         } catch (RuntimeException | StackOverflowError e) {
             fail(client, id, e);
@@ -119,6 +130,15 @@ public final class Hub {
             throw new IllegalArgumentException(key + " of a message is " + value + ", legal: a text");
         }
         return (String) value;
+    }
+
+    /** A list; an empty one if there is none. */
+    private static List<?> list(Map<?, ?> msg, String key) {
+        Object value = msg.get(key);
+        if (value != null && !(value instanceof List)) {
+            throw new IllegalArgumentException(key + " of a message is no list, legal: a list of arguments");
+        }
+        return value == null ? List.of() : (List<?>) value;
     }
 
     private static void fail(Client client, Object id, Throwable e) {
@@ -172,7 +192,7 @@ public final class Hub {
         if (service == null) {
             throw new IllegalArgumentException("there is no service " + name);
         }
-        Object[] arguments = JsonCall.arguments(service.getClass(), method, data == null ? List.of() : data);
+        Object[] arguments = JsonCall.arguments(service.getClass(), method, data);
         if (id == null) {
             service.in(Message.createMessage(listener, name, method, arguments));
         } else if (calls.enter()) {

@@ -46,6 +46,9 @@ final class JsonCall {
     private static Object[] converted(Type[] types, Object... plain) {
         Object[] converted = Arrays.copyOf(plain, plain.length);
         for (int i = 0; i < types.length; i++) {
+            if (plain[i] == null && types[i] instanceof Class && ((Class<?>) types[i]).isPrimitive()) {    // what JavaScript makes of NaN, not 0
+                throw new IllegalArgumentException("argument " + (i + 1) + " is null, legal: a value of type " + types[i].getTypeName());
+            }
             converted[i] = Json.convert(plain[i], types[i]);
         }
         return converted;

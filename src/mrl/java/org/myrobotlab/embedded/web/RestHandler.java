@@ -115,10 +115,14 @@ final class RestHandler implements HttpHandler {
         return service;
     }
 
-    /** JSON, or else plain text. */
-    private static Object value(String text) {
+    /**
+     * A text in quotes is JSON, as MyRobotLab takes it, any other is what it says: a sensor called {@code 1.50} or {@code null} is no number and not
+     * nothing. Of what is encoded in a path, Undertow leaves slashes alone.
+     */
+    private static Object value(String inPath) {
+        String text = inPath.replaceAll("(?i)%2F", "/");
         try {
-            return Json.read(text, Object.class);
+            return text.startsWith("\"") ? Json.read(text, String.class) : text;
         } catch (IllegalArgumentException e) {
             return text;
         }

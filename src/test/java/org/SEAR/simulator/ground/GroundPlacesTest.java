@@ -104,6 +104,19 @@ public class GroundPlacesTest {
     }
 
     @Test
+    public void aHeadingObliquelyUpASlopeIsWhatACompassReads() throws Exception {
+        slope();
+        SEARrobot robot = Worlds.cart("cart", 20, 0.1, 0.25, new double[] {0.2, -0.2}, 0, 0, 0, 0);
+        robot.placeAt(0, 0);
+        for (double heading : new double[] {0, 45, 90, 100, -30, -150}) {
+            robot.rotate(0, 90 - heading, 0);
+            Pose pose = start("cart");
+            assertEquals(heading, pose.heading(), 1e-6);
+            assertEquals("and it leans as the slope does", Math.cos(Math.atan(0.25)), pose.rotate(0, 1, 0)[1], FINE);
+        }
+    }
+
+    @Test
     public void movingItTakesItOffTheGround() throws Exception {
         new Floor("floor", 20, 20);
         Box box = new Box("box", 1, 1, 1);

@@ -90,6 +90,31 @@ public class FirstRobotTest {
         standsAndDrives("docs/projects.md");
     }
 
+    /** What each of them carries can't be worked out. */
+    @Test
+    public void wheelsThatNobodyHasPutAnywhereAreToldAndItLeansOnItsBody() throws Exception {
+        for (int wheels = 1; wheels <= 2; wheels++) {
+            new Floor("floor", 20, 20);
+            SEARrobot robot = new SEARrobot("first");
+            robot.addComponent(new Dynamics("drive", 2, 0, 0.1, 0, 0, 0, 0));
+            robot.addComponent(new Box("body", 0.3, 0.4, 0.1, 2));
+            robot.addWheel(new Wheel("left", 0.08, 0.03));
+            if (wheels == 2) {
+                robot.addWheel(new Wheel("right", 0.08, 0.03));
+            }
+            try (Simulation simulation = Worlds.start(project)) {
+                assertEquals(wheels == 2, simulation.snapshot().warnings.toString().contains("robot first has its wheels left and right at the same"
+                    + " place, x 0, z 0 m, so that it can't stand on them: "));
+                Worlds.run(simulation, 2);
+                simulation.getRobots().get(0).drive(0.2, Double.POSITIVE_INFINITY);
+                Worlds.run(simulation, 2);
+                Pose pose = simulation.getPose("first");
+                assertEquals(wheels + " wheels: " + pose, 0.08, pose.y, 0.03);
+                assertTrue(wheels + " wheels: " + pose, Math.abs(pose.x) < 0.5 && Math.abs(pose.z) < 0.5);
+            }
+        }
+    }
+
     @Test
     public void springsThatCannotHoldItAreTold() throws Exception {
         robot(new Dynamics("soft", 2, 40, 0.3, 0.4, 10000, 0.2), 0.05, -0.15, 0.05, 0);

@@ -12,6 +12,7 @@ import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Gyroscope;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.Servo;
+import org.SEAR.POJOs.Sphere;
 import org.SEAR.devices.ServoHardware;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
@@ -139,6 +140,89 @@ public class ServoTest {
         assertEquals(at.y + 0.02, 2 - down, 1e-3);
         double none = simulation.getRobots().get(0).getTruth().scene().cast(0, 2, 0.4, 0, -1, 0, 5, BeamScene.WORLD, hit);
         assertEquals("nothing is where the arm was", 2, none, 1e-3);
+    }
+
+    /** A stick that sweeps a thing aside at half its height has it before its front: it may turn on a corner, but the stick doesn't get into it. */
+    @Test
+    public void whatAnArmPushesStaysBeforeIt() throws Exception {
+        for (double speed : new double[] {60, 200, 400}) {
+            SEARrobot robot = roomba();
+            Servo shoulder = new Servo("shoulder", 0, 0.05, 0.1);
+            shoulder.setSpeed(speed);
+            shoulder.setStallTorque(5);
+            Box stick = new Box("stick", 0.02, 0.3, 0.02, 0.02);
+            stick.move(0, 0.05, 0.25);
+            shoulder.mount(stick);
+            robot.addComponent(shoulder);
+            robot.addComponent(stick);
+            Box thing = new Box("thing", 0.1, 0.1, 0.2, 0.02);
+            thing.move(0.25, 0.1, 0.2);
+            try (Simulation simulation = Worlds.start(project)) {
+                Worlds.run(simulation, 1);
+                simulation.getServo("shoulder").setAngle(90);
+                for (int i = 0; i < 120; i++) {
+                    simulation.step();
+                    Pose arm = simulation.getPose("stick");
+                    double[] way = arm.rotateBack(simulation.getPose("thing").x - arm.x, 0, simulation.getPose("thing").z - arm.z);
+                    assertTrue(speed + " degrees a second: the thing's middle is " + way[0] + " m before the arm", way[0] > 0.04);
+                }
+                Pose moved = simulation.getPose("thing");
+                assertTrue(speed + " degrees a second: the thing is at " + moved, moved.z < 0.05);
+            }
+        }
+    }
+
+    /** In a step it turns by more than it is thick. */
+    @Test
+    public void aSpoonThrowsABall() throws Exception {
+        SEARrobot robot = roomba();
+        Servo hinge = new Servo("hinge", 0, 0.2, 0.1, 0, 0, -90);
+        hinge.setSpeed(700);
+        hinge.setStallTorque(100);
+        Box spoon = new Box("spoon", 0.2, 0.3, 0.01, 0.1);
+        spoon.move(0, 0.2, 0.25);
+        hinge.mount(spoon);
+        robot.addComponent(hinge);
+        robot.addComponent(spoon);
+        Sphere ball = new Sphere("ball", 0.03, 0.05);
+        ball.setRollingFriction(0.1);
+        ball.move(0, 0.36, 0.3);
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 1);
+        double from = simulation.getPose("ball").y;
+        assertEquals("it lies on the spoon", simulation.getPose("spoon").y + 0.035, from, 0.005);
+        simulation.getServo("hinge").setAngle(-60);
+        double highest = from;
+        for (int i = 0; i < 60; i++) {
+            simulation.step();
+            highest = Math.max(highest, simulation.getPose("ball").y);
+        }
+        assertTrue("it flies to " + highest + " m from " + from, highest > from + 0.15);
+    }
+
+    /** Friction takes it along. */
+    @Test
+    public void aThingOnAPlateTurnsWithIt() throws Exception {
+        SEARrobot robot = roomba();
+        Servo table = new Servo("table", 0, 0.3, 0);
+        table.setSpeed(60);
+        table.setStallTorque(5);
+        Box plate = new Box("plate", 0.4, 0.4, 0.02, 0.3);
+        plate.move(0, 0.3, 0);
+        table.mount(plate);
+        robot.addComponent(table);
+        robot.addComponent(plate);
+        Box thing = new Box("thing", 0.05, 0.05, 0.05, 0.1);
+        thing.setFriction(2);
+        thing.move(0.1, 0.4, 0);
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 2);
+        turn(simulation, "table", 90);
+        Pose moved = simulation.getPose("thing");
+        double[] forward = moved.rotate(1, 0, 0);
+        assertEquals("it has turned, " + moved, -1, forward[2], 0.001);
+        assertEquals(simulation.getPose("roomba").x, moved.x, 0.005);
+        assertEquals(simulation.getPose("roomba").z - 0.1, moved.z, 0.01);
     }
 
     @Test

@@ -151,6 +151,22 @@ public class SturdyServerTest {
         }
     }
 
+    /** RFC 6455, 5.2: the highest bit of a length of 64 bits must be 0. */
+    @Test
+    public void aFrameOfNegativeLengthEndsItsConnection() throws Exception {
+        byte[] frame = {(byte) TEXT, (byte) 0xFF, (byte) 0x80, 0, 0, 0, 0, 0, 0, 5, 1, 2, 3, 4, 'a', 'b', 'c'};
+        for (int i = 0; i < 2 * MANY; i++) {    // more than there may be pages
+            try (Socket page = server.webSocket()) {
+                page.getOutputStream().write(frame);
+                page.getInputStream().readAllBytes();
+            }
+        }
+        Socket page = server.webSocket();
+        open.add(page);
+        page.getOutputStream().write(Server.frame(TEXT, "{\"id\":1,\"name\":\"talker\",\"method\":\"getName\"}".getBytes(StandardCharsets.UTF_8)));
+        assertEquals("{\"id\":1,\"answer\":\"talker\"}", Server.answer(page));
+    }
+
     @Test
     public void whoIsRefusedAsAPageTakesNoPlace() throws Exception {
         for (int i = 0; i < 2 * MOST_CONNECTIONS + MANY; i++) {
@@ -212,7 +228,7 @@ public class SturdyServerTest {
             {"{\"a\":" + nested + "}", "more than 500 lists"},
             {"{\"id\":" + DIGITS + "}", "number of more than 1000 digits"}, {"{}", "name of a message is null"},
             {"{\"name\":7,\"method\":\"tick\"}", "name of a message is 7, legal: a text"}, {"{\"subscribe\":\"talker\"}", "topic of a"},
-            {"{\"name\":\"talker\",\"method\":\"tick\",\"data\":5}", "ClassCastException"}};
+            {"{\"name\":\"talker\",\"method\":\"tick\",\"data\":5}", "data of a message is no list"}};
         for (String[] one : cases) {
             page.getOutputStream().write(Server.frame(TEXT, one[0].getBytes(StandardCharsets.UTF_8)));
             String answer = Server.answer(page);

@@ -67,6 +67,8 @@ public class RecordCallsTest {
         String ports = result.get("ports").toString();
         assertTrue(ports, ports.matches("(?s).*drive at " + TestWorld.ROOMBA_PORT + "=[1-9][0-9]{2,} bytes, the same.*"));
         assertTrue(sear.getRecordNames(file).contains("roomba.heading"));
+        assertEquals("the ending may be left out, as in recordRun", sear.getRecordNames(file), sear.getRecordNames(record));
+        sear.saveRecordPlot(record, List.of("roomba.z"), record + ".svg");
         Map<String, Object> values = sear.getRecordValues(file, List.of("roomba.z", "ping"));
         assertEquals(((double[]) values.get("times")).length, ((List<?>) ((List<?>) values.get("values")).get(1)).size());
         Path csv = temporary.getRoot().toPath().resolve("run.csv");

@@ -81,7 +81,7 @@ public final class Plots {
      * @param sensors their units, as {@link #units} has them
      */
     public static void saveRecord(String path, List<String> names, String picture, Map<String, String> sensors) throws IOException {
-        RunRecord record = RunRecord.open(Paths.get(given(path, "the path of the record")));
+        RunRecord record = Records.open(given(path, "the path of the record"));
         Series series = Series.of(record, names, MOST_POINTS);
         Plot plot = new Plot("time (s)", series.times);
         for (int i = 0; i < series.names.size(); i++) {

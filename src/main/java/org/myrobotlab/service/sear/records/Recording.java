@@ -16,7 +16,7 @@ public final class Recording {
     public static final double MEGABYTES = 512;
     /** Where whoever starts the program wants each run recorded, besides what scripts record; a later run replaces the one before. */
     private static final String KEPT = "sear.record";
-    private static final String ENDING = ".searlog";
+    static final String ENDING = ".searlog";
     private static final long MEGABYTE = 1 << 20;
     private static final long KEPT_MEGABYTES = 64;
     private static final double MOST_MEGABYTES = 100000;

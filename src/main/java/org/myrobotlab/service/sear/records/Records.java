@@ -61,13 +61,16 @@ public final class Records {
     /**
      * Opens one.
      *
+     * @param path as it was given to {@link Recording#begin}: its ending may be left out
      * @throws IOException that names the path, if it is none
      */
     public static RunRecord open(String path) throws IOException {
         if (path == null) {
             throw new IllegalArgumentException("the path is missing (None), legal: the path of a record, such as \"run.searlog\"");
         }
-        return RunRecord.open(Paths.get(ScriptText.of(path)));
+        Path file = Paths.get(ScriptText.of(path));
+        Path whole = Paths.get(file + Recording.ENDING);
+        return RunRecord.open(!Files.exists(file) && Files.exists(whole) ? whole : file);
     }
 
     /** Records in the working folder, ordered by name. */

@@ -35,7 +35,9 @@ final class ContactRows {
     private static final int READY = 8;
     /** 1 if something hit in this substep, -1 if in the last one. */
     private static final int STRUCK = 9;
-    private static final int POINTS = 10;
+    /** 1 if both are single solids that move. */
+    private static final int LOOSE = 10;
+    private static final int POINTS = 11;
     /** What the distance would be if neither had moved in this step, metres. */
     private static final int BASE = PairRow.SIZE;
     /** Present distance of both surfaces here, metres. */
@@ -132,6 +134,7 @@ final class ContactRows {
         r[at + 2] = of.nz;
         r[at + MASS_A] = of.massA;
         r[at + MASS_B] = of.massB;
+        r[at + LOOSE] = of.massA > 0 && of.massB > 0 && of.bodyA.solids.size() == 1 && of.bodyB.solids.size() == 1 ? 1 : 0;
         r[at + SECONDS] = of.seconds;
         r[at + FRICTION] = of.friction;
         r[at + RESTITUTION] = of.restitution;
@@ -264,11 +267,14 @@ final class ContactRows {
         int count = points[slot];
         double pressing = 0;
         double turning = 0;
+        boolean all = count > 1;
+        boolean loose = r[at + LOOSE] > 0;
         for (int i = 0; i < count; i++) {
             int point = at + POINTS + i * POINT;
-            double both = r[point + PairRow.IMPULSE] + r[point + THROWN];
-            pressing += both;
-            turning += both * r[point + ASIDE];
+            double impulse = r[point + PairRow.IMPULSE] + r[point + THROWN];
+            all &= (r[point + PairRow.IMPULSE] > 0 || !loose) && r[point + AWAITED] == 0;
+            pressing += impulse;
+            turning += impulse * r[point + ASIDE];
         }
         if (pressing > 0 || FrictionRows.holds(r, at + PATCH)) {
             double friction = r[at + FRICTION];
@@ -276,11 +282,9 @@ final class ContactRows {
         }
         double[] p = speedsA[slot];
         double[] q = speedsB[slot];
-        boolean all = count > 1;
         boolean parting = pressing == 0;
         for (int i = 0; i < count; i++) {
             int point = at + POINTS + i * POINT;
-            all &= r[point + AWAITED] == 0;
             double gap = r[point + GAP];
             double seconds = r[at + SECONDS];
             block.wanted[i] = (gap > CLOSE ? -(gap - CLOSE) / seconds : 0) + (recovers ? recovery(Math.min(gap, CLOSE), seconds) : 0)
@@ -457,7 +461,8 @@ final class ContactRows {
 
     /**
      * All points of a manifold solved at once where all of them push, which is how things rest: one after the other they would turn the bodies to and
-     * fro. The matrix of four points in a plane has rank three; a little softness shares what is left evenly. Its factor is in the array, too.
+     * fro. Where things lie loosely on each other and one did not push in the last pass, it nearly always would have to pull, so it is not tried.
+     * The matrix of four points in a plane has rank three; a little softness shares what is left evenly. Its factor is in the array, too.
      */
     private static final class NormalBlock {
         private static final int MOST = Manifold.MOST_POINTS;

@@ -42,8 +42,6 @@ final class IslandSolver {
     /** Points times substeps times passes, beyond which there are fewer passes. */
     private static final int MOST_PASSES_WORK = 60_000;
     private static final int LEAST_SUBSTEPS = 4;
-    /** The level of what stands on nothing: higher than any stack. */
-    private static final int FLYING = 1_000_000_000;
     /** What is left of a step, as a share of a substep, that is no substep of its own. */
     private static final double REST = 1e-6;
 
@@ -52,6 +50,7 @@ final class IslandSolver {
     private final List<PairContacts> ofMeshes = new ArrayList<>();
     private List<WheelDrive> drives;
     private final ContactRows rows = new ContactRows();
+    private final Levels levels = new Levels();
     private final Impacts impacts = new Impacts();
     private final double gravity;
     /** Whether it is one thing without wheels that does not roll, on or before what is fixed: no impulse has to find its way. */
@@ -167,7 +166,8 @@ final class IslandSolver {
         double wanted = Math.max((alone ? substepsAlone(seconds) : SUBSTEPS) * Math.sqrt(Math.max(1, ratio / RATIO)), turning);
         double paid = Math.max(LEAST_SUBSTEPS, MOST_WORK / Math.max(1, points + SEARCH * searches));
         int substeps = (int) Math.ceil(Math.min(Math.min(wanted, MOST_SUBSTEPS), paid));
-        int height = height();
+        int height = levels.measure(bodies, pairs);
+        levels.sort(pairs);
         int least = height > 1 ? LEAST_PASSES_ON_OTHERS : 1;
         double needed = Math.max(least, Math.max(PASSES_EACH * height, PASSES_RATIO * ratio));
         rounds = (int) Math.max(1, Math.min(needed, (double) MOST_PASSES_WORK / Math.max(1, points * substeps)));
@@ -204,35 +204,6 @@ final class IslandSolver {
         return Math.sqrt(most);
     }
 
-    /** Over how many bodies the one that is farthest from all that is fixed stands on that; what flies stands on nothing. */
-    private int height() {
-        for (int i = 0; i < bodies.size(); i++) {
-            bodies.get(i).level = FLYING;
-        }
-        int highest = 0;
-        boolean changed = true;
-        while (changed) {
-            changed = false;
-            for (int i = 0; i < pairs.size(); i++) {
-                changed |= lower(pairs.get(i).getA(), pairs.get(i).getB()) | lower(pairs.get(i).getB(), pairs.get(i).getA());
-            }
-        }
-        for (int i = 0; i < bodies.size(); i++) {
-            int level = bodies.get(i).level;
-            highest = level < FLYING ? Math.max(highest, level) : highest;
-        }
-        return highest;
-    }
-
-    private static boolean lower(Body on, Body under) {
-        int level = under.isSolved() ? under.level + 1 : 1;
-        if (!on.isSolved() || on.level <= level) {
-            return false;
-        }
-        on.level = level;
-        return true;
-    }
-
     /**
      * @param seconds that it may take
      * @return how many it took: it ends where something bounces
@@ -254,7 +225,7 @@ final class IslandSolver {
             bodies.get(i).getSolver().advance(gravity);
         }
         stopBeforeMeshes(taken);
-        for (int i = 0; i < rounds; i++) {
+        for (int i = 0; i < Math.max(1, rounds - 1); i++) {
             relax(i == 0);
         }
         for (int i = 0; i < bodies.size(); i++) {

@@ -163,7 +163,7 @@ final class NarrowPhase {
     }
 
     private void findConvex(PairContacts pair, PlacedSolid a, PlacedSolid b, boolean touched) {
-        if (pair.isFlat() && !pair.bothMove() && byFace(a, b)) {
+        if (pair.asksFaceFirst() && byFace(a, b)) {
             if (isNear()) {
                 clipper.find(gjk, contacts);
             }
@@ -177,10 +177,7 @@ final class NarrowPhase {
         }
     }
 
-    /**
-     * Whether a face of one of them is where they are nearest, as for most things that lie or fall on what is fixed; its search costs little. In
-     * heaps a direction that stays ({@link #CHANGE}) lets them come to rest sooner.
-     */
+    /** Whether a face of one of them is where they are nearest, as for most things that lie or fall on what is fixed. */
     private boolean byFace(PlacedSolid a, PlacedSolid b) {
         double skins = a.solid.convex().skin() + b.solid.convex().skin();
         b.feature(guess[0], guess[1], guess[2], clipper.ofB);

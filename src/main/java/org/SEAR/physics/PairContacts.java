@@ -50,6 +50,8 @@ final class PairContacts {
     /** Up to how far apart they were looked for, metres. */
     private double reach;
     private boolean known;
+    /** Whether contacts are found anew within a step. */
+    private boolean within;
     /** Whether they may touch within the step. */
     private boolean near;
     /** How far apart they were when contacts were found, metres, and along which direction, from b to a. */
@@ -111,6 +113,7 @@ final class PairContacts {
         boolean stale = isListed() ? travelled + fast * ahead > still : clear - went() < MARGIN + speed * (ahead + next);
         if (!same || stale) {
             version = a.getShapeVersion() + b.getShapeVersion();
+            within = false;
             find(speed, ahead, next);
         }
         if (isListed()) {
@@ -207,6 +210,7 @@ final class PairContacts {
         double next = (fast + finder.stepGain()) * seconds;
         if (travelled + next > mostTravel()) {
             store(rows);
+            within = true;
             find(next / seconds, seconds, seconds);
             fill(rows, seconds);
         }
@@ -291,9 +295,12 @@ final class PairContacts {
         return flat;
     }
 
-    /** Whether both of them move in this step. */
-    boolean bothMove() {
-        return a.isSolved() && b.isSolved();
+    /**
+     * Whether the face that parted them last is asked first whether it does so still, as its search costs little. Not from step to step where both
+     * move: in heaps a direction that stays lets them come to rest sooner. Within a step things are too fast for that.
+     */
+    boolean asksFaceFirst() {
+        return flat && (within || !a.isSolved() || !b.isSolved());
     }
 
     /** Gives the points of a new manifold what pushed there before. */

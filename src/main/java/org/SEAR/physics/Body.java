@@ -7,6 +7,7 @@ import org.SEAR.geometry.Frame;
 import org.SEAR.geometry.Placement;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
+import org.SEAR.physics.solid.InnerMotion;
 import org.SEAR.physics.solid.Solid;
 
 /**

@@ -1,17 +1,16 @@
-package org.SEAR.physics;
+package org.SEAR.physics.solid;
 
 import java.util.Arrays;
 import java.util.List;
 import org.SEAR.geometry.Placement;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
-import org.SEAR.physics.solid.Solid;
 
 /**
  * How solids move in their body in a step, as servos turn them: contacts see the speed of their surface. They are put where they go when the step has
  * ended. Simulation thread.
  */
-final class InnerMotion {
+public final class InnerMotion {
     private final List<Solid> solids;
     private final Pose[] places;
     private final double[] centre;
@@ -24,7 +23,7 @@ final class InnerMotion {
      * @param places of the solids now, in the body's frame
      * @param centre of the body's mass, likewise
      */
-    InnerMotion(List<Solid> solids, Pose[] places, double... centre) {
+    public InnerMotion(List<Solid> solids, Pose[] places, double... centre) {
         this.solids = solids;
         this.places = places;
         this.centre = centre;
@@ -32,7 +31,7 @@ final class InnerMotion {
     }
 
     /** A solid goes to another place in this step. */
-    void move(int solid, Pose to) {
+    public void move(int solid, Pose to) {
         Pose from = places[solid];
         next[solid] = to;
         any = true;
@@ -47,7 +46,7 @@ final class InnerMotion {
      *
      * @return whether a solid has moved
      */
-    boolean end() {
+    public boolean end() {
         boolean moved = any;
         for (int i = 0; any && i < next.length; i++) {
             places[i] = next[i] == null ? places[i] : next[i];
@@ -61,11 +60,12 @@ final class InnerMotion {
     }
 
     /** How fast a point of them moves at most, m/s. */
-    double fastest() {
+    public double fastest() {
         return fastest;
     }
 
-    boolean moves(int solid) {
+    /** Whether a solid moves in this step. */
+    public boolean moves(int solid) {
         return any && next[solid] != null;
     }
 
@@ -77,7 +77,7 @@ final class InnerMotion {
      * @param x of the point, world frame, metres, likewise y and z
      * @return m/s
      */
-    double speed(int solid, Placement at, double[] d, double x, double y, double z) {
+    public double speed(int solid, Placement at, double[] d, double x, double y, double z) {
         double[] own = new double[3];
         at.toFrame(x, y, z, own, 0);
         for (int i = 0; i < own.length; i++) {

@@ -6,12 +6,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.record.Recorder;
 import org.SEAR.robot.Robot;
 import org.SEAR.simulator.Simulation;
+import picocli.CommandLine.ExitCode;
 
 /**
  * One simulation in which each script drives its own robot, in lock-step: before each step the scripts whose time has come go on one after the
@@ -54,6 +56,8 @@ public final class Contest {
         Files.createDirectories(record.toAbsolutePath().getParent());
         List<String> told = new ArrayList<>();
         Recorder recorder = Recorder.begin(world, record, Recorder.LIMIT, told::add);
+        Thread exit = new Thread(this::tellWhoExits);
+        Runtime.getRuntime().addShutdownHook(exit);
         try {
             referee.call("positions", this);
             checkRobots();
@@ -70,6 +74,7 @@ public final class Contest {
             entries.forEach(entry -> entry.timeIsOver(over == null ? "the time was over" : over));
             referee.call("finished", this);
         } finally {
+            Runtime.getRuntime().removeShutdownHook(exit);
             recorder.leave();
             recorder.end();
             for (Entrant entry : entries) {
@@ -77,6 +82,16 @@ public final class Contest {
             }
             world.close();
         }
+    }
+
+    /** The process ends in the middle of the contest: if a script has called for that, nobody shall take it for a contest that came to its end. */
+    private void tellWhoExits() {
+        entries.stream().filter(Entrant::exits).findFirst().ifPresent(entry -> {
+            System.err.printf(Locale.ROOT, "sear contest: the script of %s has ended the whole program at %.1f s, so there are no scores;"
+                + " hold the contest without it, or have it end with sys.exit() in place of os._exit()%n", entry.getName(), world.getTime());
+            System.err.flush();
+            Runtime.getRuntime().halt(ExitCode.SOFTWARE);
+        });
     }
 
     private void checkRobots() throws IOException {

@@ -28,7 +28,8 @@ import picocli.CommandLine.Spec;
 @Command(name = "contest", mixinStandardHelpOptions = true,
     description = "Has each script drive a robot of its own in one world, without a window and in lock-step, asks the contest's referee, and prints"
         + " the scoreboard.",
-    footer = "Exit status: 0 when the contest came to its end, 2 when the command, world or referee makes no sense.")
+    footer = "Exit status: 0 when the contest came to its end, 1 when a script has ended the program, 2 when the command, world or referee makes no"
+        + " sense.")
 public final class ContestCommand implements Callable<Integer> {
     private static final String WORLD = "world.sear";
     private static final String REFEREE = "referee.py";

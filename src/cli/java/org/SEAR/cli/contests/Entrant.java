@@ -14,6 +14,7 @@ import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.SEAR.geometry.Pose;
 import org.SEAR.lessons.Trail;
 import org.SEAR.robot.Robot;
@@ -200,6 +201,12 @@ public final class Entrant {
             why = words;
             world.post(DriveCommand.wheels(number(), 0, 0));
         }
+    }
+
+    /** Whether its script is ending the whole process. */
+    boolean exits() {
+        return Stream.of(thread.getStackTrace()).anyMatch(frame -> frame.getClassName().equals("java.lang.Runtime") && frame.getMethodName()
+            .equals("exit"));
     }
 
     /** The time is over. */

@@ -13,6 +13,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.SEAR.SearProcess;
 import org.SEAR.Slow;
 import org.SEAR.documents.DocBlock;
 import org.SEAR.lessons.LessonRun;
@@ -112,6 +113,22 @@ public class ContestTest {
         }
         arguments.addAll(List.of("--limit", "8", "--out", contest.resolve("result").toString()));
         return arguments;
+    }
+
+    /** It ended the contest with status 0 and without a word, as if that had come to its end. */
+    @Test
+    public void aScriptThatEndsTheProgramIsNamed() throws Exception {
+        List<String> arguments = entered(rovers(REFEREE), "good", START + "while True:\n    sear.simSleep(0.5)\n",
+            "leaves", START + "sear.simSleep(1)\nimport os\nos._exit(0)\n");
+        List<String> command = SearProcess.command();
+        command.add("contest");
+        command.addAll(arguments);
+        Path said = folder.newFile().toPath();
+        Process process = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(said.toFile()).start();
+        int status = process.waitFor();
+        String text = Files.readString(said);
+        assertTrue(text, text.contains("sear contest: the script of leaves has ended the whole program at 1.0 s"));
+        assertEquals(text, 1, status);
     }
 
     private static Map<String, String> scores(Path contest) throws Exception {

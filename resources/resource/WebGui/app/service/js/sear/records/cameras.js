@@ -10,10 +10,10 @@ var STEPS = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown
 
 /** Of one panel. @param $interval Angular's */
 export function makeCameras(panel, world, replay, picture, $interval) {
-    var shown = {}              // by name of the camera: the last answer of the running world
-    var kept = {}               // likewise of the record that is shown
-    var marks = {}              // by name: the pixel of which is told what it sees, {column, row, style}
-    var questions = {}          // by name: the last question, {key, asked: when, rest: until when nothing is asked, awaited}
+    var shown = Object.create(null)    // by name of the camera: the last answer of the running world
+    var kept = Object.create(null)    // likewise of the record that is shown
+    var marks = Object.create(null)    // by name: the pixel of which is told what it sees, {column, row, style}
+    var questions = Object.create(null)    // by name: the last question, {key, asked: when, rest: until when nothing is asked, awaited}
     var plotted = () => []
     var cameras = {
         large: ''               // name of the one that is shown over the view
@@ -103,7 +103,7 @@ export function makeCameras(panel, world, replay, picture, $interval) {
     }
     /** By name of each camera that somebody looks at: how many pixels its picture is to have. */
     function wanted() {
-        var sizes = {}
+        var sizes = Object.create(null)
         var workspace = panel.element('workspace')
         if (!workspace || !picture.width() || document.hidden) {
             return sizes
@@ -178,8 +178,8 @@ export function makeCameras(panel, world, replay, picture, $interval) {
 
     /** Another world, or none: what was seen of it is gone. */
     function forget() {
-        shown = {}
-        questions = {}
+        shown = Object.create(null)
+        questions = Object.create(null)
     }
     world.news.hear(forget)
     world.previewed.hear(forget)

@@ -13,7 +13,7 @@ var MOST_LINES = 16
 export function makePlot(panel, world, records, replay, layout) {
     var msg = panel.msg
     var chart = null            // made when it is first seen
-    var live = {times: [], values: {}, last: -1}
+    var live = {times: [], values: Object.create(null), last: -1}
     var fetched = {}            // values of records: by path and name, {times, values}
     var awaited = {}
     var touched = false         // whether the user has said what to plot
@@ -113,7 +113,7 @@ export function makePlot(panel, world, records, replay, layout) {
             return
         }
         if (state.time < live.last || !live.times.length) {     // another run
-            live = {times: [], values: {}, last: -1}
+            live = {times: [], values: Object.create(null), last: -1}
             plot.names = plot.source ? plot.names : []
         }
         live.last = state.time

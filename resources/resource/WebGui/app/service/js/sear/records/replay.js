@@ -23,7 +23,7 @@ export function makeReplay(panel, messages, world, picture) {
         return replay.shown && replay.shown.read || seen && seen.sensors || []
     }
     function byName(list) {
-        var found = {}
+        var found = Object.create(null)
         list.forEach(function(one) {
             found[one.name] = one
         })

@@ -8,7 +8,7 @@ var QUANTITIES = {'m': 'length', 'm/s': 'speed', 'deg': 'angle', 'rad/s': 'turni
 
 /** All values of a world by their names. */
 export function valuesOf(world) {
-    var values = {}
+    var values = Object.create(null)    // sensors may be called as what every object has, constructor
     world.robots.forEach(function(robot) {
         var ahead = rotate(frame(robot.pose), [0, 0, 1])
         values[robot.name + '.x'] = robot.pose[0]

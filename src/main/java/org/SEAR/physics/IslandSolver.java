@@ -93,6 +93,7 @@ final class IslandSolver {
         }
         alone = bodies.size() == 1 && drives.isEmpty() && !bodies.get(0).canRoll();
         double substep = seconds / substeps(seconds);
+        levels.sort(pairs);
         rows.clear();
         ofMeshes.clear();
         for (int i = 0; i < pairs.size(); i++) {
@@ -167,7 +168,6 @@ final class IslandSolver {
         double paid = Math.max(LEAST_SUBSTEPS, MOST_WORK / Math.max(1, points + SEARCH * searches));
         int substeps = (int) Math.ceil(Math.min(Math.min(wanted, MOST_SUBSTEPS), paid));
         int height = levels.measure(bodies, pairs);
-        levels.sort(pairs);
         int least = height > 1 ? LEAST_PASSES_ON_OTHERS : 1;
         double needed = Math.max(least, Math.max(PASSES_EACH * height, PASSES_RATIO * ratio));
         rounds = (int) Math.max(1, Math.min(needed, (double) MOST_PASSES_WORK / Math.max(1, points * substeps)));
@@ -225,7 +225,8 @@ final class IslandSolver {
             bodies.get(i).getSolver().advance(gravity);
         }
         stopBeforeMeshes(taken);
-        for (int i = 0; i < Math.max(1, rounds - 1); i++) {
+        int relaxing = Math.max(1, rounds - 1);     // one fewer will do: heaps come to rest as soon
+        for (int i = 0; i < relaxing; i++) {
             relax(i == 0);
         }
         for (int i = 0; i < bodies.size(); i++) {

@@ -7,6 +7,7 @@ import org.SEAR.geometry.Frame;
 import org.SEAR.geometry.Placement;
 import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
+import org.SEAR.physics.solid.Hinge;
 import org.SEAR.physics.solid.InnerMotion;
 import org.SEAR.physics.solid.Solid;
 
@@ -134,7 +135,7 @@ public final class Body {
         double[] centre = at.transform(cx, cy, cz);
         solver.put(centre[0], centre[1], centre[2], at);
         rest.begin(solver);
-        inner.end();
+        inner.forget();
         placedAt = -1;
         turningSpeed = 0;
         touching = false;
@@ -185,13 +186,14 @@ public final class Body {
      * Moves one of its solids in its own frame, in the step that comes: it pushes and takes along what touches it.
      *
      * @param solid its number
+     * @param hinge which yields to what it meets; null if it does not
      */
-    public void move(int solid, Pose to) {
-        inner.move(solid, to);
+    public void move(int solid, Pose to, Hinge hinge) {
+        inner.move(solid, to, hinge);
     }
 
     /** How its solids move in it in this step. */
-    InnerMotion inner() {
+    public InnerMotion inner() {
         return inner;
     }
 

@@ -1,6 +1,7 @@
 package org.SEAR.physics;
 
 import java.util.Arrays;
+import org.SEAR.physics.solid.HingeLevers;
 
 /**
  * The contacts of an island while a step is solved, manifold after manifold in one array of numbers, for a pile has more of them than a processor
@@ -55,6 +56,8 @@ final class ContactRows {
     private static final int PATCH = POINTS + Manifold.MOST_POINTS * POINT;
     private static final int BLOCK = PATCH + FrictionRows.SIZE;
     private static final int SIZE = BLOCK + NormalBlock.SIZE;
+    /** Rows of a manifold for which hinges have levers: those of its points, and then those of friction. */
+    private static final int HINGED = Manifold.MOST_POINTS + FrictionRows.HINGED;
 
     private double[] r = {};
     private double[][] speedsA = {};
@@ -64,6 +67,9 @@ final class ContactRows {
     /** 1 or -1 if what moves comes out of what is fixed along the normal or against it, 0 if neither is fixed. */
     private byte[] out = {};
     private Manifold[] manifolds = {};
+    /** Levers of the hinges of each manifold; null where there is none. */
+    private HingeLevers[] levers = {};
+    private HingeLevers unused = new HingeLevers(HINGED);
     /** Points of each manifold; 0 where there is none. */
     private int[] points = {};
     private int size;
@@ -102,6 +108,7 @@ final class ContactRows {
             movedB = Arrays.copyOf(movedB, more);
             out = Arrays.copyOf(out, more);
             manifolds = Arrays.copyOf(manifolds, more);
+            levers = Arrays.copyOf(levers, more);
             points = Arrays.copyOf(points, more);
         }
         points[size] = 0;
@@ -147,13 +154,17 @@ final class ContactRows {
             mz += of.points[i].z / of.count;
         }
         boolean driven = of.isDriven();
+        levers[slot] = driven ? levers(of) : null;
         normal[0] = of.nx;
         normal[1] = of.ny;
         normal[2] = of.nz;
         for (int i = 0; i < of.count; i++) {
             fill(at + POINTS + i * POINT, of, of.points[i], driven, mx, my, mz);
+            if (levers[slot] != null) {
+                giveWay(levers[slot], i, at + POINTS + i * POINT, of);
+            }
         }
-        FrictionRows.prepare(r, at + PATCH, of, mx, my, mz);
+        FrictionRows.prepare(r, at + PATCH, of, mx, my, mz, levers[slot]);
         r[at + READY] = 0;
         r[at + STRUCK] = of.struck ? 1 : 0;
     }
@@ -171,6 +182,21 @@ final class ContactRows {
         double dz = point.z - mz;
         r[at + ASIDE] = Math.sqrt(dx * dx + dy * dy + dz * dz);
         r[at + AWAITED] = 0;
+    }
+
+    private HingeLevers levers(Manifold of) {
+        HingeLevers found = unused;
+        if (!of.yields(found)) {
+            return null;
+        }
+        unused = new HingeLevers(HINGED);
+        return found;
+    }
+
+    private void giveWay(HingeLevers by, int row, int point, Manifold of) {
+        of.setLevers(by, row, normal, of.points[row].x, of.points[row].y, of.points[row].z);
+        r[point + PairRow.MASS] = by.mass(row, r[point + PairRow.MASS]);
+        r[point + GAP] -= by.way(row);
     }
 
     /** Tells a manifold what pushes now. */
@@ -206,7 +232,7 @@ final class ContactRows {
                     int point = at + POINTS + i * POINT;
                     if (r[point + PairRow.IMPULSE] != 0) {
                         r[point + PairRow.IMPULSE] *= scale;
-                        push(slot, point, r[point + PairRow.IMPULSE]);
+                        push(slot, i, point, r[point + PairRow.IMPULSE]);
                     }
                 }
                 if (FrictionRows.holds(r, at + PATCH)) {
@@ -223,7 +249,8 @@ final class ContactRows {
         double[] q = movedB[slot];
         for (int i = 0; i < points[slot]; i++) {
             int point = slot * SIZE + POINTS + i * POINT;
-            r[point + GAP] = r[point + BASE] + PairRow.along(r, point, p, q) - r[point + DRIVEN] * gone;
+            r[point + GAP] = r[point + BASE] + PairRow.along(r, point, p, q) - r[point + DRIVEN] * gone
+                - (levers[slot] == null ? 0 : levers[slot].way(i));
         }
     }
 
@@ -267,7 +294,7 @@ final class ContactRows {
         int count = points[slot];
         double pressing = 0;
         double turning = 0;
-        boolean all = count > 1;
+        boolean all = count > 1 && levers[slot] == null;
         boolean loose = r[at + LOOSE] > 0;
         for (int i = 0; i < count; i++) {
             int point = at + POINTS + i * POINT;
@@ -289,7 +316,7 @@ final class ContactRows {
             double seconds = r[at + SECONDS];
             block.wanted[i] = (gap > CLOSE ? -(gap - CLOSE) / seconds : 0) + (recovers ? recovery(Math.min(gap, CLOSE), seconds) : 0)
                 + r[point + DRIVEN];
-            parting = parting && PairRow.along(r, point, p, q) >= block.wanted[i];
+            parting = parting && PairRow.along(r, point, p, q) >= block.wanted[i] + yielding(slot, i);
         }
         if (parting || all && solveAll(at, count, p, q, recovers)) {
             return;
@@ -297,12 +324,12 @@ final class ContactRows {
         for (int i = 0; i < count; i++) {
             int point = at + POINTS + i * POINT;
             if (r[point + AWAITED] == 0) {
-                double missing = PairRow.missing(r, point, p, q, block.wanted[i]);
+                double missing = PairRow.missing(r, point, p, q, block.wanted[i] + yielding(slot, i));
                 if (recovers) {
                     notice(at, missing / r[point + PairRow.MASS]);
                 }
                 double sum = Math.max(0, r[point + PairRow.IMPULSE] + missing);
-                push(slot, point, sum - r[point + PairRow.IMPULSE]);
+                push(slot, i, point, sum - r[point + PairRow.IMPULSE]);
                 r[point + PairRow.IMPULSE] = sum;
             }
         }
@@ -376,8 +403,15 @@ final class ContactRows {
         }
     }
 
-    /** Changes the velocities of both bodies by an impulse along a row, Ns. */
-    void push(int slot, int row, double impulse) {
+    /**
+     * Changes the velocities of both bodies by an impulse along a row, Ns.
+     *
+     * @param number of the row among those of the manifold
+     */
+    void push(int slot, int number, int row, double impulse) {
+        if (levers[slot] != null) {
+            levers[slot].push(number, impulse);
+        }
         PairRow.push(r, row, speedsA[slot], speedsB[slot], r[slot * SIZE + MASS_A], r[slot * SIZE + MASS_B], impulse);
     }
 
@@ -417,7 +451,12 @@ final class ContactRows {
     /** Speed at which both part at a point, m/s. */
     double parting(int slot, int i) {
         int point = slot * SIZE + POINTS + i * POINT;
-        return PairRow.along(r, point, speedsA[slot], speedsB[slot]) - r[point + DRIVEN];
+        return PairRow.along(r, point, speedsA[slot], speedsB[slot]) - r[point + DRIVEN] - yielding(slot, i);
+    }
+
+    /** How much faster than planned hinges bring both together along a row, m/s. */
+    double yielding(int slot, int number) {
+        return levers[slot] == null ? 0 : levers[slot].speed(number);
     }
 
     /** Nothing brakes what comes at a point until it is there. */
@@ -443,8 +482,8 @@ final class ContactRows {
      */
     double rebound(int slot, int i, double blow, double speed) {
         int point = slot * SIZE + POINTS + i * POINT;
-        double sum = Math.max(0, blow + PairRow.missing(r, point, speedsA[slot], speedsB[slot], speed + r[point + DRIVEN]));
-        push(slot, point, sum - blow);
+        double sum = Math.max(0, blow + PairRow.missing(r, point, speedsA[slot], speedsB[slot], speed + r[point + DRIVEN] + yielding(slot, i)));
+        push(slot, i, point, sum - blow);
         return sum;
     }
 

@@ -1,6 +1,7 @@
 package org.SEAR.physics;
 
 import org.SEAR.geometry.Placement;
+import org.SEAR.physics.solid.HingeLevers;
 
 /**
  * Friction of a manifold, at the middle of its points: against sliding in any direction with the same coefficient (Coulomb's cone), against turning
@@ -26,6 +27,9 @@ final class FrictionRows {
     /** How fast solids that move in their bodies slide over each other along both directions, m/s, and turn about the normal, rad/s. */
     private static final int DRIVEN = TURNED + 20;
     static final int SIZE = TURNED + 23;
+    /** Rows for which hinges have levers: both directions, and turning about the normal, which turns no hinge. */
+    static final int HINGED = 3;
+    private static final int FIRST_ROW = Manifold.MOST_POINTS;
     /**
      * No edge or corner is so sharp that nothing brakes what rocks on it, metres: else a box that leans on others by corners would swing for ever. A
      * tenth of what a hard wheel has on a hard floor.
@@ -37,8 +41,12 @@ final class FrictionRows {
     private FrictionRows() {
     }
 
-    /** Makes the rows at the middle of the manifold's points: {mx, my, mz}, metres, world frame. */
-    static void prepare(double[] r, int at, Manifold of, double mx, double my, double mz) {
+    /**
+     * Makes the rows at the middle of the manifold's points: {mx, my, mz}, metres, world frame.
+     *
+     * @param levers of the hinges; null if there are none
+     */
+    static void prepare(double[] r, int at, Manifold of, double mx, double my, double mz, HingeLevers levers) {
         r[at + NORMAL] = of.nx;
         r[at + NORMAL + 1] = of.ny;
         r[at + NORMAL + 2] = of.nz;
@@ -46,7 +54,7 @@ final class FrictionRows {
         r[at + PairRow.IMPULSE] = of.fx * r[at] + of.fy * r[at + 1] + of.fz * r[at + 2];
         r[at + SECOND + PairRow.IMPULSE] = of.fx * r[at + SECOND] + of.fy * r[at + SECOND + 1] + of.fz * r[at + SECOND + 2];
         r[at + TURNED] = of.turned;
-        drive(r, at, of, mx, my, mz);
+        drive(r, at, of, mx, my, mz, levers);
         PairRow.turn(r, at + NORMAL, at + TURN_A, of.a, of.massA > 0);
         PairRow.turn(r, at + NORMAL, at + TURN_B, of.b, of.massB > 0);
         double yields = PairRow.dot(r, at + NORMAL, at + TURN_A) + PairRow.dot(r, at + NORMAL, at + TURN_B);
@@ -63,7 +71,7 @@ final class FrictionRows {
         }
     }
 
-    private static void drive(double[] r, int at, Manifold of, double mx, double my, double mz) {
+    private static void drive(double[] r, int at, Manifold of, double mx, double my, double mz, HingeLevers levers) {
         for (int i = 0; i < 3; i++) {
             r[at + DRIVEN + i] = 0;
         }
@@ -74,6 +82,14 @@ final class FrictionRows {
             r[at + DRIVEN + 1] = of.driven(second, mx, my, mz);
             // a metre on, for what moves is rigid; the second direction is the normal times the first
             r[at + DRIVEN + 2] = of.driven(second, mx + first[0], my + first[1], mz + first[2]) - r[at + DRIVEN + 1];
+            if (levers != null) {
+                of.setLevers(levers, FIRST_ROW, first, mx, my, mz);
+                of.setLevers(levers, FIRST_ROW + 1, second, mx, my, mz);
+                r[at + PairRow.MASS] = levers.mass(FIRST_ROW, r[at + PairRow.MASS]);
+                r[at + SECOND + PairRow.MASS] = levers.mass(FIRST_ROW + 1, r[at + SECOND + PairRow.MASS]);
+                of.setLevers(levers, FIRST_ROW + 2, second, mx + first[0], my + first[1], mz + first[2]);
+                levers.subtract(FIRST_ROW + 2, FIRST_ROW + 1);
+            }
         }
     }
 
@@ -169,8 +185,8 @@ final class FrictionRows {
         r[at + PairRow.IMPULSE] *= scale;
         r[at + SECOND + PairRow.IMPULSE] *= scale;
         r[at + TURNED] *= scale;
-        rows.push(slot, at, r[at + PairRow.IMPULSE]);
-        rows.push(slot, at + SECOND, r[at + SECOND + PairRow.IMPULSE]);
+        rows.push(slot, FIRST_ROW, at, r[at + PairRow.IMPULSE]);
+        rows.push(slot, FIRST_ROW + 1, at + SECOND, r[at + SECOND + PairRow.IMPULSE]);
         twist(r, at, rows, slot, r[at + TURNED]);
         if (r[at + LEVER] > 0) {
             for (int i = 0; i < 3; i++) {
@@ -208,17 +224,17 @@ final class FrictionRows {
         }
         if (mostTurning > 0 || r[at + TURNED] != 0) {
             double turning = r[at + NORMAL] * (p[3] - q[3]) + r[at + NORMAL + 1] * (p[4] - q[4]) + r[at + NORMAL + 2] * (p[5] - q[5])
-                - r[at + DRIVEN + 2];
+                - r[at + DRIVEN + 2] - rows.yielding(slot, FIRST_ROW + 2);
             double sum = Math.max(-mostTurning, Math.min(mostTurning, r[at + TURNED] - r[at + TURNING_MASS] * turning));
             twist(r, at, rows, slot, sum - r[at + TURNED]);
             r[at + TURNED] = sum;
         }
-        double one = PairRow.wanted(r, at, p, q, r[at + DRIVEN]);
-        double other = PairRow.wanted(r, at + SECOND, p, q, r[at + DRIVEN + 1]);
+        double one = PairRow.wanted(r, at, p, q, r[at + DRIVEN] + rows.yielding(slot, FIRST_ROW));
+        double other = PairRow.wanted(r, at + SECOND, p, q, r[at + DRIVEN + 1] + rows.yielding(slot, FIRST_ROW + 1));
         double length = Math.sqrt(one * one + other * other);
         double scale = length > most ? most / length : 1;
-        rows.push(slot, at, one * scale - r[at + PairRow.IMPULSE]);
-        rows.push(slot, at + SECOND, other * scale - r[at + SECOND + PairRow.IMPULSE]);
+        rows.push(slot, FIRST_ROW, at, one * scale - r[at + PairRow.IMPULSE]);
+        rows.push(slot, FIRST_ROW + 1, at + SECOND, other * scale - r[at + SECOND + PairRow.IMPULSE]);
         r[at + PairRow.IMPULSE] = one * scale;
         r[at + SECOND + PairRow.IMPULSE] = other * scale;
     }

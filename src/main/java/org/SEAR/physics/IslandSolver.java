@@ -2,6 +2,7 @@ package org.SEAR.physics;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.SEAR.physics.solid.Hinge;
 
 /**
  * Moves the bodies of an island, which touch each other or may within the step, through a step. It goes in small substeps: gravity, what pushed
@@ -49,6 +50,8 @@ final class IslandSolver {
     private List<PairContacts> pairs;
     private final List<PairContacts> ofMeshes = new ArrayList<>();
     private List<WheelDrive> drives;
+    /** Those about which solids of the bodies turn in this step. */
+    private final List<Hinge> hinges = new ArrayList<>();
     private final ContactRows rows = new ContactRows();
     private final Levels levels = new Levels();
     private final Impacts impacts = new Impacts();
@@ -92,6 +95,10 @@ final class IslandSolver {
             return;
         }
         alone = bodies.size() == 1 && drives.isEmpty() && !bodies.get(0).canRoll();
+        hinges.clear();
+        for (int i = 0; i < bodies.size(); i++) {
+            hinges.addAll(bodies.get(i).inner().hinges());
+        }
         double substep = seconds / substeps(seconds);
         levels.sort(pairs);
         rows.clear();
@@ -214,6 +221,9 @@ final class IslandSolver {
             bodies.get(i).getSolver().fall(taken, gravity);
             bodies.get(i).getSolver().gyrate();
         }
+        for (int i = 0; i < hinges.size(); i++) {
+            hinges.get(i).begin(taken);
+        }
         rows.begin(taken, alone);
         for (int i = 0; i < drives.size(); i++) {
             prepare(drives.get(i));
@@ -223,6 +233,9 @@ final class IslandSolver {
         }
         for (int i = 0; i < bodies.size(); i++) {
             bodies.get(i).getSolver().advance(gravity);
+        }
+        for (int i = 0; i < hinges.size(); i++) {
+            hinges.get(i).advance();
         }
         stopBeforeMeshes(taken);
         int relaxing = Math.max(1, rounds - 1);     // one fewer will do: heaps come to rest as soon
@@ -254,18 +267,22 @@ final class IslandSolver {
     /** A pass that takes penetrations back. */
     private void press(boolean last) {
         passes++;
-        solveWheels();
+        solveDrives();
         rows.press(last);
     }
 
     /** A pass that takes out of the velocities what the others put in to take penetrations back. */
     private void relax(boolean first) {
         passes++;
-        solveWheels();
+        solveDrives();
         rows.relax(first);
     }
 
-    private void solveWheels() {
+    /** Wheels, and the motors of hinges. */
+    private void solveDrives() {
+        for (int i = 0; i < hinges.size(); i++) {
+            hinges.get(i).solve();
+        }
         for (int k = 0; k < WHEEL_PASSES && !drives.isEmpty(); k++) {
             for (int i = 0; i < drives.size(); i++) {
                 drives.get(i).drive.solve(drives.get(i).body.getSolver());

@@ -1,5 +1,6 @@
 package org.SEAR.physics;
 
+import org.SEAR.physics.solid.HingeLevers;
 import org.SEAR.physics.solid.Surface;
 
 /**
@@ -212,6 +213,17 @@ final class Manifold {
         double ofA = bodyA.inner().moves(solidA) ? bodyA.inner().speed(solidA, a.place, d, x, y, z) : 0;
         double ofB = bodyB.inner().moves(solidB) ? bodyB.inner().speed(solidB, b.place, d, x, y, z) : 0;
         return ofB - ofA;
+    }
+
+    /** Whether one of both solids yields on a hinge; if so, {@code levers} are theirs. */
+    boolean yields(HingeLevers levers) {
+        levers.set(bodyA.inner().hinge(solidA), bodyB.inner().hinge(solidB));
+        return levers.any();
+    }
+
+    /** Sets by which levers their hinges bring them together at a point along a direction, as {@link #driven}. */
+    void setLevers(HingeLevers levers, int row, double[] d, double x, double y, double z) {
+        levers.setRow(row, -bodyA.inner().lever(solidA, a.place, d, x, y, z), bodyB.inner().lever(solidB, b.place, d, x, y, z));
     }
 
     /** The least distance of its points, metres. */

@@ -10,6 +10,7 @@ import org.SEAR.POJOs.Shape;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.physics.PhysicsWorld;
+import org.SEAR.physics.solid.Hinge;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.project.ObjectPose;
 import org.SEAR.robot.servo.ServoDrive;
@@ -56,7 +57,8 @@ final class Turrets {
         if (any) {
             weigh();
             body.setLeastReach(reach());
-            place(body::setPlace);
+            body.inner().onYield(this::giveWay);
+            place(this::put);
         }
     }
 
@@ -124,7 +126,7 @@ final class Turrets {
                     servo.restart();
                 }
             }
-            place(body::setPlace);
+            place(this::put);
         }
     }
 
@@ -136,7 +138,7 @@ final class Turrets {
     boolean step() {
         boolean turned = false;
         for (int i = 0; any && i < servos.length; i++) {
-            turned |= servos[i] != null && servos[i].step(body.getPose(), PhysicsWorld.GRAVITY);
+            turned |= servos[i] != null && servos[i].step(body.getPose(), PhysicsWorld.GRAVITY, poses.get(i));
         }
         if (turned) {
             place(body::move);
@@ -144,9 +146,23 @@ final class Turrets {
         return turned;
     }
 
+    /** Something that turned met what it can't push away. */
+    private void giveWay() {
+        for (ServoDrive servo : servos) {
+            if (servo != null && servo.getHinge() != null) {
+                servo.giveWay();
+            }
+        }
+        place(body::move);
+    }
+
+    private void put(int solid, Pose place, Hinge hinge) {
+        body.setPlace(solid, place);
+    }
+
     /** Where its shapes go. */
     private interface Places {
-        void put(int solid, Pose place);
+        void put(int solid, Pose place, Hinge hinge);
     }
 
     private void place(Places of) {
@@ -155,7 +171,7 @@ final class Turrets {
         for (int i = 0; i < now.length; i++) {
             now[i] = carriers[i] == NONE ? homes[i] : turned(carriers[i]).times(homes[i]);
             if (carriers[i] != NONE && shapes.shapes.containsKey(parts.get(i))) {
-                of.put(shapes.solidOf(parts.get(i)), now[i].times(shapes.shapes.get(parts.get(i)).offset));
+                of.put(shapes.solidOf(parts.get(i)), now[i].times(shapes.shapes.get(parts.get(i)).offset), hinge(carriers[i]));
             }
         }
         for (int i = 0; i < servos.length; i++) {
@@ -165,6 +181,15 @@ final class Turrets {
         }
         poses = List.of(now);
         sensors.forEach(this::follow);
+    }
+
+    /** The nearest hinge that turns in this step, of a servo and those that it is mounted on: that one yields. */
+    private Hinge hinge(int servo) {
+        Hinge found = null;
+        for (int carrier = servo; carrier != NONE && found == null; carrier = carriers[carrier]) {
+            found = servos[carrier].getHinge();
+        }
+        return found;
     }
 
     /** What a servo, and those that it is mounted on, do to what is on it. */

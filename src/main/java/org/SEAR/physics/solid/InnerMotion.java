@@ -1,5 +1,6 @@
 package org.SEAR.physics.solid;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.SEAR.geometry.Placement;
@@ -7,17 +8,25 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.TimeStep;
 
 /**
- * How solids move in their body in a step, as servos turn them: contacts see the speed of their surface. They are put where they go when the step has
- * ended. Simulation thread.
+ * How solids move in their body in a step, as servos turn them: contacts see the speed of their surface, and hinges yield to contacts.
+ * They are put where they go when the step has ended. Simulation thread.
  */
 public final class InnerMotion {
+    private static final int NUMBERS = 12;
+
     private final List<Solid> solids;
     private final Pose[] places;
     private final double[] centre;
     /** Where those that move go; null of all others. */
     private final Pose[] next;
+    /** The speed of a point of each as a linear function of where it is in the body's frame: three rows of four numbers, 1/s and m/s. */
+    private final double[][] speeds;
+    private final Hinge[] hinges;
+    private final List<Hinge> all = new ArrayList<>();
+    private final double[] own = new double[3];
     private boolean any;
     private double fastest;
+    private Runnable yielding = () -> { };
 
     /**
      * @param places of the solids now, in the body's frame
@@ -28,17 +37,48 @@ public final class InnerMotion {
         this.places = places;
         this.centre = centre;
         next = new Pose[places.length];
+        speeds = new double[places.length][];
+        hinges = new Hinge[places.length];
     }
 
-    /** A solid goes to another place in this step. */
-    public void move(int solid, Pose to) {
+    /** @param told is told at the end of a step in which a hinge did not get as far as planned, and says by {@link #move} where solids went */
+    public void onYield(Runnable told) {
+        yielding = told;
+    }
+
+    /**
+     * A solid goes to another place in this step.
+     *
+     * @param hinge which yields to what it meets; null if it does not
+     */
+    public void move(int solid, Pose to, Hinge hinge) {
         Pose from = places[solid];
         next[solid] = to;
+        hinges[solid] = hinge;
+        if (hinge != null && !all.contains(hinge)) {
+            all.add(hinge);
+        }
         any = true;
         double cosine = Math.abs(from.qx * to.qx + from.qy * to.qy + from.qz * to.qz + from.qw * to.qw);
         double way = Math.sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y) + (to.z - from.z) * (to.z - from.z))
             + 2 * Math.acos(Math.min(1, cosine)) * solids.get(solid).convex().radius();
         fastest = Math.max(fastest, way / TimeStep.SECONDS);
+        speeds[solid] = speeds[solid] == null ? new double[NUMBERS] : speeds[solid];
+        double[] back = from.rotateBack(-from.x, -from.y, -from.z);
+        setSpeeds(speeds[solid], to.times(new Pose(back[0], back[1], back[2], -from.qx, -from.qy, -from.qz, from.qw)));
+    }
+
+    private static void setSpeeds(double[] into, Pose change) {
+        double[] x = change.rotate(1, 0, 0);
+        double[] y = change.rotate(0, 1, 0);
+        double[] z = change.rotate(0, 0, 1);
+        double[] offset = {change.x, change.y, change.z};
+        for (int row = 0; row < 3; row++) {
+            into[4 * row] = (x[row] - (row == 0 ? 1 : 0)) / TimeStep.SECONDS;
+            into[4 * row + 1] = (y[row] - (row == 1 ? 1 : 0)) / TimeStep.SECONDS;
+            into[4 * row + 2] = (z[row] - (row == 2 ? 1 : 0)) / TimeStep.SECONDS;
+            into[4 * row + 3] = offset[row] / TimeStep.SECONDS;
+        }
     }
 
     /**
@@ -48,15 +88,38 @@ public final class InnerMotion {
      */
     public boolean end() {
         boolean moved = any;
+        for (int i = 0; i < all.size(); i++) {
+            if (all.get(i).ahead() != 0) {
+                yielding.run();
+                break;
+            }
+        }
         for (int i = 0; any && i < next.length; i++) {
             places[i] = next[i] == null ? places[i] : next[i];
         }
+        forget();
+        return moved;
+    }
+
+    /** Nothing moves in this step after all. */
+    public void forget() {
         if (any) {
             Arrays.fill(next, null);
+            Arrays.fill(hinges, null);
+            all.clear();
             any = false;
             fastest = 0;
         }
-        return moved;
+    }
+
+    /** The hinges that turn in this step, a view. */
+    public List<Hinge> hinges() {
+        return all;
+    }
+
+    /** The hinge of a solid that yields to what it meets in this step; null if there is none. */
+    public Hinge hinge(int solid) {
+        return hinges[solid];
     }
 
     /** How fast a point of them moves at most, m/s. */
@@ -78,18 +141,31 @@ public final class InnerMotion {
      * @return m/s
      */
     public double speed(int solid, Placement at, double[] d, double x, double y, double z) {
-        double[] own = new double[3];
+        toBody(at, x, y, z);
+        double[] s = speeds[solid];
+        return along(at, d, s[0] * own[0] + s[1] * own[1] + s[2] * own[2] + s[3], s[4] * own[0] + s[5] * own[1] + s[6] * own[2] + s[7],
+            s[8] * own[0] + s[9] * own[1] + s[10] * own[2] + s[11]);
+    }
+
+    /** How far a point of a solid goes along a direction when its hinge turns by 1 rad, metres; 0 if it has none. As {@link #speed}. */
+    public double lever(int solid, Placement at, double[] d, double x, double y, double z) {
+        if (hinges[solid] == null) {
+            return 0;
+        }
+        toBody(at, x, y, z);
+        return hinges[solid].lever(at, d, own[0], own[1], own[2]);
+    }
+
+    private void toBody(Placement at, double x, double y, double z) {
         at.toFrame(x, y, z, own, 0);
         for (int i = 0; i < own.length; i++) {
             own[i] += centre[i];
         }
-        Pose now = places[solid];
-        double[] point = now.rotateBack(own[0] - now.x, own[1] - now.y, own[2] - now.z);
-        double[] to = next[solid].transform(point[0], point[1], point[2]);
-        double dx = to[0] - own[0];
-        double dy = to[1] - own[1];
-        double dz = to[2] - own[2];
-        return (d[0] * (at.m00 * dx + at.m01 * dy + at.m02 * dz) + d[1] * (at.m10 * dx + at.m11 * dy + at.m12 * dz)
-            + d[2] * (at.m20 * dx + at.m21 * dy + at.m22 * dz)) / TimeStep.SECONDS;
+    }
+
+    /** The share along a direction of the world of a vector {x, y, z} of the body's frame. */
+    static double along(Placement at, double[] d, double x, double y, double z) {
+        return d[0] * (at.m00 * x + at.m01 * y + at.m02 * z) + d[1] * (at.m10 * x + at.m11 * y + at.m12 * z)
+            + d[2] * (at.m20 * x + at.m21 * y + at.m22 * z);
     }
 }

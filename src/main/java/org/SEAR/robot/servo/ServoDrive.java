@@ -8,28 +8,39 @@ import org.SEAR.geometry.Pose;
 import org.SEAR.geometry.Rotation;
 import org.SEAR.geometry.TimeStep;
 import org.SEAR.grammar.Parameter;
+import org.SEAR.physics.solid.Hinge;
 import org.SEAR.project.ObjectPose;
 
 /**
  * A servo that turns to the angle that it was given. Its motor has the straight line of every small DC motor: torque = stallTorque (power - speed /
- * no-load speed). It gives full power towards the angle, and brakes in time; a servo without load is as fast as its motor at once. Simulation thread.
+ * no-load speed). It gives full power towards the angle, and brakes in time; a servo without load is as fast as its motor at once. While it turns it
+ * yields to what it meets; where it has arrived it stays. Simulation thread.
  */
 public final class ServoDrive implements ServoHardware {
     /** A servo that is left with less than this share of its speed without load does not get on. */
     private static final double STALLED = 0.01;
     /** Share of its torque with which it brakes before it is there, so that some is left. */
     private static final double BRAKING = 0.99;
+    /** What gets on by less than this share of what it would without contacts, for so many steps, is held. */
+    private static final double HELD = 0.1;
+    private static final int HELD_FOR = 60;
 
     private final Servo object;
     private final String robot;
     private final Consumer<String> told;
     private final Pose axis;
     private final ServoLoad load = new ServoLoad();
+    private final Hinge hinge;
     private final Rotation rotation = new Rotation();
     private double wanted;
     private double angle;
     /** Of a servo with a load, rad/s. */
     private double spin;
+    /** Where it was when the step began, degrees, and whether it turns in it. */
+    private double before;
+    private boolean turns;
+    /** For how many steps it has been held. */
+    private int held;
     private boolean complained;
 
     /** @param told takes, once a run, that the load is too heavy */
@@ -38,6 +49,7 @@ public final class ServoDrive implements ServoHardware {
         this.robot = robot;
         this.told = told;
         this.axis = ObjectPose.of(object);
+        hinge = new Hinge();
         restart();
     }
 
@@ -46,6 +58,9 @@ public final class ServoDrive implements ServoHardware {
         wanted = Math.max(object.getMinAngle(), Math.min(object.getMaxAngle(), 0));
         angle = wanted;
         spin = 0;
+        turns = false;
+        held = 0;
+        hinge.restart();
         complained = false;
     }
 
@@ -73,21 +88,51 @@ public final class ServoDrive implements ServoHardware {
      *
      * @param body pose of the robot in the world
      * @param gravity m/s^2
+     * @param at where it is in the body frame
      * @return whether it is elsewhere now
      */
-    public boolean step(Pose body, double gravity) {
-        double before = angle;
+    public boolean step(Pose body, double gravity, Pose at) {
+        before = angle;
+        double was = spin;
+        double moment = 0;
         if (!load.isEmpty()) {
             rotation.set(body);
-            turnLoad(rotation.inX(0, -gravity, 0), rotation.inY(0, -gravity, 0), rotation.inZ(0, -gravity, 0));
+            moment = turnLoad(rotation.inX(0, -gravity, 0), rotation.inY(0, -gravity, 0), rotation.inZ(0, -gravity, 0));
         } else if (angle != wanted) {
             double most = object.getSpeed() * TimeStep.SECONDS;
             angle = Math.abs(wanted - angle) <= most ? wanted : angle + Math.copySign(most, wanted - angle);
         }
-        return angle != before;
+        turns = angle != before;
+        if (turns) {
+            double turning = Math.toRadians(angle - before);
+            double fastest = Math.toRadians(object.getSpeed());
+            double accelerating = load.isEmpty() ? 0 : load.inertia() * (spin - was) / TimeStep.SECONDS;
+            hinge.plan(at, object.getStallTorque(), fastest, load.inertia(), turning,
+                turning / TimeStep.SECONDS / fastest + (accelerating - moment) / object.getStallTorque());
+        }
+        return turns;
     }
 
-    private void turnLoad(double gx, double gy, double gz) {
+    /** What it turned in this step met something: it is not where it was to be. */
+    public void giveWay() {
+        double to = angle + Math.toDegrees(hinge.ahead());
+        held = Math.abs(to - before) < HELD * Math.abs(angle - before) ? held + 1 : 0;
+        if (held == HELD_FOR && !complained) {
+            complained = true;
+            told.accept(String.format(Locale.ROOT, "servo %s of robot %s is held at %.1f deg, on its way to %.1f deg, by what it touches, as a"
+                + " gripper is by what it grips; where it should get on, give it more than its stallTorque of %s N m (%s.setStallTorque(...))",
+                object.getName(), robot, to, wanted, Parameter.format(object.getStallTorque()), object.getName()));
+        }
+        angle = Math.max(object.getMinAngle(), Math.min(object.getMaxAngle(), to));
+        spin = load.isEmpty() || angle != to ? 0 : spin + hinge.deviation();
+    }
+
+    /** The hinge that it is, if it turns in this step; else null. */
+    public Hinge getHinge() {
+        return turns ? hinge : null;
+    }
+
+    private double turnLoad(double gx, double gy, double gz) {
         double moment = load.moment(gx, gy, gz);
         double way = Math.toRadians(wanted - angle);
         double ahead = Math.signum(way);
@@ -109,6 +154,7 @@ public final class ServoDrive implements ServoHardware {
         }
         spin = next;
         move(turned, next == allowed && Math.abs(way) <= Math.abs(turned));
+        return moment;
     }
 
     private void move(double turned, boolean arrives) {

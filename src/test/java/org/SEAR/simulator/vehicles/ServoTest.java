@@ -121,6 +121,7 @@ public class ServoTest {
         SEARrobot robot = roomba();
         Servo shoulder = new Servo("shoulder", 0, 0.12, 0);
         shoulder.setSpeed(60);
+        shoulder.setStallTorque(5);
         Box arm = new Box("arm", 0.04, 0.3, 0.04, 0.1);
         arm.move(0, 0.12, 0.3);
         shoulder.mount(arm);

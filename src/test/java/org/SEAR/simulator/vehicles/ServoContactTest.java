@@ -1,0 +1,139 @@
+package org.SEAR.simulator.vehicles;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertTrue;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Dynamics;
+import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.Servo;
+import org.SEAR.geometry.Pose;
+import org.SEAR.project.ProjectRule;
+import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.Worlds;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** Servos have no more torque against what they meet than against a load. */
+public class ServoContactTest {
+    private static final double GRAVITY = 9.81;
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    private static SEARrobot crane(double mass) {
+        new Floor("floor", 10, 10);
+        SEARrobot crane = new SEARrobot("crane");
+        crane.addComponent(new Dynamics("weight", mass));
+        Box base = new Box("base", 0.2, 0.2, 0.1, 2);
+        base.move(0, 0.05, 0);
+        crane.addComponent(base);
+        return crane;
+    }
+
+    private static Servo mount(SEARrobot robot, Servo servo, double speed, double torque, Box... parts) {
+        servo.setSpeed(speed);
+        servo.setStallTorque(torque);
+        robot.addComponent(servo);
+        for (Box part : parts) {
+            servo.mount(part);
+            robot.addComponent(part);
+        }
+        return servo;
+    }
+
+    private static Box box(String name, double width, double length, double height, double mass, double... at) {
+        Box box = new Box(name, width, length, height, mass);
+        box.move(at[0], at[1], at[2]);
+        return box;
+    }
+
+    private static List<String> messages(Simulation simulation) {
+        return simulation.snapshot().warnings.stream().filter(text -> text.startsWith("servo ")).collect(Collectors.toList());
+    }
+
+    /** Told to close as far as they go, the fingers stop at the cube, whatever its size and their strength; it is lifted, and nothing tips over. */
+    @Test
+    public void aGripperHoldsWhatItGrips() throws Exception {
+        for (double size : new double[] {0.03, 0.05}) {
+            for (double torque : new double[] {0.18, 2}) {
+                SEARrobot crane = crane(3);
+                box("table", 0.2, 0.2, 0.12 - size / 2, 0, 0, (0.12 - size / 2) / 2, 0.3);
+                box("cube", size, size, size, 0.05, 0, 0.12, 0.25);
+                Servo shoulder = mount(crane, new Servo("shoulder", 0, 0.12, 0.05, 0, 0, -90), 60, 2,
+                    box("arm", 0.02, 0.08, 0.02, 0.02, 0, 0.12, 0.12));
+                for (int side : new int[] {1, -1}) {
+                    Box finger = box("finger" + side, 0.01, 0.12, 0.02, 0.01, side * 0.05, 0.12, 0.21);
+                    finger.setFriction(1);
+                    shoulder.mount(mount(crane, new Servo(side > 0 ? "left" : "right", side * 0.05, 0.12, 0.15), 400, torque, finger));
+                }
+                try (Simulation simulation = Worlds.start(project)) {
+                    Worlds.run(simulation, 0.5);
+                    simulation.getServo("left").setAngle(-60);
+                    simulation.getServo("right").setAngle(60);
+                    Worlds.run(simulation, 1.5);
+                    // where the finger's inner side meets the cube's far edge
+                    double closed = Math.toDegrees(Math.atan((0.045 - size / 2) / (0.1 + size / 2)));
+                    assertEquals(size + " m", -closed, simulation.getServo("left").getAngle(), 1);
+                    assertEquals(size + " m", closed, simulation.getServo("right").getAngle(), 1);
+                    assertEquals("the cube lies where it did", 0.25, simulation.getPose("cube").z, 0.005);
+                    String told = String.join("\n", messages(simulation));
+                    assertTrue(told, told.matches("(?s).*servo left of robot crane is held at -\\d+\\.\\d deg, on its way to -60\\.0 deg, by what it"
+                        + " touches, as a gripper is by what it grips; where it should get on, give it more than its stallTorque of "
+                        + (torque < 1 ? "0.18" : "2") + " N m \\(left\\.setStallTorque\\(\\.\\.\\.\\)\\).*"));
+                    simulation.getServo("shoulder").setAngle(-30);
+                    Worlds.run(simulation, 6);
+                    Pose cube = simulation.getPose("cube");
+                    assertEquals(size + " m, " + torque + " N m: " + cube, 0.12 + 0.2 * Math.sin(Math.toRadians(30)), cube.y, 0.01);
+                    double[] up = simulation.getPose("crane").rotate(0, 1, 0);
+                    assertEquals("the crane stands upright", 1, up[1], 1e-4);
+                }
+            }
+        }
+    }
+
+    /** A weight that lies on an arm slows it as one that is mounted does: speed * (1 - moment / stall torque). */
+    @Test
+    public void whatLiesOnAnArmIsALoad() throws Exception {
+        double mass = 0.05;
+        double lever = 0.2;
+        SEARrobot crane = crane(10);
+        mount(crane, new Servo("hinge", 0, 0.2, 0, 0, 0, -90), 60, 0.18, box("plank", 0.1, 0.3, 0.01, 0, 0, 0.2, 0.15));
+        Box thing = box("thing", 0.04, 0.04, 0.04, mass, 0, 0.2251, lever);
+        thing.setFriction(1);
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 1);
+        simulation.getServo("hinge").setAngle(-20);
+        Worlds.run(simulation, 0.1);
+        double from = simulation.getServo("hinge").getAngle();
+        Worlds.run(simulation, 0.4);
+        double expected = 60 * (1 - mass * GRAVITY * lever / 0.18) * 0.4;
+        assertEquals(-expected, simulation.getServo("hinge").getAngle() - from, 0.1 * expected);
+        assertEquals("it lies on the plank still", lever, Math.hypot(simulation.getPose("thing").z, simulation.getPose("thing").y - 0.2), 0.02);
+    }
+
+    /** An arm that can't push what is before it stops there; neither that nor its own robot goes away. */
+    @Test
+    public void aWeakArmStopsAtWhatIsHeavy() throws Exception {
+        SEARrobot crane = crane(10);
+        mount(crane, new Servo("hinge", 0, 0.2, 0.1), 400, 0.18, box("stick", 0.02, 0.3, 0.02, 0.02, 0, 0.2, 0.25));
+        box("block", 0.2, 0.2, 0.4, 40, 0.3, 0.2, 0.25);
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 1);
+        simulation.getServo("hinge").setAngle(90);
+        Worlds.run(simulation, 5);
+        double angle = simulation.getServo("hinge").getAngle();
+        assertEquals("where the stick meets the block", Math.toDegrees(Math.atan2(0.2, 0.25)), angle, 12);
+        assertEquals(0.3, simulation.getPose("block").x, 0.002);
+        Pose crate = simulation.getPose("crane");
+        assertEquals(0, Math.hypot(crate.x, crate.z), 0.002);
+        Worlds.run(simulation, 5);
+        assertEquals("and stays there", angle, simulation.getServo("hinge").getAngle(), 0.2);
+        simulation.getServo("hinge").setAngle(0);
+        Worlds.run(simulation, 1);
+        assertEquals(0, simulation.getServo("hinge").getAngle(), 0);
+    }
+}

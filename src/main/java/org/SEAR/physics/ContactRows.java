@@ -294,7 +294,8 @@ final class ContactRows {
         int count = points[slot];
         double pressing = 0;
         double turning = 0;
-        boolean all = count > 1 && levers[slot] == null;
+        HingeLevers by = levers[slot];
+        boolean all = count > 1 && by == null;
         boolean loose = r[at + LOOSE] > 0;
         for (int i = 0; i < count; i++) {
             int point = at + POINTS + i * POINT;
@@ -316,7 +317,7 @@ final class ContactRows {
             double seconds = r[at + SECONDS];
             block.wanted[i] = (gap > CLOSE ? -(gap - CLOSE) / seconds : 0) + (recovers ? recovery(Math.min(gap, CLOSE), seconds) : 0)
                 + r[point + DRIVEN];
-            parting = parting && PairRow.along(r, point, p, q) >= block.wanted[i] + yielding(slot, i);
+            parting = parting && PairRow.along(r, point, p, q) >= block.wanted[i] + (by == null ? 0 : by.speed(i));
         }
         if (parting || all && solveAll(at, count, p, q, recovers)) {
             return;
@@ -324,7 +325,7 @@ final class ContactRows {
         for (int i = 0; i < count; i++) {
             int point = at + POINTS + i * POINT;
             if (r[point + AWAITED] == 0) {
-                double missing = PairRow.missing(r, point, p, q, block.wanted[i] + yielding(slot, i));
+                double missing = PairRow.missing(r, point, p, q, block.wanted[i] + (by == null ? 0 : by.speed(i)));
                 if (recovers) {
                     notice(at, missing / r[point + PairRow.MASS]);
                 }
@@ -454,8 +455,13 @@ final class ContactRows {
         return PairRow.along(r, point, speedsA[slot], speedsB[slot]) - r[point + DRIVEN] - yielding(slot, i);
     }
 
+    /** Levers of the hinges of a manifold; null if there are none. */
+    HingeLevers levers(int slot) {
+        return levers[slot];
+    }
+
     /** How much faster than planned hinges bring both together along a row, m/s. */
-    double yielding(int slot, int number) {
+    private double yielding(int slot, int number) {
         return levers[slot] == null ? 0 : levers[slot].speed(number);
     }
 

@@ -219,18 +219,19 @@ final class FrictionRows {
     static void solve(double[] r, int at, ContactRows rows, int slot, double most, double mostTurning, double pressing) {
         double[] p = rows.speedsA(slot);
         double[] q = rows.speedsB(slot);
+        HingeLevers levers = rows.levers(slot);
         if (r[at + LEVER] > 0 && (pressing > 0 || rolls(r, at))) {
             solveRolling(r, at, rows, slot, pressing * r[at + LEVER]);
         }
         if (mostTurning > 0 || r[at + TURNED] != 0) {
             double turning = r[at + NORMAL] * (p[3] - q[3]) + r[at + NORMAL + 1] * (p[4] - q[4]) + r[at + NORMAL + 2] * (p[5] - q[5])
-                - r[at + DRIVEN + 2] - rows.yielding(slot, FIRST_ROW + 2);
+                - r[at + DRIVEN + 2] - (levers == null ? 0 : levers.speed(FIRST_ROW + 2));
             double sum = Math.max(-mostTurning, Math.min(mostTurning, r[at + TURNED] - r[at + TURNING_MASS] * turning));
             twist(r, at, rows, slot, sum - r[at + TURNED]);
             r[at + TURNED] = sum;
         }
-        double one = PairRow.wanted(r, at, p, q, r[at + DRIVEN] + rows.yielding(slot, FIRST_ROW));
-        double other = PairRow.wanted(r, at + SECOND, p, q, r[at + DRIVEN + 1] + rows.yielding(slot, FIRST_ROW + 1));
+        double one = PairRow.wanted(r, at, p, q, r[at + DRIVEN] + (levers == null ? 0 : levers.speed(FIRST_ROW)));
+        double other = PairRow.wanted(r, at + SECOND, p, q, r[at + DRIVEN + 1] + (levers == null ? 0 : levers.speed(FIRST_ROW + 1)));
         double length = Math.sqrt(one * one + other * other);
         double scale = length > most ? most / length : 1;
         rows.push(slot, FIRST_ROW, at, one * scale - r[at + PairRow.IMPULSE]);

@@ -46,6 +46,11 @@ public final class Draft implements ObjectStore {
     }
 
     @Override
+    public boolean keeps(String file, boolean part) {
+        return true;
+    }
+
+    @Override
     public void remove(String file, boolean part) {
         // a draft has no file
     }

@@ -20,6 +20,9 @@ public interface ObjectStore {
     /** Whether an object that is made now replaces one of its name: there is a file of it, in either folder, that does not make way. */
     boolean replaces(String name) throws IOException;
 
+    /** Whether there is a file, named as for {@link #remove}. */
+    boolean keeps(String file, boolean part) throws IOException;
+
     /**
      * Removes the file of an object if there is one.
      *

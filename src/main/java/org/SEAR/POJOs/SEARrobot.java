@@ -145,7 +145,7 @@ public class SEARrobot extends PlacedObject {
         componentNames.add(component.getFileName());
         boolean done = false;
         try {
-            component.changed();
+            component.write();
             changed();
             done = true;
         } finally {

@@ -107,16 +107,31 @@ public abstract class SearObject {
      * Writes the file again.
      *
      * @throws UncheckedIOException if it can't be written; the old file is whole then
+     * @throws IllegalStateException if the project does not have it any more
      */
     protected final void changed() {
         if (life == Life.LIVE) {
-            write();
+            rewrite();
             tell("changed", "");
         }
     }
 
-    private void write() {
+    /** Writes its file, whether there is one or not. */
+    final void write() {
         try {
+            save();
+        } catch (IOException e) {
+            throw new UncheckedIOException(label() + " could not be written: " + e.getMessage(), e);
+        }
+    }
+
+    /** What the project does not have any more must not come back by its old name beside what it is now. */
+    private void rewrite() {
+        try {
+            if (!isKept()) {
+                throw new IllegalStateException(label() + " is not in the project any more: it was deleted or renamed there, or another project was"
+                    + " opened, since this object was made; sear.edit({\"do\": \"set\", ...}) changes what the project has now, by its name");
+            }
             save();
         } catch (IOException e) {
             throw new UncheckedIOException(label() + " could not be written: " + e.getMessage(), e);
@@ -125,7 +140,7 @@ public abstract class SearObject {
 
     private void moved() {
         if (life == Life.LIVE) {
-            write();
+            rewrite();
             tell("moved", "; sear.edit({\"do\": \"set\", ...}) moves it at once");
         }
     }
@@ -134,6 +149,11 @@ public abstract class SearObject {
         if (!Stores.isRedirected()) {
             Notices.changed(label(), what, instead, starts);
         }
+    }
+
+    /** Whether its file is there. */
+    boolean isKept() throws IOException {
+        return Stores.get().keeps(getFileName(), isRobotPart());
     }
 
     /** Writes this object's file. */

@@ -107,6 +107,11 @@ public class Wheel extends Shape {
     }
 
     @Override
+    boolean isKept() throws IOException {
+        return robot() == null ? super.isKept() : robot().isKept();
+    }
+
+    @Override
     void save() throws IOException {
         if (robot() == null) {
             super.save();

@@ -3,6 +3,9 @@ package org.SEAR.grammar;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.nio.file.Paths;
 
 /** Texts as a Python 2 script hands them over. Any thread. */
 public final class ScriptText {
@@ -26,6 +29,21 @@ public final class ScriptText {
             return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(text.getBytes(StandardCharsets.ISO_8859_1))).toString();
         } catch (CharacterCodingException e) {
             return text;
+        }
+    }
+
+    /**
+     * A path that a script names.
+     *
+     * @param text of it, not null
+     * @throws IllegalArgumentException if no file of this system can be called so
+     */
+    public static Path path(String text) {
+        try {
+            return Paths.get(of(text));
+        } catch (InvalidPathException e) {
+            throw new IllegalArgumentException("the path is \"" + of(text).replaceAll("\\p{Cntrl}", "?") + "\", legal: what a file can be called"
+                + " here (" + e.getReason() + ")", e);
         }
     }
 }

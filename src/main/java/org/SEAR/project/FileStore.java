@@ -158,6 +158,11 @@ public final class FileStore implements ObjectStore {
     }
 
     @Override
+    public boolean keeps(String file, boolean part) {
+        return Files.exists(ProjectFolder.file(ProjectFolder.present(), part, file));
+    }
+
+    @Override
     public void remove(String file, boolean part) throws IOException {
         change(() -> {
             Path present = ProjectFolder.file(ProjectFolder.present(), part, file);

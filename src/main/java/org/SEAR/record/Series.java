@@ -42,26 +42,34 @@ public final class Series {
         Map<String, int[]> places = new LinkedHashMap<>();
         for (int i = 0; i < header.robots.size(); i++) {
             for (int k = 0; k < ROBOT.size(); k++) {
-                places.putIfAbsent(header.robots.get(i) + ROBOT.get(k), new int[] {0, i, k});
+                add(places, header.robots.get(i) + ROBOT.get(k), 0, i, k);
             }
         }
         int at = 0;
         for (int i = 0; i < header.sensors.size(); i++) {
             for (String number : header.numbers.get(i)) {
-                places.putIfAbsent(header.sensors.get(i) + number, new int[] {1, at++, 0});
+                add(places, header.sensors.get(i) + number, 1, at++, 0);
             }
         }
         for (int i = 0; i < header.lines.size(); i++) {
             for (int k = 0; k < LINE.size(); k++) {
-                places.putIfAbsent(header.lines.get(i) + LINE.get(k), new int[] {2, i, k});
+                add(places, header.lines.get(i) + LINE.get(k), 2, i, k);
             }
         }
         for (int i = 0; i < header.objects.size(); i++) {
             for (int k = 0; k < OBJECT.size(); k++) {
-                places.putIfAbsent(header.objects.get(i) + OBJECT.get(k), new int[] {3, i, k});
+                add(places, header.objects.get(i) + OBJECT.get(k), 3, i, k);
             }
         }
         return places;
+    }
+
+    /** A second one of a name, as a sensor called {@code rover.x} makes it, is numbered. */
+    private static void add(Map<String, int[]> places, String name, int... place) {
+        String free = name;
+        for (int i = 2; places.putIfAbsent(free, place) != null; i++) {
+            free = name + " " + i;
+        }
     }
 
     /**

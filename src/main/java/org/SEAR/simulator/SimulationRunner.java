@@ -12,6 +12,8 @@ import java.util.concurrent.locks.ReentrantLock;
  */
 public final class SimulationRunner implements Runnable {
     private static final double NANOS = 1e9;
+    /** A step takes some 17 s then: who waits for less would take it for a fault. */
+    public static final double SLOWEST = 0.001;
     /** So often it is looked whether who has opened a port has come to where he waits for its device, ns. */
     private static final long LOOK_AFTER_OPENER = 2_000_000;
     /** So often a record hears that time stands still, ns. */
@@ -174,10 +176,10 @@ public final class SimulationRunner implements Runnable {
         listeners.add(listener);
     }
 
-    /** @param factor simulated seconds per real second, > 0; infinity = as fast as possible */
+    /** @param factor simulated seconds per real second, at least 0.001; infinity = as fast as possible */
     public void setSpeed(double factor) {
-        if (!(factor > 0)) {
-            throw new IllegalArgumentException("speed is " + factor + ", legal: above 0, infinity for as fast as possible");
+        if (!(factor >= SLOWEST)) {
+            throw new IllegalArgumentException("speed is " + factor + ", legal: " + SLOWEST + " or more");
         }
         speed = factor;
         newPace = true;

@@ -1,7 +1,6 @@
 package org.myrobotlab.service;
 
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -218,7 +217,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
     /**
      * How fast time passes, in this and later simulations.
      *
-     * @param factor simulated seconds a second, above 0; 1 = real time, infinity = as fast as possible
+     * @param factor simulated seconds a second, 0.001 or more; 1 = real time, infinity = as fast as possible
      * @example sear.setSpeed(2)
      */
     public void setSpeed(double factor) {
@@ -1541,7 +1540,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
         if (path == null) {
             throw new IllegalArgumentException("the path is missing (None), legal: the path of a bundle, such as \"robot.sear\"");
         }
-        return Paths.get(ScriptText.of(path));
+        return ScriptText.path(path);
     }
 
     private static String text(Path path) {

@@ -292,6 +292,17 @@ public class RecordTest {
         assertTrue(said, said.contains("no value is called \"rover.q\", legal: rover.x, "));
     }
 
+    /** A sensor may be called as a value of its robot is: both are there. */
+    @Test
+    public void valuesOfOneNameAreNumbered() throws Exception {
+        try (Simulation world = world(new Compass("rover.x"))) {
+            recorded(world);
+            Series series = Series.of(RunRecord.open(file()), List.of("rover.x", "rover.x 2"), 10000);
+            assertEquals(world.getPose("rover").x, series.values[0][195], 1e-12);
+            assertEquals(world.read("rover.x").numbers()[0], series.values[1][195], 1e-12);
+        }
+    }
+
     @Test
     public void framesForPanelsAreFew() throws Exception {
         try (Simulation world = world()) {

@@ -22,6 +22,7 @@ import org.SEAR.project.Project;
 import org.SEAR.project.ProjectSwap;
 import org.SEAR.project.problems.ProjectException;
 import org.junit.Test;
+import org.junit.function.ThrowingRunnable;
 
 /** Edits do what scripts do, refuse what files refuse, and all of them can be taken back. */
 public class ProjectEditorTest extends EditedProject {
@@ -30,6 +31,23 @@ public class ProjectEditorTest extends EditedProject {
     }
 
     // ---- like scripts ------------------------------------------------------------------------------------------------------
+
+    /** An object that a script still has can't bring back by its old name what has another one now, or is gone. */
+    @Test
+    public void whatTheProjectHasNoMoreStaysGone() throws Exception {
+        Box crate = new Box("crate", 1, 1, 1, 1);
+        SEARrobot rover = Robots.rover("rover");
+        edit("do", "rename", "object", "crate", "name", "chest");
+        edit("do", "delete", "object", "rover");
+        Map<String, String> before = objects();
+        for (ThrowingRunnable change : List.<ThrowingRunnable>of(() -> crate.move(0, 1, 0), () -> crate.setMass(2), () -> rover.move(0, 1, 0),
+            () -> rover.getWheels().get(0).setRollers(45))) {
+            String said = assertThrows(IllegalStateException.class, change).getMessage();
+            assertTrue(said, said.matches("(Box \"crate\"|SEARrobot \"rover\"|Wheel \".*\") is not in the project any more: it was deleted or renamed"
+                + " there, or another project was opened, since this object was made; sear\\.edit.*"));
+        }
+        assertEquals(before, objects());
+    }
 
     @Test
     public void whatIsMadeByEditsHasTheFilesOfAScript() throws Exception {

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import org.SEAR.grammar.ScriptText;
 import org.SEAR.project.Project;
 import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
@@ -122,7 +123,7 @@ public final class Projects {
      */
     public synchronized Map<String, Object> saveAs(String path, boolean overwrite) throws IOException, ProjectException {
         String named = withEnding(path);
-        Path bundle = bundle(Paths.get(path));
+        Path bundle = bundle(ScriptText.path(path));
         boolean saved = overwrite || Files.notExists(bundle);
         if (saved) {
             save(bundle);

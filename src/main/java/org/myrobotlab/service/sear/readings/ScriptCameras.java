@@ -3,7 +3,6 @@ package org.myrobotlab.service.sear.readings;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -167,7 +166,7 @@ public final class ScriptCameras {
                 + ", legal: a file that ends with " + ENDING);
         }
         byte[] file = png(name);
-        Path to = Paths.get(text).toAbsolutePath();
+        Path to = ScriptText.path(text).toAbsolutePath();
         Files.createDirectories(to.getParent());
         Files.write(to, file);
     }

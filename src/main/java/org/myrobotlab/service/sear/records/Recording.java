@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import org.SEAR.grammar.ScriptText;
 import org.SEAR.record.Recorder;
 import org.SEAR.simulator.Simulation;
 import org.myrobotlab.service.sear.Host;
@@ -59,7 +60,7 @@ public final class Recording {
         if (wanted != null) {
             throw new IllegalStateException("a record is being written to " + wanted + " already: endRecord() first");
         }
-        Path file = Paths.get(path.endsWith(ENDING) ? path : path + ENDING);
+        Path file = ScriptText.path(path.endsWith(ENDING) ? path : path + ENDING);
         Path parent = file.toAbsolutePath().getParent();
         if (parent == null || !Files.isDirectory(parent)) {
             throw new IOException(file + " can't be written, there is no folder " + parent + ": make it, or choose another");

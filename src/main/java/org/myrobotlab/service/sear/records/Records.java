@@ -68,7 +68,7 @@ public final class Records {
         if (path == null) {
             throw new IllegalArgumentException("the path is missing (None), legal: the path of a record, such as \"run.searlog\"");
         }
-        Path file = Paths.get(ScriptText.of(path));
+        Path file = ScriptText.path(path);
         Path whole = Paths.get(file + Recording.ENDING);
         return RunRecord.open(!Files.exists(file) && Files.exists(whole) ? whole : file);
     }
@@ -109,7 +109,7 @@ public final class Records {
         if (csv == null) {
             throw new IllegalArgumentException("the path of the table is missing (None), legal: such as \"run.csv\"");
         }
-        Path file = Paths.get(ScriptText.of(csv));
+        Path file = ScriptText.path(csv);
         if (Files.exists(file) && !csv.endsWith(".csv")) {
             throw new IOException(file + " is there already and is no .csv: choose another name");
         }

@@ -1,6 +1,7 @@
 package org.myrobotlab.service.sear.run;
 
 import org.SEAR.parallel.WorkerPool;
+import org.SEAR.simulator.SimulationRunner;
 
 /**
  * How simulations are to run, from the system properties that the command line sets: {@code sear.headless} (true or false), {@code sear.speed}
@@ -78,8 +79,9 @@ public final class RunSettings {
      * @throws IllegalArgumentException that says what is legal
      */
     public static double checkedSpeed(double factor) {
-        if (!(factor > 0)) {
-            throw new IllegalArgumentException("speed is " + factor + ", legal: above 0 (1 = real time, float('inf') = as fast as possible)");
+        if (!(factor >= SimulationRunner.SLOWEST)) {
+            throw new IllegalArgumentException("speed is " + factor + ", legal: " + SimulationRunner.SLOWEST
+                + " or more (1 = real time, float('inf') = as fast as possible); pause() stops time");
         }
         return factor;
     }

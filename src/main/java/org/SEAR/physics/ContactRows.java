@@ -67,9 +67,9 @@ final class ContactRows {
     /** 1 or -1 if what moves comes out of what is fixed along the normal or against it, 0 if neither is fixed. */
     private byte[] out = {};
     private Manifold[] manifolds = {};
-    /** Levers of the hinges of each manifold; null where there is none. */
+    /** Levers of the hinges of each manifold; null where there is none. Those of a place stay, to be used again. */
     private HingeLevers[] levers = {};
-    private HingeLevers unused = new HingeLevers(HINGED);
+    private HingeLevers[] kept = {};
     /** Points of each manifold; 0 where there is none. */
     private int[] points = {};
     private int size;
@@ -109,6 +109,7 @@ final class ContactRows {
             out = Arrays.copyOf(out, more);
             manifolds = Arrays.copyOf(manifolds, more);
             levers = Arrays.copyOf(levers, more);
+            kept = Arrays.copyOf(kept, more);
             points = Arrays.copyOf(points, more);
         }
         points[size] = 0;
@@ -154,7 +155,7 @@ final class ContactRows {
             mz += of.points[i].z / of.count;
         }
         boolean driven = of.isDriven();
-        levers[slot] = driven ? levers(of) : null;
+        levers[slot] = driven ? levers(slot, of) : null;
         normal[0] = of.nx;
         normal[1] = of.ny;
         normal[2] = of.nz;
@@ -184,13 +185,11 @@ final class ContactRows {
         r[at + AWAITED] = 0;
     }
 
-    private HingeLevers levers(Manifold of) {
-        HingeLevers found = unused;
-        if (!of.yields(found)) {
-            return null;
+    private HingeLevers levers(int slot, Manifold of) {
+        if (kept[slot] == null) {
+            kept[slot] = new HingeLevers(HINGED);
         }
-        unused = new HingeLevers(HINGED);
-        return found;
+        return of.yields(kept[slot]) ? kept[slot] : null;
     }
 
     private void giveWay(HingeLevers by, int row, int point, Manifold of) {

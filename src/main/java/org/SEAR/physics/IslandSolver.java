@@ -95,11 +95,8 @@ final class IslandSolver {
             return;
         }
         alone = bodies.size() == 1 && drives.isEmpty() && !bodies.get(0).canRoll();
-        hinges.clear();
-        for (int i = 0; i < bodies.size(); i++) {
-            hinges.addAll(bodies.get(i).inner().hinges());
-        }
         double substep = seconds / substeps(seconds);
+        prepareHinges(substep);
         levels.sort(pairs);
         rows.clear();
         ofMeshes.clear();
@@ -148,6 +145,17 @@ final class IslandSolver {
     private static void prepare(WheelDrive wheels) {
         wheels.body.getSolver().pressed |= wheels.body.isCarried();
         wheels.drive.prepare(wheels.body.getSolver());
+    }
+
+    private void prepareHinges(double substep) {
+        hinges.clear();
+        for (int i = 0; i < bodies.size(); i++) {
+            List<Hinge> more = bodies.get(i).inner().hinges();
+            for (int k = 0; k < more.size(); k++) {
+                more.get(k).prepare(substep);
+                hinges.add(more.get(k));
+            }
+        }
     }
 
     private int substeps(double seconds) {

@@ -28,9 +28,14 @@ public final class Worlds {
 
     /** The robot of the dissertation's Listing 2, the right way up. */
     public static SEARrobot roomba(String name, double x, double z, double heading) {
+        return roomba(name, 400, x, z, heading);
+    }
+
+    /** The same of another mass, kg: what is much lighter than a robot that touches it takes the solver long. */
+    public static SEARrobot roomba(String name, double mass, double x, double z, double heading) {
         SEARrobot robot = new SEARrobot(name);
-        robot.addComponent(new Dynamics(name + "Dynamics", 400, 60, 0.3, 0.4, 10000, 0.1, x, 0.1, z, 0, heading, 0));
-        robot.addComponent(new Cylinder(name + "Body", 0.1666875, 0.0762, 400));
+        robot.addComponent(new Dynamics(name + "Dynamics", mass, 60, 0.3, 0.4, 10000, 0.1, x, 0.1, z, 0, heading, 0));
+        robot.addComponent(new Cylinder(name + "Body", 0.1666875, 0.0762, mass));
         robot.addWheel(new Wheel(name + "Front", 0.0381, 0.03, 0, 0, 0, 0.16));
         robot.addWheel(new Wheel(name + "Right", 0.0381, 0.03, 1, -0.16, 0, 0));
         robot.addWheel(new Wheel(name + "Left", 0.0381, 0.03, 1, 0.16, 0, 0));

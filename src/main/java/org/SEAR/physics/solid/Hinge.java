@@ -24,7 +24,9 @@ public final class Hinge {
     private double stallTorque;
     /** Torque that is lost for each rad/s, N m s. */
     private double damping;
-    private double inertia;
+    /** Of what is on it, kg m^2, and of that with what damps it in a substep, which counts as if it were inertia: so it is stable. */
+    private double load;
+    private double inertia = 1;
     /** Speed, rad/s. */
     private double planned;
     /** Share of the motor's power that the plan takes, -1 to 1. */
@@ -43,11 +45,11 @@ public final class Hinge {
      * @param at where it is in the body's frame; it turns about its y axis
      * @param torque with which its motor stalls, N m
      * @param fastest speed of its motor without load, rad/s
-     * @param load moment of inertia of what it turns, kg m^2
+     * @param mass moment of inertia of what it turns, kg m^2
      * @param turning how far it is to turn in this step, radians
      * @param used share of the power that the plan takes, -1 to 1, + to turn counter-clockwise seen from above
      */
-    public void plan(Pose at, double torque, double fastest, double load, double turning, double used) {
+    public void plan(Pose at, double torque, double fastest, double mass, double turning, double used) {
         axis = at;
         planned = turning / TimeStep.SECONDS;
         half = turning / 2;
@@ -58,7 +60,7 @@ public final class Hinge {
         ux = up[0];
         uy = up[1];
         uz = up[2];
-        inertia = load;
+        load = mass;
         power = Math.max(-1, Math.min(1, used));
         deviation = 0;
         ahead = 0;
@@ -82,29 +84,29 @@ public final class Hinge {
         return ahead;
     }
 
-    /** A substep begins: how the motor's torque grows with what is lost of the speed counts as if it were inertia, for that is stable. */
+    /** The solver begins with a step, whose substeps are about so long, seconds. */
+    public void prepare(double substep) {
+        inertia = load + substep * damping;
+    }
+
+    /** A substep begins. */
     public void begin(double newSeconds) {
-        deviation *= inertia / inertia(newSeconds);
         double scale = newSeconds / seconds;
         seconds = newSeconds;
         held *= scale;
         braked *= scale;
-        deviation += (held + braked) / inertia(seconds);
-    }
-
-    private double inertia(double substep) {
-        return inertia + substep * damping;
+        deviation = (deviation * load + held + braked) / inertia;
     }
 
     /** One pass of the motor, which keeps to the plan, and of the gears. */
     public void solve() {
         double most = stallTorque * seconds;
-        double sum = Math.max(-most * (1 + power), Math.min(most * (1 - power), held - deviation * inertia(seconds)));
-        deviation += (sum - held) / inertia(seconds);
+        double sum = Math.max(-most * (1 + power), Math.min(most * (1 - power), held - deviation * inertia));
+        deviation += (sum - held) / inertia;
         held = sum;
-        double brake = braked - (planned + deviation) * inertia(seconds);
+        double brake = braked - (planned + deviation) * inertia;
         sum = planned > 0 ? Math.max(0, Math.min(GEARS * most, brake)) : Math.min(0, Math.max(-GEARS * most, brake));
-        deviation += (sum - braked) / inertia(seconds);
+        deviation += (sum - braked) / inertia;
         braked = sum;
     }
 
@@ -115,12 +117,12 @@ public final class Hinge {
 
     /** What is on it is pushed against its turning by an impulse, Ns, with a lever, metres. */
     void push(double lever, double impulse) {
-        deviation -= lever * impulse / inertia(seconds);
+        deviation -= lever * impulse / inertia;
     }
 
     /** Speed that what is on it gives way for an impulse of 1 Ns at a lever, metres: 1/kg. */
     double yields(double lever) {
-        return lever * lever / inertia(seconds);
+        return lever * lever / inertia;
     }
 
     /**

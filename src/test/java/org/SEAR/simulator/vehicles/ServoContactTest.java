@@ -28,27 +28,8 @@ public class ServoContactTest {
         new Floor("floor", 10, 10);
         SEARrobot crane = new SEARrobot("crane");
         crane.addComponent(new Dynamics("weight", mass));
-        Box base = new Box("base", 0.2, 0.2, 0.1, 2);
-        base.move(0, 0.05, 0);
-        crane.addComponent(base);
+        crane.addComponent(Arm.box("base", 0.2, 0.2, 0.1, 2, 0, 0.05, 0));
         return crane;
-    }
-
-    private static Servo mount(SEARrobot robot, Servo servo, double speed, double torque, Box... parts) {
-        servo.setSpeed(speed);
-        servo.setStallTorque(torque);
-        robot.addComponent(servo);
-        for (Box part : parts) {
-            servo.mount(part);
-            robot.addComponent(part);
-        }
-        return servo;
-    }
-
-    private static Box box(String name, double width, double length, double height, double mass, double... at) {
-        Box box = new Box(name, width, length, height, mass);
-        box.move(at[0], at[1], at[2]);
-        return box;
     }
 
     private static List<String> messages(Simulation simulation) {
@@ -61,14 +42,14 @@ public class ServoContactTest {
         for (double size : new double[] {0.03, 0.05}) {
             for (double torque : new double[] {0.18, 2}) {
                 SEARrobot crane = crane(3);
-                box("table", 0.2, 0.2, 0.12 - size / 2, 0, 0, (0.12 - size / 2) / 2, 0.3);
-                box("cube", size, size, size, 0.05, 0, 0.12, 0.25);
-                Servo shoulder = mount(crane, new Servo("shoulder", 0, 0.12, 0.05, 0, 0, -90), 60, 2,
-                    box("arm", 0.02, 0.08, 0.02, 0.02, 0, 0.12, 0.12));
+                Arm.box("table", 0.2, 0.2, 0.12 - size / 2, 0, 0, (0.12 - size / 2) / 2, 0.3);
+                Arm.box("cube", size, size, size, 0.05, 0, 0.12, 0.25);
+                Servo shoulder = Arm.on(crane, new Servo("shoulder", 0, 0.12, 0.05, 0, 0, -90), 60, 2,
+                    Arm.box("arm", 0.02, 0.08, 0.02, 0.02, 0, 0.12, 0.12));
                 for (int side : new int[] {1, -1}) {
-                    Box finger = box("finger" + side, 0.01, 0.12, 0.02, 0.01, side * 0.05, 0.12, 0.21);
+                    Box finger = Arm.box("finger" + side, 0.01, 0.12, 0.02, 0.01, side * 0.05, 0.12, 0.21);
                     finger.setFriction(1);
-                    shoulder.mount(mount(crane, new Servo(side > 0 ? "left" : "right", side * 0.05, 0.12, 0.15), 400, torque, finger));
+                    shoulder.mount(Arm.on(crane, new Servo(side > 0 ? "left" : "right", side * 0.05, 0.12, 0.15), 400, torque, finger));
                 }
                 try (Simulation simulation = Worlds.start(project)) {
                     Worlds.run(simulation, 0.5);
@@ -101,8 +82,8 @@ public class ServoContactTest {
         double mass = 0.05;
         double lever = 0.2;
         SEARrobot crane = crane(10);
-        mount(crane, new Servo("hinge", 0, 0.2, 0, 0, 0, -90), 60, 0.18, box("plank", 0.1, 0.3, 0.01, 0, 0, 0.2, 0.15));
-        Box thing = box("thing", 0.04, 0.04, 0.04, mass, 0, 0.2251, lever);
+        Arm.on(crane, new Servo("hinge", 0, 0.2, 0, 0, 0, -90), 60, 0.18, Arm.box("plank", 0.1, 0.3, 0.01, 0, 0, 0.2, 0.15));
+        Box thing = Arm.box("thing", 0.04, 0.04, 0.04, mass, 0, 0.2251, lever);
         thing.setFriction(1);
         Simulation simulation = Worlds.start(project);
         Worlds.run(simulation, 1);
@@ -119,8 +100,8 @@ public class ServoContactTest {
     @Test
     public void aWeakArmStopsAtWhatIsHeavy() throws Exception {
         SEARrobot crane = crane(10);
-        mount(crane, new Servo("hinge", 0, 0.2, 0.1), 400, 0.18, box("stick", 0.02, 0.3, 0.02, 0.02, 0, 0.2, 0.25));
-        box("block", 0.2, 0.2, 0.4, 40, 0.3, 0.2, 0.25);
+        Arm.on(crane, new Servo("hinge", 0, 0.2, 0.1), 400, 0.18, Arm.box("stick", 0.02, 0.3, 0.02, 0.02, 0, 0.2, 0.25));
+        Arm.box("block", 0.2, 0.2, 0.4, 40, 0.3, 0.2, 0.25);
         Simulation simulation = Worlds.start(project);
         Worlds.run(simulation, 1);
         simulation.getServo("hinge").setAngle(90);

@@ -33,7 +33,7 @@ public class ServoTest {
 
     private static SEARrobot roomba() {
         new Floor("floor", 20, 20);
-        return Worlds.roomba("roomba", 0, 0, 0);
+        return Worlds.roomba("roomba", 20, 0, 0, 0);
     }
 
     private static void turn(Simulation simulation, String servo, double degrees) {
@@ -119,16 +119,8 @@ public class ServoTest {
     @Test
     public void anArmPushesWhatItMeets() throws Exception {
         SEARrobot robot = roomba();
-        Servo shoulder = new Servo("shoulder", 0, 0.12, 0);
-        shoulder.setSpeed(60);
-        shoulder.setStallTorque(5);
-        Box arm = new Box("arm", 0.04, 0.3, 0.04, 0.1);
-        arm.move(0, 0.12, 0.3);
-        shoulder.mount(arm);
-        robot.addComponent(shoulder);
-        robot.addComponent(arm);
-        Box thing = new Box("thing", 0.1, 0.1, 0.3, 0.2);
-        thing.move(0.3, 0.15, 0.3);
+        Arm.on(robot, new Servo("shoulder", 0, 0.12, 0), 60, 5, Arm.box("arm", 0.04, 0.3, 0.04, 0.1, 0, 0.12, 0.3));
+        Arm.box("thing", 0.1, 0.1, 0.3, 0.2, 0.3, 0.15, 0.3);
         Simulation simulation = Worlds.start(project);
         Worlds.run(simulation, 1);
         double before = simulation.getPose("thing").x;
@@ -148,16 +140,8 @@ public class ServoTest {
     public void whatAnArmPushesStaysBeforeIt() throws Exception {
         for (double speed : new double[] {60, 200, 400}) {
             SEARrobot robot = roomba();
-            Servo shoulder = new Servo("shoulder", 0, 0.05, 0.1);
-            shoulder.setSpeed(speed);
-            shoulder.setStallTorque(5);
-            Box stick = new Box("stick", 0.02, 0.3, 0.02, 0.02);
-            stick.move(0, 0.05, 0.25);
-            shoulder.mount(stick);
-            robot.addComponent(shoulder);
-            robot.addComponent(stick);
-            Box thing = new Box("thing", 0.1, 0.1, 0.2, 0.02);
-            thing.move(0.25, 0.1, 0.2);
+            Arm.on(robot, new Servo("shoulder", 0, 0.05, 0.1), speed, 5, Arm.box("stick", 0.02, 0.3, 0.02, 0.02, 0, 0.05, 0.25));
+            Arm.box("thing", 0.1, 0.1, 0.2, 0.2, 0.25, 0.1, 0.2);
             try (Simulation simulation = Worlds.start(project)) {
                 Worlds.run(simulation, 1);
                 simulation.getServo("shoulder").setAngle(90);
@@ -177,14 +161,7 @@ public class ServoTest {
     @Test
     public void aSpoonThrowsABall() throws Exception {
         SEARrobot robot = roomba();
-        Servo hinge = new Servo("hinge", 0, 0.2, 0.1, 0, 0, -90);
-        hinge.setSpeed(700);
-        hinge.setStallTorque(100);
-        Box spoon = new Box("spoon", 0.2, 0.3, 0.01, 0.1);
-        spoon.move(0, 0.2, 0.25);
-        hinge.mount(spoon);
-        robot.addComponent(hinge);
-        robot.addComponent(spoon);
+        Arm.on(robot, new Servo("hinge", 0, 0.2, 0.1, 0, 0, -90), 700, 100, Arm.box("spoon", 0.2, 0.3, 0.01, 0.1, 0, 0.2, 0.25));
         Sphere ball = new Sphere("ball", 0.03, 0.05);
         ball.setRollingFriction(0.1);
         ball.move(0, 0.36, 0.3);
@@ -205,17 +182,8 @@ public class ServoTest {
     @Test
     public void aThingOnAPlateTurnsWithIt() throws Exception {
         SEARrobot robot = roomba();
-        Servo table = new Servo("table", 0, 0.3, 0);
-        table.setSpeed(60);
-        table.setStallTorque(5);
-        Box plate = new Box("plate", 0.4, 0.4, 0.02, 0.3);
-        plate.move(0, 0.3, 0);
-        table.mount(plate);
-        robot.addComponent(table);
-        robot.addComponent(plate);
-        Box thing = new Box("thing", 0.05, 0.05, 0.05, 0.1);
-        thing.setFriction(2);
-        thing.move(0.1, 0.4, 0);
+        Arm.on(robot, new Servo("table", 0, 0.3, 0), 60, 5, Arm.box("plate", 0.4, 0.4, 0.02, 0.3, 0, 0.3, 0));
+        Arm.box("thing", 0.05, 0.05, 0.05, 0.1, 0.1, 0.4, 0).setFriction(2);
         Simulation simulation = Worlds.start(project);
         Worlds.run(simulation, 2);
         turn(simulation, "table", 90);
@@ -229,13 +197,8 @@ public class ServoTest {
     @Test
     public void theSameBytesEveryRun() throws Exception {
         SEARrobot robot = roomba();
-        Servo shoulder = new Servo("shoulder", 0, 0.12, 0);
-        Box arm = new Box("arm", 0.04, 0.3, 0.04, 0.1);
-        arm.move(0, 0.12, 0.3);
-        shoulder.mount(arm);
-        robot.addComponent(shoulder);
-        robot.addComponent(arm);
-        new Box("thing", 0.1, 0.1, 0.3, 0.2).move(0.3, 0.15, 0.3);
+        Arm.on(robot, new Servo("shoulder", 0, 0.12, 0), 400, 0.18, Arm.box("arm", 0.04, 0.3, 0.04, 0.1, 0, 0.12, 0.3));
+        Arm.box("thing", 0.1, 0.1, 0.3, 0.2, 0.3, 0.15, 0.3);
         Simulation simulation = Worlds.start(project);
         List<String> runs = new ArrayList<>();
         for (int run = 0; run < 2; run++) {

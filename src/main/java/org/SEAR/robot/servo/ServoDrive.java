@@ -24,6 +24,8 @@ public final class ServoDrive implements ServoHardware {
     /** What gets on by less than this share of what it would without contacts, for so many steps, is held. */
     private static final double HELD = 0.1;
     private static final int HELD_FOR = 60;
+    /** Where something pushes it, it has arrived when it is so near, degrees, as real ones do: else it would tremble for ever. */
+    private static final double DEAD_BAND = 0.05;
 
     private final Servo object;
     private final String robot;
@@ -116,7 +118,7 @@ public final class ServoDrive implements ServoHardware {
     /** What it turned in this step met something: it is not where it was to be. */
     public void giveWay() {
         double to = angle + Math.toDegrees(hinge.ahead());
-        held = Math.abs(to - before) < HELD * Math.abs(angle - before) ? held + 1 : 0;
+        held = Math.abs(to - wanted) > DEAD_BAND && Math.abs(to - before) < HELD * Math.abs(angle - before) ? held + 1 : 0;
         if (held == HELD_FOR && !complained) {
             complained = true;
             told.accept(String.format(Locale.ROOT, "servo %s of robot %s is held at %.1f deg, on its way to %.1f deg, by what it touches, as a"
@@ -125,6 +127,10 @@ public final class ServoDrive implements ServoHardware {
         }
         angle = Math.max(object.getMinAngle(), Math.min(object.getMaxAngle(), to));
         spin = load.isEmpty() || angle != to ? 0 : spin + hinge.deviation();
+        if (Math.abs(angle - wanted) < DEAD_BAND) {
+            wanted = angle;
+            spin = 0;
+        }
     }
 
     /** The hinge that it is, if it turns in this step; else null. */

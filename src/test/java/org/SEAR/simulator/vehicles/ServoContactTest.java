@@ -117,4 +117,29 @@ public class ServoContactTest {
         Worlds.run(simulation, 1);
         assertEquals(0, simulation.getServo("hinge").getAngle(), 0);
     }
+
+    /** Legs that the ground pushes arrive, too: what stands on them comes to rest, and nobody is told that they are held. */
+    @Test
+    public void whatStandsOnItsServosComesToRest() throws Exception {
+        new Floor("floor", 10, 10);
+        SEARrobot bug = new SEARrobot("bug");
+        bug.addComponent(new Dynamics("weight", 1));
+        bug.addComponent(Arm.box("body", 0.12, 0.3, 0.06, 1, 0, 0.08, 0));
+        List<String> hips = List.of("hip1", "hip2", "hip3", "hip4");
+        for (int i = 0; i < hips.size(); i++) {
+            double x = i % 2 == 0 ? 0.08 : -0.08;
+            double z = i < 2 ? 0.12 : -0.12;
+            Box leg = Arm.box("leg" + i, 0.02, 0.02, 0.1, 0.02, x, 0.05, z);
+            leg.setFriction(1);
+            Arm.on(bug, new Servo(hips.get(i), x, 0.09, z, 0, 0, -90), 200, 1, leg);
+        }
+        Simulation simulation = Worlds.start(project);
+        for (double angle : new double[] {0, 30, -30, 0}) {
+            hips.forEach(hip -> simulation.getServo(hip).setAngle(angle));
+            Worlds.run(simulation, 1.5);
+            hips.forEach(hip -> assertEquals(hip, angle, simulation.getServo(hip).getAngle(), 0.05));
+        }
+        assertEquals("bodies that move", 0, Worlds.physics(simulation).getBusyBodies());
+        assertEquals(List.of(), messages(simulation));
+    }
 }

@@ -39,6 +39,63 @@ public final class ContactTriangle implements Convex {
         return length > NOTHING;
     }
 
+    /** Takes over another one. */
+    void copy(ContactTriangle from) {
+        System.arraycopy(from.at, 0, at, 0, at.length);
+        nx = from.nx;
+        ny = from.ny;
+        nz = from.nz;
+    }
+
+    /** The cosine of a direction to the normal of one side or the other. */
+    double cosine(double dx, double dy, double dz) {
+        return nx * dx + ny * dy + nz * dz;
+    }
+
+    /**
+     * Whether a point lies on it.
+     *
+     * @param within metres
+     */
+    boolean holds(double[] p, double within) {
+        double off = nx * (p[0] - at[0]) + ny * (p[1] - at[1]) + nz * (p[2] - at[2]);
+        boolean inside = Math.abs(off) <= within;
+        for (int i = 0; i < 9 && inside; i += 3) {
+            int next = (i + 3) % 9;
+            double ex = at[next] - at[i];
+            double ey = at[next + 1] - at[i + 1];
+            double ez = at[next + 2] - at[i + 2];
+            double px = p[0] - at[i];
+            double py = p[1] - at[i + 1];
+            double pz = p[2] - at[i + 2];
+            double area = nx * (ey * pz - ez * py) + ny * (ez * px - ex * pz) + nz * (ex * py - ey * px);
+            inside = area >= -within * Math.sqrt(ex * ex + ey * ey + ez * ez);
+        }
+        return inside;
+    }
+
+    /** How high its highest corner stands over the plane of another one, metres, on the side to which a direction points. */
+    double rise(ContactTriangle over, double dx, double dy, double dz) {
+        double side = over.cosine(dx, dy, dz) < 0 ? -1 : 1;
+        double highest = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < 9; i += 3) {
+            highest = Math.max(highest, side * over.cosine(at[i] - over.at[0], at[i + 1] - over.at[1], at[i + 2] - over.at[2]));
+        }
+        return highest;
+    }
+
+    /**
+     * Adds a contact with its plane.
+     *
+     * @param p on it
+     * @param dx from there to the thing, metres, likewise dy and dz
+     */
+    void addPlane(double[] p, double dx, double dy, double dz, ContactPoints into) {
+        double height = cosine(dx, dy, dz);
+        double side = height < 0 ? -1 : 1;
+        into.add(side * nx, side * ny, side * nz, p[0], p[1], p[2], side * height);
+    }
+
     /** Whether a set reaches within {@code reach} metres of the triangle's plane; measures {@link #depth} too. */
     public boolean isNear(Convex other, double reach) {
         double plane = nx * at[0] + ny * at[1] + nz * at[2];

@@ -9,6 +9,7 @@ import org.SEAR.collision.ContactTriangle;
 import org.SEAR.collision.Convex;
 import org.SEAR.collision.Crossing;
 import org.SEAR.collision.GjkDistance;
+import org.SEAR.collision.InnerEdges;
 import org.SEAR.collision.ManifoldClipper;
 import org.SEAR.geometry.Aabb;
 import org.SEAR.geometry.Placement;
@@ -33,6 +34,7 @@ final class NarrowPhase {
     private final ManifoldClipper clipper = new ManifoldClipper();
     private final ContactPoints contacts = new ContactPoints();
     private final ContactTriangle triangle = new ContactTriangle();
+    private final InnerEdges inner = new InnerEdges();
     private final Crossing crossing = new Crossing();
     private final TriangleCallback crossed = new TriangleCallback() {
         @Override
@@ -149,7 +151,13 @@ final class NarrowPhase {
             b.inFrame(a, reach, box);
             low.set((float) box.minX, (float) box.minY, (float) box.minZ);
             high.set((float) box.maxX, (float) box.maxY, (float) box.maxZ);
+            inner.clear();
             b.getTriangles().find(triangles, low, high);
+            for (int i = 0; i < inner.size(); i++) {
+                if (!inner.isInner(i, contacts) && measure(solid, inner.get(i), inner.get(i), 0)) {
+                    touch(inner.get(i));
+                }
+            }
             clear = Math.min(clear, reach);
         } else {
             double apart = pair.isSingle() ? gjk.gap(a, b, guess) : 0;
@@ -226,10 +234,20 @@ final class NarrowPhase {
             triangle.front(clipper.ofB);
             solid.feature(-clipper.ofB.nx, -clipper.ofB.ny, -clipper.ofB.nz, clipper.ofA);
             if (clipper.faces(clipper.ofB.nx, clipper.ofB.ny, clipper.ofB.nz, contacts)) {
+                inner.addFace(triangle);
                 return;
             }
         }
-        triangle.feature(gjk.nx, gjk.ny, gjk.nz, clipper.ofB);
+        if (InnerEdges.isFace(triangle, gjk)) {
+            inner.addFace(triangle);
+            touch(triangle);
+        } else {
+            inner.addEdge(triangle, gjk);
+        }
+    }
+
+    private void touch(ContactTriangle by) {
+        by.feature(gjk.nx, gjk.ny, gjk.nz, clipper.ofB);
         solid.feature(-gjk.nx, -gjk.ny, -gjk.nz, clipper.ofA);
         clipper.find(gjk, contacts);
     }

@@ -80,7 +80,7 @@ final class GuardedLoaders {
     public static final class Obj implements AssetLoader {
         @Override
         public Object load(AssetInfo info) throws IOException {
-            return new OBJLoader().load(info);
+            return new OBJLoader().load(new Checked(info, new ObjText(info.getKey().getName()).read(bytes(info))));
         }
     }
 

@@ -58,6 +58,18 @@ public final class BrokenModels {
         messages.put(name, message);
     }
 
+    private static String star(int corners) {
+        StringBuilder text = new StringBuilder();
+        StringBuilder face = new StringBuilder("f");
+        for (int i = 0; i < corners; i++) {
+            double angle = 2 * Math.PI * i / corners;
+            double radius = 1 + i % 2;
+            text.append("v ").append(radius * Math.cos(angle)).append(" 0 ").append(radius * Math.sin(angle)).append('\n');
+            face.append(' ').append(i + 1);
+        }
+        return text.append(face).append('\n').toString();
+    }
+
     private void obj() {
         String far = "legal: a finite number up to 1000000 m";
         put("nan.obj", "v NaN 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n", "a coordinate of vertex 0 of");
@@ -65,12 +77,16 @@ public final class BrokenModels {
         put("minus-infinite.obj", "v 0 0 0\nv 0 -Infinity 0\nv 0 1 0\nf 1 2 3\n", far);
         put("far.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1 0\nf 1 2 3\n", "is 1.0E30, " + far);
         put("too-far-for-a-float.obj", "v 0 0 0\nv 1e99 0 0\nv 0 1 0\nf 1 2 3\n", far);
-        put("no-such-vertex.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "can't be loaded");
-        put("vertex-zero.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "can't be loaded");
-        put("words.obj", "v a b c\nf 1 2 3\n", "can't be loaded");
-        put("short-vertex.obj", "v 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "can't be loaded");
+        put("no-such-vertex.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n",
+            "a corner of the face in line 4 is 9, legal: the number of a v line before it, 1 to 3");
+        put("vertex-zero.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "a corner of the face in line 4 is 0");
+        put("words.obj", "v a b c\nf 1 2 3\n", "line 1 is v a b c, legal: v and three numbers");
+        put("short-vertex.obj", "v 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1 is v 0 0, legal");
         put("no-faces.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "no triangles");
-        put("empty.obj", "", "no triangles");
+        put("empty.obj", "", "the file's size is 0");
+        put("face-first.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", "line 1 is 1, legal: none, for there is no v line before it");
+        put("commas.obj", "v 0 0 0\nv 1,5 0 0\nv 0 1 0\nf 1 2 3\n", "line 2 is v 1,5 0 0, legal: v and three numbers with decimal points");
+        put("star.obj", star(120), "the number of corners of the face in line 121 is 120, legal: at most 100 where it is not convex");
     }
 
     private static String gltf(String... change) throws IOException {

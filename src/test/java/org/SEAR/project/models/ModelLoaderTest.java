@@ -56,6 +56,36 @@ public class ModelLoaderTest {
         Files.write(project.folder().resolve(file), bytes);
     }
 
+    /** A polygon becomes as many triangles as it takes, none outside of it: their areas and the polygon's are the same. */
+    private void assertWhole(String obj, int triangles, double area) throws Exception {
+        project.put("assets/polygon.obj", obj);
+        Triangles made = load(new Model("polygon", "polygon.obj"));
+        assertEquals(triangles, made.size());
+        double sum = 0;
+        for (int i = 0; i < made.indices.length; i += 3) {
+            float[] v = made.vertices;
+            int a = 3 * made.indices[i];
+            int b = 3 * made.indices[i + 1];
+            int c = 3 * made.indices[i + 2];
+            sum += ((v[b] - v[a]) * (v[c + 1] - v[a + 1]) - (v[b + 1] - v[a + 1]) * (v[c] - v[a])) / 2;
+        }
+        assertEquals(area, sum, 1e-6);
+    }
+
+    @Test
+    public void anObjMayHaveFacesOfManyCorners() throws Exception {
+        StringBuilder disc = new StringBuilder();
+        StringBuilder face = new StringBuilder("f");
+        for (int i = 0; i < 32; i++) {
+            disc.append("v ").append(Math.cos(Math.PI * i / 16)).append(' ').append(Math.sin(Math.PI * i / 16)).append(" 0\n");
+            face.append(' ').append(i - 32);
+        }
+        assertWhole(disc.toString() + face + "\n", 30, 16 * Math.sin(Math.PI / 16));
+        String corner = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0\n";
+        assertWhole("\ufeff# an L\r\n" + corner + "f 1 2 3 \\\n 4 5 6\n", 4, 4);
+        assertWhole(corner + "vt 0 0\nf 3/1 4/1 5/1 6/1 1/1 2/1\n", 4, 4);
+    }
+
     @Test
     public void theTreeOfTheDissertationComesWithSear() throws Exception {
         Model tree = new Model("Tree1_name", "models/Tree/Tree.mesh.xml");

@@ -1,0 +1,26 @@
+package org.SEAR.physics;
+
+import org.junit.Test;
+
+/** A mesh is as smooth as its faces: the edges between its triangles stop and turn nothing. */
+public class MeshTest {
+    private final Findings findings = new Findings();
+
+    @Test
+    public void nothingStumblesOverInnerEdges() throws Exception {
+        for (int cells : new int[] {2, 25, 100}) {
+            MeshScenes.over(true, cells, findings);
+            MeshScenes.over(false, cells, findings);
+        }
+        findings.assertHold();
+    }
+
+    @Test
+    public void aBallRollsUpWhereTheGroundRises() throws Exception {
+        for (int cells : new int[] {2, 25, 100}) {
+            MeshScenes.up(10, 2, cells, findings);
+            MeshScenes.up(30, 3, cells, findings);
+        }
+        findings.assertHold();
+    }
+}

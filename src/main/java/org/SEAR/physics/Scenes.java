@@ -8,7 +8,6 @@ import java.util.Set;
 import org.SEAR.geometry.Frame;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.raycast.BeamScene;
-import org.SEAR.raycast.Hit;
 
 /**
  * What beams meet, and what wheels stand on. Both are the same scene unless an object is invisible to beams: wheels still stand on it.
@@ -17,13 +16,16 @@ import org.SEAR.raycast.Hit;
 public final class Scenes {
     /** Above everything, metres. */
     private static final double SKY = 2e5;
-    /** So far behind what a beam has met the next one starts, metres. */
-    private static final double BEHIND = 1e-9;
+    /** The number of what is no ground. */
+    private static final int NONE = -1;
 
     /** What sensors see. */
     public final BeamScene beams = new BeamScene();
     /** What wheels stand on. */
     public final BeamScene ground;
+    /** Ground alone, and the number in it of each solid. */
+    private final BeamScene heights = new BeamScene();
+    private final List<Integer> numbers = new ArrayList<>();
     private final List<Body> owners = new ArrayList<>();
     private final List<Solid> solids = new ArrayList<>();
     private final Set<Body> grounds = Collections.newSetFromMap(new IdentityHashMap<>());
@@ -46,29 +48,24 @@ public final class Scenes {
         }
         owners.add(body);
         solids.add(solid);
+        numbers.add(NONE);
         return shape;
     }
 
-    /** Says that a body is ground to drive on: a floor or the terrain. */
+    /** Says that a body, whose solids were added, is ground to drive on: a floor or the terrain. */
     public void addGround(Body body) {
         grounds.add(body);
-    }
-
-    /** Height of the highest ground at a point of the world, metres; NaN where there is none. Looks at what was committed. */
-    public double groundHeight(double x, double z) {
-        Hit hit = new Hit();
-        double y = SKY;
-        for (double down = below(x, y, z, hit); down < Double.POSITIVE_INFINITY; down = below(x, y, z, hit)) {
-            if (isGround(hit.shape)) {
-                return y - down;
+        for (int shape = 0; shape < owners.size(); shape++) {
+            if (owners.get(shape) == body) {
+                numbers.set(shape, solids.get(shape).addTo(heights, BeamScene.WORLD));
             }
-            y -= down + BEHIND;
         }
-        return Double.NaN;
     }
 
-    private double below(double x, double y, double z, Hit hit) {
-        return ground.cast(x, y, z, 0, -1, 0, Double.MAX_VALUE, BeamScene.WORLD, hit);
+    /** Height of the highest ground at a point of the world, metres, whatever stands on it; NaN where there is none. Looks at what was committed. */
+    public double groundHeight(double x, double z) {
+        double down = heights.cast(x, SKY, z, 0, -1, 0, Double.MAX_VALUE, BeamScene.WORLD, null);
+        return down < Double.POSITIVE_INFINITY ? SKY - down : Double.NaN;
     }
 
     /** All bodies that are ground. */
@@ -100,6 +97,9 @@ public final class Scenes {
         if (ground != beams) {
             ground.setPose(shape, x, y, z, qx, qy, qz, qw);
         }
+        if (numbers.get(shape) != NONE) {
+            heights.setPose(numbers.get(shape), x, y, z, qx, qy, qz, qw);
+        }
     }
 
     public void commit() {
@@ -107,5 +107,6 @@ public final class Scenes {
         if (ground != beams) {
             ground.commit();
         }
+        heights.commit();
     }
 }

@@ -8,7 +8,7 @@ public class MeshTest {
 
     @Test
     public void nothingStumblesOverInnerEdges() throws Exception {
-        for (int cells : new int[] {2, 25, 100}) {
+        for (int cells : new int[] {2, 25, 60}) {
             MeshScenes.over(true, cells, findings);
             MeshScenes.over(false, cells, findings);
         }
@@ -17,7 +17,7 @@ public class MeshTest {
 
     @Test
     public void aBallRollsUpWhereTheGroundRises() throws Exception {
-        for (int cells : new int[] {2, 25, 100}) {
+        for (int cells : new int[] {2, 25, 60}) {
             MeshScenes.up(10, 2, cells, findings);
             MeshScenes.up(30, 3, cells, findings);
         }

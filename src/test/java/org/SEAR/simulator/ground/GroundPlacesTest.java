@@ -55,6 +55,23 @@ public class GroundPlacesTest {
     }
 
     @Test
+    public void theGroundIsWhereItIsBelowWhatStandsOnIt() throws Exception {
+        new Floor("floor", 20, 20);
+        new Box("box", 1, 0.5, 0.5, 2).placeAt(1, 1);
+        new Box("pillar", 1, 0.5, 0.5).placeAt(3, 3);
+        new Sphere("ball", 0.25, 1).placeAt(5, 5);
+        Worlds.roomba("roomba", -2, -2, 0);
+        try (Simulation simulation = Worlds.start(project)) {
+            for (int step = 0; step < 60; step++) {
+                for (double at : new double[] {1, 3, 5, -2, 7}) {
+                    assertEquals("at " + at + " in step " + step, 0, simulation.getGroundHeight(at, at), 1e-9);
+                }
+                simulation.step();
+            }
+        }
+    }
+
+    @Test
     public void onASlopeNoPartIsBelowTheGround() throws Exception {
         slope();
         new Box("box", 2, 1, 0.5).placeAt(4, 3);

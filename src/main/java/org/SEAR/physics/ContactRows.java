@@ -165,7 +165,7 @@ final class ContactRows {
                 giveWay(levers[slot], i, at + POINTS + i * POINT, of);
             }
         }
-        FrictionRows.prepare(r, at + PATCH, of, mx, my, mz, levers[slot]);
+        FrictionRows.prepare(r, at + PATCH, of, mx, my, mz, gone, levers[slot]);
         r[at + READY] = 0;
         r[at + STRUCK] = of.struck ? 1 : 0;
     }
@@ -175,7 +175,7 @@ final class ContactRows {
         PairRow.prepare(r, at, of, of.nx, of.ny, of.nz, point.x + half * of.nx, point.y + half * of.ny, point.z + half * of.nz);
         r[at + PairRow.IMPULSE] = point.impulse;
         r[at + BASE] = point.found - PairRow.along(r, at, of.a.moved, of.b.moved);
-        r[at + DRIVEN] = driven ? of.driven(normal, point.x, point.y, point.z) : 0;
+        r[at + DRIVEN] = driven ? of.driven(normal, point.x, point.y, point.z, gone) : 0;
         r[at + GAP] = point.found - r[at + DRIVEN] * gone;
         r[at + THROWN] = 0;
         double dx = point.x - mx;
@@ -193,7 +193,7 @@ final class ContactRows {
     }
 
     private void giveWay(HingeLevers by, int row, int point, Manifold of) {
-        of.setLevers(by, row, normal, of.points[row].x, of.points[row].y, of.points[row].z);
+        of.setLevers(by, row, normal, of.points[row].x, of.points[row].y, of.points[row].z, gone);
         r[point + PairRow.MASS] = by.mass(row, r[point + PairRow.MASS]);
         r[point + GAP] -= by.way(row);
     }

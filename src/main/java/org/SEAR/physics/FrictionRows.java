@@ -44,9 +44,10 @@ final class FrictionRows {
     /**
      * Makes the rows at the middle of the manifold's points: {mx, my, mz}, metres, world frame.
      *
+     * @param gone how much of the step is over, seconds
      * @param levers of the hinges; null if there are none
      */
-    static void prepare(double[] r, int at, Manifold of, double mx, double my, double mz, HingeLevers levers) {
+    static void prepare(double[] r, int at, Manifold of, double mx, double my, double mz, double gone, HingeLevers levers) {
         r[at + NORMAL] = of.nx;
         r[at + NORMAL + 1] = of.ny;
         r[at + NORMAL + 2] = of.nz;
@@ -54,7 +55,7 @@ final class FrictionRows {
         r[at + PairRow.IMPULSE] = of.fx * r[at] + of.fy * r[at + 1] + of.fz * r[at + 2];
         r[at + SECOND + PairRow.IMPULSE] = of.fx * r[at + SECOND] + of.fy * r[at + SECOND + 1] + of.fz * r[at + SECOND + 2];
         r[at + TURNED] = of.turned;
-        drive(r, at, of, mx, my, mz, levers);
+        drive(r, at, of, mx, my, mz, gone, levers);
         PairRow.turn(r, at + NORMAL, at + TURN_A, of.a, of.massA > 0);
         PairRow.turn(r, at + NORMAL, at + TURN_B, of.b, of.massB > 0);
         double yields = PairRow.dot(r, at + NORMAL, at + TURN_A) + PairRow.dot(r, at + NORMAL, at + TURN_B);
@@ -71,23 +72,23 @@ final class FrictionRows {
         }
     }
 
-    private static void drive(double[] r, int at, Manifold of, double mx, double my, double mz, HingeLevers levers) {
+    private static void drive(double[] r, int at, Manifold of, double mx, double my, double mz, double gone, HingeLevers levers) {
         for (int i = 0; i < 3; i++) {
             r[at + DRIVEN + i] = 0;
         }
         if (of.isDriven()) {
             double[] first = {r[at], r[at + 1], r[at + 2]};
             double[] second = {r[at + SECOND], r[at + SECOND + 1], r[at + SECOND + 2]};
-            r[at + DRIVEN] = of.driven(first, mx, my, mz);
-            r[at + DRIVEN + 1] = of.driven(second, mx, my, mz);
+            r[at + DRIVEN] = of.driven(first, mx, my, mz, gone);
+            r[at + DRIVEN + 1] = of.driven(second, mx, my, mz, gone);
             // a metre on, for what moves is rigid; the second direction is the normal times the first
-            r[at + DRIVEN + 2] = of.driven(second, mx + first[0], my + first[1], mz + first[2]) - r[at + DRIVEN + 1];
+            r[at + DRIVEN + 2] = of.driven(second, mx + first[0], my + first[1], mz + first[2], gone) - r[at + DRIVEN + 1];
             if (levers != null) {
-                of.setLevers(levers, FIRST_ROW, first, mx, my, mz);
-                of.setLevers(levers, FIRST_ROW + 1, second, mx, my, mz);
+                of.setLevers(levers, FIRST_ROW, first, mx, my, mz, gone);
+                of.setLevers(levers, FIRST_ROW + 1, second, mx, my, mz, gone);
                 r[at + PairRow.MASS] = levers.mass(FIRST_ROW, r[at + PairRow.MASS]);
                 r[at + SECOND + PairRow.MASS] = levers.mass(FIRST_ROW + 1, r[at + SECOND + PairRow.MASS]);
-                of.setLevers(levers, FIRST_ROW + 2, second, mx + first[0], my + first[1], mz + first[2]);
+                of.setLevers(levers, FIRST_ROW + 2, second, mx + first[0], my + first[1], mz + first[2], gone);
                 levers.subtract(FIRST_ROW + 2, FIRST_ROW + 1);
             }
         }

@@ -208,10 +208,11 @@ final class Manifold {
      * How fast solids that move in their bodies come together at a point, m/s: at this speed the bodies have to part there.
      *
      * @param d unit direction, world frame: from the second to the first where they come together
+     * @param gone how much of the step is over, seconds
      */
-    double driven(double[] d, double x, double y, double z) {
-        double ofA = bodyA.inner().moves(solidA) ? bodyA.inner().speed(solidA, a.place, d, x, y, z) : 0;
-        double ofB = bodyB.inner().moves(solidB) ? bodyB.inner().speed(solidB, b.place, d, x, y, z) : 0;
+    double driven(double[] d, double x, double y, double z, double gone) {
+        double ofA = bodyA.inner().moves(solidA) ? bodyA.inner().speed(solidA, a.place, d, x, y, z, gone) : 0;
+        double ofB = bodyB.inner().moves(solidB) ? bodyB.inner().speed(solidB, b.place, d, x, y, z, gone) : 0;
         return ofB - ofA;
     }
 
@@ -222,8 +223,8 @@ final class Manifold {
     }
 
     /** Sets by which levers their hinges bring them together at a point along a direction, as {@link #driven}. */
-    void setLevers(HingeLevers levers, int row, double[] d, double x, double y, double z) {
-        levers.setRow(row, -bodyA.inner().lever(solidA, a.place, d, x, y, z), bodyB.inner().lever(solidB, b.place, d, x, y, z));
+    void setLevers(HingeLevers levers, int row, double[] d, double x, double y, double z, double gone) {
+        levers.setRow(row, -bodyA.inner().lever(solidA, a.place, d, x, y, z, gone), bodyB.inner().lever(solidB, b.place, d, x, y, z, gone));
     }
 
     /** The least distance of its points, metres. */

@@ -138,29 +138,40 @@ public final class InnerMotion {
      * @param at where the body's centre of mass is and how it is turned
      * @param d unit direction, world frame
      * @param x of the point, world frame, metres, likewise y and z
+     * @param gone how much of the step is over, seconds: each point of the solid goes straight on through the step
      * @return m/s
      */
-    public double speed(int solid, Placement at, double[] d, double x, double y, double z) {
-        toBody(at, x, y, z);
+    public double speed(int solid, Placement at, double[] d, double x, double y, double z, double gone) {
+        toStart(solid, at, x, y, z, gone);
+        return along(at, d, row(solid, 0), row(solid, 4), row(solid, 8));
+    }
+
+    private double row(int solid, int first) {
         double[] s = speeds[solid];
-        return along(at, d, s[0] * own[0] + s[1] * own[1] + s[2] * own[2] + s[3], s[4] * own[0] + s[5] * own[1] + s[6] * own[2] + s[7],
-            s[8] * own[0] + s[9] * own[1] + s[10] * own[2] + s[11]);
+        return s[first] * own[0] + s[first + 1] * own[1] + s[first + 2] * own[2] + s[first + 3];
     }
 
     /** How far a point of a solid goes along a direction when its hinge turns by 1 rad, metres; 0 if it has none. As {@link #speed}. */
-    public double lever(int solid, Placement at, double[] d, double x, double y, double z) {
+    public double lever(int solid, Placement at, double[] d, double x, double y, double z, double gone) {
         if (hinges[solid] == null) {
             return 0;
         }
-        toBody(at, x, y, z);
+        toStart(solid, at, x, y, z, gone);
         return hinges[solid].lever(at, d, own[0], own[1], own[2]);
     }
 
-    private void toBody(Placement at, double x, double y, double z) {
+    /** Where the point of a solid that is somewhere now was when the step began, in the body's frame. */
+    private void toStart(int solid, Placement at, double x, double y, double z, double gone) {
         at.toFrame(x, y, z, own, 0);
         for (int i = 0; i < own.length; i++) {
             own[i] += centre[i];
         }
+        double vx = row(solid, 0);
+        double vy = row(solid, 4);
+        double vz = row(solid, 8);
+        own[0] -= gone * vx;
+        own[1] -= gone * vy;
+        own[2] -= gone * vz;
     }
 
     /** The share along a direction of the world of a vector {x, y, z} of the body's frame. */

@@ -194,6 +194,22 @@ public class ServoTest {
         assertEquals(simulation.getPose("roomba").z - 0.1, moved.z, 0.01);
     }
 
+    /** Far out, turn after turn. */
+    @Test
+    public void aThingOnAPlateStaysAtItsDistance() throws Exception {
+        SEARrobot robot = roomba();
+        Servo table = Arm.on(robot, new Servo("table", 0, 0.3, 0), 60, 5, Arm.box("plate", 0.8, 0.8, 0.02, 0.3, 0, 0.3, 0));
+        table.setRange(-360, 360);
+        Arm.box("thing", 0.03, 0.03, 0.01, 0.1, 0.3, 0.316, 0).setFriction(2);
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 1);
+        turn(simulation, "table", 360);
+        Worlds.run(simulation, 5);
+        Pose at = simulation.getPose("thing");
+        Pose centre = simulation.getPose("roomba");
+        assertEquals("after a turn", 0.3, Math.hypot(at.x - centre.x, at.z - centre.z), 0.005);
+    }
+
     @Test
     public void theSameBytesEveryRun() throws Exception {
         SEARrobot robot = roomba();

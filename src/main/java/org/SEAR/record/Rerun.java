@@ -18,11 +18,12 @@ import org.SEAR.simulator.ActuatorOrder;
 import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.RunTap;
 import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.Snapshot;
 import org.SEAR.simulator.orders.BodyOrder;
 
 /**
- * Gives the commands of a record to a fresh world of the same project and compares what comes out of each port. The world belongs to nobody else: it
- * needs no ports and disturbs no simulation that runs. One use, one thread.
+ * Gives the commands of a record to a fresh world of the same project and compares what comes out of each port and where everything is. The world
+ * belongs to nobody else: it needs no ports and disturbs no simulation that runs. One use, one thread.
  */
 public final class Rerun implements RunRecord.Visitor {
     private final RunRecord record;
@@ -33,6 +34,7 @@ public final class Rerun implements RunRecord.Visitor {
     private final long[] counts;
     private final Consumer<Simulation> watcher;
     private long steps;
+    private double apart;
 
     private Rerun(RunRecord record, Simulation world, Consumer<Simulation> watcher) {
         this.record = record;
@@ -45,7 +47,7 @@ public final class Rerun implements RunRecord.Visitor {
 
     /** What came of it. */
     public static final class Result {
-        /** Whether each port gave the same bytes. */
+        /** Whether each port gave the same bytes, and everything was where it had been. */
         public final boolean same;
         /** Whether the record is whole; it was cut off, or is being written, otherwise. */
         public final boolean whole;
@@ -53,17 +55,20 @@ public final class Rerun implements RunRecord.Visitor {
         public final double seconds;
         /** By port: bytes that came out in the record, and whether the same came again. */
         public final Map<String, String> ports;
+        /** How far a robot or an object was at most from where it had been, metres. */
+        public final double apart;
 
-        Result(boolean whole, boolean same, double seconds, Map<String, String> ports) {
+        Result(boolean whole, boolean same, double seconds, Map<String, String> ports, double apart) {
             this.whole = whole;
             this.same = same;
             this.seconds = seconds;
             this.ports = ports;
+            this.apart = apart;
         }
 
         @Override
         public String toString() {
-            return String.format(Locale.ROOT, "%.3f s, %s: %s", seconds, same ? "the same bytes on every port" : "other bytes", ports);
+            return String.format(Locale.ROOT, "%.3f s, %s: %s, %s m apart", seconds, same ? "the same" : "not the same", ports, apart);
         }
     }
 
@@ -125,7 +130,25 @@ public final class Rerun implements RunRecord.Visitor {
             same &= equal;
             ports.put(record.getHeader().lines.get(i), counts[i] + " bytes, " + (equal ? "the same" : "others"));
         }
-        return new Result(whole, same, steps * Simulation.STEP, ports);
+        return new Result(whole, same && apart == 0, steps * Simulation.STEP, ports, apart);
+    }
+
+    @Override
+    public void frame(double[] robots, double[] objects, double[] readings) {
+        Snapshot now = world.snapshot();
+        for (int i = 0; i < now.robots.size(); i++) {
+            compare(now.robots.get(i).pose, robots, i * RunRecord.ROBOT);
+        }
+        for (int i = 0; i < now.environment.size(); i++) {
+            compare(now.environment.get(i), objects, i * RunRecord.POSE);
+        }
+    }
+
+    private void compare(Pose now, double[] then, int at) {
+        double dx = now.x - then[at];
+        double dy = now.y - then[at + 1];
+        double dz = now.z - then[at + 2];
+        apart = Math.max(apart, Math.sqrt(dx * dx + dy * dy + dz * dz));
     }
 
     @Override

@@ -24,7 +24,8 @@ public final class RunRecord {
     private static final int BUFFER = 1 << 16;
     /** Bytes of a picture that are passed at once. */
     private static final int PASSED = 1 << 13;
-    private static final int POSE = 7;
+    /** Numbers of an object in a frame. */
+    static final int POSE = 7;
     /** Of one robot; it can't have more components. */
     private static final int MOST_LIGHTS = 1000;
     private static final ActuatorOrder.Kind[] ORDERS = ActuatorOrder.Kind.values();

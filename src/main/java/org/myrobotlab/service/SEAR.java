@@ -1075,7 +1075,8 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * Gives the commands of a record to a fresh world of the present project, apart from any simulation that runs, and compares what comes out.
      *
      * @param path of a record from the start of its run
-     * @return {@code same}: whether every port gave the same bytes, {@code seconds}: simulated, {@code ports}: by port, in words
+     * @return {@code same}: whether every port gave the same bytes and everything was where it had been, {@code seconds}: simulated, {@code ports}:
+     *     by port, in words, {@code apart}: how far something was at most from where it had been, metres
      * @throws IllegalStateException if it is no record, of another project, or not from the start
      * @example sear.reset(); sear.recordRun("run.searlog"); sear.simSleep(1); sear.endRecord(); print sear.rerunRecord("run.searlog")["same"]
      */

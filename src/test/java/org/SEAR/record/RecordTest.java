@@ -201,6 +201,14 @@ public class RecordTest {
         assertEquals(390 / 60.0, result.seconds, 1e-9);
         assertEquals(3, result.ports.size());
         result.ports.forEach((port, text) -> assertTrue(port + ": " + text, text.matches("[1-9][0-9]{2,} bytes, the same")));
+        assertEquals("all is where it was", 0, result.apart, 0);
+        Rerun.Result moved = Rerun.of(RunRecord.open(file()), Project.read(project.folder()), world -> {
+            if (world.getTime() == 0) {
+                world.move("can", new Pose(1, 0.05, 1, 0, 0, 0, 1), new Pose(1, 0.05, 1, 0, 0, 0, 1));
+            }
+        });
+        assertFalse(moved.toString(), moved.same);
+        assertEquals(1, moved.apart, 0.01);
     }
 
     /** As by the clock, where the simulation thread attends to lines whenever something comes. */

@@ -101,6 +101,7 @@ public final class Records {
         answer.put("same", result.same);
         answer.put("seconds", result.seconds);
         answer.put("ports", result.ports);
+        answer.put("apart", result.apart);
         return answer;
     }
 

@@ -16,6 +16,8 @@ public final class Exposure {
     /** Light of each value of a picture, and light half way to the next one. */
     private static final double[] LIGHT = new double[FULL + 1];
     private static final double[] HALF_WAY = new double[FULL];
+    /** The values of pictures of evenly spaced light, so closely that the next light has the same or the next but one. */
+    private static final int[] VALUES = new int[4096];
 
     static {
         for (int i = 0; i <= FULL; i++) {
@@ -23,6 +25,9 @@ public final class Exposure {
         }
         for (int i = 0; i < FULL; i++) {
             HALF_WAY[i] = light(i + 0.5);
+        }
+        for (int i = 1; i < VALUES.length; i++) {
+            VALUES[i] = value(VALUES[i - 1], (double) i / VALUES.length);
         }
     }
 
@@ -72,16 +77,15 @@ public final class Exposure {
             }
             light = electrons / fullWell;
         }
-        int low = 0;
-        int high = FULL;
-        while (low < high) {
-            int middle = low + high >>> 1;
-            if (light < HALF_WAY[middle]) {
-                high = middle;
-            } else {
-                low = middle + 1;
-            }
+        return light < 1 ? value(VALUES[(int) (Math.max(0, light) * VALUES.length)], light) : FULL;
+    }
+
+    /** The value of a picture that is nearest to a light, from one that is not above it. */
+    private static int value(int least, double light) {
+        int value = least;
+        while (value < FULL && light >= HALF_WAY[value]) {
+            value++;
         }
-        return low;
+        return value;
     }
 }

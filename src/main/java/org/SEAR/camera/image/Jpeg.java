@@ -21,7 +21,7 @@ public final class Jpeg {
     /** @param pixels 0xRRGGBB each, row by row from the top left */
     public static byte[] ofColors(int width, int[] pixels) {
         BufferedImage image = new BufferedImage(width, pixels.length / width, BufferedImage.TYPE_INT_RGB);
-        image.setRGB(0, 0, width, pixels.length / width, pixels, 0, width);
+        image.getRaster().setDataElements(0, 0, width, pixels.length / width, pixels);
         return of(image);
     }
 

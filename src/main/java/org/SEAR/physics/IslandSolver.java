@@ -40,8 +40,10 @@ final class IslandSolver {
     private static final double PASSES_RATIO = 0.1;
     /** Passes at least where something is on top of another thing: a heap of which each hears too late of the others sways on. */
     private static final int LEAST_PASSES_ON_OTHERS = 2;
-    /** Points times substeps times passes, beyond which there are fewer passes. */
+    /** Points, and what wheels take, times substeps times passes, beyond which there are fewer passes. */
     private static final int MOST_PASSES_WORK = 60_000;
+    /** What a robot's wheels take in a pass, in points. */
+    private static final int WHEELS = 6;
     private static final int LEAST_SUBSTEPS = 4;
     /** What is left of a step, as a share of a substep, that is no substep of its own. */
     private static final double REST = 1e-6;
@@ -185,7 +187,8 @@ final class IslandSolver {
         int height = levels.measure(bodies, pairs);
         int least = height > 1 ? LEAST_PASSES_ON_OTHERS : 1;
         double needed = Math.max(least, Math.max(PASSES_EACH * height, PASSES_RATIO * ratio));
-        rounds = (int) Math.max(1, Math.min(needed, (double) MOST_PASSES_WORK / Math.max(1, points * substeps)));
+        int work = (points + WHEELS * drives.size()) * substeps;
+        rounds = (int) Math.max(1, Math.min(needed, (double) MOST_PASSES_WORK / Math.max(1, work)));
         return substeps;
     }
 

@@ -10,6 +10,7 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.LIDAR;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.Sphere;
 import org.SEAR.Slow;
 import org.SEAR.geometry.Pose;
 import org.SEAR.project.ProjectRule;
@@ -147,5 +148,22 @@ public class StepWorkTest {
     public void aStackIsSolvedWithManyTurns() throws Exception {
         long turns = turns(new double[] {0, 0});
         assertTrue("turns: " + turns, turns > 10 * 16 && turns <= 2 * 40 * TURNING_STEPS);
+    }
+
+    /** Each turn is one over the wheels as well. */
+    @Test
+    public void aBallOnARobotOfManyTimesItsMassIsSolvedWithFewTurns() throws Exception {
+        new Floor("floor", 80, 80);
+        Worlds.roomba("roomba", 0, 0, 0);
+        new Sphere("ball", 0.03, 0.05).move(0, 0.17, 0);
+        Simulation simulation = Worlds.start(project);
+        for (int i = 0; i < TURNING_STEPS; i++) {
+            simulation.step();
+        }
+        assertEquals("it lies on the robot", 0.16, simulation.getPose("ball").y, 0.03);
+        long before = simulation.getWorld().getPhysics().getSolverIterations();
+        simulation.step();
+        long turns = simulation.getWorld().getPhysics().getSolverIterations() - before;
+        assertTrue("turns: " + turns, turns > 1000 && turns <= 20_000);
     }
 }

@@ -39,6 +39,7 @@ public class PerformancePageTest {
         Path output = folder.newFile().toPath();
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(output.toFile());
         builder.environment().put("PYTHONIOENCODING", "utf-8");
+        builder.environment().put("JDK_JAVA_OPTIONS", "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC");    // figures of a quick run mean nothing
         Process process = builder.start();
         boolean ended = process.waitFor(LONGEST, TimeUnit.SECONDS);
         process.destroyForcibly();

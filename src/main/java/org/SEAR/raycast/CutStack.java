@@ -11,8 +11,6 @@ final class CutStack {
     private static final double CLOSE = 1e-3;
     /** A box that reaches farther to its sides than this many times its distance is seen as around the origin. */
     private static final double BROAD = 4;
-    /** With more than so many beams it pays to leave out those that pass beside a box. */
-    private static final int FEW = 4;
     /** Deeper than any hierarchy, and four blocks of each level of a height field. */
     private static final int DEPTH = 128;
 
@@ -115,14 +113,11 @@ final class CutStack {
             return true;
         }
         double enough = (1 + 1e-12) / nearest;
-        if (last - first >= FEW && !narrow(nearest * left, nearest * ahead, wide * left, wide * ahead, enough)) {
+        if (!narrow(nearest * left, nearest * ahead, wide * left, wide * ahead, enough)) {
             return false;
         }
-        while (first <= last && !depth.isOpen(first, left, ahead, wide, nearest, enough)) {
+        while (first <= last && depth.inverse[first] > enough) {
             first++;
-        }
-        while (last > first && !depth.isOpen(last, left, ahead, wide, nearest, enough)) {
-            last--;
         }
         return first <= last;
     }

@@ -76,19 +76,6 @@ final class DepthBuffer {
         }
     }
 
-    /**
-     * Whether a beam could see into a rectangle that looks at the origin: whose middle is in a direction, and which reaches to either side of it and
-     * begins at a distance; enough is the inverse of that.
-     */
-    boolean isOpen(int beam, double left, double ahead, double wide, double nearest, double enough) {
-        if (inverse[beam] > enough) {
-            return false;
-        }
-        double x = beams.x[beam];
-        double z = beams.z[beam];
-        return nearest * Math.abs(z * left - x * ahead) <= wide * (x * left + z * ahead);
-    }
-
     /** The line of inverse distances a * x + b * z, seen by the beams from one up to before another. */
     void fill(int first, int end, double a, double b, int shapeNumber) {
         for (int i = first; i < end; i++) {

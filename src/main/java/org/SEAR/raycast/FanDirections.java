@@ -4,8 +4,6 @@ package org.SEAR.raycast;
  * The directions of a fan's beams in its own plane: beam i points to (x[i], z[i]) = (sin a, cos a), a = start + i * step; angles grow to the left.
  */
 final class FanDirections {
-    /** So many beams are counted rather than searched. */
-    private static final int FEW = 8;
     /** Radians between two beams up to which the search by angle is safe. */
     private static final double GREATEST_STEP = 0.2;
     private static final double TURN = 2 * Math.PI;
@@ -98,33 +96,15 @@ final class FanDirections {
     /** The first of some beams at or to the left of a point, the one after the last where none is. They and the point lie within half a turn. */
     int first(double px, double pz, int from, int to) {
         double right = side(from, px, pz);
-        double left = side(to, px, pz);
-        if (right <= 0) {
-            return from;
-        }
-        if (left > 0) {
-            return to + 1;
-        }
-        int i = from + (int) (right / (right - left) * (to - from));
-        while (side(i, px, pz) > 0) {
-            i++;
-        }
-        while (side(i - 1, px, pz) <= 0) {
+        double guess = right / (right - side(to, px, pz)) * (to - from);
+        int i = from + Math.max(0, Math.min((int) (guess + 1), to - from + 1));
+        while (i > from && side(i - 1, px, pz) <= 0) {
             i--;
         }
+        while (i <= to && side(i, px, pz) > 0) {
+            i++;
+        }
         return i;
-    }
-
-    /** The same, faster where it is asked among few beams: these are counted. */
-    int firstOfFew(double px, double pz, int from, int to) {
-        if (to - from >= FEW) {
-            return first(px, pz, from, to);
-        }
-        int beam = from;
-        for (int i = from; i <= to; i++) {
-            beam += side(i, px, pz) > 0 ? 1 : 0;
-        }
-        return beam;
     }
 
     /** The first beam that may lie to the left of an angle in spite of its error. */

@@ -65,19 +65,6 @@ final class TriangleCut {
         }
     }
 
-    /** The line from p to q, where some beams are the only ones that may see it; it lies ahead of them, less than half a turn apart. */
-    void line(double fromX, double fromZ, double toX, double toZ, int first, int last) {
-        int p = depth.beams.firstOfFew(fromX, fromZ, first, last);
-        int q = depth.beams.firstOfFew(toX, toZ, first, last);
-        if (p == q) {
-            return;
-        }
-        double turn = fromZ * toX - fromX * toZ;
-        if (turn != 0) {
-            depth.fill(turn > 0 ? p : q, turn > 0 ? q : p, (fromZ - toZ) / turn, (toX - fromX) / turn, shape);
-        }
-    }
-
     /** Finds the line in which the plane cuts a triangle; false where it doesn't. */
     private boolean cross(float[] v, int at) {
         PlaneCut cut = plane;

@@ -8,7 +8,7 @@ import org.SEAR.raycast.tree.BvhBuilder;
 
 /**
  * Triangles in the order of their hierarchy, in the model's own unscaled frame: 40 bytes a triangle for the corners and its number, about as many for
- * the nodes, and 20 for the patches. Immutable, any thread. The same {@link Triangles} share one mesh as long as somebody holds them.
+ * the nodes, and 17 for the patches. Immutable, any thread. The same {@link Triangles} share one mesh as long as somebody holds them.
  */
 public final class Mesh {
     private static final int LEAF_SIZE = 4;

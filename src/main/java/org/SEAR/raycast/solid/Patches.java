@@ -4,20 +4,25 @@ import java.util.Arrays;
 import org.SEAR.raycast.tree.Bvh;
 
 /**
- * Triangles in patches of up to 21 neighbours, with a hierarchy over the patches: for fans, which look at all along the line in which their plane
+ * Triangles in patches of up to 40 neighbours, with a hierarchy over the patches: for fans, which look at all along the line in which their plane
  * cuts a model. A patch holds corners that its triangles share once, side by side, and the hierarchy ends above: a fan over 100 000 triangles opens
  * less than half as many nodes. A single beam looks for one triangle and goes down to it in the {@link Mesh}. Immutable, any thread.
  */
 public final class Patches {
-    /** The greatest number of corners of a patch, even of triangles that share none: a bit of a long for each. */
-    public static final int MOST = 63;
+    /** The greatest number of triangles of a patch in a large model; in a small one, of whose triangles many beams meet the same, it is less ... */
+    public static final int MOST = 40;
+    /** ... but never below this. */
+    private static final int FEW = 20;
+    /** So many patches at least, where that leaves them as large. */
+    private static final int PATCHES = 200;
+    /** The greatest number of corners: a bit of a long for each. */
+    public static final int CORNERS = 63;
     /** Where a patch's numbers in {@link #links} have the first float of its corners, how many corners they are, and its first triangle. */
     public static final int CORNER = 0;
     public static final int COUNT = 1;
     public static final int TRIANGLE = 2;
     /** Where its triangles begin: three corners of the patch each, eight bits a number. */
     public static final int LINKS = 3;
-    private static final int SIZE = MOST / 3;
 
     /** Its leaves link to the numbers of a patch; their counts are those of its triangles. */
     public final Bvh tree;
@@ -32,6 +37,8 @@ public final class Patches {
         private float[] nodes;
         private float[] corners;
         private int[] links;
+        /** The greatest number of triangles of a patch of this model. */
+        private final int most;
         private int nodeCount = 2;
         private int cornerCount;
         private int linkCount;
@@ -40,6 +47,7 @@ public final class Patches {
             this.whole = whole;
             this.v = v;
             int n = v.length / 9;
+            most = Math.max(FEW, Math.min(MOST, n / PATCHES));
             nodes = new float[Math.max(2, n / 4) * Bvh.STRIDE];
             corners = new float[3 * n];
             links = new int[2 * n];
@@ -58,9 +66,9 @@ public final class Patches {
             }
             int start = whole.link(first);
             int n = whole.link(last) + whole.count(last) - start;
-            if (n <= SIZE) {
-                Bvh.describe(nodes, to, linkCount, n);
-                patch(start, n);
+            int at = linkCount;
+            if (n <= most && patch(start, n)) {
+                Bvh.describe(nodes, to, at, n);
                 return;
             }
             int children = nodeCount;
@@ -73,30 +81,38 @@ public final class Patches {
             copy(whole.link(from) + 1, children + 1);
         }
 
-        private void patch(int start, int n) {
+        /** Adds a patch; false where its triangles have too many corners. */
+        private boolean patch(int start, int n) {
             int first = cornerCount;
-            if (linkCount + LINKS + n > links.length) {
+            int at = linkCount;
+            if (at + LINKS + n > links.length) {
                 links = Arrays.copyOf(links, links.length * 3 / 2 + LINKS + n);
             }
-            if (cornerCount + 3 * MOST > corners.length) {
-                corners = Arrays.copyOf(corners, corners.length * 3 / 2 + 3 * MOST);
+            if (first + 9 * n > corners.length) {
+                corners = Arrays.copyOf(corners, corners.length * 3 / 2 + 9 * n);
             }
-            int at = linkCount;
             linkCount += LINKS;
             for (int i = 9 * start; i < 9 * (start + n); i += 9) {
                 links[linkCount++] = corner(first, i) | corner(first, i + 3) << 8 | corner(first, i + 6) << 16;
+                if (cornerCount - first > 3 * CORNERS) {
+                    cornerCount = first;
+                    linkCount = at;
+                    return false;
+                }
             }
             links[at + CORNER] = first;
             links[at + COUNT] = (cornerCount - first) / 3;
             links[at + TRIANGLE] = start;
+            return true;
         }
 
         private int corner(int first, int at) {
-            int k = first;
-            while (k < cornerCount && !(corners[k] == v[at] && corners[k + 1] == v[at + 1] && corners[k + 2] == v[at + 2])) {
-                k += 3;
+            int k = cornerCount - 3;
+            while (k >= first && !(corners[k] == v[at] && corners[k + 1] == v[at + 1] && corners[k + 2] == v[at + 2])) {
+                k -= 3;
             }
-            if (k == cornerCount) {
+            if (k < first) {
+                k = cornerCount;
                 System.arraycopy(v, at, corners, k, 3);
                 cornerCount += 3;
             }

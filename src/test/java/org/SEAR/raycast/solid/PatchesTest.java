@@ -53,7 +53,7 @@ public class PatchesTest {
 
     @Test
     public void eachTriangleIsInOnePatchWithItsCornersAndInsideOfItsBox() {
-        for (Triangles triangles : new Triangles[] {net(30), soup(500), soup(1), soup(Patches.MOST / 3)}) {
+        for (Triangles triangles : new Triangles[] {net(30), soup(500), soup(1), soup(Patches.CORNERS / 3), soup(Patches.MOST)}) {
             Mesh mesh = Mesh.of(triangles);
             boolean[] found = new boolean[triangles.size()];
             patches = 0;
@@ -85,7 +85,8 @@ public class PatchesTest {
         int[] links = mesh.patches.links;
         patches++;
         corners += links[patch + Patches.COUNT];
-        assertTrue(links[patch + Patches.COUNT] + " corners", links[patch + Patches.COUNT] <= Patches.MOST);
+        assertTrue(links[patch + Patches.COUNT] + " corners", links[patch + Patches.COUNT] <= Patches.CORNERS);
+        assertTrue(n + " triangles", n <= Patches.MOST);
         for (int i = 0; i < n; i++) {
             int triangle = links[patch + Patches.TRIANGLE] + i;
             assertTrue("triangle " + triangle + " twice", !found[triangle]);

@@ -35,6 +35,10 @@ public final class Rerun implements RunRecord.Visitor {
     private final Consumer<Simulation> watcher;
     private long steps;
     private double apart;
+    /** How far something is from where the last frame has it, metres, and that frame. */
+    private double unlike;
+    private double[] unlikeRobots;
+    private double[] unlikeObjects;
 
     private Rerun(RunRecord record, Simulation world, Consumer<Simulation> watcher) {
         this.record = record;
@@ -123,6 +127,7 @@ public final class Rerun implements RunRecord.Visitor {
         world.setTap(new Listener(), true);
         watcher.accept(world);
         boolean whole = record.read(this);
+        lookAgain();
         boolean same = true;
         Map<String, String> ports = new LinkedHashMap<>();
         for (int i = 0; i < recorded.length; i++) {
@@ -135,20 +140,39 @@ public final class Rerun implements RunRecord.Visitor {
 
     @Override
     public void frame(double[] robots, double[] objects, double[] readings) {
-        Snapshot now = world.snapshot();
-        for (int i = 0; i < now.robots.size(); i++) {
-            compare(now.robots.get(i).pose, robots, i * RunRecord.ROBOT);
-        }
-        for (int i = 0; i < now.environment.size(); i++) {
-            compare(now.environment.get(i), objects, i * RunRecord.POSE);
+        unlike = distance(robots, objects);
+        if (unlike > 0) {
+            unlikeRobots = robots.clone();
+            unlikeObjects = objects.clone();
         }
     }
 
-    private void compare(Pose now, double[] then, int at) {
+    /** How far something is at most from where a frame has it, metres. */
+    private double distance(double[] robots, double[] objects) {
+        Snapshot now = world.snapshot();
+        double most = 0;
+        for (int i = 0; i < now.robots.size(); i++) {
+            most = Math.max(most, distance(now.robots.get(i).pose, robots, i * RunRecord.ROBOT));
+        }
+        for (int i = 0; i < now.environment.size(); i++) {
+            most = Math.max(most, distance(now.environment.get(i), objects, i * RunRecord.POSE));
+        }
+        return most;
+    }
+
+    private static double distance(Pose now, double[] then, int at) {
         double dx = now.x - then[at];
         double dy = now.y - then[at + 1];
         double dz = now.z - then[at + 2];
-        apart = Math.max(apart, Math.sqrt(dx * dx + dy * dy + dz * dz));
+        return Math.sqrt(dx * dx + dy * dy + dz * dz);
+    }
+
+    /** What was moved while the outputs of a step were delivered is in the step's frame already, though it is told after it. */
+    private void lookAgain() {
+        if (unlike > 0) {
+            apart = Math.max(apart, Math.min(unlike, distance(unlikeRobots, unlikeObjects)));
+            unlike = 0;
+        }
     }
 
     @Override
@@ -172,6 +196,7 @@ public final class Rerun implements RunRecord.Visitor {
     private void obey() {
         commands.forEach(command -> command.accept(world));
         commands.clear();
+        lookAgain();
     }
 
     private SerialLine line(int number) {

@@ -278,22 +278,24 @@ def start(results):
 
 
 def reference(results):
-    """How fast this machine is beside the one that the goals were set on, by the engines measured on both."""
-    shares = sorted(results.rate(engine, world) / 1e6 / made for (engine, world), made in goals.REFERENCE.items() if results.rate(engine, world))
-    if not shares:
-        return ""
-    return (" They were set on a machine on which the other engines made %s million beams where this one made 1 (median of %d measurements)."
-            % (digits(1 / shares[len(shares) // 2]), len(shares)))
+    """How fast the machine that the goals were set on is beside this one, by each engine measured on both."""
+    return sorted(1e6 * made / results.rate(engine, world) for (engine, world), made in goals.REFERENCE.items() if results.rate(engine, world))
 
 
 def missed(results):
     lines = []
+    faster = reference(results)
+    machine = faster[(len(faster) - 1) // 2] if faster else 0
     for key, value, met in results.judged:
         if not met:
-            lines.append("- %s: %s, goal %s. %s" % (goals.name(key), digits(value), goals.shown(key), goals.reason(key)))
+            there = ", about %s there" % digits(machine * value) if machine and key not in goals.UNITS else ""
+            lines.append("- %s: %s%s, goal %s. %s" % (goals.name(key), digits(value), there, goals.shown(key), goals.reason(key)))
     lines = list(dict.fromkeys(line.strip() for line in lines))
     count = len(results.judged)
-    head = "%d of %d goals are met." % (sum(met for _, _, met in results.judged), count) + reference(results)
+    head = "%d of %d goals are met." % (sum(met for _, _, met in results.judged), count)
+    if faster:
+        head += (" They were set on a machine on which the other engines made %s million beams where this one made 1 (median of %d measurements)."
+                 % (digits(machine), len(faster)))
     return ["### Goals", "", head + (" These are missed:" if lines else "")] + ([""] + lines if lines else []) + [""]
 
 

@@ -95,6 +95,7 @@ public final class ServoDrive implements ServoHardware {
      */
     public boolean step(Pose body, double gravity, Pose at) {
         before = angle;
+        held = hinge.ahead() == 0 ? 0 : held;
         double was = spin;
         double moment = 0;
         if (!load.isEmpty()) {
@@ -115,8 +116,11 @@ public final class ServoDrive implements ServoHardware {
         return turns;
     }
 
-    /** What it turned in this step met something: it is not where it was to be. */
+    /** What turned in this step met something: it is not where it was to be, if it was this one's. */
     public void giveWay() {
+        if (hinge.ahead() == 0) {
+            return;
+        }
         double to = angle + Math.toDegrees(hinge.ahead());
         held = Math.abs(to - wanted) > DEAD_BAND && Math.abs(to - before) < HELD * Math.abs(angle - before) ? held + 1 : 0;
         if (held == HELD_FOR && !complained) {

@@ -78,7 +78,6 @@ final class ContactRows {
     /** How much of the step has gone, seconds: solids that move in their bodies have been under way so long, but are put there at its end. */
     private double gone;
     private final NormalBlock block = new NormalBlock();
-    private final double[] normal = new double[3];
 
     /** The step of an island begins. */
     void clear() {
@@ -156,9 +155,6 @@ final class ContactRows {
         }
         boolean driven = of.isDriven();
         levers[slot] = driven ? levers(slot, of) : null;
-        normal[0] = of.nx;
-        normal[1] = of.ny;
-        normal[2] = of.nz;
         for (int i = 0; i < of.count; i++) {
             fill(at + POINTS + i * POINT, of, of.points[i], driven, mx, my, mz);
             if (levers[slot] != null) {
@@ -175,7 +171,7 @@ final class ContactRows {
         PairRow.prepare(r, at, of, of.nx, of.ny, of.nz, point.x + half * of.nx, point.y + half * of.ny, point.z + half * of.nz);
         r[at + PairRow.IMPULSE] = point.impulse;
         r[at + BASE] = point.found - PairRow.along(r, at, of.a.moved, of.b.moved);
-        r[at + DRIVEN] = driven ? of.driven(normal, point.x, point.y, point.z, gone) : 0;
+        r[at + DRIVEN] = driven ? of.driven(r, at, point.x, point.y, point.z, gone) : 0;
         r[at + GAP] = point.found - r[at + DRIVEN] * gone;
         r[at + THROWN] = 0;
         double dx = point.x - mx;
@@ -193,7 +189,7 @@ final class ContactRows {
     }
 
     private void giveWay(HingeLevers by, int row, int point, Manifold of) {
-        of.setLevers(by, row, normal, of.points[row].x, of.points[row].y, of.points[row].z, gone);
+        of.setLevers(by, row, r, point, of.points[row].x, of.points[row].y, of.points[row].z, gone);
         r[point + PairRow.MASS] = by.mass(row, r[point + PairRow.MASS]);
         r[point + GAP] -= by.way(row);
     }

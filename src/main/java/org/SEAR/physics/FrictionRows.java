@@ -77,18 +77,16 @@ final class FrictionRows {
             r[at + DRIVEN + i] = 0;
         }
         if (of.isDriven()) {
-            double[] first = {r[at], r[at + 1], r[at + 2]};
-            double[] second = {r[at + SECOND], r[at + SECOND + 1], r[at + SECOND + 2]};
-            r[at + DRIVEN] = of.driven(first, mx, my, mz, gone);
-            r[at + DRIVEN + 1] = of.driven(second, mx, my, mz, gone);
+            r[at + DRIVEN] = of.driven(r, at, mx, my, mz, gone);
+            r[at + DRIVEN + 1] = of.driven(r, at + SECOND, mx, my, mz, gone);
             // a metre on, for what moves is rigid; the second direction is the normal times the first
-            r[at + DRIVEN + 2] = of.driven(second, mx + first[0], my + first[1], mz + first[2], gone) - r[at + DRIVEN + 1];
+            r[at + DRIVEN + 2] = of.driven(r, at + SECOND, mx + r[at], my + r[at + 1], mz + r[at + 2], gone) - r[at + DRIVEN + 1];
             if (levers != null) {
-                of.setLevers(levers, FIRST_ROW, first, mx, my, mz, gone);
-                of.setLevers(levers, FIRST_ROW + 1, second, mx, my, mz, gone);
+                of.setLevers(levers, FIRST_ROW, r, at, mx, my, mz, gone);
+                of.setLevers(levers, FIRST_ROW + 1, r, at + SECOND, mx, my, mz, gone);
                 r[at + PairRow.MASS] = levers.mass(FIRST_ROW, r[at + PairRow.MASS]);
                 r[at + SECOND + PairRow.MASS] = levers.mass(FIRST_ROW + 1, r[at + SECOND + PairRow.MASS]);
-                of.setLevers(levers, FIRST_ROW + 2, second, mx + first[0], my + first[1], mz + first[2], gone);
+                of.setLevers(levers, FIRST_ROW + 2, r, at + SECOND, mx + r[at], my + r[at + 1], mz + r[at + 2], gone);
                 levers.subtract(FIRST_ROW + 2, FIRST_ROW + 1);
             }
         }

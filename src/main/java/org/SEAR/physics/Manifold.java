@@ -207,12 +207,12 @@ final class Manifold {
     /**
      * How fast solids that move in their bodies come together at a point, m/s: at this speed the bodies have to part there.
      *
-     * @param d unit direction, world frame: from the second to the first where they come together
+     * @param d has a unit direction, world frame, three numbers from {@code i} on: from the second to the first where they come together
      * @param gone how much of the step is over, seconds
      */
-    double driven(double[] d, double x, double y, double z, double gone) {
-        double ofA = bodyA.inner().moves(solidA) ? bodyA.inner().speed(solidA, a.place, d, x, y, z, gone) : 0;
-        double ofB = bodyB.inner().moves(solidB) ? bodyB.inner().speed(solidB, b.place, d, x, y, z, gone) : 0;
+    double driven(double[] d, int i, double x, double y, double z, double gone) {
+        double ofA = bodyA.inner().moves(solidA) ? bodyA.inner().speed(solidA, a.place, d, i, x, y, z, gone) : 0;
+        double ofB = bodyB.inner().moves(solidB) ? bodyB.inner().speed(solidB, b.place, d, i, x, y, z, gone) : 0;
         return ofB - ofA;
     }
 
@@ -223,8 +223,9 @@ final class Manifold {
     }
 
     /** Sets by which levers their hinges bring them together at a point along a direction, as {@link #driven}. */
-    void setLevers(HingeLevers levers, int row, double[] d, double x, double y, double z, double gone) {
-        levers.setRow(row, -bodyA.inner().lever(solidA, a.place, d, x, y, z, gone), bodyB.inner().lever(solidB, b.place, d, x, y, z, gone));
+    void setLevers(HingeLevers levers, int row, double[] d, int i, double x, double y, double z, double gone) {
+        levers.setRow(row, -bodyA.inner().lever(solidA, a.place, d, i, x, y, z, gone),
+            bodyB.inner().lever(solidB, b.place, d, i, x, y, z, gone));
     }
 
     /** The least distance of its points, metres. */

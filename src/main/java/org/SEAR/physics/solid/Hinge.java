@@ -130,10 +130,10 @@ public final class Hinge {
      * in a step, so that a hinge that is held stands still.
      *
      * @param body where the body's centre of mass is and how it is turned
-     * @param d unit direction, world frame
+     * @param d has a unit direction, world frame, three numbers from {@code i} on
      * @param x of the point from the body's origin, body frame, metres, likewise y and z
      */
-    double lever(Placement body, double[] d, double x, double y, double z) {
+    double lever(Placement body, double[] d, int i, double x, double y, double z) {
         double rx = x - axis.x;
         double ry = y - axis.y;
         double rz = z - axis.z;
@@ -142,7 +142,7 @@ public final class Hinge {
         double wz = ux * ry - uy * rx;
         double along = chord * Math.cos(half);
         double inwards = chord * Math.sin(half);
-        return InnerMotion.along(body, d, along * wx + inwards * (uy * wz - uz * wy), along * wy + inwards * (uz * wx - ux * wz),
+        return InnerMotion.along(body, d, i, along * wx + inwards * (uy * wz - uz * wy), along * wy + inwards * (uz * wx - ux * wz),
             along * wz + inwards * (ux * wy - uy * wx));
     }
 }

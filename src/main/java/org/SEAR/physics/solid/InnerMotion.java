@@ -136,14 +136,14 @@ public final class InnerMotion {
      * The velocity of a point of a solid, as its body sees it, along a direction.
      *
      * @param at where the body's centre of mass is and how it is turned
-     * @param d unit direction, world frame
+     * @param d has a unit direction, world frame, three numbers from {@code i} on
      * @param x of the point, world frame, metres, likewise y and z
      * @param gone how much of the step is over, seconds: each point of the solid goes straight on through the step
      * @return m/s
      */
-    public double speed(int solid, Placement at, double[] d, double x, double y, double z, double gone) {
+    public double speed(int solid, Placement at, double[] d, int i, double x, double y, double z, double gone) {
         toStart(solid, at, x, y, z, gone);
-        return along(at, d, row(solid, 0), row(solid, 4), row(solid, 8));
+        return along(at, d, i, row(solid, 0), row(solid, 4), row(solid, 8));
     }
 
     private double row(int solid, int first) {
@@ -152,12 +152,12 @@ public final class InnerMotion {
     }
 
     /** How far a point of a solid goes along a direction when its hinge turns by 1 rad, metres; 0 if it has none. As {@link #speed}. */
-    public double lever(int solid, Placement at, double[] d, double x, double y, double z, double gone) {
+    public double lever(int solid, Placement at, double[] d, int i, double x, double y, double z, double gone) {
         if (hinges[solid] == null) {
             return 0;
         }
         toStart(solid, at, x, y, z, gone);
-        return hinges[solid].lever(at, d, own[0], own[1], own[2]);
+        return hinges[solid].lever(at, d, i, own[0], own[1], own[2]);
     }
 
     /** Where the point of a solid that is somewhere now was when the step began, in the body's frame. */
@@ -175,8 +175,8 @@ public final class InnerMotion {
     }
 
     /** The share along a direction of the world of a vector {x, y, z} of the body's frame. */
-    static double along(Placement at, double[] d, double x, double y, double z) {
-        return d[0] * (at.m00 * x + at.m01 * y + at.m02 * z) + d[1] * (at.m10 * x + at.m11 * y + at.m12 * z)
-            + d[2] * (at.m20 * x + at.m21 * y + at.m22 * z);
+    static double along(Placement at, double[] d, int i, double x, double y, double z) {
+        return d[i] * (at.m00 * x + at.m01 * y + at.m02 * z) + d[i + 1] * (at.m10 * x + at.m11 * y + at.m12 * z)
+            + d[i + 2] * (at.m20 * x + at.m21 * y + at.m22 * z);
     }
 }

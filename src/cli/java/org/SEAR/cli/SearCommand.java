@@ -14,6 +14,7 @@ import org.SEAR.cli.lessons.LessonCommand;
 import org.SEAR.cli.lessons.LessonsCommand;
 import org.SEAR.cli.sweep.SweepCommand;
 import org.SEAR.parallel.WorkerPool;
+import org.SEAR.simulator.SimulationRunner;
 import org.myrobotlab.embedded.python.JythonStart;
 import org.myrobotlab.embedded.python3.Python3Script;
 import org.myrobotlab.service.sear.run.RunParameters;
@@ -135,8 +136,9 @@ public final class SearCommand implements Callable<Integer> {
     }
 
     private String checkedSpeed() {
-        if (!speed.equals("max") && !(speed.matches("[0-9]*\\.?[0-9]+") && Double.parseDouble(speed) > 0)) {
-            throw new ParameterException(spec.commandLine(), "--speed is \"" + speed + "\", legal: a number above 0, or max");
+        if (!speed.equals("max") && !(speed.matches("[0-9]*\\.?[0-9]+") && Double.parseDouble(speed) >= SimulationRunner.SLOWEST)) {
+            throw new ParameterException(spec.commandLine(), "--speed is \"" + speed + "\", legal: a number of " + SimulationRunner.SLOWEST
+                + " or more, or max");
         }
         return speed;
     }

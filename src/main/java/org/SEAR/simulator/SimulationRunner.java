@@ -178,12 +178,22 @@ public final class SimulationRunner implements Runnable {
 
     /** @param factor simulated seconds per real second, at least 0.001; infinity = as fast as possible */
     public void setSpeed(double factor) {
-        if (!(factor >= SLOWEST)) {
-            throw new IllegalArgumentException("speed is " + factor + ", legal: " + SLOWEST + " or more");
-        }
-        speed = factor;
+        speed = checkedSpeed(factor);
         newPace = true;
         LockSupport.unpark(thread);
+    }
+
+    /**
+     * A factor that {@link #setSpeed} takes.
+     *
+     * @throws IllegalArgumentException that says what is legal
+     */
+    public static double checkedSpeed(double factor) {
+        if (!(factor >= SLOWEST)) {
+            throw new IllegalArgumentException("speed is " + factor + ", legal: " + SLOWEST
+                + " or more (1 = real time, float('inf') = as fast as possible); pause() stops time");
+        }
+        return factor;
     }
 
     /** The factor that was asked for; default 1. */

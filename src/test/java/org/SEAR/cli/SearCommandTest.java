@@ -207,8 +207,10 @@ public class SearCommandTest {
     public void whatMakesNoSenseIs2() throws Exception {
         assertEquals(2, sear("nix.py"));
         assertTrue(err, err.contains("nix.py can't be read"));
-        assertEquals(2, sear(script("pass"), "--speed", "fast"));
-        assertTrue(err, err.contains("--speed is \"fast\", legal: a number above 0, or max"));
+        for (String speed : new String[] {"fast", "0.0001"}) {
+            assertEquals(2, sear(script("pass"), "--speed", speed));
+            assertTrue(err, err.contains("--speed is \"" + speed + "\", legal: a number of 0.001 or more, or max"));
+        }
         for (String threads : new String[] {"0", "257", "-1", "all", "1000000000000"}) {
             assertEquals(2, sear(script("pass"), "--threads=" + threads));
             assertTrue(err, err.contains("--threads is \"" + threads + "\", legal: 1 to 256"));

@@ -51,9 +51,10 @@ public final class RunSettings {
 
     private static double factor(String text) {
         try {
-            return checkedSpeed(Double.parseDouble(text));
+            return SimulationRunner.checkedSpeed(Double.parseDouble(text));
         } catch (NumberFormatException e) {
-            throw new IllegalArgumentException("sear.speed is \"" + text + "\", legal: a number above 0, or max", e);
+            throw new IllegalArgumentException("sear.speed is \"" + text + "\", legal: a number of " + SimulationRunner.SLOWEST
+                + " or more, or max", e);
         }
     }
 
@@ -72,17 +73,5 @@ public final class RunSettings {
             throw new IllegalArgumentException("sear.threads is \"" + text + "\", legal: " + WorkerPool.LEGAL);
         }
         return Integer.parseInt(text);
-    }
-
-    /**
-     * @return the factor
-     * @throws IllegalArgumentException that says what is legal
-     */
-    public static double checkedSpeed(double factor) {
-        if (!(factor >= SimulationRunner.SLOWEST)) {
-            throw new IllegalArgumentException("speed is " + factor + ", legal: " + SimulationRunner.SLOWEST
-                + " or more (1 = real time, float('inf') = as fast as possible); pause() stops time");
-        }
-        return factor;
     }
 }

@@ -13,6 +13,7 @@ import org.SEAR.parallel.WorkerPool;
 import org.SEAR.project.Project;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
+import org.SEAR.simulator.SimulationRunner;
 import org.myrobotlab.service.sear.Host;
 
 /** Starts and ends the simulation of one SEAR service; there is one simulation in the whole program at a time. Any thread. */
@@ -175,7 +176,7 @@ public final class SimulationControl {
      * @param factor simulated seconds a second; infinity = as fast as possible
      */
     public void setSpeed(double factor) {
-        speed = RunSettings.checkedSpeed(factor);
+        speed = SimulationRunner.checkedSpeed(factor);
         if (isRunning()) {
             session().setSpeed(factor);
         }

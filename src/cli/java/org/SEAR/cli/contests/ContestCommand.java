@@ -80,9 +80,12 @@ public final class ContestCommand implements Callable<Integer> {
             if (!Files.isRegularFile(script)) {
                 throw new IOException(script + " can't be read: there is no such file");
             }
-            if (!name.matches("[\\w][\\w .-]*") || entered.put(name, script) != null) {
-                throw new IOException("the name of entry \"" + name + "\" is there twice, or has other things than letters, digits, blanks, -"
-                    + " and .; NAME=" + script + " gives it another");
+            if (!name.matches("[\\w][\\w .-]*")) {
+                throw new IOException("the name of entry \"" + name + "\" is not legal: letters of English, digits, _, blanks, - and .; NAME="
+                    + script + " gives it another");
+            }
+            if (entered.put(name, script) != null) {
+                throw new IOException("two entries are called \"" + name + "\"; NAME=" + script + " gives one another name");
             }
         }
         return entered;

@@ -74,6 +74,10 @@ class InProcess:
             return method(*arguments)
         except self._jpype.JException as error:
             raise self._translated(error) from None
+        except OverflowError as error:
+            bits = 31 if "Java int" in str(error) else 63
+            raise OverflowError("%s is called with (%s), legal: whole numbers from %d to %d"
+                                % (name or class_name.rpartition(".")[2], ", ".join(map(repr, arguments)), -2 ** bits, 2 ** bits - 1)) from None
         except TypeError as error:
             if "No matching overloads" not in str(error):
                 raise

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.project.problems.Problem;
-import org.SEAR.simulator.DriveOrder;
+import org.SEAR.robot.DriveOrder;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.service.config.SEARConfig;
 import org.myrobotlab.service.data.ImageData;

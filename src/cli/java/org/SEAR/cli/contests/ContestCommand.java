@@ -116,10 +116,11 @@ public final class ContestCommand implements Callable<Integer> {
         screen.printf("%-6s %-16s %8s %8s %6s  %s%n", "place", "entry", "points", "time", "bumps", "why");
         for (Entrant entry : contest.ranking()) {
             String points = number("%.6f", entry.getPoints()).replaceFirst("\\.?0+$", "");
+            String why = String.valueOf(entry.getWhy());
             String time = Double.isInfinite(entry.getTime()) ? "" : number("%.2f", entry.getTime());
-            screen.printf("%-6d %-16s %8s %8s %6d  %s%n", contest.place(entry), entry.getName(), points, time, entry.getBumps(), entry.getWhy());
+            screen.printf("%-6d %-16s %8s %8s %6d  %s%n", contest.place(entry), entry.getName(), points, time, entry.getBumps(), why);
             csv.append(contest.place(entry)).append(',').append(entry.getName()).append(',').append(points).append(',').append(time).append(',')
-                .append(entry.getBumps()).append(",\"").append(entry.getWhy().replace("\"", "\"\"")).append("\"\n");
+                .append(entry.getBumps()).append(",\"").append(why.replace("\"", "\"\"")).append("\"\n");
         }
         Files.write(out.resolve("scores.csv"), csv.toString().getBytes(StandardCharsets.UTF_8));
         screen.println();

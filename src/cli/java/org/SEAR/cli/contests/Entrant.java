@@ -288,6 +288,9 @@ public final class Entrant {
      */
     public void place(double x, double z, double heading) {
         beforeStart("place");
+        if (!Double.isFinite(x) || !Double.isFinite(z) || !Double.isFinite(heading)) {
+            throw new IllegalArgumentException("place of " + name + " is x " + x + ", z " + z + ", heading " + heading + ", legal: numbers");
+        }
         Pose to = Pose.ofDegrees(x, robot.getPose().y, z, 0, 90 - heading, 0);
         world.move(getRobot(), to, to);
     }
@@ -348,6 +351,9 @@ public final class Entrant {
     }
 
     public void setPoints(double points) {
+        if (!Double.isFinite(points)) {
+            throw new IllegalArgumentException("points of " + name + " are " + points + ", legal: a number");
+        }
         this.points = points;
     }
 

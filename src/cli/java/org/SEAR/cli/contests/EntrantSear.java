@@ -4,10 +4,11 @@ import java.util.List;
 import org.SEAR.POJOs.Led;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.Servo;
+import org.SEAR.robot.DriveOrder;
 import org.SEAR.sensors.OdometerSensor;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.simulator.ActuatorOrder;
-import org.SEAR.simulator.DriveOrder;
+import org.SEAR.simulator.DriveCommand;
 import org.SEAR.simulator.Simulation;
 
 /**
@@ -92,7 +93,7 @@ public final class EntrantSear {
     }
 
     private void give(DriveOrder order) {
-        act(world -> order.give(world, entrant.robot()));
+        act(world -> world.post(DriveCommand.of(world, entrant.robot(), order)));
     }
 
     public void setSteering(double degrees) {

@@ -207,6 +207,18 @@ public class ContestTest {
         Files.writeString(contest.resolve("referee.py"), "SECONDS = 4\ndef stepped(contest):\n    contest.entrys\n");
         String wrong = run(entered(contest, "one", drive));
         assertTrue(wrong, wrong.startsWith("2\nsear contest: ") && wrong.contains("has an error, which is no entrant's") && wrong.contains("line 3"));
+        for (String[] odd : new String[][] {{"contest.entries[0].points = float('nan')", "points of one are NaN, legal: a number"},
+            {"sys.exit(3)", "has ended itself, with status 3, legal: contest.end(words)"}}) {
+            Files.writeString(contest.resolve("referee.py"), "import sys\nSECONDS = 4\ndef stepped(contest):\n    " + odd[0] + "\n");
+            wrong = run(entered(contest, "one", drive));
+            assertTrue(wrong, wrong.startsWith("2\nsear contest: ") && wrong.contains(odd[1]));
+        }
+        Files.writeString(contest.resolve("referee.py"), "SECONDS = 1\ndef stepped(contest): contest.entries[0].finish(None)\n");
+        assertTrue(run(entered(contest, "one", drive)).startsWith("0\n"));
+        Files.writeString(contest.resolve("referee.py"), "def positions(contest): contest.entries[0].place(float('nan'), 0, 0)\n"
+            + "SECONDS = 1\ndef stepped(contest): pass\n");
+        wrong = run(entered(contest, "one", drive));
+        assertTrue(wrong, wrong.contains("place of one is x NaN, z 0.0, heading 0.0, legal: numbers"));
         Files.writeString(contest.resolve("referee.py"), "def stepped(contest): pass\n");
         assertTrue(run(entered(contest, "one", drive)).contains("lacks SECONDS, how much simulated time there is"));
         assertTrue(run(List.of(folder.getRoot().toString(), "x.py")).contains("is no contest, it lacks world.sear"));

@@ -1,8 +1,9 @@
 package org.myrobotlab.service.sear.readings;
 
+import org.SEAR.robot.DriveOrder;
 import org.SEAR.robot.Robot;
 import org.SEAR.simulator.ActuatorOrder;
-import org.SEAR.simulator.DriveOrder;
+import org.SEAR.simulator.DriveCommand;
 import org.myrobotlab.service.sear.run.SimulationControl;
 
 /**
@@ -21,7 +22,7 @@ public final class ScriptDriving {
         control.session().scriptDrives();
         String given = control.session().ask(world -> {
             Robot driven = ScriptReadings.robot(world, robot);
-            order.give(world, driven);
+            world.post(DriveCommand.of(world, driven, order));
             return driven.getObject().getName();
         });
         control.session().scriptOrders(given, order.call, order.values, order.moves);

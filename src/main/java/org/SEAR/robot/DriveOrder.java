@@ -1,8 +1,6 @@
-package org.SEAR.simulator;
+package org.SEAR.robot;
 
 import java.util.Arrays;
-import java.util.function.BiFunction;
-import org.SEAR.robot.Robot;
 
 /** What a script says by {@code driveStraight}, {@code spin}, {@code setWheelSpeeds} or {@code drive}, checked. Immutable, any thread. */
 public final class DriveOrder {
@@ -17,33 +15,37 @@ public final class DriveOrder {
     public final String values;
     /** Whether it lets the robot move. */
     public final boolean moves;
-    private final BiFunction<Integer, Robot, DriveCommand> command;
+    /** Whether it is the speeds of both sides; else speed and radius of a circle. */
+    public final boolean wheels;
+    private final double first;
+    private final double second;
 
-    private DriveOrder(String call, boolean moves, BiFunction<Integer, Robot, DriveCommand> command, double... values) {
+    private DriveOrder(String call, boolean wheels, double first, double second, double... values) {
         this.call = call;
         this.values = Arrays.toString(values);
-        this.moves = moves;
-        this.command = command;
+        this.moves = first != 0 || wheels && second != 0;
+        this.wheels = wheels;
+        this.first = first;
+        this.second = second;
     }
 
     /** @param speed m/s, + forward */
     public static DriveOrder straight(double speed) {
         check("driveStraight: speed", speed, MOST_SPEED, "m/s");
-        return new DriveOrder("driveStraight", speed != 0, (number, driven) -> DriveCommand.wheels(number, speed, speed), speed);
+        return new DriveOrder("driveStraight", true, speed, speed, speed);
     }
 
     /** @param degrees a second, + to the left */
     public static DriveOrder spin(double degrees) {
         check("spin: speed", degrees, MOST_SPIN, "degrees a second");
-        return new DriveOrder(SPIN, degrees != 0, (number, driven) ->
-            DriveCommand.circle(number, Math.toRadians(degrees) * driven.getHardware().getWheelBase() / 2, 0), degrees);
+        return new DriveOrder(SPIN, false, degrees, 0, degrees);
     }
 
     /** @param left m/s over ground, + forward, likewise right */
     public static DriveOrder wheels(double left, double right) {
         check("setWheelSpeeds: left", left, MOST_SPEED, "m/s");
         check("setWheelSpeeds: right", right, MOST_SPEED, "m/s");
-        return new DriveOrder("setWheelSpeeds", left != 0 || right != 0, (number, driven) -> DriveCommand.wheels(number, left, right), left, right);
+        return new DriveOrder("setWheelSpeeds", true, left, right, left, right);
     }
 
     /**
@@ -57,7 +59,7 @@ public final class DriveOrder {
         if (Double.isNaN(radius)) {
             throw new IllegalArgumentException("drive: radius is " + radius + ", legal: metres, + to the left, 0 or infinity");
         }
-        return new DriveOrder("drive", speed != 0, (number, driven) -> DriveCommand.circle(number, speed, radius), speed, radius);
+        return new DriveOrder("drive", false, speed, radius, speed, radius);
     }
 
     private static void check(String what, double value, double most, String unit) {
@@ -67,19 +69,28 @@ public final class DriveOrder {
     }
 
     /**
-     * Gives it to a robot of the world. Simulation thread.
+     * The speed of the left side, or along the circle, m/s.
      *
      * @throws IllegalArgumentException if the robot can't do that, with what would let it
      */
-    public void give(Simulation world, Robot driven) {
+    public double getFirst(Robot driven) {
         String name = driven.getObject().getName();
         if (driven.getHardware().getWheelRadius() == 0) {
             throw new IllegalArgumentException("robot " + name + " has no driven wheels: robot.addWheel(Wheel(name, radius, width, 1)) adds one");
         }
-        if (call.equals(SPIN) && driven.getHardware().getWheelBase() == 0) {
+        if (!call.equals(SPIN)) {
+            return first;
+        }
+        double base = driven.getHardware().getWheelBase();
+        if (base == 0) {
             throw new IllegalArgumentException("robot " + name + " can't turn in place: its driven wheels are all in its middle;"
                 + " wheel.move(x, y, z) puts one to the left with x above 0, to the right with x below");
         }
-        world.post(command.apply(world.getRobots().indexOf(driven), driven));
+        return Math.toRadians(first) * base / 2;
+    }
+
+    /** The speed of the right side, m/s, or the radius of the circle, m. */
+    public double getSecond() {
+        return second;
     }
 }

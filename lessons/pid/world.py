@@ -23,6 +23,8 @@ wall = Box("wall", 1, 0.1, 0.4, 0, "textures/brick.png")
 wall.move(0, y, z)
 wall.rotate(-SLOPE, 0, 0)
 robot = Robots.rover("robot")
+for name in ("leftMotor", "rightMotor"):
+    robot.getPart(name).setNoLoadSpeed(200)    # rad/s: a motor that fast hardly brakes the rover, which is left to D
 robot.addComponent(Distance("eye", "laser", 0, 0.03, 0.07, 0, 0, 0))
 y, z = place(1.4, 0.05)
 robot.move(0, y, z)

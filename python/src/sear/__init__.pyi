@@ -3,7 +3,9 @@ from typing import Any, Dict, List, Literal, Optional, Sequence, overload
 
 import numpy as np
 
-__all__: List[str]
+# All that `from sear import *` brings; the objects follow at the end.
+__all__ = ["Runtime", "python", "start", "connect", "close", "sweep", "IllegalArgumentException", "IllegalStateException", "IOException",
+           "JavaError", "NullPointerException", "UnsupportedOperationException", "JavaObject", "Record"]
 
 
 class JavaError(Exception): ...
@@ -32,6 +34,19 @@ def close() -> None:
 
 class JavaObject:
     def __getattr__(self, name: str) -> Any: ...
+
+
+class Record:
+    """A record of a run: record.names, record["rover.x"] as an array over record.times, and plots."""
+    path: str
+    names: List[str]
+    times: np.ndarray
+    def __init__(self, path: Any) -> None: ...
+    def __getitem__(self, name: str) -> np.ndarray: ...
+    def plot(self, *names: str) -> Any:
+        """A picture of these values over time, those of one unit in one box; of a speed and a sensor if none are named."""
+    def save(self, picture: Any, *names: str) -> None:
+        """The same as a file, whose name ends in .png or .svg."""
 
 
 class _Python:
@@ -1075,7 +1090,13 @@ class SEARrobot(PlacedObject):
     def getPlaceHeading(self) -> Any: ...
     def getWheels(self) -> List[Any]: ...
     def move(self, newX: float, newY: float, newZ: float) -> None: ...
+    @overload
+    def place(self, latitude: float, longitude: float) -> None: ...
+    @overload
     def place(self, latitude: float, longitude: float, heading: float) -> None: ...
+    @overload
+    def placeAt(self, newX: float, newZ: float) -> None: ...
+    @overload
     def placeAt(self, newX: float, newZ: float, heading: float) -> None: ...
     def rotate(self, newRx: float, newRy: float, newRz: float) -> None: ...
     def setOwnFolder(self, component: str, on: bool) -> None: ...
@@ -1296,3 +1317,61 @@ class Workbench(JavaObject):
     def ofOthers(self, names: Any) -> str: ...
     def open(self) -> None: ...
     def projectTaken(self) -> None: ...
+
+
+__all__ += [
+    "Accelerometer",
+    "Arduino",
+    "Assembly",
+    "Beam",
+    "BeamCone",
+    "Board",
+    "BoardWire",
+    "Box",
+    "BrownLens",
+    "Bumper",
+    "Camera",
+    "Chessboard",
+    "ColorSensor",
+    "Compass",
+    "Cone",
+    "Cylinder",
+    "Distance",
+    "Draft",
+    "Dynamics",
+    "Floor",
+    "GPS",
+    "GroundHeights",
+    "Gyroscope",
+    "IMU",
+    "LIDAR",
+    "Led",
+    "LineSensor",
+    "Marker",
+    "Model",
+    "Motor",
+    "Noise",
+    "ObjectStore",
+    "ObjectTypes",
+    "Odometer",
+    "OpenInterfaceBody",
+    "Picture",
+    "PlacedObject",
+    "Robots",
+    "RoundShape",
+    "SEARrobot",
+    "SearObject",
+    "SensorObject",
+    "SerialObject",
+    "SerialParameters",
+    "Servo",
+    "Shape",
+    "Sphere",
+    "SurfaceSensor",
+    "Terrain",
+    "VoltagePoint",
+    "Wheel",
+    "Wirable",
+    "WireRules",
+    "Workbench",
+]

@@ -51,6 +51,18 @@ def misfit(name, arguments, legal):
     return "%s can't be called with (%s)%s" % (name, given, "; legal: " + ", or ".join(legal) if legal else "")
 
 
+def too_large(name, arguments, bits):
+    """The exception for a whole number that no call of Java's takes."""
+    return OverflowError("%s is called with (%s), legal: whole numbers from %d to %d"
+                         % (name, ", ".join(map(repr, arguments)), -2 ** bits, 2 ** bits - 1))
+
+
+def refuse_large(name, arguments):
+    """Raises it if a whole number is too large even for a long one."""
+    if any(type(one) is int and not -2 ** 63 <= one < 2 ** 63 for one in arguments):
+        raise too_large(name, arguments, 63)
+
+
 def told(error):
     """An error with its traceback as Python prints it, without the lines of this package."""
     whole = traceback.TracebackException.from_exception(error)

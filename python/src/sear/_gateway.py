@@ -82,6 +82,7 @@ class OverGateway:
         return self.to_python(self._run(call, (of, name), arguments, class_name, name))
 
     def _run(self, call, how, arguments, class_name, name):
+        _errors.refuse_large(name or class_name.rpartition(".")[2], arguments)
         try:
             return call(*how, arguments)
         except Py4JJavaError as error:

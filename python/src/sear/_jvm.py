@@ -74,6 +74,8 @@ class InProcess:
             return method(*arguments)
         except self._jpype.JException as error:
             raise self._translated(error) from None
+        except OverflowError as error:
+            raise _errors.too_large(name or class_name.rpartition(".")[2], arguments, 31 if "Java int" in str(error) else 63) from None
         except TypeError as error:
             if "No matching overloads" not in str(error):
                 raise
@@ -84,6 +86,7 @@ class InProcess:
     def wait(self, java, name, argument):
         """A call that waits, which an interrupt ends. Main thread."""
         threads = self._jpype.JClass("java.lang.Thread")
+        _errors.refuse_large(name, [argument])
         with interruptible(threads.currentThread().interrupt, threads.interrupted):
             self.run(self._jpype.JClass(WAITS).call, java, name, self.java_list([argument]))
 

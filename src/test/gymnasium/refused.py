@@ -29,10 +29,19 @@ refused(ValueError, "action 1 is (1,), legal: the speeds of the left and the rig
 refused(ValueError, "action 0 is (0, 11), legal: -10 to 10 m/s", SearEnv, OFFICE, actions=[(0, 11)])
 refused(ValueError, "actions is -1, legal: a list of (left, right), or the highest speed of the wheels, above 0 to 10 m/s", SearEnv, OFFICE,
         actions=-1)
-refused(ValueError, "steps_per_action is 0, legal: a whole number from 1", SearEnv, OFFICE, steps_per_action=0)
+refused(ValueError, "steps_per_action is 0, legal: a whole number from 1 to 216000", SearEnv, OFFICE, steps_per_action=0)
 refused(ValueError, "max_seconds is 0, legal: above 0, or None", SearEnv, OFFICE, max_seconds=0)
 refused(ValueError, "render_mode is 'human', legal: \"rgb_array\" or None", SearEnv, OFFICE, render_mode="human")
 refused(ValueError, "start is an empty list, legal: None, a list of (x, z, heading), or a function that answers one", SearEnv, OFFICE, start=[])
+refused(ValueError, "start 0 is 0, legal: x and z in metres and heading in degrees", SearEnv, OFFICE, start=(0, 1, 90))
+refused(ValueError, "steps_per_action is 1099511627776, legal: a whole number from 1 to 216000", SearEnv, OFFICE, steps_per_action=2 ** 40)
+refused(ValueError, "max_seconds is 'a', legal: above 0, or None", SearEnv, OFFICE, max_seconds="a")
+refused(ValueError, "actions is None, legal: a list of (left, right), or the highest speed of the wheels, above 0 to 10 m/s", SearEnv, OFFICE,
+        actions=None)
+refused(ValueError, "sensors is 'myLidar', legal: a list of names", SearEnv, OFFICE, sensors="myLidar")
+refused(ValueError, "sensors is ['myLidar', 'myLidar'], legal: each name once", SearEnv, OFFICE, sensors=["myLidar", "myLidar"])
+refused(ValueError, "reward is 3, legal: a function of the robot", SearEnv, OFFICE, reward=3)
+refused(ValueError, "size is 5, legal: width and height in pixels, as (480, 360)", SearEnv, OFFICE, size=5)
 try:
     SearEnv(OFFICE, things=["moon"])
     raise AssertionError("there is no moon")
@@ -42,18 +51,28 @@ except sear.IllegalArgumentException as error:
 env = SearEnv(OFFICE, actions=[(0.2, 0.2)], sensors=["leftFrontPing"])
 refused(RuntimeError, "reset() has to come before step()", env.step, 0)
 env.reset(seed=1)
-refused(ValueError, "action is 1, legal: 0 to 0", env.step, 1)
+refused(ValueError, "action is 1, legal: a whole number from 0 to 0", env.step, 1)
 refused(ValueError, "options has speed, legal: start, noise", env.reset, options={"speed": 1})
 refused(KeyError, "myLidar is not observed, legal: leftFrontPing", env.robot.__getitem__, "myLidar")
 refused(ValueError, "start is (1, 2), legal: x and z in metres and heading in degrees", env.reset, options={"start": (1, 2)})
-free = SearEnv(OFFICE, actions=0.5)
+for number in (None, "left", [0], 0.5, numpy.array([0])):
+    refused(ValueError, "action is %r, legal: a whole number from 0 to 0" % (number,), env.step, number)
+assert env.step(numpy.int64(0))[4] == env.step(numpy.array(0))[4] == {}
+for answer in (None, float("nan"), "much"):
+    odd = SearEnv(OFFICE, reward=lambda robot: answer, steps_per_action=numpy.int64(1))
+    odd.reset(seed=1)
+    refused(ValueError, "the reward function has answered %r, legal: a number" % (answer,), odd.step, (0, 0))
+free = SearEnv(OFFICE, actions=0.5, render_mode="rgb_array")
 free.reset(seed=1)
 refused(ValueError, "action is [0.6 0. ], legal: two speeds from -0.5 to 0.5 m/s", free.step, numpy.array([0.6, 0]))
+for pair in (None, 0.1, [0.1], [0.1, 0.1, 0.1], "ab", [float("nan"), 0]):
+    refused(ValueError, "action is %s, legal: two speeds from -0.5 to 0.5 m/s" % (pair,), free.step, pair)
 refused(RuntimeError, "SEAR has been started or connected to already, in another way; a program or a notebook's kernel does it once: begin a new one",
         sear.connect)
 free.close()
 refused(RuntimeError, "reset() has to come before step()", free.step, numpy.array([0.1, 0]))
 refused(RuntimeError, "the environment is closed: make another one", free.reset)
+refused(RuntimeError, "the environment is closed: make another one", free.render)
 free.close()
 assert gymnasium.make("SEAR/Maze-v0", max_seconds=1).reset(seed=1)
 print("all refused")

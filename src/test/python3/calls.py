@@ -56,6 +56,9 @@ assert robots.isSimulating() is True
 assert robots.checkProject()["problems"] == [], robots.checkProject()
 refused((IllegalArgumentException, ValueError), 'no sensor is called "pong", legal: ping, scanner', robots.getReading, "pong")
 refused((AttributeError,), "SEAR has no getPoze: did you mean getPose?", getattr, robots, "getPoze")
+refused(((OverflowError, IllegalArgumentException),), "legal: whole numbers from -2147483648 to 2147483647", robots.step, 2 ** 40)
+refused((OverflowError,), "step is called with (1180591620717411303424), legal: whole numbers from -9223372036854775808 to", robots.step, 2 ** 70)
+refused((OverflowError,), "setResult is called with ('v', 1180591620717411303424), legal: whole numbers from -92", robots.setResult, "v", 2 ** 70)
 refused((TypeError,), "driveStraight can't be called with (str, str, str); legal: driveStraight(speed: float), or driveStraight(robot: str, speed: float)",
         robots.driveStraight, "a", "b", "c")
 robots.push("rover", numpy.array([0, 0, 0.5]), 0.1)

@@ -1,32 +1,18 @@
 """A project as an environment of Gymnasium."""
+from numbers import Real
+
 import gymnasium
 import numpy
 from gymnasium import spaces
 
+from . import _legal
 from ._java import Episode
 from ._robot import RobotState
 
 SECONDS = 1 / 60
 FASTEST = 10.0
 SEEDS = 2 ** 62
-
-
-def _wheels(pair, number):
-    try:
-        left, right = (float(one) for one in pair)
-    except (TypeError, ValueError):
-        raise ValueError("action %d is %r, legal: the speeds of the left and the right wheels, m/s, as (0.2, 0.2)" % (number, pair)) from None
-    if not (abs(left) <= FASTEST and abs(right) <= FASTEST):
-        raise ValueError("action %d is %r, legal: -%g to %g m/s" % (number, pair, FASTEST, FASTEST))
-    return left, right
-
-
-def _start(place):
-    try:
-        x, z, heading = (None,) * 3 if place is None else (float(one) for one in place)
-    except (TypeError, ValueError):
-        raise ValueError("start is %r, legal: x and z in metres and heading in degrees" % (place,)) from None
-    return None if place is None else (x, z, heading)
+MOST_STEPS = 216000
 
 
 class SearEnv(gymnasium.Env):
@@ -55,39 +41,34 @@ class SearEnv(gymnasium.Env):
                  start=None, seed=None, render_mode=None, size=(480, 360)):
         if render_mode not in (None, "rgb_array"):
             raise ValueError("render_mode is %r, legal: \"rgb_array\" or None" % (render_mode,))
-        if isinstance(steps_per_action, bool) or not isinstance(steps_per_action, int) or steps_per_action < 1:
-            raise ValueError("steps_per_action is %r, legal: a whole number from 1" % (steps_per_action,))
-        if max_seconds is not None and not max_seconds > 0:
-            raise ValueError("max_seconds is %r, legal: above 0, or None" % (max_seconds,))
-        if start is not None and not callable(start) and not len(start):
-            raise ValueError("start is an empty list, legal: None, a list of (x, z, heading), or a function that answers one")
+        self._steps = _legal.whole("steps_per_action", steps_per_action, 1, MOST_STEPS)
+        self._limit = _legal.seconds("max_seconds", max_seconds)
+        self._start = _legal.places(start)
+        self._reward = _legal.function("reward", reward, forward)
+        self._done = _legal.function("done", done, crashed)
+        self._size = _legal.size(size)
         self._set_actions(actions)
-        self._episode = Episode(project, robot, sensors, list(things), FASTEST, 0)
-        self._reward = reward or forward
-        self._done = done or crashed
-        self._start = start
-        self._steps = steps_per_action
-        self._limit = max_seconds
+        self._episode = Episode(project, robot, None if sensors is None else _legal.names("sensors", sensors), _legal.names("things", things), FASTEST,
+                                0)
         self._seed = seed
-        self._size = size
         self._ready = False
         self.render_mode = render_mode
-        self.metadata = dict(self.metadata, render_fps=max(1, round(60 / steps_per_action)))
+        self.metadata = dict(self.metadata, render_fps=max(1, round(60 / self._steps)))
         self.robot = RobotState(self._episode)
         self.observation_space = spaces.Box(self._episode.low, self._episode.high, dtype=numpy.float32)
 
     def _set_actions(self, actions):
-        if isinstance(actions, (int, float)) and not isinstance(actions, bool):
-            if not 0 < actions <= FASTEST:
+        if hasattr(actions, "__iter__"):
+            self._choices = [_legal.wheels("action %d" % number, pair, FASTEST) for number, pair in enumerate(actions)]
+            if not self._choices:
+                raise ValueError("actions is an empty list, legal: one or more (left, right)")
+            self.action_space = spaces.Discrete(len(self._choices))
+        else:
+            if isinstance(actions, bool) or not isinstance(actions, Real) or not 0 < actions <= FASTEST:
                 raise ValueError("actions is %r, legal: a list of (left, right), or the highest speed of the wheels, above 0 to %g m/s"
                                  % (actions, FASTEST))
             self._choices = None
             self.action_space = spaces.Box(-float(actions), float(actions), (2,), numpy.float32)
-        else:
-            self._choices = [_wheels(pair, number) for number, pair in enumerate(actions)]
-            if not self._choices:
-                raise ValueError("actions is an empty list, legal: one or more (left, right)")
-            self.action_space = spaces.Discrete(len(self._choices))
 
     def _place(self):
         if self._start is None or callable(self._start):
@@ -102,9 +83,9 @@ class SearEnv(gymnasium.Env):
         options = options or {}
         unknown = set(options) - {"start", "noise"}
         if unknown:
-            raise ValueError("options has %s, legal: start, noise" % ", ".join(sorted(unknown)))
-        start = _start(options.get("start", self._place()))
-        noise = int(options.get("noise", self.np_random.integers(SEEDS)))
+            raise ValueError("options has %s, legal: start, noise" % ", ".join(sorted(map(str, unknown))))
+        start = _legal.place("start", options.get("start", self._place()))
+        noise = _legal.whole("noise", options.get("noise", self.np_random.integers(SEEDS)), -2 ** 63, 2 ** 63 - 1)
         self._episode.reset(noise, start)
         self.robot._begin()
         self._ready = True
@@ -115,18 +96,13 @@ class SearEnv(gymnasium.Env):
         if not self._ready:
             raise RuntimeError("reset() has to come before step()")
         if self._choices is None:
-            left, right = float(action[0]), float(action[1])
-            most = float(self.action_space.high[0])
-            if not (abs(left) <= most and abs(right) <= most):
-                raise ValueError("action is %s, legal: two speeds from -%g to %g m/s" % (action, most, most))
+            left, right = _legal.speeds(action, float(self.action_space.high[0]))
         else:
-            if not 0 <= action < len(self._choices):
-                raise ValueError("action is %s, legal: 0 to %d" % (action, len(self._choices) - 1))
-            left, right = self._choices[action]
+            left, right = self._choices[_legal.whole("action", action, 0, len(self._choices) - 1)]
         self._episode.step(left, right, self._steps)
         robot = self.robot
         robot._acted(action)
-        reward = float(self._reward(robot))
+        reward = _legal.reward(self._reward(robot))
         ended = bool(self._done(robot))
         late = self._limit is not None and robot.time >= self._limit - SECONDS / 2
         return self._episode.numbers.copy(), reward, ended, late, {}

@@ -106,11 +106,14 @@ class Episode:
             at += size
         self._step = self._episode.step
 
-    def reset(self, seed, start):
-        """Starts anew; start is None for the project's own place, else x, z and heading."""
+    def _open(self):
         if self._episode is None:
             raise RuntimeError("the environment is closed: make another one")
-        self._java.run(self._episode.reset, seed, *(start or ()))
+        return self._episode
+
+    def reset(self, seed, start):
+        """Starts anew; start is None for the project's own place, else x, z and heading."""
+        self._java.run(self._open().reset, seed, *(start or ()))
 
     def step(self, left, right, steps):
         """An action for so many steps."""
@@ -121,7 +124,7 @@ class Episode:
 
     def draw(self, width, height):
         """From above, as an array of height, width and colour."""
-        pixels = self._java.run(self._episode.draw, width, height)
+        pixels = self._java.run(self._open().draw, width, height)
         return numpy.frombuffer(bytes(pixels), numpy.uint8).reshape(height, width, 3).copy()
 
     def close(self):

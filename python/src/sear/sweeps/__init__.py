@@ -101,6 +101,7 @@ class _Sweep:
         self._folder = None if out is None else Folder(os.fspath(out))
         self._quiet = quiet
         self._told = 0
+        self._first = True
         self._width = 0
 
     def _common(self):
@@ -159,12 +160,23 @@ class _Sweep:
             if self._folder is not None:
                 self._folder.add(made)
             self._progress(done, before, begun)
+            self._unasked(answers)
 
         with _deal.connected(number, scheduler, scheduler_file, self._tell) as client:
             begun.append(time.monotonic())
             if before:
                 self._tell("%d of %d rows are there already" % (before, len(self._rows)))
             _deal.deal(client, self._common(), (self._part(row) for row in missing), took)
+
+    def _unasked(self, answers):
+        """Once, of the first run that has come to its end: a name that is spelled otherwise than in the script makes no difference there."""
+        first = next(((part, answer) for part, answer in answers if answer["status"] == "ok"), None)
+        if not self._first or first is None:
+            return
+        self._first = False
+        part, answer = first
+        for name in answer.get("unasked", ()):
+            self._tell("row %d has not asked for parameter %s: is it called so in the script, in sear.getParameter?" % (part["row"], name))
 
     def _tell(self, text):
         if not self._quiet:

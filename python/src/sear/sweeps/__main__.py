@@ -61,6 +61,9 @@ def main(arguments):
         return 130
     if given.again is None:
         print("%d rows in %s: %s" % (len(rows), folder, _counts(rows)))
+        for status in sorted({row["status"] for row in rows} - {"ok"}):
+            first = next(row for row in rows if row["status"] == status)
+            print("%s: row %d: %s" % (status, first["row"], first["message"]), file=sys.stderr)
     return 0
 
 

@@ -106,6 +106,7 @@ class _Runs:
             results.update(answered or {})
             wrong = None if message else _wrong(results, task["parameters"])
             return {"status": "failed" if message or wrong else "ok", "message": message or wrong or "", "results": {} if wrong else results,
+                    "unasked": [] if task["kind"] == "function" else [str(name) for name in self._parameters.unasked()],
                     "clean": threading.active_count() <= threads}
         finally:
             for name in given:

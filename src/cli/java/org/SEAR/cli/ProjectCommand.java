@@ -3,6 +3,7 @@ package org.SEAR.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -11,6 +12,7 @@ import org.SEAR.project.bundle.Bundle;
 import org.SEAR.project.bundle.PercentProgress;
 import org.SEAR.project.problems.FileReasons;
 import org.SEAR.project.problems.ProjectException;
+import org.myrobotlab.service.sear.files.ExampleBundles;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
@@ -22,7 +24,7 @@ abstract class ProjectCommand implements Callable<Integer> {
     private static final String PROJECT = "SEARproject";
 
     @Parameters(paramLabel = "FOLDER_OR_FILE.sear", arity = "0..1", defaultValue = PROJECT,
-        description = "A SEARproject folder, the folder that it lies in, or a bundle. Default: ${DEFAULT-VALUE}.")
+        description = "A SEARproject folder, the folder that it lies in, or a bundle; examples are found anywhere. Default: ${DEFAULT-VALUE}.")
     private Path path;
     @Spec
     private CommandSpec spec;
@@ -44,20 +46,25 @@ abstract class ProjectCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         PrintWriter err = spec.commandLine().getErr();
         String unreadable = "sear " + spec.name() + ": " + path + " can't be read: ";
-        if (!Files.exists(path)) {
-            err.println(unreadable + "there is no such file or folder");
-            return PROBLEMS;
-        }
         try {
-            Path inside = path.resolve(PROJECT);
-            print(Files.isDirectory(path) ? look(Project.read(Files.isDirectory(inside) ? inside : path))
-                : Bundle.check(path, new PercentProgress(doing(), path, err::println), this::look), path, out);
+            print(ExampleBundles.with(path, found -> read(found, err)), path, out);
             return ExitCode.OK;
+        } catch (NoSuchFileException e) {
+            err.println(unreadable + "there is no such file or folder");
         } catch (ProjectException e) {
             print(e, path, out, err);
         } catch (IOException e) {
             err.println(unreadable + FileReasons.of(e));
         }
         return PROBLEMS;
+    }
+
+    private List<String> read(Path found, PrintWriter err) throws IOException, ProjectException {
+        if (!Files.exists(found)) {
+            throw new NoSuchFileException(found.toString());
+        }
+        Path inside = found.resolve(PROJECT);
+        return Files.isDirectory(found) ? look(Project.read(Files.isDirectory(inside) ? inside : found))
+            : Bundle.check(found, new PercentProgress(doing(), path, err::println), this::look);
     }
 }

@@ -20,6 +20,7 @@ import org.myrobotlab.embedded.python3.Python3Script;
 import org.myrobotlab.service.sear.run.RunParameters;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -32,7 +33,7 @@ import picocli.CommandLine;
 @Command(name = "sear", mixinStandardHelpOptions = true, versionProvider = Version.class,
     subcommands = {CheckCommand.class, ScriptCommand.class, SensorsCommand.class, ModemLinesCommand.class, InstallCommand.class,
         LessonsCommand.class, LessonCommand.class, GradeCommand.class, SweepCommand.class, ClassCommand.class,
-        ContestCommand.class, AutoComplete.GenerateCompletion.class},
+        ContestCommand.class, AutoComplete.GenerateCompletion.class, HelpCommand.class},
     description = "Runs a Python script in a small MyRobotLab with SEAR in it, or opens a project in the tabs, and in the browser where there is one."
         + " The project of a script is the folder SEARproject in the present folder.",
     footer = "Exit status: 0 when the script ends, 1 when it raises, 2 when the command makes no sense.")
@@ -123,7 +124,12 @@ public final class SearCommand implements Callable<Integer> {
         if (script == null || Files.isDirectory(script) || script.toString().endsWith(".sear")) {
             return run.project(script, !headless);
         }
-        return run.script(script, arguments, keep, checkedUntil());
+        int status = run.script(script, arguments, keep, checkedUntil());
+        if (status == CommandLine.ExitCode.OK) {
+            RunParameters.unasked().forEach(name -> err.println("sear: the script has not asked for parameter " + name
+                + ": is it called so there, in sear.getParameter?"));
+        }
+        return status;
     }
 
     private void set(String parameter) {

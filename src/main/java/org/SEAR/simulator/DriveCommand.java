@@ -1,6 +1,7 @@
 package org.SEAR.simulator;
 
 import java.util.function.Consumer;
+import org.SEAR.robot.DriveOrder;
 import org.SEAR.robot.Robot;
 
 /** A command that moves a robot, as {@link Simulation#post} takes it; a record knows it again. Immutable, any thread. */
@@ -27,6 +28,15 @@ public final class DriveCommand implements Consumer<Simulation> {
     /** @param radius metres, + to the left, infinite = straight, 0 = in place */
     public static DriveCommand circle(int robot, double speed, double radius) {
         return new DriveCommand(robot, false, speed, radius);
+    }
+
+    /**
+     * What a script has ordered.
+     *
+     * @throws IllegalArgumentException if the robot can't do that, with what would let it
+     */
+    public static DriveCommand of(Simulation world, Robot driven, DriveOrder order) {
+        return new DriveCommand(world.getRobots().indexOf(driven), order.wheels, order.getFirst(driven), order.getSecond());
     }
 
     @Override

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.SEAR.grammar.ScriptText;
 import org.SEAR.project.problems.Problem;
+import org.SEAR.robot.DriveOrder;
 import org.myrobotlab.framework.Message;
 import org.myrobotlab.service.config.SEARConfig;
 import org.myrobotlab.service.data.ImageData;
@@ -280,7 +281,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @example sear.driveStraight("myRoomba", -0.1)
      */
     public void driveStraight(String robot, double speed) {
-        calls.act(() -> parts.driving().straight(robot, speed));
+        calls.act(() -> parts.driving().give(robot, DriveOrder.straight(speed)));
     }
 
     /**
@@ -302,7 +303,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @example sear.spin("myRoomba", -90)
      */
     public void spin(String robot, double degPerSecond) {
-        calls.act(() -> parts.driving().spin(robot, degPerSecond));
+        calls.act(() -> parts.driving().give(robot, DriveOrder.spin(degPerSecond)));
     }
 
     /**
@@ -326,7 +327,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @example sear.setWheelSpeeds("myRoomba", 0, 0)
      */
     public void setWheelSpeeds(String robot, double left, double right) {
-        calls.act(() -> parts.driving().wheels(robot, left, right));
+        calls.act(() -> parts.driving().give(robot, DriveOrder.wheels(left, right)));
     }
 
     /**
@@ -351,7 +352,7 @@ public class SEAR extends OwnConfigService<SEARConfig> {
      * @example sear.drive("myRoomba", 0.2, float("inf"))
      */
     public void drive(String robot, double speed, double radius) {
-        calls.act(() -> parts.driving().circle(robot, speed, radius));
+        calls.act(() -> parts.driving().give(robot, DriveOrder.circle(speed, radius)));
     }
 
     /**

@@ -275,5 +275,8 @@ public class ClassCommandTest {
         sear("class", "--pupils", "names.txt", "--at-once", "0");
         assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
         assertTrue(out(), out().contains("--at-once is 0, legal: 1 or more"));
+        sear("class", "--pupils", "names.txt", "--url", "http://teacher-pc");
+        assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+        assertTrue(out(), out().contains("--url is http://teacher-pc, the same for 2 pupils, legal: with {port} or {name} in it"));
     }
 }

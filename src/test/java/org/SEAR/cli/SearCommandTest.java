@@ -119,6 +119,13 @@ public class SearCommandTest {
     }
 
     @Test
+    public void aParameterThatTheScriptDoesNotAskForIsTold() throws Exception {
+        assertEquals(err, 0, sear(script("sear = Runtime.start('sear', 'SEAR')\nprint sear.getParameter('speed', 0.3)"), "--set", "sped=2", "--port",
+            "none"));
+        assertTrue(out + err, out.contains("0.3") && err.contains("sear: the script has not asked for parameter sped: "));
+    }
+
+    @Test
     public void argumentsReachTheScript() throws Exception {
         assertEquals(err, 0, sear(script("print sys.argv"), "one", "--port", "none", "--", "--headless", "check"));
         assertEquals("['script.py', 'one', '--headless', 'check']\n", out);
@@ -229,6 +236,22 @@ public class SearCommandTest {
         assertEquals(2, sear("check", "SEARproject"));
         assertTrue(out, out.contains("environment/Box1.xml:") && out.contains("mass is \"-1\", legal: ") && out.contains("width is \"x\", legal: "));
         assertEquals(2, sear("check", "nix"));
+    }
+
+    /** {@code sear help check} checked the project. */
+    @Test
+    public void helpIsOfACommandAndDoesNothing() throws Exception {
+        assertEquals(0, sear("help", "check"));
+        assertTrue(out, out.startsWith("Usage: sear check"));
+    }
+
+    /** As sear.loadProject finds them. */
+    @Test
+    public void checkFindsTheExamplesInEveryFolder() throws Exception {
+        assertEquals(out + err, 0, sear("check", "examples/office.sear"));
+        assertTrue(out, out.contains("examples/office.sear: no problems"));
+        assertEquals(2, sear("check", "examples/nowhere.sear"));
+        assertTrue(err, err.contains("examples/nowhere.sear can't be read: there is no such file or folder"));
     }
 
     /** The pages' crate with another mass, and the page's rover without its eye. */

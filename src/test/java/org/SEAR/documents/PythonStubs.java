@@ -13,6 +13,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -87,7 +88,9 @@ public final class PythonStubs {
         for (Class<?> type : objects()) {
             describe(out, type);
         }
-        return out.toString();
+        out.append("\n\n__all__ += [\n");
+        objects().forEach(type -> out.append("    \"").append(type.getSimpleName()).append("\",\n"));
+        return out.append("]\n").toString();
     }
 
     private static void describe(StringBuilder out, Class<?> type) {
@@ -106,7 +109,9 @@ public final class PythonStubs {
             method(out, makers.length > 1, false, "__init__", parameters(maker), "None", "");
         }
         Map<String, List<Method>> methods = new TreeMap<>();
-        Arrays.stream(type.getMethods()).filter(one -> known ? one.getDeclaringClass() == type : one.getDeclaringClass() != Object.class)
+        Set<String> own = Arrays.stream(type.getDeclaredMethods()).map(Method::getName).collect(Collectors.toSet());
+        // a type checker takes a method of the same name for all that there is
+        Arrays.stream(type.getMethods()).filter(one -> known ? own.contains(one.getName()) : one.getDeclaringClass() != Object.class)
             .filter(one -> !one.isSynthetic() && one.getDeclaringClass() != Enum.class)
             .forEach(one -> methods.computeIfAbsent(one.getName(), any -> new ArrayList<>()).add(one));
         methods.values().forEach(same -> {

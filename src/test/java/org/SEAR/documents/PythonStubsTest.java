@@ -26,6 +26,26 @@ public class PythonStubsTest {
         assertTrue(hints, hints.contains("(self, name: str, length: float, width: float, height: float, mass: float) -> None: ...\n"));
     }
 
+    /** Without their names a type checker takes {@code from sear import *} for an import of nothing. */
+    @Test
+    public void theHintsHaveAllThatTheStarBrings() throws IOException, InterruptedException {
+        Process python = new ProcessBuilder("python3", "-c", "import ast, sys\n"
+            + "def made(path):\n"
+            + "    tree = ast.parse(open(path).read())\n"
+            + "    words = []\n"
+            + "    for one in tree.body:\n"
+            + "        target = one.targets[0] if isinstance(one, ast.Assign) else getattr(one, 'target', None)\n"
+            + "        if getattr(target, 'id', '') in ('__all__', 'OBJECTS'):\n"
+            + "            words += [word.value for word in ast.walk(one.value) if isinstance(word, ast.Constant)]\n"
+            + "    return words, [one.name for one in tree.body if hasattr(one, 'name')]\n"
+            + "hints, defined = made(sys.argv[1])\n"
+            + "assert hints == made(sys.argv[2])[0] + made(sys.argv[3])[0], hints\n"
+            + "assert set(hints) <= set(defined) | {'python'}, set(hints) - set(defined)", PACKAGE.resolve("__init__.pyi").toString(),
+            PACKAGE.resolve("__init__.py").toString(), PACKAGE.resolve("_names.py").toString()).redirectErrorStream(true).start();
+        assertEquals("", new String(python.getInputStream().readAllBytes()));
+        assertEquals(0, python.waitFor());
+    }
+
     /** Python itself reads them. */
     @Test
     public void theHintsAreAPythonModule() throws IOException, InterruptedException {

@@ -3,7 +3,9 @@ from typing import Any, Dict, List, Literal, Optional, Sequence, overload
 
 import numpy as np
 
-__all__: List[str]
+# All that `from sear import *` brings; the objects follow at the end.
+__all__ = ["Runtime", "python", "start", "connect", "close", "sweep", "IllegalArgumentException", "IllegalStateException", "IOException",
+           "JavaError", "NullPointerException", "UnsupportedOperationException", "JavaObject", "Record"]
 
 
 class JavaError(Exception): ...
@@ -32,6 +34,19 @@ def close() -> None:
 
 class JavaObject:
     def __getattr__(self, name: str) -> Any: ...
+
+
+class Record:
+    """A record of a run: record.names, record["rover.x"] as an array over record.times, and plots."""
+    path: str
+    names: List[str]
+    times: np.ndarray
+    def __init__(self, path: Any) -> None: ...
+    def __getitem__(self, name: str) -> np.ndarray: ...
+    def plot(self, *names: str) -> Any:
+        """A picture of these values over time, those of one unit in one box; of a speed and a sensor if none are named."""
+    def save(self, picture: Any, *names: str) -> None:
+        """The same as a file, whose name ends in .png or .svg."""
 
 
 class _Python:

@@ -112,6 +112,9 @@ public final class ClassCommand implements Callable<Integer> {
         if (atOnce != null && atOnce < 1) {
             throw new IllegalArgumentException("--at-once is " + atOnce + ", legal: 1 or more");
         }
+        if (url != null && count > 1 && !url.contains("{port}") && !url.contains("{name}")) {
+            throw new IllegalArgumentException("--url is " + url + ", the same for " + count + " pupils, legal: with {port} or {name} in it");
+        }
         for (Path file : new Path[] {script, project}) {
             if (file != null && !Files.isRegularFile(file)) {
                 throw new IllegalArgumentException(file + " can't be read: there is no such file");

@@ -80,9 +80,12 @@ public final class ContestCommand implements Callable<Integer> {
             if (!Files.isRegularFile(script)) {
                 throw new IOException(script + " can't be read: there is no such file");
             }
-            if (!name.matches("[\\w][\\w .-]*") || entered.put(name, script) != null) {
-                throw new IOException("the name of entry \"" + name + "\" is there twice, or has other things than letters, digits, blanks, -"
-                    + " and .; NAME=" + script + " gives it another");
+            if (!name.matches("[\\w][\\w .-]*")) {
+                throw new IOException("the name of entry \"" + name + "\" is not legal: letters of English, digits, _, blanks, - and .; NAME="
+                    + script + " gives it another");
+            }
+            if (entered.put(name, script) != null) {
+                throw new IOException("two entries are called \"" + name + "\"; NAME=" + script + " gives one another name");
             }
         }
         return entered;
@@ -113,10 +116,11 @@ public final class ContestCommand implements Callable<Integer> {
         screen.printf("%-6s %-16s %8s %8s %6s  %s%n", "place", "entry", "points", "time", "bumps", "why");
         for (Entrant entry : contest.ranking()) {
             String points = number("%.6f", entry.getPoints()).replaceFirst("\\.?0+$", "");
+            String why = String.valueOf(entry.getWhy());
             String time = Double.isInfinite(entry.getTime()) ? "" : number("%.2f", entry.getTime());
-            screen.printf("%-6d %-16s %8s %8s %6d  %s%n", contest.place(entry), entry.getName(), points, time, entry.getBumps(), entry.getWhy());
+            screen.printf("%-6d %-16s %8s %8s %6d  %s%n", contest.place(entry), entry.getName(), points, time, entry.getBumps(), why);
             csv.append(contest.place(entry)).append(',').append(entry.getName()).append(',').append(points).append(',').append(time).append(',')
-                .append(entry.getBumps()).append(",\"").append(entry.getWhy().replace("\"", "\"\"")).append("\"\n");
+                .append(entry.getBumps()).append(",\"").append(why.replace("\"", "\"\"")).append("\"\n");
         }
         Files.write(out.resolve("scores.csv"), csv.toString().getBytes(StandardCharsets.UTF_8));
         screen.println();

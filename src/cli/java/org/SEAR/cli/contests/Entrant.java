@@ -11,10 +11,10 @@ import java.util.Locale;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.SEAR.POJOs.SearObject;
+import org.SEAR.cli.lessons.ErrorWords;
 import org.SEAR.geometry.Pose;
 import org.SEAR.lessons.Trail;
 import org.SEAR.robot.Robot;
@@ -30,7 +30,6 @@ import org.myrobotlab.embedded.python3.Python3Script;
  */
 public final class Entrant {
     private static final double ROUNDING = 1e-6;
-    private static final int LONGEST_ERROR = 300;
     private static final int MOST_PRINTED = 200_000;
     private static final long GRACE_MILLIS = 2000;
     private static final long KNOCK_MILLIS = 20;
@@ -139,10 +138,30 @@ public final class Entrant {
         }
     }
 
-    /** The name of a part of its robot in the world. */
-    String part(String given) {
-        String prefix = robot.getObject().getName() + "/";
-        return given.startsWith(prefix) ? given : prefix + given;
+    /** The names of its robot's sensors. */
+    List<String> sensors() {
+        return robot.getSensors().stream().map(one -> one.getParameters().getName()).sorted().collect(Collectors.toList());
+    }
+
+    /** The name of one of them in the world. */
+    String sensor(String given) {
+        return own("sensor", sensors(), given);
+    }
+
+    /** The name of a motor, servo or light of its robot in the world. */
+    String part(Class<?> type, String given) {
+        return own(type.getSimpleName().toLowerCase(Locale.ROOT), robot.getObject().getComponents().stream().filter(type::isInstance)
+            .map(SearObject::getName).sorted().collect(Collectors.toList()), given);
+    }
+
+    private String own(String kind, List<String> names, String given) {
+        String prefix = getRobot() + "/";
+        String name = given != null && given.startsWith(prefix) ? given.substring(prefix.length()) : given;
+        if (!names.contains(name)) {
+            throw new IllegalArgumentException("no " + kind + " of your robot is called \"" + given + "\", legal: "
+                + (names.isEmpty() ? "none, it has no " + kind : String.join(", ", names)));
+        }
+        return prefix + name;
     }
 
     Robot robot() {
@@ -182,16 +201,14 @@ public final class Entrant {
         if (unreadable != null || ended.getTraceback() == null) {
             return unreadable != null ? unreadable : "its script ended" + at;
         }
-        Matcher places = Pattern.compile("File \"[^\"\\n]*" + Pattern.quote(script.getFileName().toString()) + "\", line (\\d+)")
-            .matcher(ended.getTraceback());
-        String line = "";
-        while (places.find()) {
-            line = ", line " + places.group(1);
-        }
-        List<String> lines = ended.getTraceback().lines().filter(one -> !one.isBlank() && !one.startsWith("did you mean"))
-            .collect(Collectors.toList());
-        String last = lines.isEmpty() ? "" : lines.get(lines.size() - 1).trim();
-        return "its script failed" + at + line + ": " + (last.length() > LONGEST_ERROR ? last.substring(0, LONGEST_ERROR) : last);
+        ErrorWords error = new ErrorWords(inContest(ended.getTraceback()), script.getFileName().toString());
+        return "its script failed" + at + (error.line.isEmpty() ? "" : ", line " + error.line) + ": " + error.words;
+    }
+
+    /** The words of an error with the names that the script has for things. */
+    private static String inContest(String traceback) {
+        return traceback.replace("'" + EntrantSear.Services.class.getName() + "' object", "in a contest Runtime")
+            .replace("'" + EntrantSear.class.getName() + "' object", "in a contest sear");
     }
 
     /** Its script has no more to say, and its robot stands. */
@@ -235,7 +252,7 @@ public final class Entrant {
     }
 
     String printed() {
-        return printed.text() + (ended == null || ended.getTraceback() == null ? "" : ended.getTraceback() + "\n");
+        return printed.text() + (ended == null || ended.getTraceback() == null ? "" : inContest(ended.getTraceback()) + "\n");
     }
 
     // ---- for the referee -------------------------------------------------------------------------------------------
@@ -271,6 +288,9 @@ public final class Entrant {
      */
     public void place(double x, double z, double heading) {
         beforeStart("place");
+        if (!Double.isFinite(x) || !Double.isFinite(z) || !Double.isFinite(heading)) {
+            throw new IllegalArgumentException("place of " + name + " is x " + x + ", z " + z + ", heading " + heading + ", legal: numbers");
+        }
         Pose to = Pose.ofDegrees(x, robot.getPose().y, z, 0, 90 - heading, 0);
         world.move(getRobot(), to, to);
     }
@@ -331,6 +351,9 @@ public final class Entrant {
     }
 
     public void setPoints(double points) {
+        if (!Double.isFinite(points)) {
+            throw new IllegalArgumentException("points of " + name + " are " + points + ", legal: a number");
+        }
         this.points = points;
     }
 

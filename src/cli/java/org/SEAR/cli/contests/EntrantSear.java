@@ -1,9 +1,10 @@
 package org.SEAR.cli.contests;
 
 import java.util.List;
-import java.util.Locale;
-import java.util.function.Function;
-import java.util.stream.Collectors;
+import org.SEAR.POJOs.Led;
+import org.SEAR.POJOs.Motor;
+import org.SEAR.POJOs.Servo;
+import org.SEAR.robot.DriveOrder;
 import org.SEAR.sensors.OdometerSensor;
 import org.SEAR.sensors.Sensor;
 import org.SEAR.simulator.ActuatorOrder;
@@ -15,9 +16,6 @@ import org.SEAR.simulator.Simulation;
  * docs/scripting.md. Public because scripts in Python call it; the thread of the script.
  */
 public final class EntrantSear {
-    private static final double MOST_SPEED = 100;
-    private static final double MOST_SPIN = 3600;
-
     private final Entrant entrant;
     private boolean started;
 
@@ -79,39 +77,23 @@ public final class EntrantSear {
     // ---- driving ---------------------------------------------------------------------------------------------------
 
     public void driveStraight(double speed) {
-        give("driveStraight: speed", speed, MOST_SPEED, number -> DriveCommand.wheels(number, speed, speed));
+        give(DriveOrder.straight(speed));
     }
 
     public void spin(double degPerSecond) {
-        double base = entrant.call(world -> entrant.robot().getHardware().getWheelBase());
-        if (base == 0) {
-            throw new IllegalArgumentException("robot " + entrant.getRobot() + " can't turn in place: its driven wheels are all in its middle");
-        }
-        give("spin: speed", degPerSecond, MOST_SPIN, number -> DriveCommand.circle(number, Math.toRadians(degPerSecond) * base / 2, 0));
+        give(DriveOrder.spin(degPerSecond));
     }
 
     public void setWheelSpeeds(double left, double right) {
-        double larger = Math.abs(left) > Math.abs(right) || Double.isNaN(left) ? left : right;
-        give("setWheelSpeeds: speed", larger, MOST_SPEED, number -> DriveCommand.wheels(number, left, right));
+        give(DriveOrder.wheels(left, right));
     }
 
     public void drive(double speed, double radius) {
-        if (Double.isNaN(radius)) {
-            throw new IllegalArgumentException("drive: radius is " + radius + ", legal: metres, + to the left, 0 or infinity");
-        }
-        give("drive: speed", speed, MOST_SPEED, number -> DriveCommand.circle(number, speed, radius));
+        give(DriveOrder.circle(speed, radius));
     }
 
-    private void give(String what, double value, double most, Function<Integer, DriveCommand> command) {
-        if (!(Math.abs(value) <= most)) {
-            throw new IllegalArgumentException(String.format(Locale.ROOT, "%s is %s, legal: %s to %s", what, value, -most, most));
-        }
-        act(world -> {
-            if (entrant.robot().getHardware().getWheelRadius() == 0) {
-                throw new IllegalArgumentException("robot " + entrant.getRobot() + " has no driven wheels");
-            }
-            world.post(command.apply(entrant.number()));
-        });
+    private void give(DriveOrder order) {
+        act(world -> world.post(DriveCommand.of(world, entrant.robot(), order)));
     }
 
     public void setSteering(double degrees) {
@@ -119,35 +101,35 @@ public final class EntrantSear {
     }
 
     public void setMotorPower(String name, double power) {
-        order(ActuatorOrder.Kind.POWER, name, power);
+        order(ActuatorOrder.Kind.POWER, Motor.class, name, power);
     }
 
     public void setMotorSpeed(String name, double speed) {
-        order(ActuatorOrder.Kind.SPEED, name, speed);
+        order(ActuatorOrder.Kind.SPEED, Motor.class, name, speed);
     }
 
     public double getMotorSpeed(String name) {
-        return entrant.call(world -> world.getMotor(entrant.part(name)).getSpeed());
+        return entrant.call(world -> world.getMotor(entrant.part(Motor.class, name)).getSpeed());
     }
 
     public long getEncoder(String name) {
-        return entrant.call(world -> world.getMotor(entrant.part(name)).getCounts());
+        return entrant.call(world -> world.getMotor(entrant.part(Motor.class, name)).getCounts());
     }
 
     public void setServo(String name, double degrees) {
-        order(ActuatorOrder.Kind.ANGLE, name, degrees);
+        order(ActuatorOrder.Kind.ANGLE, Servo.class, name, degrees);
     }
 
     public double getServo(String name) {
-        return entrant.call(world -> world.getServo(entrant.part(name)).getAngle());
+        return entrant.call(world -> world.getServo(entrant.part(Servo.class, name)).getAngle());
     }
 
     public void setLed(String name, double brightness) {
-        order(ActuatorOrder.Kind.BRIGHTNESS, name, brightness);
+        order(ActuatorOrder.Kind.BRIGHTNESS, Led.class, name, brightness);
     }
 
-    private void order(ActuatorOrder.Kind kind, String name, double value) {
-        act(world -> world.order(new ActuatorOrder(kind, entrant.part(name), value)));
+    private void order(ActuatorOrder.Kind kind, Class<?> type, String name, double value) {
+        act(world -> world.order(new ActuatorOrder(kind, entrant.part(type, name), value)));
     }
 
     private void act(java.util.function.Consumer<Simulation> what) {
@@ -161,16 +143,15 @@ public final class EntrantSear {
 
     /** Names of its robot's sensors. */
     public List<String> getSensorNames() {
-        return entrant.call(world -> entrant.robot().getSensors().stream().map(one -> one.getParameters().getName()).sorted()
-            .collect(Collectors.toList()));
+        return entrant.call(world -> entrant.sensors());
     }
 
     public Object getReading(String name) {
-        return entrant.call(world -> world.read(entrant.part(name)).value());
+        return entrant.call(world -> world.read(entrant.sensor(name)).value());
     }
 
     public String getSensorUnit(String name) {
-        return entrant.call(world -> world.getUnit(entrant.part(name)));
+        return entrant.call(world -> world.getUnit(entrant.sensor(name)));
     }
 
     private <T> T read(String name, Class<T> type) {

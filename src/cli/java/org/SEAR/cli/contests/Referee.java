@@ -34,6 +34,9 @@ final class Referee {
     }
 
     private void checked(ScriptResult result) throws IOException {
+        if (result.getExitCode() != 0 && result.getTraceback() == null) {
+            throw new IOException(file + " has ended itself, with status " + result.getExitCode() + ", legal: contest.end(words)");
+        }
         if (result.getTraceback() != null) {
             throw new IOException(file + " has an error, which is no entrant's:\n" + result.getTraceback());
         }

@@ -15,8 +15,6 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.Consumer;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.SEAR.lessons.LessonRun;
@@ -28,7 +26,6 @@ import org.SEAR.project.problems.ProjectException;
 final class Marking {
     private static final String RECORD = "run.searlog";
     private static final double AFTER = 1;
-    private static final int LONGEST_ERROR = 400;
 
     private final double limit;
     private final int memory;
@@ -157,19 +154,10 @@ final class Marking {
         return null;
     }
 
-    /** In words: the last line that is said, and where it was. */
     private static String error(String errors, String script, int status) {
-        Matcher places = Pattern.compile("File \"[^\"\\n]*" + Pattern.quote(script) + "\", line (\\d+)").matcher(errors);
-        String line = "";
-        while (places.find()) {
-            line = " at line " + places.group(1);
-        }
-        List<String> lines = errors.lines().filter(one -> !one.isBlank()).collect(Collectors.toList());
-        String last = lines.isEmpty() ? "exit status " + status : lines.get(lines.size() - 1).trim();
-        if (lines.size() > 1 && last.startsWith("did you mean")) {
-            last = lines.get(lines.size() - 2).trim() + ", " + last;
-        }
-        return "Your script has ended by an error" + line + ": " + (last.length() > LONGEST_ERROR ? last.substring(0, LONGEST_ERROR) : last);
+        ErrorWords error = new ErrorWords(errors, script);
+        return "Your script has ended by an error" + (error.line.isEmpty() ? "" : " at line " + error.line) + ": "
+            + (error.words.isEmpty() ? "exit status " + status : error.words);
     }
 
     /** The script, and the modules of a pupil's own folder. */

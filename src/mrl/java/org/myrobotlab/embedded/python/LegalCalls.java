@@ -30,8 +30,8 @@ final class LegalCalls {
         Map<String, String> words = new LinkedHashMap<>();
         words.put("double", "a number, without quotation marks");
         words.put("float", words.get("double"));
-        words.put("int", "a whole number, without quotation marks");
-        words.put("long", words.get("int"));
+        words.put("int", "a whole number from " + Integer.MIN_VALUE + " to " + Integer.MAX_VALUE + ", without quotation marks");
+        words.put("long", "a whole number, without quotation marks");
         words.put("String", "a text in quotation marks");
         words.put("boolean", "True or False");
         return words;

@@ -161,7 +161,8 @@ public class ContestTest {
         assertTrue(told, scores.get("short").contains(",\"its script ended at 1.0 s\""));
         assertTrue(told, scores.get("stubborn").endsWith(",,0,\"the time was over\""));
         assertTrue(told, scores.get("modern").contains("it is Python 3; a contest has Python 2.7"));
-        assertTrue(told, scores.get("spy").contains("line 4: ") && scores.get("spy").contains("rover6/ping0"));
+        assertTrue(told, scores.get("spy").contains("line 4: "));
+        assertTrue(told, scores.get("spy").contains("no sensor of your robot is called \"\"ping0\"\", legal: ping6"));
         for (String name : List.of("failing", "hanging", "short")) {
             double metres = Double.parseDouble(scores.get(name).split(",")[0]);
             assertTrue(name + " " + metres, metres > 0.25 && metres < 0.4);     // it stands from then on
@@ -170,6 +171,22 @@ public class ContestTest {
         assertEquals(List.of(), Thread.getAllStackTraces().keySet().stream().map(Thread::getName).filter(name -> name.startsWith("contest "))
             .collect(java.util.stream.Collectors.toList()));
         assertTrue(Files.readString(contest.resolve("result/failing.txt")).contains("ZeroDivisionError"));
+    }
+
+    /** In the words of the script, whose calls are none of a service. */
+    @Test
+    public void whatIsNotThereInAContestIsTold() throws Exception {
+        Path contest = rovers(REFEREE);
+        run(entered(contest, "pose", START + "sear.getPose('rover0')\n", "two", START + "sear.driveStraight('rover1', 1)\n",
+            "motor", START + "sear.setMotorPower(None, 1)\n", "fast", START + "sear.setWheelSpeeds(0, -101)\n"));
+        Map<String, String> scores = scores(contest);
+        assertTrue(scores.toString(), scores.get("pose").contains("AttributeError: in a contest sear has no attribute 'getPose'"));
+        assertTrue(scores.toString(), scores.get("two").contains("expected 1 args; got 2, legal: sear.driveStraight(speed)"));
+        assertTrue(scores.toString(), scores.get("motor").contains("no motor of your robot is called \"\"null\"\", legal: leftMotor, rightMotor"));
+        assertTrue(scores.toString(), scores.get("fast").contains("setWheelSpeeds: right is -101.0, legal: -100.0 to 100.0 m/s"));
+        List<String> twice = entered(contest, "one", START);
+        twice.add("one=" + twice.get(1));
+        assertTrue(run(twice), run(twice).contains("two entries are called \"one\"; NAME="));
     }
 
     @Test
@@ -190,6 +207,18 @@ public class ContestTest {
         Files.writeString(contest.resolve("referee.py"), "SECONDS = 4\ndef stepped(contest):\n    contest.entrys\n");
         String wrong = run(entered(contest, "one", drive));
         assertTrue(wrong, wrong.startsWith("2\nsear contest: ") && wrong.contains("has an error, which is no entrant's") && wrong.contains("line 3"));
+        for (String[] odd : new String[][] {{"contest.entries[0].points = float('nan')", "points of one are NaN, legal: a number"},
+            {"sys.exit(3)", "has ended itself, with status 3, legal: contest.end(words)"}}) {
+            Files.writeString(contest.resolve("referee.py"), "import sys\nSECONDS = 4\ndef stepped(contest):\n    " + odd[0] + "\n");
+            wrong = run(entered(contest, "one", drive));
+            assertTrue(wrong, wrong.startsWith("2\nsear contest: ") && wrong.contains(odd[1]));
+        }
+        Files.writeString(contest.resolve("referee.py"), "SECONDS = 1\ndef stepped(contest): contest.entries[0].finish(None)\n");
+        assertTrue(run(entered(contest, "one", drive)).startsWith("0\n"));
+        Files.writeString(contest.resolve("referee.py"), "def positions(contest): contest.entries[0].place(float('nan'), 0, 0)\n"
+            + "SECONDS = 1\ndef stepped(contest): pass\n");
+        wrong = run(entered(contest, "one", drive));
+        assertTrue(wrong, wrong.contains("place of one is x NaN, z 0.0, heading 0.0, legal: numbers"));
         Files.writeString(contest.resolve("referee.py"), "def stepped(contest): pass\n");
         assertTrue(run(entered(contest, "one", drive)).contains("lacks SECONDS, how much simulated time there is"));
         assertTrue(run(List.of(folder.getRoot().toString(), "x.py")).contains("is no contest, it lacks world.sear"));

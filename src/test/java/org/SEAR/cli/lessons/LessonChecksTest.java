@@ -193,6 +193,8 @@ public class LessonChecksTest {
     public void pid() throws Exception {
         passes("pid");
         fails("pid", with("KI, KD = 2.0, 1.5, 1.0", "KI, KD = 2.0, 0, 1.0", "0.50 m is asked, give or take 0.01 m"),
+            with("KI, KD = 2.0, 1.5, 1.0", "KI, KD = 2.0, 1.5, 0", "It came as near as"),
+            with("KP, KI, KD = 2.0, 1.5, 1.0", "KP, KI, KD = 0.5, 0.1, 0", "it stayed within 0.05 m"),
             with("WANTED = 0.5", "WANTED = 0.6", "0.50 m is asked, give or take 0.01 m"),
             with("< 20", "< 10", "20 s are asked"));
     }

@@ -119,17 +119,19 @@ public class SweepTest {
             "    os.kill(os.getpid(), signal.SIGKILL)", "if kind == 'greedy':", "    much = b'x' * 1500000000",
             "    while True: sleep(0.1)",
             "if kind == 'fails':", "    sear.loadProject('nowhere.sear')", "sear.setResult('answer', 42)", "sear.setResult('big', kind == 'good')"));
-        String out = sear(0, "sweep", "wrong.py", "--set", "kind=good,endless,dies,greedy,fails", "--workers", "2", "--limit", "20", "--memory",
-            "1200", "--out", "out");
+        String out = sear(0, "sweep", "wrong.py", "--set", "kind=good,endless,dies,greedy,fails", "--set", "knd=1", "--workers", "2",
+            "--limit", "20", "--memory", "1200", "--out", "out");
         assertEquals("5 rows in out: 1 ok, 1 died, 1 failed, 1 memory, 1 time\n", out);
+        assertTrue(said, said.contains("row 0 has not asked for parameter knd: is it called so in the script, in sear.getParameter?\n"));
+        assertTrue(said, said.contains("\ndied: row 2: the run's process was ended by SIGKILL\n"));
         List<String> rows = Files.readAllLines(folder.resolve("out/rows.csv")).stream().map(row -> row.replaceFirst(",[^,]*,[^,]*$", ""))
             .collect(Collectors.toList());
-        assertEquals("row,seed,kind,answer,big,status,message", rows.get(0));
-        assertEquals("0,1,good,42,true,ok,", rows.get(1));
-        assertEquals("1,1,endless,,,time,the run took longer than 20 s", rows.get(2));
-        assertEquals("2,1,dies,,,died,the run's process was ended by SIGKILL", rows.get(3));
-        assertEquals("3,1,greedy,,,memory,the run's process took more than 1200 MB", rows.get(4));
-        assertTrue(rows.get(5), rows.get(5).startsWith("4,1,fails,,,failed,") && rows.get(5).contains("line 12: ")
+        assertEquals("row,seed,kind,knd,answer,big,status,message", rows.get(0));
+        assertEquals("0,1,good,1,42,true,ok,", rows.get(1));
+        assertEquals("1,1,endless,1,,,time,the run took longer than 20 s", rows.get(2));
+        assertEquals("2,1,dies,1,,,died,the run's process was ended by SIGKILL", rows.get(3));
+        assertEquals("3,1,greedy,1,,,memory,the run's process took more than 1200 MB", rows.get(4));
+        assertTrue(rows.get(5), rows.get(5).startsWith("4,1,fails,1,,,failed,") && rows.get(5).contains("line 12: ")
             && rows.get(5).contains("nowhere.sear"));
     }
 

@@ -56,6 +56,18 @@ public class ModelLoaderTest {
         Files.write(project.folder().resolve(file), bytes);
     }
 
+    /** As threads of Python 3 in whose process Java runs. */
+    @Test
+    public void aThreadWithoutClassLoaderFindsTheModelsThatComeWithSear() throws Exception {
+        ClassLoader before = Thread.currentThread().getContextClassLoader();
+        Thread.currentThread().setContextClassLoader(null);
+        try {
+            assertTrue(load(new Model("plant", "models/Tree/Tree.mesh.xml")).size() > 0);
+        } finally {
+            Thread.currentThread().setContextClassLoader(before);
+        }
+    }
+
     /** A polygon becomes as many triangles as it takes, none outside of it: their areas and the polygon's are the same. */
     private void assertWhole(String obj, int triangles, double area) throws Exception {
         project.put("assets/polygon.obj", obj);

@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
 import org.SEAR.project.problems.ProjectException;
 
 /** The example bundles inside the jar, by paths such as {@code examples/office.sear}, which hold in every working folder. Any thread. */
-final class ExampleBundles {
+public final class ExampleBundles {
     private static final String FOLDER = "examples/";
     private static final String ENDING = ".sear";
     private static final String IN_JAR = "/resource/SEAR/";
@@ -56,7 +56,7 @@ final class ExampleBundles {
     }
 
     /** Gives somebody a bundle as a file: the one of that path; where there is none, the example of that path. */
-    static <T> T with(Path path, Work<T> work) throws IOException, ProjectException {
+    public static <T> T with(Path path, Work<T> work) throws IOException, ProjectException {
         String name = path.toString().replace('\\', '/');
         if (Files.exists(path) || !paths().contains(name)) {
             return work.on(path);

@@ -141,7 +141,12 @@ public final class Calls {
         } else if (type == long.class || type == Long.class) {
             return value.longValue();
         } else if (type == int.class || type == Integer.class) {
-            return Math.toIntExact(value.longValue());    // of Python in Java's process, where each whole number is a long one
+            long whole = value.longValue();    // of Python in Java's process, where each whole number is a long one
+            if (whole != (int) whole) {
+                throw new IllegalArgumentException("a value is " + whole + ", legal: whole numbers from " + Integer.MIN_VALUE + " to "
+                    + Integer.MAX_VALUE);
+            }
+            return (int) whole;
         } else if (type == short.class || type == Short.class) {
             return value.shortValue();
         } else if (type == byte.class || type == Byte.class) {

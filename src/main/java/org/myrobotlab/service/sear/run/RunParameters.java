@@ -1,9 +1,13 @@
 package org.myrobotlab.service.sear.run;
 
+import java.math.BigInteger;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.SEAR.grammar.ScriptText;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -22,11 +26,13 @@ public final class RunParameters {
     /** Results that are kept until they are taken, and characters of a text. */
     private static final int MOST_RESULTS = 1000;
     private static final int LONGEST_TEXT = 10_000;
+    private static final int MOST_BITS = 63;
     private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z0-9_]*");
     /** Columns of their own in the table of a sweep. */
     private static final Set<String> TAKEN = Set.of("row", SEED, "status", "message", "version", "digest");
     private static final Logger PROGRESS = LoggerFactory.getLogger("org.SEAR.progress");
     private static final Map<String, Object> RESULTS = new LinkedHashMap<>();
+    private static final Set<String> ASKED = ConcurrentHashMap.newKeySet();
 
     private RunParameters() {
     }
@@ -47,6 +53,7 @@ public final class RunParameters {
         if (!isSeed && !isLegal(name)) {
             throw new IllegalArgumentException("parameter is called \"" + name + "\", legal: " + LEGAL_NAME);
         }
+        ASKED.add(name);
         String text = System.getProperty(isSeed ? "sear.seed" : PROPERTY + name);
         if (text == null || standard == null || standard instanceof CharSequence) {
             return text == null ? standard instanceof String ? ScriptText.of((String) standard) : standard : text;
@@ -93,6 +100,9 @@ public final class RunParameters {
         if (!isLegal(name) || System.getProperty(PROPERTY + name) != null) {
             throw new IllegalArgumentException("result is called \"" + name + "\", legal: " + LEGAL_NAME + ", and no parameter's name");
         }
+        if (value instanceof BigInteger && ((BigInteger) value).bitLength() > MOST_BITS) {
+            throw new IllegalArgumentException("result " + name + " is " + value + ", legal: -2**63 to 2**63-1; float(value) keeps 15 digits of it");
+        }
         Object kept = value instanceof CharSequence ? ScriptText.of(value.toString()) : value;
         if (value instanceof Number) {
             kept = isWhole((Number) value) ? (Object) ((Number) value).longValue() : (Object) ((Number) value).doubleValue();
@@ -110,6 +120,12 @@ public final class RunParameters {
             RESULTS.put(name, kept);
         }
         PROGRESS.info("result: {} = {}", name, kept);
+    }
+
+    /** Parameters that were given and for which no script of this process has asked. */
+    public static List<String> unasked() {
+        return System.getProperties().stringPropertyNames().stream().filter(name -> name.startsWith(PROPERTY))
+            .map(name -> name.substring(PROPERTY.length())).filter(name -> !ASKED.contains(name)).sorted().collect(Collectors.toList());
     }
 
     /** The results since this was last called, in the order in which they came. */

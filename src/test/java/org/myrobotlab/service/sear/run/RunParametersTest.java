@@ -1,9 +1,12 @@
 package org.myrobotlab.service.sear.run;
 
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertThrows;
+import static org.junit.Assert.assertTrue;
 
+import java.math.BigInteger;
 import java.util.List;
 import java.util.Map;
 import org.junit.After;
@@ -15,7 +18,7 @@ public class RunParametersTest {
 
     @After
     public void forget() {
-        List.of("speed", "name", "on", "count").forEach(name -> System.clearProperty(RunParameters.PROPERTY + name));
+        List.of("speed", "speeed", "name", "on", "count").forEach(name -> System.clearProperty(RunParameters.PROPERTY + name));
         RunParameters.takeResults();
     }
 
@@ -67,7 +70,21 @@ public class RunParametersTest {
     }
 
     @Test
+    public void whoAsksForNoneOfTheNameIsKnown() {
+        given("speeed", "1");
+        RunParameters.get("on", true);
+        assertTrue(RunParameters.unasked().contains("speeed"));
+        given("on", "true");
+        assertFalse(RunParameters.unasked().contains("on"));
+    }
+
+    @Test
     public void aResultThatIsNoneIsRefused() {
+        BigInteger large = BigInteger.TWO.pow(70);
+        assertEquals("result way is 1180591620717411303424, legal: -2**63 to 2**63-1; float(value) keeps 15 digits of it",
+            refused(() -> RunParameters.setResult("way", large)));
+        RunParameters.setResult("way", BigInteger.TWO.pow(62));
+        assertEquals(Map.of("way", 1L << 62), RunParameters.takeResults());
         given("speed", "1");
         String names = ", legal: " + LEGAL + ", and no parameter's name";
         assertEquals("result is called \"seed\"" + names, refused(() -> RunParameters.setResult("seed", 1)));

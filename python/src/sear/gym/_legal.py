@@ -1,0 +1,102 @@
+"""Checks what the maker of an environment says: ValueError has the thing, its value and what is legal."""
+from math import isfinite
+from operator import index
+
+
+def whole(what, value, least, most):
+    """A whole number, numpy's too."""
+    try:
+        number = None if isinstance(value, bool) else index(value)
+    except TypeError:
+        number = None
+    if number is None or not least <= number <= most:
+        raise ValueError("%s is %r, legal: a whole number from %d to %d" % (what, value, least, most))
+    return number
+
+
+def seconds(what, value):
+    """None, or a number above 0."""
+    try:
+        if value is None or value > 0:
+            return value
+    except TypeError:
+        pass
+    raise ValueError("%s is %r, legal: above 0, or None" % (what, value))
+
+
+def names(what, value):
+    """A list of different names."""
+    if isinstance(value, str) or not hasattr(value, "__iter__"):
+        raise ValueError("%s is %r, legal: a list of names" % (what, value))
+    listed = list(value)
+    if len(set(listed)) < len(listed):
+        raise ValueError("%s is %r, legal: each name once" % (what, listed))
+    return listed
+
+
+def function(what, value, otherwise):
+    """A function, or what there is unless it is said."""
+    if value is not None and not callable(value):
+        raise ValueError("%s is %r, legal: a function of the robot" % (what, value))
+    return value or otherwise
+
+
+def place(what, value):
+    """None, or x, z and heading as numbers."""
+    try:
+        x, z, heading = (None,) * 3 if value is None else (float(one) for one in value)
+    except (TypeError, ValueError):
+        raise ValueError("%s is %r, legal: x and z in metres and heading in degrees" % (what, value)) from None
+    return None if value is None else (x, z, heading)
+
+
+def places(value):
+    """What an environment takes as its start: None, a function, or a list of places."""
+    if value is None or callable(value):
+        return value
+    if not hasattr(value, "__len__") or not len(value):
+        raise ValueError("start is %s, legal: None, a list of (x, z, heading), or a function that answers one"
+                         % ("an empty list" if hasattr(value, "__len__") else repr(value)))
+    return [place("start %d" % number, one) for number, one in enumerate(value)]
+
+
+def wheels(what, pair, most):
+    """The speeds of both sides."""
+    try:
+        left, right = (float(one) for one in pair)
+    except (TypeError, ValueError):
+        raise ValueError("%s is %r, legal: the speeds of the left and the right wheels, m/s, as (0.2, 0.2)" % (what, pair)) from None
+    if not (abs(left) <= most and abs(right) <= most):
+        raise ValueError("%s is %r, legal: -%g to %g m/s" % (what, pair, most, most))
+    return left, right
+
+
+def speeds(action, most):
+    """An action of two speeds."""
+    try:
+        left, right = (float(one) for one in action)
+        if abs(left) <= most and abs(right) <= most:
+            return left, right
+    except (TypeError, ValueError):
+        pass
+    raise ValueError("action is %s, legal: two speeds from -%g to %g m/s" % (action, most, most))
+
+
+def size(value):
+    """Of a picture."""
+    try:
+        width, height = (index(one) for one in value)
+    except (TypeError, ValueError):
+        raise ValueError("size is %r, legal: width and height in pixels, as (480, 360)" % (value,)) from None
+    return width, height
+
+
+def reward(value):
+    """What a reward function has answered, as a number."""
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        number = float("nan")
+    if not isfinite(number):
+        raise ValueError("the reward function has answered %r, legal: a number" % (value,))
+    return number

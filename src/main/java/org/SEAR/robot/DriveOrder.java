@@ -1,0 +1,96 @@
+package org.SEAR.robot;
+
+import java.util.Arrays;
+
+/** What a script says by {@code driveStraight}, {@code spin}, {@code setWheelSpeeds} or {@code drive}, checked. Immutable, any thread. */
+public final class DriveOrder {
+    /** Fastest that wheels may be told to go over ground, m/s. */
+    private static final double MOST_SPEED = 100;
+    /** Fastest that a robot may be told to turn, degrees a second. */
+    private static final double MOST_SPIN = 3600;
+    private static final String SPIN = "spin";
+
+    /** The call, and its values as text. */
+    public final String call;
+    public final String values;
+    /** Whether it lets the robot move. */
+    public final boolean moves;
+    /** Whether it is the speeds of both sides; else speed and radius of a circle. */
+    public final boolean wheels;
+    private final double first;
+    private final double second;
+
+    private DriveOrder(String call, boolean wheels, double first, double second, double... values) {
+        this.call = call;
+        this.values = Arrays.toString(values);
+        this.moves = first != 0 || wheels && second != 0;
+        this.wheels = wheels;
+        this.first = first;
+        this.second = second;
+    }
+
+    /** @param speed m/s, + forward */
+    public static DriveOrder straight(double speed) {
+        check("driveStraight: speed", speed, MOST_SPEED, "m/s");
+        return new DriveOrder("driveStraight", true, speed, speed, speed);
+    }
+
+    /** @param degrees a second, + to the left */
+    public static DriveOrder spin(double degrees) {
+        check("spin: speed", degrees, MOST_SPIN, "degrees a second");
+        return new DriveOrder(SPIN, false, degrees, 0, degrees);
+    }
+
+    /** @param left m/s over ground, + forward, likewise right */
+    public static DriveOrder wheels(double left, double right) {
+        check("setWheelSpeeds: left", left, MOST_SPEED, "m/s");
+        check("setWheelSpeeds: right", right, MOST_SPEED, "m/s");
+        return new DriveOrder("setWheelSpeeds", true, left, right, left, right);
+    }
+
+    /**
+     * Along a circle.
+     *
+     * @param speed m/s
+     * @param radius metres, + left, infinite = straight, 0 = in place
+     */
+    public static DriveOrder circle(double speed, double radius) {
+        check("drive: speed", speed, MOST_SPEED, "m/s");
+        if (Double.isNaN(radius)) {
+            throw new IllegalArgumentException("drive: radius is " + radius + ", legal: metres, + to the left, 0 or infinity");
+        }
+        return new DriveOrder("drive", false, speed, radius, speed, radius);
+    }
+
+    private static void check(String what, double value, double most, String unit) {
+        if (!(Math.abs(value) <= most)) {
+            throw new IllegalArgumentException(what + " is " + value + ", legal: " + -most + " to " + most + " " + unit);
+        }
+    }
+
+    /**
+     * The speed of the left side, or along the circle, m/s.
+     *
+     * @throws IllegalArgumentException if the robot can't do that, with what would let it
+     */
+    public double getFirst(Robot driven) {
+        String name = driven.getObject().getName();
+        if (driven.getHardware().getWheelRadius() == 0) {
+            throw new IllegalArgumentException("robot " + name + " has no driven wheels: robot.addWheel(Wheel(name, radius, width, 1)) adds one");
+        }
+        if (!call.equals(SPIN)) {
+            return first;
+        }
+        double base = driven.getHardware().getWheelBase();
+        if (base == 0) {
+            throw new IllegalArgumentException("robot " + name + " can't turn in place: its driven wheels are all in its middle;"
+                + " wheel.move(x, y, z) puts one to the left with x above 0, to the right with x below");
+        }
+        return Math.toRadians(first) * base / 2;
+    }
+
+    /** The speed of the right side, m/s, or the radius of the circle, m. */
+    public double getSecond() {
+        return second;
+    }
+}

@@ -15,6 +15,7 @@ import org.SEAR.cli.lessons.LessonsCommand;
 import org.SEAR.cli.sweep.SweepCommand;
 import org.SEAR.parallel.WorkerPool;
 import org.SEAR.simulator.SimulationRunner;
+import org.myrobotlab.embedded.NearestName;
 import org.myrobotlab.embedded.python.JythonStart;
 import org.myrobotlab.embedded.python3.Python3Script;
 import org.myrobotlab.service.sear.run.RunParameters;
@@ -118,7 +119,9 @@ public final class SearCommand implements Callable<Integer> {
         server.apply(spec);
         MrlRun run = new MrlRun(checkedPort(), server.isKnown(), err);
         if (script != null && !Files.exists(script)) {
-            err.println("sear: " + script + " can't be read: there is no such file. Try sear --help.");
+            String meant = NearestName.of(script.toString(), spec.subcommands().keySet());
+            err.println("sear: " + script + " can't be read: there is no such file. " + (meant.isEmpty() ? "" : "If it is a command, " + meant + " ")
+                + "Try sear --help.");
             return CommandLine.ExitCode.USAGE;
         }
         if (script == null || Files.isDirectory(script) || script.toString().endsWith(".sear")) {

@@ -245,6 +245,14 @@ public class SearCommandTest {
         assertTrue(out, out.startsWith("Usage: sear check"));
     }
 
+    @Test
+    public void aCommandOfAnotherSpellingIsToldItsName() throws Exception {
+        assertEquals(2, sear("chekc"));
+        assertTrue(err, err.contains("sear: chekc can't be read: there is no such file. If it is a command, did you mean check? Try"));
+        assertEquals(2, sear("nix.py"));
+        assertTrue(err, err.contains("sear: nix.py can't be read: there is no such file. Try sear --help."));
+    }
+
     /** As sear.loadProject finds them. */
     @Test
     public void checkFindsTheExamplesInEveryFolder() throws Exception {

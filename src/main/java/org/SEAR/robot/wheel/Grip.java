@@ -33,6 +33,8 @@ final class Grip {
     private boolean slips;
     private boolean holds;
     private double mostHeld;
+    /** Length of the last substep if the motor drove in it, else 0. */
+    private double driven;
 
     /**
      * Of a wheel.
@@ -72,6 +74,7 @@ final class Grip {
         holding.release();
         sideways.release();
         most = 0;
+        driven = 0;
     }
 
     /**
@@ -89,14 +92,23 @@ final class Grip {
         holds = held;
         if (holds) {
             holding.prepare(body);
+            driven = 0;
         } else {
-            holding.release();
+            holding.letGo();
+            driveOn(body);
         }
         if (across && scrub == 0) {
             sideways.prepare(body);
         } else {
             sideways.release();
         }
+    }
+
+    /** The motor begins with what it gave in the last substep: wheels that were solved first would drive the more, and turn the robot. */
+    private void driveOn(SolverBody body) {
+        forward.impulse *= driven > 0 ? body.seconds() / driven : 0;
+        driven = body.seconds();
+        forward.push(body.v, forward.impulse);
     }
 
     /**

@@ -86,8 +86,8 @@ final class Grip {
     void prepare(GroundContact ground, Vec3 driving, boolean held, SolverBody body) {
         way.set(driving).flatten(ground.normal).normalize();
         left.cross(ground.normal, way);
-        forward.set(way.x, way.y, way.z, ground.point.x, ground.point.y, ground.point.z, body, ground.carrier());
-        side.set(left.x, left.y, left.z, ground.point.x, ground.point.y, ground.point.z, body, ground.carrier());
+        ground.aim(forward, way, body);
+        ground.aim(side, left, body);
         scrub = scrubbing > 0 ? 1 / (scrubbing * body.seconds()) : 0;
         holds = held;
         if (holds) {
@@ -180,6 +180,11 @@ final class Grip {
     /** The same as the last pass has left it. */
     double rolling() {
         return rolling;
+    }
+
+    /** How fast it slides over the ground to its left, as the last pass has left it, m/s. */
+    double sliding() {
+        return sliding;
     }
 
     /** Whether the motor holds the wheel, so that it does not turn. */

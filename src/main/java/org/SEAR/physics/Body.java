@@ -105,6 +105,16 @@ public final class Body {
         }
     }
 
+    /** The number of its solid that is a shape of the scenes; -1 if none is. */
+    public int solidOf(int shape) {
+        for (int i = 0; i < shapes.length; i++) {
+            if (shapes[i] == shape) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
     /** Moves its solids in the scenes to where it is. */
     public void mirror(Scenes scenes) {
         for (int i = 0; i < shapes.length; i++) {

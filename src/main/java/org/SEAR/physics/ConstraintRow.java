@@ -1,5 +1,8 @@
 package org.SEAR.physics;
 
+import org.SEAR.physics.solid.Hinge;
+import org.SEAR.physics.solid.InnerMotion;
+
 /**
  * One direction in which an impulse acts on a rigid body at a point, and its reverse on another that moves, if there is one: a row of the constraint
  * matrix. Velocities are {vx, vy, vz, wx, wy, wz} of the centre of mass, world frame. Simulation thread.
@@ -20,6 +23,13 @@ public final class ConstraintRow {
     /** Velocities of the other body; null if that does not move. */
     private double[] others;
     private double othersInverseMass;
+    /** Speed along the row of what moves in the other body, as planned, m/s, and how far that has come in this step, metres. */
+    private double carried;
+    private double way;
+    /** Which turns that and yields, and how far it goes along the row when it turns by 1 rad, metres; null if there is none. */
+    private Hinge hinge;
+    private double lever;
+    private final double[] direction = new double[3];
     /** Change of the speed along the row for an impulse of 1 Ns, 1/kg. */
     public double mobility;
     /** Impulse of this step so far, Ns. */
@@ -48,6 +58,9 @@ public final class ConstraintRow {
         inverseMass = body.inverseMass;
         mobility = inverseMass + ax * ix + ay * iy + az * iz;
         others = null;
+        hinge = null;
+        carried = 0;
+        way = 0;
         if (other != null) {
             join(x - other.place.x, y - other.place.y, z - other.place.z, other);
         }
@@ -65,11 +78,41 @@ public final class ConstraintRow {
         mobility += othersInverseMass + arm[0] * turn[0] + arm[1] * turn[1] + arm[2] * turn[2];
     }
 
+    /**
+     * Says on which solid of the other body it acts: a servo may turn that.
+     *
+     * @param solid its number
+     * @param x where the impulse acts, metres, likewise y and z; world frame
+     * @param gone how much of the step is over, seconds
+     */
+    public void carry(Body other, int solid, double x, double y, double z, double gone) {
+        InnerMotion inner = other.inner();
+        if (!inner.moves(solid)) {
+            return;
+        }
+        direction[0] = lx;
+        direction[1] = ly;
+        direction[2] = lz;
+        carried = inner.speed(solid, other.getSolver().place, direction, 0, x, y, z, gone);
+        way = gone * carried;
+        hinge = inner.hinge(solid);
+        if (hinge != null) {
+            lever = inner.lever(solid, other.getSolver().place, direction, 0, x, y, z, gone);
+            way += lever * hinge.ahead();
+            mobility += hinge.yields(lever);
+        }
+    }
+
+    /** How far what moves in the other body has come along it in this step, metres. */
+    public double way() {
+        return way;
+    }
+
     /** Speed of the point along the direction, as the other body sees it, m/s. */
     public double speed(double[] v) {
         double speed = lx * v[0] + ly * v[1] + lz * v[2] + ax * v[3] + ay * v[4] + az * v[5];
         return others == null ? speed : speed - lx * others[0] - ly * others[1] - lz * others[2] - arm[0] * others[3] - arm[1] * others[4]
-            - arm[2] * others[5];
+            - arm[2] * others[5] - carried - (hinge == null ? 0 : lever * hinge.deviation());
     }
 
     /** Changes the velocities by an impulse, and those of the other body by its reverse. */
@@ -89,6 +132,9 @@ public final class ConstraintRow {
             others[3] -= turn[0] * newtonSeconds;
             others[4] -= turn[1] * newtonSeconds;
             others[5] -= turn[2] * newtonSeconds;
+        }
+        if (hinge != null) {
+            hinge.push(lever, newtonSeconds);
         }
     }
 

@@ -20,6 +20,8 @@ final class ContactRows {
     static final double CLOSE = 1e-4;
     /** What is deeper in another than this comes out slowly, metres. */
     private static final double DEEP = 0.005;
+    /** And begins with this share of its push: what is in others from two sides would press ever harder, and be thrown when one of them lets go. */
+    private static final double DEEP_SHARE = 0.5;
     /** How deep something may be in what is fixed, as a share of its own least half size. */
     private static final double DEEPEST_SHARE = 0.5;
 
@@ -221,6 +223,7 @@ final class ContactRows {
                 boolean struck = alone && r[at + STRUCK] > 0;
                 double scale = r[at + SECONDS] > 0 && !struck ? seconds / r[at + SECONDS] : 0;
                 scale = alone ? Math.min(1, scale) : scale;
+                scale = gap(slot) < -DEEP ? DEEP_SHARE * scale : scale;
                 r[at + SECONDS] = seconds;
                 r[at + STRUCK] = struck ? -1 : 0;
                 for (int i = 0; i < points[slot]; i++) {

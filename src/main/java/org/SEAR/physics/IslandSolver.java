@@ -92,7 +92,7 @@ final class IslandSolver {
         bodies = island.bodies;
         pairs = island.pairs;
         drives = island.drives;
-        if (pairs.isEmpty()) {
+        if (pairs.isEmpty() && !isCarriedByHinge()) {
             stepAlone(seconds);
             return;
         }
@@ -120,6 +120,19 @@ final class IslandSolver {
             left -= substep(next);
         }
         settle();
+    }
+
+    /** Whether wheels stand on a robot that a servo turns parts of. */
+    private boolean isCarriedByHinge() {
+        for (int i = 0; i < drives.size(); i++) {
+            List<Body> under = drives.get(i).drive.pushed();
+            for (int k = 0; k < under.size(); k++) {
+                if (!under.get(k).inner().hinges().isEmpty()) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     /** Nothing touches: there is nothing to solve but wheels. */

@@ -116,12 +116,12 @@ public final class Hinge {
     }
 
     /** What is on it is pushed against its turning by an impulse, Ns, with a lever, metres. */
-    void push(double lever, double impulse) {
+    public void push(double lever, double impulse) {
         deviation -= lever * impulse / inertia;
     }
 
     /** Speed that what is on it gives way for an impulse of 1 Ns at a lever, metres: 1/kg. */
-    double yields(double lever) {
+    public double yields(double lever) {
         return lever * lever / inertia;
     }
 

@@ -73,9 +73,14 @@ final class Brush {
         bent /= 1 + Math.abs(way) / length;
     }
 
-    void release() {
+    /** Something else pushes along its row. */
+    void letGo() {
         bent = 0;
         seconds = 0;
+    }
+
+    void release() {
+        letGo();
         row.impulse = 0;
     }
 }

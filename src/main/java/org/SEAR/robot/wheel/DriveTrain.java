@@ -40,7 +40,6 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     private final Vec3 ahead = new Vec3();
     private final Vec3 up = new Vec3();
     private final Vec3 sideways = new Vec3();
-    private final double[] point = new double[3];
 
     /**
      * Of a robot that starts anew.
@@ -205,7 +204,6 @@ public final class DriveTrain implements PhysicsWorld.Drive {
     public void roll() {
         for (int i = 0; i < wheels.size(); i++) {
             wheels.get(i).roll();
-            wheels.get(i).trail(body, point);
         }
     }
 

@@ -33,6 +33,8 @@ final class Grip {
     private boolean slips;
     private boolean holds;
     private double mostHeld;
+    /** Length of the last substep if the motor drove in it, else 0. */
+    private double driven;
 
     /**
      * Of a wheel.
@@ -72,6 +74,7 @@ final class Grip {
         holding.release();
         sideways.release();
         most = 0;
+        driven = 0;
     }
 
     /**
@@ -83,20 +86,29 @@ final class Grip {
     void prepare(GroundContact ground, Vec3 driving, boolean held, SolverBody body) {
         way.set(driving).flatten(ground.normal).normalize();
         left.cross(ground.normal, way);
-        forward.set(way.x, way.y, way.z, ground.point.x, ground.point.y, ground.point.z, body, ground.carrier());
-        side.set(left.x, left.y, left.z, ground.point.x, ground.point.y, ground.point.z, body, ground.carrier());
+        ground.aim(forward, way, body);
+        ground.aim(side, left, body);
         scrub = scrubbing > 0 ? 1 / (scrubbing * body.seconds()) : 0;
         holds = held;
         if (holds) {
             holding.prepare(body);
+            driven = 0;
         } else {
-            holding.release();
+            holding.letGo();
+            driveOn(body);
         }
         if (across && scrub == 0) {
             sideways.prepare(body);
         } else {
             sideways.release();
         }
+    }
+
+    /** The motor begins with what it gave in the last substep: wheels that were solved first would drive the more, and turn the robot. */
+    private void driveOn(SolverBody body) {
+        forward.impulse *= driven > 0 ? body.seconds() / driven : 0;
+        driven = body.seconds();
+        forward.push(body.v, forward.impulse);
     }
 
     /**
@@ -168,6 +180,11 @@ final class Grip {
     /** The same as the last pass has left it. */
     double rolling() {
         return rolling;
+    }
+
+    /** How fast it slides over the ground to its left, as the last pass has left it, m/s. */
+    double sliding() {
+        return sliding;
     }
 
     /** Whether the motor holds the wheel, so that it does not turn. */

@@ -2,6 +2,7 @@ package org.SEAR.robot.wheel;
 
 import org.SEAR.geometry.Vec3;
 import org.SEAR.physics.Body;
+import org.SEAR.physics.ConstraintRow;
 import org.SEAR.physics.Scenes;
 import org.SEAR.physics.SolverBody;
 import org.SEAR.raycast.Hit;
@@ -30,6 +31,10 @@ final class GroundContact {
     final Vec3 point = new Vec3();
     private final Hit hit = new Hit();
     private Body under;
+    /** Which of its solids, and how much of the step is over, seconds. */
+    private int solid;
+    private double gone;
+    private double next;
     private boolean touches;
     private double share;
     private double seen;
@@ -54,9 +59,11 @@ final class GroundContact {
         seen = distance - wheel;
         boolean carries = distance < wheel + rest && Math.abs(lean) > (touches ? LETTING_GO : STEEPEST) && normal.y > 0;
         under = carries ? scenes.body(hit.shape) : null;
+        next = 0;
         touches = under != null && (under.isFixed() || seen > -DEEPEST * wheel && !under.isDeep());
         if (touches) {
             under.wake();
+            solid = under.solidOf(hit.shape);
         } else {
             under = null;
         }
@@ -71,6 +78,8 @@ final class GroundContact {
 
     /** Takes over where the wheel and the ground are now. */
     void prepare(SolverBody body) {
+        gone = next;
+        next += body.seconds();
         gap = seen + body.travel(normal.x, normal.y, normal.z, point.x, point.y, point.z);
         SolverBody carrier = carrier();
         if (carrier != null) {
@@ -80,8 +89,16 @@ final class GroundContact {
     }
 
     /** What it stands on, if that moves; else null. */
-    SolverBody carrier() {
+    private SolverBody carrier() {
         return under.solver();
+    }
+
+    /** Has a row of the wheel act here along a direction. */
+    void aim(ConstraintRow row, Vec3 along, SolverBody body) {
+        row.set(along.x, along.y, along.z, point.x, point.y, point.z, body, carrier());
+        if (carrier() != null && solid >= 0) {
+            row.carry(under, solid, point.x, point.y, point.z, gone);
+        }
     }
 
     /** Whether the wheel is on the ground. */

@@ -162,33 +162,18 @@ public final class RaycastWheel {
         pending = 0;
     }
 
-    /** Turns the wheel by what it rolled in a step. */
+    /** Turns the wheel by what it rolled in a step; a caster follows its way. */
     void roll() {
         feel();
         if (seconds > 0) {
             spin = rolled / seconds / reach;
             angle += rolled / reach;
+            if (swivel != null && ground.touches()) {
+                swivel.trail(grip.sliding(), grip.rolling());
+            }
         }
         rolled = 0;
         seconds = 0;
-    }
-
-    /**
-     * A caster follows the way of its axis.
-     *
-     * @param body the robot's, after a step
-     * @param speed room for three numbers
-     */
-    void trail(Body body, double[] speed) {
-        if (!ground.touches() || object.getTrail() == 0) {
-            return;
-        }
-        Pose pose = body.getPose();
-        from.transform(pose, x, y, z);
-        body.velocityAt(from.x, from.y, from.z, speed);
-        double[] inBody = pose.rotateBack(speed[0], speed[1], speed[2]);
-        body.angularVelocity(speed);
-        swivel.trail(inBody[0], inBody[2], pose.rotateBack(speed[0], speed[1], speed[2])[1]);
     }
 
     /** What stands before the wheel. */

@@ -37,7 +37,7 @@ final class Suspension {
         double stiffness = share * of.stiffness;
         double damping = share * (spring.speed(body.v) < 0 ? of.compressing : of.releasing);
         double soft = damping + seconds * stiffness;
-        double gap = ground.gap();
+        double gap = ground.gap() - spring.way();
         softness = soft > 0 ? 1 / (seconds * soft) : 0;
         bias = soft > 0 ? stiffness * Math.min(of.rest, of.rest - gap) / soft : 0;
         allowed = gap > 0 ? -gap / seconds : -CORRECTION * share * gap;
@@ -47,7 +47,7 @@ final class Suspension {
     }
 
     private void aim(ConstraintRow row, GroundContact ground, SolverBody body, double before) {
-        row.set(ground.normal.x, ground.normal.y, ground.normal.z, ground.point.x, ground.point.y, ground.point.z, body, ground.carrier());
+        ground.aim(row, ground.normal, body);
         row.impulse *= before > 0 ? seconds / before : 0;
     }
 

@@ -54,25 +54,20 @@ final class Swivel {
     }
 
     /**
-     * A caster has no moment of its own, so it turns as if on rails: what its axis moves across it turns the wheel, and the wheel rolls without
-     * slipping. Within a step, while the axis keeps its speed, that is a tractrix.
+     * A caster has no moment of its own, so it turns as if on rails: what the point where it touches moves across it turns the wheel, and the wheel
+     * rolls without slipping. Within a step, while that point keeps its speed, that is a tractrix.
      *
-     * @param left speed of the axis in the body frame, m/s
-     * @param forward likewise
-     * @param turnRate of the body, rad/s
+     * @param left speed over the ground of that point, fixed to the body, across the wheel, m/s
+     * @param forward the same along it
      */
-    void trail(double left, double forward, double turnRate) {
-        if (trail == 0) {
-            return;
-        }
+    void trail(double left, double forward) {
         double speed = Math.hypot(left, forward);
-        double turned = heading;
-        if (speed > LEAST_SPEED) {
+        if (trail > 0 && speed > LEAST_SPEED) {
             double way = Math.atan2(left, forward);
-            double half = (heading - way) / 2;
-            turned = way + 2 * Math.atan2(Math.sin(half) * Math.exp(-speed * TimeStep.SECONDS / trail), Math.cos(half));
+            double half = -way / 2;
+            double share = Math.exp(-speed * TimeStep.SECONDS / trail);
+            point(Math.IEEEremainder(heading + way + 2 * Math.atan2(Math.sin(half) * share, Math.cos(half)), 2 * Math.PI));
         }
-        point(Math.IEEEremainder(turned - turnRate * TimeStep.SECONDS, 2 * Math.PI));
     }
 
     /** Finds its directions in the world: {@code ahead} and {@code left} are the body's. */

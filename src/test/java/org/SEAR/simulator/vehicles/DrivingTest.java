@@ -3,6 +3,8 @@ package org.SEAR.simulator.vehicles;
 import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertTrue;
 
+import java.util.List;
+import java.util.stream.Collectors;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.devices.RobotHardware;
@@ -61,6 +63,26 @@ public class DrivingTest {
         RobotHardware create2 = meetsCommands(0.2);
         assertEquals(0.235, create2.getWheelBase(), 1e-9);
         assertEquals("no slip", create2.getPath(), 0.036 * (create2.getLeftWheelAngle() + create2.getRightWheelAngle()) / 2, 0.02);
+    }
+
+    /** A motor begins with what it gave last: else the wheels that are solved first drive the more, and the car goes 58 mm beside its way. */
+    @Test
+    public void straightUpASlopeIsStraight() throws Exception {
+        new Floor("slope", 50, 50).rotate(-10, 0, 0);
+        Robots.car("car").placeAt(-3, 0);
+        Robots.fourWheeled("skid").placeAt(0, 0);
+        Robots.rover("rover").placeAt(3, 0);
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 1);
+        List<Robot> robots = simulation.getRobots();
+        List<Pose> starts = robots.stream().map(Robot::getPose).collect(Collectors.toList());
+        robots.forEach(robot -> robot.drive(0.5, Double.POSITIVE_INFINITY));
+        Worlds.run(simulation, 10);
+        for (int i = 0; i < robots.size(); i++) {
+            Pose pose = robots.get(i).getPose();
+            assertEquals("robot " + i, 4.9 * Math.cos(Math.toRadians(10)), pose.z - starts.get(i).z, 0.1);
+            assertEquals("robot " + i, 0, pose.x - starts.get(i).x, 1e-3);
+        }
     }
 
     private RobotHardware meetsCommands(double speed) throws Exception {

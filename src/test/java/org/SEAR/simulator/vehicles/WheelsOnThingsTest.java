@@ -6,9 +6,11 @@ import static org.junit.Assert.assertTrue;
 import java.util.List;
 import java.util.function.Function;
 import org.SEAR.POJOs.Box;
+import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Floor;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
+import org.SEAR.POJOs.Servo;
 import org.SEAR.geometry.Pose;
 import org.SEAR.physics.Body;
 import org.SEAR.project.ProjectRule;
@@ -89,11 +91,16 @@ public class WheelsOnThingsTest {
         Simulation simulation = Worlds.start(project);
         double[] v = new double[6];
         for (int step = 0; step < STEPS; step++) {
+            Pose[] before = new Pose[2 * pairs];
+            for (int i = 0; i < 2 * pairs; i++) {
+                before[i] = Worlds.body(simulation, (i % 2 == 0 ? "a" : "b") + i / 2).getPose();
+            }
             simulation.step();
             for (int i = 0; i < 2 * pairs; i++) {
                 String name = (i % 2 == 0 ? "a" : "b") + i / 2;
                 Body robot = Worlds.body(simulation, name);
                 robot.velocities(v);
+                assertEquals(name + " leaps", 0, Math.hypot(robot.getPose().x - before[i].x, robot.getPose().z - before[i].z), 0.2);
                 assertTrue(name + " is thrown: " + Math.hypot(Math.hypot(v[0], v[1]), v[2]) + " m/s", Math.hypot(Math.hypot(v[0], v[1]), v[2]) < 5);
                 assertTrue(name + " has sunk to " + lowest(robot) + " m in step " + step, lowest(robot) > (step < STEPS - 1 ? -0.045 : -1e-3));
             }
@@ -146,6 +153,67 @@ public class WheelsOnThingsTest {
             upright += now.rotate(0, 0, 1)[1] > 0.9 ? 1 : 0;
         }
         assertTrue("only " + upright + " of " + count + " stand on their tails", upright >= 3);
+    }
+
+    /** A turntable takes a rover along that stands beside its axis; its caster does not swing, for it does not roll. */
+    @Test
+    public void aPlateThatAServoTurnsTakesWheelsAlong() throws Exception {
+        new Floor("floor", 20, 20);
+        Servo turn = plate("turn", 0, 0, 0);
+        turn.setSpeed(30);
+        turn.setStallTorque(100);
+        Robots.rover("rover").move(0.2, 0.27, 0);
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 1);
+        simulation.getServo("turn").setAngle(90);
+        Worlds.run(simulation, 2.9);
+        double angle = Math.toRadians(simulation.getServo("turn").getAngle());
+        Pose pose = Worlds.body(simulation, "rover").getPose();
+        assertEquals(87, Math.toDegrees(angle), 0.1);
+        assertEquals(0.2 * Math.cos(angle), pose.x, STILL);
+        assertEquals(-0.2 * Math.sin(angle), pose.z, STILL);
+        assertEquals(87, Math.toDegrees(Math.atan2(pose.rotate(0, 0, 1)[0], pose.rotate(0, 0, 1)[2])), 0.1);
+        assertEquals("upright", 1, pose.rotate(0, 1, 0)[1], 1e-6);
+    }
+
+    /** A rover of 2 kg half a metre from the axis is a moment of 9.8 N m: twice that lifts it at half speed, half of it is turned back. */
+    @Test
+    public void aServoFeelsTheWheelsThatItLifts() throws Exception {
+        double moment = 2 * 9.81 * 0.5;
+        new Floor("floor", 20, 20);
+        Servo strong = plate("strong", 0, -0.5, -90);
+        strong.setSpeed(2);
+        strong.setStallTorque(2 * moment);
+        Servo weak = plate("weak", 3, -0.5, -90);
+        weak.setSpeed(2);
+        weak.setStallTorque(moment / 2);
+        Robots.rover("lifted").move(0, 0.27, 0);
+        Robots.rover("sinking").move(3, 0.27, 0);
+        Simulation simulation = Worlds.start(project);
+        Worlds.run(simulation, 1);
+        simulation.getServo("strong").setAngle(-10);
+        simulation.getServo("weak").setAngle(-10);
+        Worlds.run(simulation, 1);
+        assertEquals(-1, simulation.getServo("strong").getAngle(), 0.15);
+        assertEquals(1, simulation.getServo("weak").getAngle(), 0.15);
+    }
+
+    /** A heavy robot with a light plate that a servo of that name turns about an axis at z. */
+    private static Servo plate(String name, double x, double z, double rz) throws Exception {
+        SEARrobot robot = new SEARrobot(name + "Robot");
+        robot.addComponent(new Dynamics(name + "Weight", 400));
+        Box base = new Box(name + "Base", 0.8, 1.5, 0.2, 400);
+        base.move(0, 0.1, -0.3);
+        robot.addComponent(base);
+        Box plate = new Box(name + "Plate", 0.9, 0.5, 0.04, 0.01);
+        plate.move(0, 0.25, 0);
+        plate.setFriction(0.8);
+        Servo servo = new Servo(name, 0, 0.25, z, 0, 0, rz);
+        servo.mount(plate);
+        robot.addComponent(servo);
+        robot.addComponent(plate);
+        robot.move(x, 0, 0);
+        return servo;
     }
 
     /** The height of the lowest point of all its parts, metres. */

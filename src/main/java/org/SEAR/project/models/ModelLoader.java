@@ -1,5 +1,6 @@
 package org.SEAR.project.models;
 
+import com.jme3.asset.AssetLoadException;
 import com.jme3.asset.AssetManager;
 import com.jme3.asset.ModelKey;
 import com.jme3.asset.plugins.ClasspathLocator;
@@ -126,7 +127,8 @@ public final class ModelLoader {
     }
 
     private static IOException failure(Model model, Throwable e) {
-        return new IOException(model + ": " + model.getPath() + " can't be loaded: " + reasons(e), e);
+        Throwable told = e instanceof AssetLoadException && e.getCause() instanceof IOException ? e.getCause() : e;    // which names the file
+        return new IOException(model + ": " + model.getPath() + " can't be loaded: " + reasons(told), e);
     }
 
     private static Triangles collect(Spatial scene, Model model) throws IOException {

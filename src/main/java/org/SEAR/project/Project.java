@@ -1,12 +1,19 @@
 package org.SEAR.project;
 
+import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.SEARrobot;
 import org.SEAR.POJOs.SearObject;
 import org.SEAR.files.Assets;
 import org.SEAR.geometry.GeoOrigin;
+import org.SEAR.project.models.ModelLoader;
+import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.project.xml.ParsedObject;
 import org.SEAR.terrain.Ground;
@@ -73,6 +80,42 @@ public final class Project {
     /** What is legal but probably not meant: a file in {@code robot/} that is no robot's part, a picture that isn't there. */
     public List<String> getWarnings() {
         return warnings;
+    }
+
+    /**
+     * Loads each model once, and keeps nothing: {@link #read} only looks whether their files are there.
+     *
+     * @throws ProjectException with every model that can't be loaded
+     */
+    public void checkModels() throws ProjectException {
+        List<Problem> problems = new ArrayList<>();
+        Set<String> whole = new HashSet<>();
+        ModelLoader loader = ModelLoader.withoutPictures(assets, unheard -> { });
+        for (SearObject object : objects()) {
+            if (object instanceof Model && !whole.contains(((Model) object).getPath())) {
+                try {
+                    loader.triangles((Model) object);
+                    whole.add(((Model) object).getPath());
+                } catch (IOException e) {
+                    problems.add(problem((Model) object, e));
+                }
+            }
+        }
+        if (!problems.isEmpty()) {
+            throw new ProjectException(problems);
+        }
+    }
+
+    private List<SearObject> objects() {
+        List<SearObject> all = new ArrayList<>(environment);
+        robots.forEach(robot -> all.addAll(robot.getComponents()));
+        return all;
+    }
+
+    /** A model of the project that can't be loaded. */
+    public Problem problem(Model model, IOException why) {
+        String file = (environment.contains(model) ? "environment/" : "robot/") + model.getFileName() + ".xml";
+        return new Problem(file, 0, "path", model.getPath(), "a model that can be loaded (" + why.getMessage() + ")");
     }
 
     /**

@@ -56,7 +56,7 @@ public final class RobotBuilder {
     private RobotBuilder(SEARrobot robot, Project project, List<String> warnings) throws ProjectException {
         object = robot;
         dynamics = dynamics(robot);
-        components(project);
+        components(project, warnings);
         boolean bare = solids.isEmpty();
         if (bare) {
             add(bareBody(), Pose.IDENTITY, true, 1);
@@ -66,7 +66,7 @@ public final class RobotBuilder {
         double[] centre = CentreOfMass.place(centroid, weighed(), robot.getWheels());
         springs = SpringDesign.of(dynamics, robot.getWheels(), centre, lowest());
         for (Wheel wheel : robot.getWheels()) {
-            Solid solid = Solids.of(wheel, project);
+            Solid solid = Solids.of(wheel, project, warnings);
             wheelSolids.add(solid);
             shapes.put(wheel, solid);
             Pose at = Pose.ofDegrees(wheel.getX(), wheel.getY(), wheel.getZ(), 0, wheel.getRy(), 0);
@@ -106,9 +106,9 @@ public final class RobotBuilder {
         return solids.indexOf(shapes.get(part));
     }
 
-    private void components(Project project) throws ProjectException {
+    private void components(Project project, List<String> warnings) throws ProjectException {
         for (SearObject part : object.getComponents()) {
-            Solid solid = Solids.of(part, project);
+            Solid solid = Solids.of(part, project, warnings);
             if (solid != null) {
                 shapes.put(part, solid);
                 add(solid, ObjectPose.of(part), ((Shape) part).isVisibleToSensors(), weight((Shape) part, solid));

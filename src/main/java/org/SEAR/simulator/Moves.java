@@ -80,7 +80,7 @@ final class Moves {
             fresh = builder.body;
             places.setDownRobot((SEARrobot) object, fresh, builder.feet());
         } else {
-            fresh = World.body(object, now);
+            fresh = World.body(object, now, new ArrayList<>());
             places.setDown((PlacedObject) object, fresh);
         }
         places.end();

@@ -22,6 +22,7 @@ import org.SEAR.physics.Scenes;
 import org.SEAR.physics.start.BesideGround;
 import org.SEAR.physics.start.StartPoses;
 import org.SEAR.physics.start.TooHeavy;
+import org.SEAR.physics.start.TooLarge;
 import org.SEAR.physics.solid.Solid;
 import org.SEAR.physics.solid.Solids;
 import org.SEAR.project.ObjectPose;
@@ -76,7 +77,7 @@ final class World implements PhysicsWorld.Touches {
         virtualWalls = new VirtualWalls(scenes);
         SurfaceColors colors = new SurfaceColors(project.getAssets(), told);
         for (SearObject object : project.getEnvironment()) {
-            Body body = body(object, project);
+            Body body = body(object, project, warnings);
             environment.add(body);
             if (body != null) {
                 shapes.put(object, body.solids.get(0));
@@ -130,6 +131,7 @@ final class World implements PhysicsWorld.Touches {
         StartPoses.tellOverlaps(physics.getBodies(), warnings);
         BesideGround.tell(physics.getBodies(), scenes, warnings);
         TooHeavy.tell(physics.getBodies(), warnings);
+        TooLarge.tell(physics.getBodies(), scenes.grounds(), warnings);
         fallen = new Fallen(physics.getBodies(), told);
         moves = new Moves(this);
         restart();
@@ -147,7 +149,7 @@ final class World implements PhysicsWorld.Touches {
         grounds.removeIf(object -> !(object instanceof Shape && ((Shape) object).isGround()));
         List<Body> bodies = new ArrayList<>();
         for (SearObject object : grounds) {
-            Body body = body(object, project);
+            Body body = body(object, project, new ArrayList<>());
             bodies.add(body);
             body.addTo(scenes, Collections.singletonList(true), -1, 1);
             scenes.addGround(body);
@@ -188,8 +190,8 @@ final class World implements PhysicsWorld.Touches {
         return all.stream().anyMatch(object -> object instanceof Shape && !((Shape) object).isVisibleToSensors());
     }
 
-    static Body body(SearObject object, Project project) throws ProjectException {
-        Solid solid = Solids.of(object, project);
+    static Body body(SearObject object, Project project, List<String> warnings) throws ProjectException {
+        Solid solid = Solids.of(object, project, warnings);
         if (solid == null) {
             return null;
         }

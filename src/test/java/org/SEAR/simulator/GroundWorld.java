@@ -37,7 +37,7 @@ public final class GroundWorld {
         body.addTo(scenes, Collections.singletonList(true), -1, 1);
         scenes.addGround(body);
         for (Shape thing : things) {
-            Solid solid = Solids.of(thing, project);
+            Solid solid = Solids.of(thing, project, new ArrayList<>());
             Body one = new Body(thing.getName(), thing.getMass(), Collections.singletonList(solid), new Pose[] {solid.offset},
                 solid.convex().centre(), ObjectPose.of(thing));
             physics.add(one);

@@ -8,6 +8,7 @@ import java.util.function.Function;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Dynamics;
 import org.SEAR.POJOs.Floor;
+import org.SEAR.POJOs.Model;
 import org.SEAR.POJOs.Motor;
 import org.SEAR.POJOs.Robots;
 import org.SEAR.POJOs.SEARrobot;
@@ -73,6 +74,31 @@ public class StartWarningsTest {
         assertTrue(warnings().toString(), warnings().toString().contains("stands tilted by 9 degrees, with its left up"));
         threeWheels(0, 0, 0.005);
         assertEquals(List.of(), warnings());
+    }
+
+    @Test
+    public void whatWasDrawnInCentimetresOrMillimetresIsTold() throws Exception {
+        new Box("crate", 40, 30, 30, 2).move(0, 15, 0);
+        assertTold("crate is 40 m large and weighs 2 kg", "lighter than air", "in centimetres, it is 0.400 m", "by 100, or scale(0.01) a model");
+        new Box("crate", 400, 300, 300, 2).move(0, 150, 0);
+        assertTold("drawn in millimetres, it is 0.400 m", "scale(0.001)");
+        new Floor("floor", 20, 20);
+        assertTold("drawn in millimetres, it is 0.400 m");
+        new Box("crate", 400, 300, 300, 0).move(100, 150, 0);
+        new Box("crate", 1.5, 1.5, 1.5, 0.2).move(0, 0.75, 0);
+        assertEquals(List.of(), warnings());
+    }
+
+    @Test
+    public void aRobotAndAModelThatWereDrawnInMillimetres() throws Exception {
+        SEARrobot robot = threeWheels(0, 0, 0);
+        robot.addComponent(new Box("shell", 200, 100, 300, 0));
+        assertTrue(warnings().toString(), warnings().get(0).contains("robot robot is "));
+        project.put("assets/hall.obj", "v 0 0 0\nv 12000 0 0\nv 0 3000 0\nf 1 2 3\n");
+        new Model("hall", "hall.obj").move(20000, 0, 0);
+        assertTrue(warnings().toString(), warnings().toString().contains("model hall is 12000 m large: lengths are metres; if it was drawn in mill"));
+        new Model("hall", "hall.obj").setTerrain(true);
+        assertTrue(warnings().toString(), !warnings().toString().contains("model hall is"));
     }
 
     @Test

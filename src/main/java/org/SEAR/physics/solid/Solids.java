@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Chessboard;
@@ -23,7 +24,6 @@ import org.SEAR.geometry.HeightGrid;
 import org.SEAR.geometry.SurfaceMesh;
 import org.SEAR.project.Project;
 import org.SEAR.project.models.ModelLoader;
-import org.SEAR.project.problems.Problem;
 import org.SEAR.project.problems.ProjectException;
 
 /**
@@ -79,26 +79,30 @@ public final class Solids implements ObjectTypes {
     /**
      * The geometry of an object; null for an object without (a sensor).
      *
-     * @throws ProjectException if a model or the terrain's map can't be loaded
+     * @param warnings takes, once each, what of a model can't be shown
+     * @throws ProjectException with all models of the project that can't be loaded, if this is one; if the terrain's map can't be loaded
      */
-    public static Solid of(SearObject object, Project project) throws ProjectException {
+    public static Solid of(SearObject object, Project project, List<String> warnings) throws ProjectException {
         if (!(object instanceof Shape)) {
             return null;
         }
         try {
-            return of((Shape) object, sourcesOf(project));
+            return of((Shape) object, sourcesOf(project, warnings));
         } catch (IOException e) {
-            String file = (project.getEnvironment().contains(object) ? "environment/" : "robot/") + object.getFileName() + ".xml";
-            throw new ProjectException(Collections.singletonList(new Problem(file, 0, "path", ((Model) object).getPath(),
-                "a model that can be loaded (" + e.getMessage() + ")")));
+            project.checkModels();
+            throw new ProjectException(Collections.singletonList(project.problem((Model) object, e)));
         }
     }
 
-    private static Sources sourcesOf(Project project) {
+    private static Sources sourcesOf(Project project, List<String> warnings) {
         return new Sources() {
             @Override
             public ModelLoader models() {
-                return ModelLoader.withoutPictures(project.getAssets());
+                return ModelLoader.withoutPictures(project.getAssets(), text -> {
+                    if (!warnings.contains(text)) {
+                        warnings.add(text);
+                    }
+                });
             }
 
             @Override

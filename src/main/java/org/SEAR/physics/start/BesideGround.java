@@ -50,7 +50,7 @@ public final class BesideGround {
         if (beside > FAR) {
             told.add(String.format(Locale.ROOT, "%s starts %.0f m beside the ground, at x %s, z %s: lengths are metres; if these are centimetres, it"
                 + " is x %s, z %s", body.name, beside, number(x), number(z), number(x / CENTIMETRES), number(z / CENTIMETRES)));
-        } else if (size > LARGE && size > TIMES * groundSize) {
+        } else if (size > LARGE && size > TIMES * groundSize && !TooLarge.isTooLight(body)) {
             told.add(String.format(Locale.ROOT, "%s is %.0f m large, and the ground only %.0f m: lengths are metres; if these are centimetres, divide"
                 + " them by 100", body.name, size, groundSize));
         } else if (above > FAR && above > TIMES * groundSize && !body.isFixed()) {

@@ -8,6 +8,8 @@ import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import org.SEAR.files.FileLimits;
 
 /**
@@ -17,6 +19,11 @@ import org.SEAR.files.FileLimits;
 final class GltfCheck {
     private static final Map<String, Integer> COMPONENTS = Map.of("SCALAR", 1, "VEC2", 2, "VEC3", 3, "VEC4", 4, "MAT2", 4, "MAT3", 9, "MAT4", 16);
     private static final Map<Integer, Integer> BYTES = Map.of(5120, 1, 5121, 1, 5122, 2, 5123, 2, 5125, 4, 5126, 4);
+
+    /** What jMonkeyEngine's reader knows. */
+    private static final Set<String> EXTENSIONS = Set.of("KHR_materials_pbrSpecularGlossiness", "KHR_lights_punctual", "KHR_materials_unlit",
+        "KHR_texture_transform");
+    private static final Map<String, Integer> PLACE = Map.of("matrix", 16, "translation", 3, "rotation", 4, "scale", 3);
 
     /** How long a buffer's file is. */
     interface Files {
@@ -50,12 +57,25 @@ final class GltfCheck {
 
     void check() throws IOException {
         try {
+            checkExtensions();
             checkNodes();
             checkBuffers();
             checkAccessors();
             checkMeshes();
+            checkPictures();
+            checkAnimations();
         } catch (IllegalStateException | ClassCastException | UnsupportedOperationException | NumberFormatException e) {
             throw new IOException(file + ": something has another kind than glTF 2.0 wants there (" + e.getMessage() + ")", e);
+        }
+    }
+
+    /** Who goes on without an extension that the file says is needed reads another shape than what was drawn: packed corners all lie in one point. */
+    private void checkExtensions() throws IOException {
+        for (JsonElement needed : list(root, "extensionsRequired")) {
+            if (!EXTENSIONS.contains(needed.getAsString())) {
+                throw FileLimits.wrong(file, "an extension that it needs", needed.getAsString(), "one of "
+                    + String.join(", ", new TreeSet<>(EXTENSIONS)) + ": export it without compression and other extensions");
+            }
         }
     }
 
@@ -73,6 +93,11 @@ final class GltfCheck {
                 parent[number] = i + 1;
             }
             optional(node, "nodes[" + i + "]", "mesh", list(root, "meshes").size());
+            for (Map.Entry<String, Integer> numbers : PLACE.entrySet()) {
+                JsonArray given = list(node, numbers.getKey());
+                FileLimits.range(file, "the number of numbers of nodes[" + i + "]." + numbers.getKey(), given.size(),
+                    node.has(numbers.getKey()) ? numbers.getValue() : 0, numbers.getValue());
+            }
         }
         for (int i = 0; i < nodes.size(); i++) {
             int depth = 0;
@@ -180,9 +205,43 @@ final class GltfCheck {
                 if (!primitive.has("attributes")) {
                     throw FileLimits.wrong(file, what + ".attributes", "missing", "an object with POSITION");
                 }
-                for (Map.Entry<String, JsonElement> attribute : primitive.getAsJsonObject("attributes").entrySet()) {
-                    reference(what + ".attributes." + attribute.getKey(), attribute.getValue(), accessors);
+                checkAttributes(what + ".attributes", primitive.getAsJsonObject("attributes"), accessors);
+                for (JsonElement target : list(primitive, "targets")) {
+                    checkAttributes(what + ".targets", target.getAsJsonObject(), accessors);
                 }
+            }
+        }
+    }
+
+    private void checkAttributes(String what, JsonObject attributes, int accessors) throws IOException {
+        for (Map.Entry<String, JsonElement> attribute : attributes.entrySet()) {
+            reference(what + "." + attribute.getKey(), attribute.getValue(), accessors);
+        }
+    }
+
+    private void checkPictures() throws IOException {
+        JsonArray images = list(root, "images");
+        for (int i = 0; i < images.size(); i++) {
+            optional(images.get(i).getAsJsonObject(), "images[" + i + "]", "bufferView", list(root, "bufferViews").size());
+        }
+        JsonArray textures = list(root, "textures");
+        for (int i = 0; i < textures.size(); i++) {
+            reference("textures[" + i + "].source", textures.get(i).getAsJsonObject().get("source"), images.size());
+        }
+    }
+
+    private void checkAnimations() throws IOException {
+        JsonArray animations = list(root, "animations");
+        for (int i = 0; i < animations.size(); i++) {
+            JsonObject animation = animations.get(i).getAsJsonObject();
+            String what = "animations[" + i + "]";
+            for (JsonElement channel : list(animation, "channels")) {
+                reference(what + ".channels.sampler", channel.getAsJsonObject().get("sampler"), list(animation, "samplers").size());
+                optional(channel.getAsJsonObject().getAsJsonObject("target"), what + ".channels.target", "node", list(root, "nodes").size());
+            }
+            for (JsonElement sampler : list(animation, "samplers")) {
+                reference(what + ".samplers.input", sampler.getAsJsonObject().get("input"), list(root, "accessors").size());
+                reference(what + ".samplers.output", sampler.getAsJsonObject().get("output"), list(root, "accessors").size());
             }
         }
     }
@@ -199,13 +258,17 @@ final class GltfCheck {
 
     private int reference(String what, JsonElement value, int count) throws IOException {
         if (value == null) {
-            throw FileLimits.wrong(file, what, "missing", "0 to " + (count - 1));
+            throw FileLimits.wrong(file, what, "missing", range(count));
         }
         double number = value.getAsDouble();
         if (!(number >= 0 && number < count)) {
-            throw FileLimits.wrong(file, what, value, count == 0 ? "nothing, because there are none" : "0 to " + (count - 1));
+            throw FileLimits.wrong(file, what, value, range(count));
         }
         return (int) number;
+    }
+
+    private static String range(int count) {
+        return count == 0 ? "nothing, because there are none" : "0 to " + (count - 1);
     }
 
     private long number(JsonObject in, String what, String name, long missing) throws IOException {

@@ -29,6 +29,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.logging.Level;
+import java.util.logging.Logger;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.GZIPInputStream;
@@ -76,8 +78,17 @@ final class GuardedLoaders {
         Pictures.register(manager, pixels);
     }
 
-    /** Wavefront models. */
+    /**
+     * Wavefront models. jMonkeyEngine's reader logs each line that has nothing to do with triangles, a million for some files, and normals that
+     * the window makes itself.
+     */
     public static final class Obj implements AssetLoader {
+        private static final Logger LINES = Logger.getLogger(OBJLoader.class.getName());
+
+        static {
+            LINES.setLevel(Level.SEVERE);
+        }
+
         @Override
         public Object load(AssetInfo info) throws IOException {
             return new OBJLoader().load(new Checked(info, new ObjText(info.getKey().getName()).read(bytes(info))));

@@ -1,7 +1,7 @@
 package org.SEAR.project.models;
 
+import com.jme3.asset.AssetLoadException;
 import com.jme3.asset.AssetManager;
-import com.jme3.asset.DesktopAssetManager;
 import com.jme3.asset.ModelKey;
 import com.jme3.asset.plugins.ClasspathLocator;
 import com.jme3.asset.plugins.FileLocator;
@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
+import java.util.function.Consumer;
 import org.SEAR.POJOs.Model;
 import org.SEAR.files.Assets;
 import org.SEAR.geometry.Triangles;
@@ -26,22 +27,28 @@ public final class ModelLoader {
     public static final List<String> ENDINGS = List.of(".mesh.xml", ".j3o", ".obj", ".gltf", ".glb", ".blend");
 
     private final Assets assets;
-    private final DesktopAssetManager manager;
+    private final ModelAssets manager;
+    private final Consumer<String> warnings;
 
     /** For the models of a project, with their pictures. */
     public ModelLoader(Assets assets) {
-        this(assets, true);
+        this(assets, true, unheard -> { });
     }
 
-    private ModelLoader(Assets assets, boolean pixels) {
+    private ModelLoader(Assets assets, boolean pixels, Consumer<String> warnings) {
         this.assets = assets;
-        this.manager = new DesktopAssetManager(ModelLoader.class.getResource("models.cfg"));
+        this.warnings = warnings;
+        this.manager = new ModelAssets(ModelLoader.class.getResource("models.cfg"));
         prepare(manager, assets, pixels);
     }
 
-    /** For who wants triangles only: pictures are checked, but take no memory. */
-    public static ModelLoader withoutPictures(Assets assets) {
-        return new ModelLoader(assets, false);
+    /**
+     * For who wants triangles only: pictures are checked, but take no memory.
+     *
+     * @param warnings takes, with the model's file, what of it can't be shown
+     */
+    public static ModelLoader withoutPictures(Assets assets, Consumer<String> warnings) {
+        return new ModelLoader(assets, false, warnings);
     }
 
     /** Whether a path names a model by its ending. */
@@ -114,11 +121,14 @@ public final class ModelLoader {
         if (size > ModelLimits.MAX_FILE) {
             throw new IOException(model + ": " + model.getPath() + " has " + size + " bytes, legal: at most " + ModelLimits.MAX_FILE);
         }
-        return onEngineThread(model, () -> manager.loadModel(new ModelKey(path)).clone());
+        Spatial loaded = onEngineThread(model, () -> manager.loadModel(new ModelKey(path)).clone());
+        manager.takeLeftOut().forEach(text -> warnings.accept("model " + model.getPath() + ": " + text));
+        return loaded;
     }
 
     private static IOException failure(Model model, Throwable e) {
-        return new IOException(model + ": " + model.getPath() + " can't be loaded: " + reasons(e), e);
+        Throwable told = e instanceof AssetLoadException && e.getCause() instanceof IOException ? e.getCause() : e;    // which names the file
+        return new IOException(model + ": " + model.getPath() + " can't be loaded: " + reasons(told), e);
     }
 
     private static Triangles collect(Spatial scene, Model model) throws IOException {

@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.regex.Pattern;
 import org.SEAR.files.FileLimits;
 
 /**
@@ -23,11 +24,17 @@ final class ObjText {
     private static final int TAKEN = 4;
     /** Corners of a face that is not convex: finding its ears takes a time that grows by their cube. */
     private static final int MOST_CORNERS = 100;
+    /** Words of a line with a corner; behind them, some programs write its colour. */
+    private static final int COLORED = 4;
+    private static final Pattern NUMBERS = Pattern.compile("(?:v[tn]?|f)\\s");
     private static final String MARK = "\ufeff";
 
     private final String name;
     private double[] at = new double[3 << 6];
     private int corners;
+    /** Lines with places in the picture. */
+    private int pictured;
+    private int normals;
     private int line;
 
     ObjText(String name) {
@@ -63,9 +70,19 @@ final class ObjText {
         return whole.append(text == null ? "" : text).toString();
     }
 
-    private void write(String text, Writer to) throws IOException {
-        if (text.startsWith("v ") || text.startsWith("v\t")) {
-            addCorner(text.trim().split("\\s+"));
+    private void write(String whole, Writer to) throws IOException {
+        String text = whole;
+        if (NUMBERS.matcher(whole).lookingAt() && whole.indexOf('#') > 0) {
+            text = whole.substring(0, whole.indexOf('#'));
+        }
+        if (text.startsWith("vt")) {
+            pictured++;
+        } else if (text.startsWith("vn")) {
+            normals++;
+        } else if (text.startsWith("v ") || text.startsWith("v\t")) {
+            String[] words = text.trim().split("\\s+");
+            addCorner(words);
+            text = words.length > COLORED ? String.join(" ", Arrays.copyOf(words, COLORED)) : text;
         } else if (text.startsWith("f ") || text.startsWith("f\t")) {
             String[] words = text.trim().split("\\s+");
             int[] face = new int[words.length - 1];
@@ -97,20 +114,31 @@ final class ObjText {
         corners++;
     }
 
-    /** The number of a face's corner, from 0. */
+    /** The number of a face's corner, from 0; behind it may stand those of a place in the picture and of a normal: 1/2/3, 1//3. */
     private int corner(String word) throws IOException {
-        String number = word.contains("/") ? word.substring(0, word.indexOf('/')) : word;
+        String[] numbers = word.split("/", 3);
+        if (numbers.length > 1 && !numbers[1].isEmpty()) {
+            number(numbers[1], word, "vt", pictured);
+        }
+        if (numbers.length > 2 && !numbers[2].isEmpty()) {
+            number(numbers[2], word, "vn", normals);
+        }
+        int value = number(numbers[0], word, "v", corners);
+        return value > 0 ? value - 1 : corners + value;
+    }
+
+    private int number(String text, String word, String kind, int count) throws IOException {
         int value;
         try {
-            value = Integer.parseInt(number);
+            value = Integer.parseInt(text);
         } catch (NumberFormatException e) {
             value = 0;
         }
-        if (value == 0 || value > corners || value < -corners) {
-            throw FileLimits.wrong(name, "a corner of the face in line " + line, word,
-                corners == 0 ? "none, for there is no v line before it" : "the number of a v line before it, 1 to " + corners);
+        if (value == 0 || value > count || value < -count) {
+            throw FileLimits.wrong(name, "a corner of the face in line " + line, word, count == 0 ? "none, for there is no " + kind
+                + " line before it" : "the number of a " + kind + " line before it, 1 to " + count);
         }
-        return value > 0 ? value - 1 : corners + value;
+        return value;
     }
 
     /** Places in a face of the corners of each of its triangles. */

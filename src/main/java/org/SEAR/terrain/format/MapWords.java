@@ -107,6 +107,9 @@ final class MapWords {
         if (text.isEmpty()) {
             throw FileLimits.wrong(file, what, "missing", "a number (is the file cut off?)");
         }
+        if (text.equalsIgnoreCase("nan")) {     // as GDAL writes it where there is no height
+            return Double.NaN;
+        }
         try {
             return Double.parseDouble(text.replace(',', '.'));
         } catch (NumberFormatException e) {

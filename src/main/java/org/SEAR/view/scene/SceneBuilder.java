@@ -149,6 +149,7 @@ public final class SceneBuilder {
     private Spatial model(Model object) throws IOException {
         Node scaled = new Node(object.getName());
         Spatial model = models.spatial(object);
+        FlatNormals.add(model);
         if (object.getPicture() == null && !object.hasColor()) {
             materials.simplify(model);
         } else {

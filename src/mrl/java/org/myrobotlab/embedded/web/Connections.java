@@ -1,30 +1,61 @@
 package org.myrobotlab.embedded.web;
 
 import io.undertow.server.HttpHandler;
+import io.undertow.server.HttpServerExchange;
 import java.net.SocketAddress;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
 import org.xnio.ChannelListener;
 import org.xnio.IoUtils;
 import org.xnio.StreamConnection;
+import org.xnio.XnioExecutor;
 
 /**
- * The connections that are open. One that comes when there are many takes the place of the one that has been without a request for the longest time:
- * a program that opens connections and asks nothing keeps nobody out. Any thread.
+ * The connections that are open. One that comes when there are many takes the place of the one that has been without a request for the longest time,
+ * or else of the one whose request or answer has been on its way for the longest time: a program that opens connections and asks nothing, that does
+ * not send what it says, or does not read what it asked for keeps nobody out. Any thread.
  */
 final class Connections implements ChannelListener<StreamConnection> {
     /** Connections that stay open at the same time, unless more of them have a request. */
     static final int MOST = 256;
+    /** From a request's head to its end. */
+    static final int PATIENCE_SECONDS = 30;
+
+    /** One that has just come is about to ask. */
+    private static final long FRESH = TimeUnit.SECONDS.toNanos(1);
 
     private final ChannelListener<? super StreamConnection> next;
-    private final Map<SocketAddress, StreamConnection> busy = new HashMap<>();
+    /** The one whose request is oldest comes first. */
+    private final Map<SocketAddress, Open> busy = new LinkedHashMap<>();
     /** The one that has been idle longest comes first. */
-    private final Map<SocketAddress, StreamConnection> idle = new LinkedHashMap<>();
+    private final Map<SocketAddress, Open> idle = new LinkedHashMap<>();
 
     /** @param next what serves a connection */
     Connections(ChannelListener<? super StreamConnection> next) {
         this.next = next;
+    }
+
+    /** A connection and its request. */
+    private static final class Open {
+        private final StreamConnection connection;
+        /** Null for one that is idle. */
+        private final HttpServerExchange request;
+        private final long since = System.nanoTime();
+
+        Open(StreamConnection connection, HttpServerExchange request) {
+            this.connection = connection;
+            this.request = request;
+        }
+
+        boolean isFresh() {
+            return System.nanoTime() - since < FRESH;
+        }
+
+        /** Neither a web socket nor a call that runs. */
+        boolean isStuck() {
+            return !request.isUpgrade() && (!request.isRequestComplete() || request.isResponseStarted());
+        }
     }
 
     @Override
@@ -36,22 +67,40 @@ final class Connections implements ChannelListener<StreamConnection> {
 
     /** Answers the connection that must go; null if none has to. */
     private synchronized StreamConnection add(StreamConnection connection) {
-        busy.values().removeIf(one -> !one.isOpen());
-        idle.values().removeIf(one -> !one.isOpen());
-        boolean isFull = busy.size() + idle.size() >= MOST && !idle.isEmpty();
-        StreamConnection oldest = isFull ? idle.remove(idle.keySet().iterator().next()) : null;
-        idle.put(connection.getPeerAddress(), connection);
-        return oldest;
+        busy.values().removeIf(one -> !one.connection.isOpen());
+        idle.values().removeIf(one -> !one.connection.isOpen());
+        Open closing = busy.size() + idle.size() >= MOST ? takeOut() : null;
+        idle.put(connection.getPeerAddress(), new Open(connection, null));
+        return closing == null ? null : closing.connection;
+    }
+
+    private Open takeOut() {
+        Open longest = idle.isEmpty() ? null : idle.values().iterator().next();
+        if (longest == null || longest.isFresh()) {
+            for (Open one : busy.values()) {
+                if (one.isStuck()) {
+                    busy.values().remove(one);
+                    return one;
+                }
+            }
+        }
+        idle.values().remove(longest);
+        return longest;
     }
 
     /** Knows by the requests which connections are busy: those that become web sockets stay so. */
     HttpHandler watching(HttpHandler handler) {
         return exchange -> {
             SocketAddress address = exchange.getConnection().getPeerAddress();
-            move(address, idle, busy);
+            begin(address, exchange);
+            XnioExecutor.Key deadline = exchange.isRequestComplete() ? null
+                : exchange.getIoThread().executeAfter(() -> closeUnfinished(exchange), PATIENCE_SECONDS, TimeUnit.SECONDS);
             exchange.addExchangeCompleteListener((done, after) -> {
+                if (deadline != null) {
+                    deadline.remove();
+                }
                 if (!done.isUpgrade()) {
-                    move(address, busy, idle);
+                    end(address);
                 }
                 after.proceed();
             });
@@ -59,10 +108,23 @@ final class Connections implements ChannelListener<StreamConnection> {
         };
     }
 
-    private synchronized void move(SocketAddress address, Map<SocketAddress, StreamConnection> from, Map<SocketAddress, StreamConnection> to) {
-        StreamConnection connection = from.remove(address);
-        if (connection != null) {
-            to.put(address, connection);
+    private static void closeUnfinished(HttpServerExchange request) {
+        if (!request.isRequestComplete()) {
+            IoUtils.safeClose(request.getConnection());
+        }
+    }
+
+    private synchronized void begin(SocketAddress address, HttpServerExchange request) {
+        Open open = idle.remove(address);
+        if (open != null) {
+            busy.put(address, new Open(open.connection, request));
+        }
+    }
+
+    private synchronized void end(SocketAddress address) {
+        Open done = busy.remove(address);
+        if (done != null) {
+            idle.put(address, new Open(done.connection, null));
         }
     }
 }

@@ -6,21 +6,18 @@ import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.Executor;
 import java.util.concurrent.Semaphore;
-import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
 import org.xnio.IoUtils;
-import org.xnio.XnioExecutor;
 
 /**
  * Receives the body of one request without a thread that waits for it, and hands it on when it is whole. What all bodies together hold while they
- * come in is limited, as is the time that each may take.
+ * come in is limited, as is by {@link Connections} the time that each may take.
  */
 final class RequestBody {
     /** Of one body, bytes. */
     static final int LONGEST = 16 << 20;
     /** Of all bodies that are on their way, bytes. */
     private static final int LARGEST_SUM = 64 << 20;
-    private static final int PATIENCE_SECONDS = 30;
     private static final Semaphore ROOM = new Semaphore(LARGEST_SUM);
 
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -42,8 +39,6 @@ final class RequestBody {
             body.refuseLong(exchange);
             return;
         }
-        XnioExecutor.Key deadline = exchange.getIoThread().executeAfter(() -> IoUtils.safeClose(exchange.getConnection()), PATIENCE_SECONDS,
-            TimeUnit.SECONDS);
         exchange.addExchangeCompleteListener((ended, next) -> {
             body.forget();
             next.proceed();
@@ -51,7 +46,6 @@ final class RequestBody {
         exchange.getRequestReceiver().receivePartialBytes((from, part, last) -> {
             body.take(from, part);
             if (last) {
-                deadline.remove();
                 body.handOn(from);
             }
         }, (from, error) -> IoUtils.safeClose(from.getConnection()));

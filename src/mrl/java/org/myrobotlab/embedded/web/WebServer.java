@@ -85,7 +85,7 @@ public final class WebServer {
             .set(Options.WORKER_TASK_CORE_THREADS, WORKERS).set(Options.WORKER_TASK_MAX_THREADS, WORKERS).set(Options.TCP_NODELAY, true)
             .set(Options.WORKER_NAME, "web server " + port).getMap());
         http = new HttpOpenListener(new DefaultByteBufferPool(true, BUFFER), OptionMap.builder()
-            .set(UndertowOptions.BUFFER_PIPELINED_DATA, true).set(UndertowOptions.MAX_ENTITY_SIZE, (long) RequestBody.LONGEST)
+            .set(UndertowOptions.BUFFER_PIPELINED_DATA, true).set(UndertowOptions.MAX_ENTITY_SIZE, -1L)    // RequestBody has its own
             .set(UndertowOptions.REQUEST_PARSE_TIMEOUT, HEADERS_MILLIS).set(UndertowOptions.NO_REQUEST_TIMEOUT, IDLE_MILLIS).getMap());
         Connections connections = new Connections(http);
         http.setRootHandler(connections.watching(new Guard(new Login(paths, Token.current(), names), names)));

@@ -2,6 +2,7 @@ package org.SEAR.project.bundle;
 
 import static org.junit.Assert.assertArrayEquals;
 import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertThrows;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertNull;
 import static org.junit.Assert.assertTrue;
@@ -66,6 +67,30 @@ public class BundleTest {
             assertTrue(e.getMessage(), e.getMessage().contains("by more than capitals or accents' spelling"));
         }
         Bundle.save(project.folder(), place("b.sear"));
+    }
+
+    @Test
+    public void aBundleWithBrokenModelsIsRefusedAsAWhole() throws Exception {
+        new Box("mine", 1, 1, 1, 0);
+        Path other = place("other");
+        Files.createDirectories(other.resolve("environment"));
+        Files.createDirectories(other.resolve("assets"));
+        for (String name : new String[] {"a", "b"}) {
+            String model = "<Model><name>" + name + "</name><path>" + name + ".obj</path></Model>";
+            Files.writeString(other.resolve("environment/" + name + ".xml"), model);
+            Files.writeString(other.resolve("assets/" + name + ".obj"), "v 0 0\n");
+        }
+        Bundle.save(other, place("a.sear"));
+        Map<String, String> before = project.files();
+        for (Path source : new Path[] {place("a.sear"), other}) {
+            String said = assertThrows(ProjectException.class, () -> Bundle.load(source, project.folder())).getMessage();
+            for (String name : new String[] {"a", "b"}) {
+                assertTrue(said, said.contains("environment/" + name + ".xml: path is \"" + name + ".obj\", legal: a model that can be loaded (Model"
+                    + " \"" + name + "\": " + name + ".obj can't be loaded"));
+            }
+            assertThrows(ProjectException.class, () -> Bundle.importEnvironment(source, project.folder(), Progress.NONE));
+        }
+        assertEquals(before, project.files());
     }
 
     @Test

@@ -86,6 +86,9 @@ public final class BrokenModels {
         put("empty.obj", "", "the file's size is 0");
         put("face-first.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", "line 1 is 1, legal: none, for there is no v line before it");
         put("commas.obj", "v 0 0 0\nv 1,5 0 0\nv 0 1 0\nf 1 2 3\n", "line 2 is v 1,5 0 0, legal: v and three numbers with decimal points");
+        put("no-such-place.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/2\n",
+            "a corner of the face in line 5 is 3/2, legal: the number of a vt line before it, 1 to 1");
+        put("no-normals.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//1 2//1 3//1\n", "line 4 is 1//1, legal: none, for there is no vn line before it");
         put("star.obj", star(120), "the number of corners of the face in line 121 is 120, legal: at most 100 where it is not convex");
     }
 
@@ -148,6 +151,26 @@ public final class BrokenModels {
         put("no-such-accessor.gltf", gltf("\"indices\":1", "\"indices\":8"), "meshes[0].primitives.indices is 8, legal: 0 to 1");
         put("no-such-positions.gltf", gltf("\"POSITION\":0", "\"POSITION\":8"), "meshes[0].primitives.attributes.POSITION is 8, legal: 0 to 1");
         put("no-attributes.gltf", gltf("\"attributes\":{\"POSITION\":0},", ""), "meshes[0].primitives.attributes is missing");
+        String material = "\"asset\"";
+        for (String packed : new String[] {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"}) {
+            put(packed + ".gltf", gltf(material, "\"extensionsRequired\":[\"" + packed + "\"],\"asset\""), "an extension that it needs is " + packed
+                + ", legal: one of KHR_lights_punctual, KHR_materials_pbrSpecularGlossiness, KHR_materials_unlit, KHR_texture_transform: export it"
+                + " without compression");
+        }
+        put("no-source.gltf", gltf(material, "\"textures\":[{}],\"asset\""), "textures[0].source is missing, legal: nothing");
+        put("no-such-image.gltf", gltf(material, "\"images\":[{\"uri\":\"a.png\"}],\"textures\":[{\"source\":1}],\"asset\""),
+            "textures[0].source is 1, legal: 0 to 0");
+        put("image-in-no-view.gltf", gltf(material, "\"images\":[{\"bufferView\":7}],\"asset\""), "images[0].bufferView is 7, legal: 0 to 1");
+        put("no-such-sampler.gltf", gltf(material, "\"animations\":[{\"channels\":[{\"sampler\":2,\"target\":{}}]}],\"asset\""),
+            "animations[0].channels.sampler is 2, legal: nothing");
+        put("no-such-moved-node.gltf", gltf(material, "\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":9}}],\"samplers\":[{}]}],"
+            + "\"asset\""), "animations[0].channels.target.node is 9, legal: 0 to 0");
+        put("no-such-keys.gltf", gltf(material, "\"animations\":[{\"samplers\":[{\"input\":0,\"output\":9}]}],\"asset\""),
+            "animations[0].samplers.output is 9, legal: 0 to 1");
+        put("no-such-target.gltf", gltf("\"indices\":1", "\"targets\":[{\"POSITION\":8}],\"indices\":1"),
+            "meshes[0].primitives.targets.POSITION is 8, legal: 0 to 1");
+        put("short-place.gltf", gltf("\"translation\":[", "\"scale\":[1,1],\"translation\":["),
+            "the number of numbers of nodes[0].scale is 2, legal: 3");
         put("no-meshes.gltf", gltf("\"meshes\"", "\"nothing\""), "nodes[0].mesh is 0, legal: nothing, because there are none");
         put("list.gltf", "[]", "the text is [], legal: a JSON object");
         put("nested.gltf", "[".repeat(100_000), "can't be loaded");

@@ -15,6 +15,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import org.SEAR.POJOs.Model;
 import org.SEAR.Slow;
 import org.SEAR.files.PictureSize;
 import org.SEAR.project.Project;
@@ -106,6 +107,58 @@ public class BrokenModelsTest {
                 + name + "</image></Box>");
             String warnings = Project.read(project.folder()).getWarnings().toString();
             assertTrue(warnings, warnings.contains("the picture of Box \"o\" can't be shown (" + name));
+        }
+    }
+
+    /** Many a model is handed on without its pictures. */
+    @Test
+    public void aModelWithoutItsPicturesIsPlainAndAWarning() throws Exception {
+        asset("noise.png", new byte[100]);
+        asset("cut.png", Arrays.copyOf(BrokenModels.png(2, 2), 20));
+        asset("other.tiff", new byte[100]);
+        String gltf = new String(new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, 2, 0}, new int[] {0, 1, 2}, 0, 0, 0).bytes(".gltf"),
+            StandardCharsets.UTF_8).replace("\"indices\":1", "\"material\":0,\"indices\":1");
+        for (String name : new String[] {"missing.png", "noise.png", "cut.png", "other.tiff", "../../elsewhere.png", "C:\\\\pictures\\\\a.png"}) {
+            asset("m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".getBytes(StandardCharsets.UTF_8));
+            asset("m.mtl", ("newmtl a\nmap_Kd " + name.replace("\\\\", "\\") + "\n").getBytes(StandardCharsets.UTF_8));
+            asset("m.gltf", gltf.replace("\"asset\"", "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
+                + "\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"" + name + "\"}],\"asset\"").getBytes(StandardCharsets.UTF_8));
+            for (String file : new String[] {"m.obj", "m.gltf"}) {
+                assertOneWarning(file, "model " + file + ": its picture ", name.replace("\\\\", "\\").replace("../", ""), " can't be shown: ");
+            }
+        }
+        asset("m.mtl", "newmtl a\nKd red\n".getBytes(StandardCharsets.UTF_8));
+        assertOneWarning("m.obj", "its materials m.mtl are left out: a line lacks a number");
+        Files.delete(project.folder().resolve("assets/m.mtl"));
+        assertOneWarning("m.obj", "its materials m.mtl are left out: there is no such file in assets");
+    }
+
+    /** Two objects of one model are one warning, and the window shows it, too. */
+    private void assertOneWarning(String file, String... words) throws Exception {
+        project.put("environment/o.xml", model(file, 0));
+        project.put("environment/p.xml", model(file, 0).replace("<name>o", "<x>5</x><name>p"));
+        try (Simulation made = Simulation.load(project.folder(), 1)) {
+            List<String> warnings = made.snapshot().warnings;
+            assertEquals(warnings.toString(), 1, warnings.size());
+            for (String word : words) {
+                assertTrue(warnings.toString(), warnings.get(0).contains(word));
+            }
+            new ModelLoader(Project.read(project.folder()).getAssets()).look((Model) Project.read(project.folder()).getEnvironment().get(0));
+        }
+    }
+
+    @Test
+    public void allModelsThatCantBeLoadedAreToldAtOnce() throws Exception {
+        asset("a.obj", "v 0 0\n".getBytes(StandardCharsets.UTF_8));
+        asset("b.glb", "no glb, for it has other bytes".getBytes(StandardCharsets.UTF_8));
+        project.put("environment/a.xml", model("a.obj", 0).replace("<name>o", "<name>a"));
+        project.put("environment/b.xml", model("b.glb", 1).replace("<name>o", "<name>b"));
+        try (Simulation made = Simulation.load(project.folder(), 1)) {
+            fail("a world at " + made.snapshot().time);
+        } catch (ProjectException e) {
+            assertEquals(e.getMessage(), 2, e.getProblems().size());
+            assertTrue(e.getMessage(), e.getMessage().contains("environment/a.xml: path is \"a.obj\""));
+            assertTrue(e.getMessage(), e.getMessage().contains("b.glb: the head is"));
         }
     }
 

@@ -85,6 +85,11 @@ public class ModelLoaderTest {
     }
 
     @Test
+    public void anObjMayHaveCommentsBehindNumbersAndColoursOfCorners() throws Exception {
+        assertWhole("v 0 0 0 1 0 0 # red\nv 1 0 0 1 0.5 0\nv 0 1 0 1 1 1\nvt 0 0 # a place\no a#b\nf 1/1 2/-1 3/1 # a face\n", 1, 0.5);
+    }
+
+    @Test
     public void anObjMayHaveFacesOfManyCorners() throws Exception {
         StringBuilder disc = new StringBuilder();
         StringBuilder face = new StringBuilder("f");

@@ -23,6 +23,6 @@ public final class MutableModels {
 
     /** The triangles of a model in a project folder. */
     public static Triangles load(Path folder, Model model) throws IOException {
-        return ModelLoader.withoutPictures(new Assets(folder.resolve("assets"))).triangles(model);
+        return ModelLoader.withoutPictures(new Assets(folder.resolve("assets")), warning -> { }).triangles(model);
     }
 }

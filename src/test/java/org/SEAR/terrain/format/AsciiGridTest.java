@@ -45,6 +45,12 @@ public class AsciiGridTest {
     }
 
     @Test
+    public void noDataMayBeNan() throws IOException {
+        AsciiGrid grid = open("ncols 3\nnrows 2\nxllcorner 8\nyllcorner 47\ncellsize 0.1\nNODATA_value nan\n1 2 nan\nNaN 5 6\n");
+        assertArrayEquals(new float[] {1, 2, Float.NaN, Float.NaN, 5, 6}, grid.read(0, 0, 2, 3), 0);
+    }
+
+    @Test
     public void metresAreNoDegrees() throws IOException {
         assertNull(open("ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 30\n" + HEIGHTS).place.system);
         assertNull(open("ncols 3\nnrows 2\nxllcorner 500000\nyllcorner 0\ncellsize 1\n" + HEIGHTS).place.system);

@@ -195,6 +195,30 @@ public class SturdyServerTest {
     }
 
     @Test
+    public void requestsThatSayMoreThanTheySendMakeRoomForOthers() throws Exception {
+        String[] requests = {server.head("GET /", "Content-Length: 9"), server.head("GET /", "Host: elsewhere", "Content-Length: 9"),
+            server.head("POST /api/service/talker/tick", JSON, "Content-Length: 9")};
+        long start = System.nanoTime();
+        for (int i = 0; i < 2 * MOST_CONNECTIONS + MANY; i++) {
+            open.add(server.connect());
+            Server.send(open.get(i), requests[i % requests.length] + "\r\n");
+        }
+        server.servesOthers();
+        long seconds = TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - start);
+        assertTrue(seconds + " s: they made way only when their time was over", seconds < Connections.PATIENCE_SECONDS);
+    }
+
+    /** Undertow would print a trace for each. */
+    @Test
+    public void aBodyInPiecesThatIsTooLongIsRefused() throws Exception {
+        String piece = "1000001\r\n" + " ".repeat(0x1000001) + "\r\n";
+        Socket socket = server.begin("POST /api/service/talker/half", piece, JSON, "Transfer-Encoding: chunked");
+        open.add(socket);
+        assertEquals("HTTP/1.1 413", start(socket));
+        server.servesOthers();
+    }
+
+    @Test
     public void aPageThatIsOpenOutlastsConnectionsThatAskNothing() throws Exception {
         Socket page = server.webSocket();
         open.add(page);

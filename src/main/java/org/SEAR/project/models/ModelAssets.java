@@ -1,0 +1,81 @@
+package org.SEAR.project.models;
+
+import com.jme3.asset.AssetKey;
+import com.jme3.asset.AssetNotFoundException;
+import com.jme3.asset.DesktopAssetManager;
+import com.jme3.asset.TextureKey;
+import com.jme3.texture.Image;
+import com.jme3.texture.Texture2D;
+import com.jme3.texture.image.ColorSpace;
+import com.jme3.util.BufferUtils;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.URL;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.NoSuchElementException;
+import java.util.function.Supplier;
+import org.SEAR.files.UnreadablePicture;
+
+/**
+ * Finds what models name. Many a model is handed on without its pictures: where one isn't there or can't be shown, the model is plain, as an object
+ * of the grammar is then. What is beyond a limit is refused as ever. One thread at a time.
+ */
+final class ModelAssets extends DesktopAssetManager {
+    private static final String MATERIALS = "mtl";
+    private static final String MISSING = "there is no such file in assets";
+
+    private List<String> leftOut = new ArrayList<>();
+
+    ModelAssets(URL loaders) {
+        super(loaders);
+    }
+
+    /** What could not be shown since this was asked last, each with the reason. */
+    List<String> takeLeftOut() {
+        List<String> taken = leftOut;
+        leftOut = new ArrayList<>();
+        return taken;
+    }
+
+    @Override
+    public <T> T loadAsset(AssetKey<T> key) {
+        if (key instanceof TextureKey) {
+            return orPlain(key, () -> super.loadAsset(key));
+        }
+        if (!MATERIALS.equals(key.getExtension())) {
+            return super.loadAsset(key);
+        }
+        try {
+            return super.loadAsset(key);
+        } catch (AssetNotFoundException | NoSuchElementException e) {
+            boolean missing = e instanceof AssetNotFoundException;
+            leftOut.add("its materials " + key.getName() + " are left out: " + (missing ? MISSING : "a line lacks a number"));
+            throw missing ? e : new AssetNotFoundException(key.getName());      // then jMonkeyEngine's reader goes on without them
+        }
+    }
+
+    @Override
+    public <T> T loadAssetFromStream(AssetKey<T> key, InputStream stream) {
+        Supplier<T> load = () -> super.loadAssetFromStream(key, stream);
+        return key instanceof TextureKey ? orPlain(key, load) : load.get();
+    }
+
+    @SuppressWarnings("unchecked")
+    private <T> T orPlain(AssetKey<T> key, Supplier<T> load) {
+        try {
+            return load.get();
+        } catch (RuntimeException e) {
+            Throwable reason = e.getCause() instanceof IOException ? e.getCause() : e;
+            if (reason instanceof IOException && !(reason instanceof UnreadablePicture)) {
+                throw e;
+            }
+            leftOut.add("its picture " + key.getName() + " can't be shown: " + (e instanceof AssetNotFoundException ? MISSING
+                : reason.getMessage().split("\n")[0]));
+            Texture2D plain = new Texture2D(new Image(Image.Format.RGBA8, 1, 1, BufferUtils.createByteBuffer((byte) -1, (byte) -1, (byte) -1,
+                (byte) -1), ColorSpace.sRGB));
+            plain.setKey(key);
+            return (T) plain;
+        }
+    }
+}

@@ -127,15 +127,15 @@ public class LoopClockTest {
         return times;
     }
 
-    /** What 99 % of the steps stay below, ns. */
-    private static long slowStep(List<long[]> runs) {
-        long[] all = runs.stream().flatMapToLong(Arrays::stream).sorted().toArray();
-        return all[all.length * 99 / 100];
+    /** What 99 % of the steps of a turn stay below, ns: the median of the turns, since what else the machine does hits only some of them. */
+    private static long slowStep(List<long[]> turns) {
+        long[] all = turns.stream().mapToLong(times -> Arrays.stream(times).sorted().toArray()[times.length * 99 / 100]).sorted().toArray();
+        return all[(all.length - 1) / 2];
     }
 
     /**
      * Compiled code is compared: the steps before are run as fast as possible. With and without window take turns, because what else the machine does
-     * changes the times of both, and all the steps of a kind are one sample.
+     * changes the times of both.
      */
     @Test
     public void stepsTakeNoLongerWithTheWindow() throws Exception {

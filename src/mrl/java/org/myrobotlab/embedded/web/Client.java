@@ -12,6 +12,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.LongSupplier;
 import org.xnio.IoUtils;
 
 /** A page that is open in a browser. Any thread. */
@@ -31,9 +32,29 @@ final class Client {
     /** By topic, what the page has not taken yet: bytes of a serial port, one message each, must not crowd out a scan. */
     private final Map<String, AtomicInteger> waiting = new ConcurrentHashMap<>();
     private final AtomicLong unread = new AtomicLong();
+    private final LongSupplier clock;
+    private volatile long heard;
 
-    Client(WebSocketChannel channel) {
+    /** @param clock nanoseconds */
+    Client(WebSocketChannel channel, LongSupplier clock) {
         this.channel = channel;
+        this.clock = clock;
+        heard = clock.getAsLong();
+    }
+
+    /** Something has come from the page. */
+    void hear() {
+        heard = clock.getAsLong();
+    }
+
+    /** Nanoseconds since then. */
+    long silence() {
+        return clock.getAsLong() - heard;
+    }
+
+    /** Ends the connection, without a word to who may not be there any more. */
+    void close() {
+        IoUtils.safeClose(channel);
     }
 
     /** Sends a text. */
@@ -43,7 +64,7 @@ final class Client {
 
     private void send(String text, AtomicInteger count) {
         if (unread.get() > MOST_UNREAD) {
-            IoUtils.safeClose(channel);
+            close();
         } else {
             WebSockets.sendText(text, channel, new Sent(count, text.length()));
         }

@@ -5,12 +5,16 @@ import io.undertow.websockets.core.StreamSourceFrameChannel;
 import io.undertow.websockets.core.WebSocketCallback;
 import io.undertow.websockets.core.WebSocketChannel;
 import io.undertow.websockets.core.WebSockets;
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
 import org.myrobotlab.codec.CodecUtils;
 import org.myrobotlab.embedded.Json;
 import org.myrobotlab.embedded.Reasons;
@@ -20,6 +24,7 @@ import org.myrobotlab.logging.LoggerFactory;
 import org.myrobotlab.service.Runtime;
 import org.slf4j.Logger;
 import org.xnio.IoUtils;
+import org.xnio.XnioExecutor;
 
 /**
  * Messages between services and open pages, as JSON over a web socket.
@@ -33,19 +38,30 @@ public final class Hub {
     private static final Logger LOG = LoggerFactory.getLogger(Hub.class);
     /** Each may keep a message of {@link RequestBody#LONGEST} in memory while it comes in. */
     private static final int MOST_PAGES = 32;
+    /** A page is asked so often whether it is there; where it can't be reached for a quarter of an hour, the system closes its connection. */
+    private static final int PING_SECONDS = 10;
+    /** One that has not answered for so long makes way for another: of a computer that has vanished nothing else tells. */
+    private static final long SILENT_NANOS = TimeUnit.SECONDS.toNanos(60);
     /** Why a web socket is closed, as registered for RFC 6455. */
     private static final int TRY_AGAIN_LATER = 1013;
     /** What a slow page gets all the same: the next one of these may be long in coming. */
     private static final Set<String> NEVER_LEFT_OUT = Set.of("publishState", "publishStatus", "getBundle");
 
     private final String listener;
+    private final LongSupplier clock;
     private final Set<Client> clients = ConcurrentHashMap.newKeySet();
     /** Names of the services of which pages were told. */
     private final Set<String> told = ConcurrentHashMap.newKeySet();
 
     /** @param listener name of the service that listens in place of the pages, and gives what it hears to {@link #forward} */
     public Hub(String listener) {
+        this(listener, System::nanoTime);
+    }
+
+    /** @param clock nanoseconds */
+    Hub(String listener, LongSupplier clock) {
         this.listener = listener;
+        this.clock = clock;
     }
 
     /**
@@ -54,14 +70,19 @@ public final class Hub {
      * @param calls where what it calls runs
      */
     void connect(WebSocketChannel channel, Calls calls) {
-        Client client = new Client(channel);
-        if (clients.size() >= MOST_PAGES) {
+        Client client = new Client(channel, clock);
+        if (clients.size() >= MOST_PAGES && !closeSilent()) {
             refuse(channel);
             return;
         }
         clients.add(client);
         OpenPages.come();
-        channel.addCloseTask(closed -> forget(client));
+        XnioExecutor.Key pings = channel.getIoThread()
+            .executeAtInterval(() -> WebSockets.sendPing(ByteBuffer.allocate(0), channel, null), PING_SECONDS, TimeUnit.SECONDS);
+        channel.addCloseTask(closed -> {
+            pings.remove();
+            forget(client);
+        });
         if (!channel.isOpen()) {
             forget(client);     // it was closed before the task was there
         }
@@ -70,6 +91,7 @@ public final class Hub {
             /** Undertow throws at a length of 2^63 and more, and reads no further: nobody would see that the page has gone. */
             @Override
             public void handleEvent(WebSocketChannel from) {
+                client.hear();
                 try {
                     super.handleEvent(from);
                 } catch (RuntimeException e) {
@@ -90,6 +112,18 @@ public final class Hub {
             }
         });
         channel.resumeReceives();
+    }
+
+    /** Answers whether a page was silent for so long that it had to go: the one that was for the longest time. */
+    private boolean closeSilent() {
+        Client silent = clients.stream().max(Comparator.comparingLong(Client::silence)).filter(one -> one.silence() > SILENT_NANOS).orElse(null);
+        if (silent == null) {
+            return false;
+        }
+        LOG.debug("a page has not answered for {} s: closed", TimeUnit.NANOSECONDS.toSeconds(silent.silence()));
+        silent.close();
+        forget(silent);
+        return true;
     }
 
     /** Nobody reads from the channel any more, so nobody would see that its page has gone: it is closed at once when the reason is sent. */

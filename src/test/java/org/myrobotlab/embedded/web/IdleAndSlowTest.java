@@ -151,12 +151,12 @@ public class IdleAndSlowTest {
         assertEquals(ANSWER, Server.answer(page));
         page.getOutputStream().write(Server.frame(FRAGMENT, bytes(CALL.substring(0, 9))));
         page.getOutputStream().write(Server.frame(PING, bytes("hello")));
-        assertEquals("hello", new String(Server.nextControl(page.getInputStream(), PONG), StandardCharsets.UTF_8));
+        assertEquals("hello", new String(Server.nextFrame(page.getInputStream(), PONG), StandardCharsets.UTF_8));
         page.getOutputStream().write(Server.frame(LAST, bytes(CALL.substring(9))));
         assertEquals(ANSWER, Server.answer(page));
         page.getOutputStream().write(Server.frame(FRAGMENT, bytes(CALL)));
         page.getOutputStream().write(Server.frame(CLOSE, (byte) 3, (byte) 0xE8));
-        Server.nextControl(page.getInputStream(), CLOSE);
+        Server.nextFrame(page.getInputStream(), CLOSE);
         server.servesOthers();
     }
 

@@ -21,6 +21,8 @@ import org.myrobotlab.service.WebGui;
 final class Server extends ExternalResource {
     /** So long may an answer take on a busy machine; a server that is blocked never answers. */
     private static final int PATIENCE_MILLIS = (int) TimeUnit.SECONDS.toMillis(120);
+    private static final int TEXT = 0x81;
+    private static final int PING = 0x89;
     private static final String LENGTH = "Content-Length:";
 
     private final boolean withToken;
@@ -31,6 +33,13 @@ final class Server extends ExternalResource {
 
     Server(boolean withToken) {
         this.withToken = withToken;
+    }
+
+    /** Talks to one that somebody else has started. */
+    static Server at(int port) {
+        Server there = new Server(false);
+        there.port = port;
+        return there;
     }
 
     @Override
@@ -178,28 +187,18 @@ final class Server extends ExternalResource {
 
     /** The next text that the server sends. */
     static String nextText(InputStream in) throws IOException {
-        return new String(nextFrame(in, 0x81), StandardCharsets.UTF_8);
+        return new String(nextFrame(in, TEXT), StandardCharsets.UTF_8);
     }
 
     /**
-     * The data of the next frame, which must be of a kind.
+     * The data of the next frame of a kind; texts and pings, which the server sends by itself, may come before it.
      *
      * @param first as for {@link #frame}
      */
     static byte[] nextFrame(InputStream in, int first) throws IOException {
         int kind = in.read();
         int length = in.read();
-        if (kind != first) {
-            throw new IOException("no frame " + first + ", but " + kind + " " + length);
-        }
-        return data(in, length);
-    }
-
-    /** The same of a frame that is no text: those that the server sends by itself may come before it. */
-    static byte[] nextControl(InputStream in, int first) throws IOException {
-        int kind = in.read();
-        int length = in.read();
-        while (kind == 0x81) {
+        while (kind != first && (kind == TEXT || kind == PING)) {
             data(in, length);
             kind = in.read();
             length = in.read();

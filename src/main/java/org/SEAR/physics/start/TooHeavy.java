@@ -41,7 +41,8 @@ public final class TooHeavy {
         return Math.max(Math.max(box.maxX - box.minX, box.maxY - box.minY), box.maxZ - box.minZ);
     }
 
-    private static String number(double value) {
+    /** For a warning: whole, or with three digits. */
+    static String number(double value) {
         return value == Math.rint(value) ? String.valueOf((long) value) : String.format(Locale.ROOT, "%.3g", value);
     }
 }

@@ -34,12 +34,12 @@ public final class TooLarge {
                 told++;
                 int times = body.mass / volume(body) * Math.pow(CENTIMETRES, 3) > 1 ? CENTIMETRES : MILLIMETRES;
                 warnings.add(String.format(Locale.ROOT, "%s is %s m large and weighs %s kg, so that it is lighter than air: lengths are metres; if"
-                    + " it was drawn in %s, it is %s m: divide its lengths by %d, or scale(%s) a model", name, number(size), number(body.mass),
-                    unit(times), number(size / times), times, 1.0 / times));
+                    + " it was drawn in %s, it is %s m: divide its lengths by %d, or scale(%s) a model", name, TooHeavy.number(size),
+                    TooHeavy.number(body.mass), unit(times), TooHeavy.number(size / times), times, 1.0 / times));
             } else if (told < MOST_TOLD && body.isFixed() && size > LARGEST && body.solids.get(0).isMesh() && !grounds.contains(body)) {
                 told++;
                 warnings.add(String.format(Locale.ROOT, "model %s is %s m large: lengths are metres; if it was drawn in %s, scale(%s) it; if it is"
-                    + " the ground, setTerrain(True)", name, number(size), unit(MILLIMETRES), 1.0 / MILLIMETRES));
+                    + " the ground, setTerrain(True)", name, TooHeavy.number(size), unit(MILLIMETRES), 1.0 / MILLIMETRES));
             }
         }
     }
@@ -63,9 +63,5 @@ public final class TooLarge {
     private static double size(Body body) {
         Aabb box = new Overlap(body).bounds(Pose.IDENTITY);
         return Math.max(Math.max(box.maxX - box.minX, box.maxY - box.minY), box.maxZ - box.minZ);
-    }
-
-    private static String number(double value) {
-        return value == Math.rint(value) ? String.valueOf((long) value) : String.format(Locale.ROOT, "%.3g", value);
     }
 }

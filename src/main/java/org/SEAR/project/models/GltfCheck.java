@@ -237,6 +237,9 @@ final class GltfCheck {
             String what = "animations[" + i + "]";
             for (JsonElement channel : list(animation, "channels")) {
                 reference(what + ".channels.sampler", channel.getAsJsonObject().get("sampler"), list(animation, "samplers").size());
+                if (!channel.getAsJsonObject().has("target")) {
+                    throw FileLimits.wrong(file, what + ".channels.target", "missing", "an object");
+                }
                 optional(channel.getAsJsonObject().getAsJsonObject("target"), what + ".channels.target", "node", list(root, "nodes").size());
             }
             for (JsonElement sampler : list(animation, "samplers")) {

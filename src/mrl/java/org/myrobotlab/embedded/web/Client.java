@@ -3,6 +3,7 @@ package org.myrobotlab.embedded.web;
 import io.undertow.websockets.core.WebSocketCallback;
 import io.undertow.websockets.core.WebSocketChannel;
 import io.undertow.websockets.core.WebSockets;
+import java.nio.ByteBuffer;
 import java.util.ArrayDeque;
 import java.util.Map;
 import java.util.Queue;
@@ -32,6 +33,7 @@ final class Client {
     /** By topic, what the page has not taken yet: bytes of a serial port, one message each, must not crowd out a scan. */
     private final Map<String, AtomicInteger> waiting = new ConcurrentHashMap<>();
     private final AtomicLong unread = new AtomicLong();
+    private final AtomicInteger pings = new AtomicInteger();
     private final LongSupplier clock;
     private volatile long heard;
 
@@ -40,6 +42,13 @@ final class Client {
         this.channel = channel;
         this.clock = clock;
         heard = clock.getAsLong();
+    }
+
+    /** Asks the page whether it is there, unless the last such question has not even been sent yet. */
+    void ping() {
+        if (pings.get() == 0) {
+            WebSockets.sendPing(ByteBuffer.allocate(0), channel, new Sent(pings, 0));
+        }
     }
 
     /** Something has come from the page. */

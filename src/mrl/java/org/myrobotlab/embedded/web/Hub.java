@@ -5,7 +5,6 @@ import io.undertow.websockets.core.StreamSourceFrameChannel;
 import io.undertow.websockets.core.WebSocketCallback;
 import io.undertow.websockets.core.WebSocketChannel;
 import io.undertow.websockets.core.WebSockets;
-import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -77,14 +76,14 @@ public final class Hub {
         }
         clients.add(client);
         OpenPages.come();
-        XnioExecutor.Key pings = channel.getIoThread()
-            .executeAtInterval(() -> WebSockets.sendPing(ByteBuffer.allocate(0), channel, null), PING_SECONDS, TimeUnit.SECONDS);
-        channel.addCloseTask(closed -> {
+        XnioExecutor.Key pings = channel.getIoThread().executeAtInterval(client::ping, PING_SECONDS, TimeUnit.SECONDS);
+        Runnable gone = () -> {
             pings.remove();
             forget(client);
-        });
+        };
+        channel.addCloseTask(closed -> gone.run());
         if (!channel.isOpen()) {
-            forget(client);     // it was closed before the task was there
+            gone.run();     // it was closed before the task was there
         }
         client.send(services());
         channel.getReceiveSetter().set(new AbstractReceiveListener() {

@@ -163,6 +163,8 @@ public final class BrokenModels {
         put("image-in-no-view.gltf", gltf(material, "\"images\":[{\"bufferView\":7}],\"asset\""), "images[0].bufferView is 7, legal: 0 to 1");
         put("no-such-sampler.gltf", gltf(material, "\"animations\":[{\"channels\":[{\"sampler\":2,\"target\":{}}]}],\"asset\""),
             "animations[0].channels.sampler is 2, legal: nothing");
+        put("moves-nothing.gltf", gltf(material, "\"animations\":[{\"channels\":[{\"sampler\":0}],\"samplers\":[{}]}],\"asset\""),
+            "animations[0].channels.target is missing, legal: an object");
         put("no-such-moved-node.gltf", gltf(material, "\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":9}}],\"samplers\":[{}]}],"
             + "\"asset\""), "animations[0].channels.target.node is 9, legal: 0 to 0");
         put("no-such-keys.gltf", gltf(material, "\"animations\":[{\"samplers\":[{\"input\":0,\"output\":9}]}],\"asset\""),

@@ -32,6 +32,7 @@ public final class RunParameters {
     private static final Set<String> TAKEN = Set.of("row", SEED, "status", "message", "version", "digest");
     private static final Logger PROGRESS = LoggerFactory.getLogger("org.SEAR.progress");
     private static final Map<String, Object> RESULTS = new LinkedHashMap<>();
+    /** Parameters that were given and for which a script has asked. */
     private static final Set<String> ASKED = ConcurrentHashMap.newKeySet();
 
     private RunParameters() {
@@ -53,8 +54,10 @@ public final class RunParameters {
         if (!isSeed && !isLegal(name)) {
             throw new IllegalArgumentException("parameter is called \"" + name + "\", legal: " + LEGAL_NAME);
         }
-        ASKED.add(name);
         String text = System.getProperty(isSeed ? "sear.seed" : PROPERTY + name);
+        if (text != null) {
+            ASKED.add(name);
+        }
         if (text == null || standard == null || standard instanceof CharSequence) {
             return text == null ? standard instanceof String ? ScriptText.of((String) standard) : standard : text;
         }

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import org.myrobotlab.codec.CodecUtils;
@@ -74,9 +75,16 @@ public final class Hub {
             refuse(channel);
             return;
         }
+        XnioExecutor.Key pings;
+        try {
+            pings = channel.getIoThread().executeAtInterval(client::ping, PING_SECONDS, TimeUnit.SECONDS);
+        } catch (RejectedExecutionException e) {
+            LOG.debug("a page came while the server stops: closed", e);
+            client.close();
+            return;
+        }
         clients.add(client);
         OpenPages.come();
-        XnioExecutor.Key pings = channel.getIoThread().executeAtInterval(client::ping, PING_SECONDS, TimeUnit.SECONDS);
         Runnable gone = () -> {
             pings.remove();
             forget(client);

@@ -4,15 +4,28 @@ import static org.junit.Assert.assertEquals;
 import static org.junit.Assert.assertFalse;
 import static org.junit.Assert.assertTrue;
 
+import io.undertow.connector.ByteBufferPool;
+import io.undertow.server.DefaultByteBufferPool;
+import io.undertow.websockets.client.WebSocketClient;
+import io.undertow.websockets.client.WebSocketClientNegotiation;
+import io.undertow.websockets.core.WebSocketChannel;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PipedInputStream;
 import java.io.PipedOutputStream;
+import java.net.URI;
+import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import org.SEAR.FreePort;
 import org.junit.After;
+import org.junit.Before;
 import org.junit.Test;
+import org.xnio.OptionMap;
+import org.xnio.Xnio;
+import org.xnio.XnioWorker;
 
 /** Who waits for pages to go waits while there is one, through a reload, and at a terminal until Enter. */
 public class OpenPagesTest {
@@ -21,6 +34,16 @@ public class OpenPagesTest {
     private static final double NO_GRACE = 0.001;
 
     private Thread waiting;
+
+    /** What other tests have had open may be closed a moment later. */
+    @Before
+    public void nobodyLooks() {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (OpenPages.count() > 0) {
+            assertTrue(OpenPages.count() + " pages of other tests are open", System.nanoTime() < end);
+            LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(1));
+        }
+    }
 
     @After
     public void allHaveGone() {
@@ -89,6 +112,30 @@ public class OpenPagesTest {
         assertFalse(over.isDone());
         OpenPages.go();
         ends(over);
+    }
+
+    @Test
+    public void aPageThatComesWhileTheServerStopsIsNotCounted() throws Exception {
+        int port = FreePort.find();
+        Hub hub = new Hub("hub");
+        WebServer server = new WebServer(port, List.of(), hub);
+        XnioWorker stopping = Xnio.getInstance(OpenPagesTest.class.getClassLoader()).createWorker(OptionMap.EMPTY);
+        try (ByteBufferPool buffers = new DefaultByteBufferPool(false, 1024)) {
+            WebSocketChannel page = WebSocketClient.connectionBuilder(stopping, buffers, URI.create("ws://127.0.0.1:" + port + "/api/messages"))
+                .setClientNegotiation(new WebSocketClientNegotiation(List.of(), List.of()) {
+                    @Override
+                    public void beforeRequest(Map<String, List<String>> headers) {
+                        headers.put("Origin", List.of("http://127.0.0.1:" + port));
+                    }
+                }).connect().get();
+            stopping.shutdown();
+            assertTrue(stopping.awaitTermination(PATIENCE_SECONDS, TimeUnit.SECONDS));
+            int there = OpenPages.count();
+            hub.connect(page, null);
+            assertTrue(there + " and then " + OpenPages.count(), OpenPages.count() <= there);
+        } finally {
+            server.stop();
+        }
     }
 
     @Test

@@ -17,7 +17,12 @@ var SUN = [-0.35, 1, -0.25]
 var SHADOW_PIXELS = 2048
 var SKY = {light: ['#7fb2e5', '#e8f1fa', '#cfd3c8', '#b9bdb0'], dark: ['#0d1b2f', '#33475f', '#2c2f2b', '#20231f']}
 var BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i
-var COARSE = 0.5            // share of the pixels' number a side that the processor draws of what moves, in two fifths of the time
+// The processor looks up one point of a shadow for each pixel and smooths no edges, which would each take as long as all the rest. In their place:
+var COARSE = [1, 0.7, 0.5]  // pixels a side for each of the page's, of what moves: as many as there is time for
+var SLOW = 28               // milliseconds of a picture from which on it has fewer
+var FAST = 19               // and below which it has more
+var FINE = 1.5              // pixels a side for each of the page's, of what rests: the browser makes one of several
+var FINEST = 2e6            // pixels of such a picture at most, where it has more than the page
 var STILL_MILLIS = 300      // after which it draws all of them again
 var PAUSE_MILLIS = 15       // between two pictures by the processor of what moves: some 30 a second are enough
 var PATH = '#337ab7'
@@ -46,11 +51,13 @@ export function Scene(canvas, ask, repaint) {
     var THREE = window.THREE
     this.canvas = canvas
     this.repaint = repaint
-    this.renderer = new THREE.WebGLRenderer({canvas: canvas, antialias: true, alpha: true})
+    this.byProcessor = !isPossible(true)
+    this.renderer = new THREE.WebGLRenderer({canvas: canvas, antialias: !this.byProcessor, alpha: true})
     this.renderer.setClearColor(0x000000, 0)
     if (this.renderer.shadowMap) {
         this.renderer.shadowMap.enabled = true
         this.renderer.shadowMap.autoUpdate = false
+        this.renderer.shadowMap.type = this.byProcessor ? THREE.BasicShadowMap : THREE.PCFShadowMap
     } else {
         this.renderer.shadowMapEnabled = true
     }
@@ -69,7 +76,8 @@ export function Scene(canvas, ask, repaint) {
     this.seconds = 0            // that passed since what was shown before
     this.arrived = 0
     this.period = 100
-    this.byProcessor = isByProcessor(this.renderer.context)
+    this.coarse = 1             // which of COARSE is drawn
+    this.millis = (SLOW + FAST) / 2     // that a picture of what moves has taken lately, at least PAUSE_MILLIS
     this.movedAt = 0
     this.unshaded = true        // whether shadows are not those of what is shown
     this.pictures = 0           // drawn so far, and how many of them with other shadows
@@ -357,7 +365,7 @@ Scene.prototype.draw = function(sensor, followed, dark) {
     this.paintSky(dark)
     var width = this.canvas.clientWidth
     var height = this.canvas.clientHeight
-    var ratio = Math.min(2, window.devicePixelRatio || 1) * (this.isCoarse(moving, now) ? COARSE : 1)
+    var ratio = this.ratio(width * height, moving, now)
     if (this.size !== width + ' ' + height + ' ' + ratio) {
         this.size = width + ' ' + height + ' ' + ratio
         this.renderer.setPixelRatio(ratio)
@@ -371,9 +379,31 @@ Scene.prototype.draw = function(sensor, followed, dark) {
     this.unshaded = false
     this.renderer.render(this.scene, this.camera)
     if (moving && this.byProcessor) {
-        window.setTimeout(this.repaint, PAUSE_MILLIS)
+        window.setTimeout(function() {
+            self.took(Date.now() - now)
+            self.repaint()
+        }, PAUSE_MILLIS)
     } else if (moving) {
         this.repaint()
+    }
+}
+
+/** Pixels a side for each of the page's. @param area pixels of the page */
+Scene.prototype.ratio = function(area, moving, now) {
+    var plain = Math.min(2, window.devicePixelRatio || 1)
+    if (!this.byProcessor) {
+        return plain
+    }
+    return this.isCoarse(moving, now) ? COARSE[this.coarse] * plain : Math.max(plain, Math.min(FINE * plain, Math.sqrt(FINEST / Math.max(1, area))))
+}
+
+/** A picture by the processor of what moves has taken so long, which tells how many pixels the next ones may have. */
+Scene.prototype.took = function(millis) {
+    this.millis = 0.9 * this.millis + 0.1 * Math.min(4 * SLOW, millis)
+    var other = this.coarse + (this.millis > SLOW ? 1 : this.millis < FAST ? -1 : 0)
+    if (other !== this.coarse && COARSE[other]) {
+        this.coarse = other
+        this.millis = (SLOW + FAST) / 2
     }
 }
 
@@ -382,7 +412,7 @@ Scene.prototype.isCoarse = function(moving, now) {
     var seenFrom = this.camera.matrixWorld.elements.join(' ')
     this.movedAt = moving || this.seenFrom && this.seenFrom !== seenFrom ? now : this.movedAt
     this.seenFrom = seenFrom
-    var coarse = this.byProcessor && now - this.movedAt < STILL_MILLIS
+    var coarse = now - this.movedAt < STILL_MILLIS
     if (coarse && !moving) {
         window.clearTimeout(this.sharpening)
         this.sharpening = window.setTimeout(this.repaint, STILL_MILLIS)

@@ -83,12 +83,12 @@ public final class Project {
     }
 
     /**
-     * Loads each model once: {@link #read} only looks whether their files are there.
+     * Loads each model once, and looks at the heads of the elevation maps: {@link #read} only looks whether their files are there.
      *
-     * @throws ProjectException with every model that can't be loaded
+     * @throws ProjectException with every model that can't be loaded and every map that can't be used
      */
-    public void checkModels() throws ProjectException {
-        List<Problem> problems = new ArrayList<>();
+    public void checkFiles() throws ProjectException {
+        List<Problem> problems = new ArrayList<>(terrain == null ? List.of() : terrain.brokenMaps());
         Set<String> whole = new HashSet<>();
         for (SearObject object : objects()) {
             if (object instanceof Model && !whole.contains(((Model) object).getPath())) {

@@ -34,7 +34,7 @@ public class KnownModelsTest {
     public void whatIsCheckedIsNotLoadedAgain() throws Exception {
         project.put("assets/m.obj", CORNERS);
         Model model = new Model("m", "m.obj");
-        Project.read(project.folder()).checkModels();
+        Project.read(project.folder()).checkFiles();
         Triangles checked = load(project.folder(), model);
         Path renamed = project.getRoot().toPath().resolve("renamed");
         Files.move(project.folder(), renamed);

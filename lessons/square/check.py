@@ -11,6 +11,9 @@ def check(run):
     beside = max(robot.distancesFrom(SQUARE))
     run.ask(beside <= NEAR, "You were up to %.2f m beside the sides of the square; %.1f m is allowed." % (beside, NEAR))
     run.ask(not robot.bumps, "You bumped into something, %d times; the first time after %.1f s." % (len(robot.bumps), (list(robot.bumps) + [0])[0]))
-    run.ask(robot.isStanding(), "At the end your robot was still moving; stop it, and give it half a second to do so.")
+    if robot.length < 0.01:
+        run.ask(False, "Your robot never moved: sear.driveStraight(0.2) says how fast, and sear.simSleep(5) lets it drive for so many seconds.")
+    else:
+        run.ask(robot.isStanding(), "At the end your robot was still moving; stop it, and give it half a second to do so.")
     run.measure("metres beside", beside)
     run.measure("seconds", run.seconds)

@@ -18,6 +18,7 @@ import org.SEAR.simulator.SimulationRunner;
 import org.myrobotlab.embedded.NearestName;
 import org.myrobotlab.embedded.python.JythonStart;
 import org.myrobotlab.embedded.python3.Python3Script;
+import org.myrobotlab.service.sear.files.ExampleBundles;
 import org.myrobotlab.service.sear.run.RunParameters;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
@@ -40,7 +41,8 @@ import picocli.CommandLine;
     footer = "Exit status: 0 when the script ends, 1 when it raises, 2 when the command makes no sense.")
 public final class SearCommand implements Callable<Integer> {
     @Parameters(index = "0", paramLabel = "SCRIPT.py|PROJECT", arity = "0..1", description = "A script, Python 2.7 as MyRobotLab has it (Jython); or"
-        + " a bundle (.sear) or a folder, whose project is opened in the tabs. Without it the tabs open on the project of the present folder.")
+        + " a bundle (.sear) or a folder, whose project is opened in the tabs; examples are found anywhere. Without it the tabs open on the project"
+        + " of the present folder.")
     private Path script;
     @Parameters(index = "1..*", paramLabel = "ARGUMENT", arity = "0..*", description = "What the script finds in sys.argv; put -- before the first"
         + " one if one looks like an option or a command.")
@@ -118,7 +120,7 @@ public final class SearCommand implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         server.apply(spec);
         MrlRun run = new MrlRun(checkedPort(), server.isKnown(), err);
-        if (script != null && !Files.exists(script)) {
+        if (script != null && !Files.exists(script) && !ExampleBundles.isMeant(script)) {
             String meant = NearestName.of(script.toString(), spec.subcommands().keySet());
             err.println("sear: " + script + " can't be read: there is no such file. " + (meant.isEmpty() ? "" : "If it is a command, " + meant + " ")
                 + "Try sear --help.");

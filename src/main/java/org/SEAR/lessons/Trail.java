@@ -116,7 +116,7 @@ public final class Trail {
         return length;
     }
 
-    /** Whether it stands at the end. */
+    /** Whether it stands at the end: no further than a little in the last half second, or at all. */
     public boolean isStanding() {
         int last = count - 1;
         for (int i = last; i >= 0 && at(last, 0) - at(i, 0) <= STANDS_SECONDS; i--) {
@@ -124,7 +124,7 @@ public final class Trail {
                 return false;
             }
         }
-        return count > 0 && at(last, 0) >= STANDS_SECONDS;
+        return count > 0 && (at(last, 0) >= STANDS_SECONDS || getLength() <= STANDS);
     }
 
     private double far(int moment, double x, double z) {

@@ -83,18 +83,17 @@ public final class Project {
     }
 
     /**
-     * Loads each model once, and keeps nothing: {@link #read} only looks whether their files are there.
+     * Loads each model once, and looks at the heads of the elevation maps: {@link #read} only looks whether their files are there.
      *
-     * @throws ProjectException with every model that can't be loaded
+     * @throws ProjectException with every model that can't be loaded and every map that can't be used
      */
-    public void checkModels() throws ProjectException {
-        List<Problem> problems = new ArrayList<>();
+    public void checkFiles() throws ProjectException {
+        List<Problem> problems = new ArrayList<>(terrain == null ? List.of() : terrain.brokenMaps());
         Set<String> whole = new HashSet<>();
-        ModelLoader loader = ModelLoader.withoutPictures(assets, unheard -> { });
         for (SearObject object : objects()) {
             if (object instanceof Model && !whole.contains(((Model) object).getPath())) {
                 try {
-                    loader.triangles((Model) object);
+                    ModelLoader.withoutPictures(assets, unheard -> { }).triangles((Model) object);
                     whole.add(((Model) object).getPath());
                 } catch (IOException e) {
                     problems.add(problem((Model) object, e));

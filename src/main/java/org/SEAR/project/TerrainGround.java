@@ -1,7 +1,9 @@
 package org.SEAR.project;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.Collections;
+import java.util.List;
 import org.SEAR.POJOs.Terrain;
 import org.SEAR.files.Assets;
 import org.SEAR.project.problems.Problem;
@@ -12,9 +14,12 @@ import org.SEAR.terrain.MapCut;
 import org.SEAR.terrain.TerrainArea;
 import org.SEAR.terrain.TerrainColors;
 import org.SEAR.terrain.TerrainLoader;
+import org.SEAR.terrain.format.ElevationMaps;
 
 /** The ground that a project's terrain makes: loaded when somebody asks, and kept as long as the project is. Any thread. */
 final class TerrainGround {
+    private static final String USABLE = "an elevation map that can be used (";
+
     private final ParsedObject parsed;
     private final Assets assets;
     private Ground ground;
@@ -58,6 +63,21 @@ final class TerrainGround {
         return ground;
     }
 
+    /** Each map whose head says that it can't be used; what lies behind the heads is not read. */
+    List<Problem> brokenMaps() {
+        List<Problem> broken = new ArrayList<>();
+        List<String> paths = ((Terrain) parsed.object).getPaths();
+        for (int i = 0; i < paths.size(); i++) {
+            try {
+                ElevationMaps.check(assets, paths.get(i));
+            } catch (IOException e) {
+                broken.add(new Problem(parsed.file, parsed.line(i == 0 ? "path" : "tile#" + (i - 1)), i == 0 ? "path" : "tile", paths.get(i),
+                    USABLE + e.getMessage() + ")"));
+            }
+        }
+        return broken;
+    }
+
     /** @throws ProjectException if a GeoTIFF that lies over the ground can't be shown */
     void checkPicture() throws ProjectException {
         Terrain terrain = (Terrain) parsed.object;
@@ -86,6 +106,6 @@ final class TerrainGround {
 
     private ProjectException problem(Terrain terrain, IOException e) {
         return new ProjectException(Collections.singletonList(new Problem(parsed.file, parsed.line("path"), "path", terrain.getPath(),
-            "an elevation map that can be used (" + e.getMessage() + ")")));
+            USABLE + e.getMessage() + ")")));
     }
 }

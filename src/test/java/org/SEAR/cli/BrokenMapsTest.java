@@ -20,6 +20,8 @@ import org.SEAR.POJOs.Box;
 import org.SEAR.POJOs.Terrain;
 import org.SEAR.project.Project;
 import org.SEAR.project.ProjectRule;
+import org.SEAR.project.bundle.Bundle;
+import org.SEAR.project.bundle.Progress;
 import org.SEAR.project.problems.ProjectException;
 import org.SEAR.simulator.Simulation;
 import org.SEAR.terrain.format.TiffMaker;
@@ -168,6 +170,35 @@ public class BrokenMapsTest {
         new Terrain("ground", "tiles.tif");
         assertEquals(2, check());
         assertTrue(said, said.contains("tiles.tif: the number of strips or tiles in the area is 4000000, legal: 1 to 100000"));
+    }
+
+    /** By who loads or imports the project, which stays as it was, and by the start; what stands behind a head is read by the start alone. */
+    @Test
+    public void allBrokenMapsAreNamedAtOnce() throws Exception {
+        asset("map.tif", map().bytes());
+        asset("text.tif", "hello, this is a text");
+        asset("short.asc", "ncols 3\nnrows 3\nxllcorner 8\nyllcorner 47\n1 2 3\n");
+        asset("word.asc", "ncols 2\nnrows 2\nxllcorner 8\nyllcorner 47\ncellsize 0.001\n1 2 3 four\n");
+        Terrain ground = new Terrain("ground", "map.tif");
+        ground.addTile("text.tif");
+        ground.addTile("short.asc");
+        ground.addTile("word.asc");
+        assertEquals(2, check());
+        String start = said;
+        Path mine = Files.createDirectories(project.getRoot().toPath().resolve("mine/environment")).resolve("box.xml");
+        Files.writeString(mine, "<Box><name>box</name><length>1</length><width>1</width><height>1</height></Box>");
+        Path other = mine.getParent().getParent();
+        for (String told : new String[] {start, assertThrows(ProjectException.class, () -> Bundle.load(project.folder(), other)).getMessage(),
+            assertThrows(ProjectException.class, () -> Bundle.importEnvironment(project.folder(), other, Progress.NONE)).getMessage()}) {
+            for (String why : new String[] {"text.tif: the file is in no known format", "short.asc: cellsize is missing"}) {
+                assertTrue(told, told.contains("tile is \"" + why.split(":")[0] + "\", legal: an elevation map that can be used (" + why));
+            }
+            assertTrue(told, !told.contains("word.asc"));
+        }
+        assertTrue(Files.exists(mine));
+        new Terrain("ground", "word.asc");
+        assertEquals(2, check());
+        assertTrue(said, said.contains("path is \"word.asc\", legal: an elevation map that can be used (word.asc: "));
     }
 
     /** None of these gigabytes is read: the head says enough, or the first zero does. */

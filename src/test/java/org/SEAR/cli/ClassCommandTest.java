@@ -228,6 +228,14 @@ public class ClassCommandTest {
     }
 
     @Test
+    public void examplesAreFoundInEveryFolder() throws Exception {
+        Files.writeString(path("names.txt"), "Ada\n");
+        port = FreePort.find();
+        sear("class", "--pupils", "names.txt", "--port", String.valueOf(port), "--memory", "96", "--project", "examples/line.sear");
+        until("Ada has the project", () -> Files.exists(path("class/Ada/SEARproject/robot/follower.xml")));
+    }
+
+    @Test
     public void whatHoldsTooMuchIsEnded() throws Exception {
         Files.writeString(path("names.txt"), "Ada\n");
         port = FreePort.find();

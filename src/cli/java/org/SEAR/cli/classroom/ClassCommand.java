@@ -18,6 +18,7 @@ import java.util.stream.Collectors;
 import org.SEAR.project.problems.FileReasons;
 import org.myrobotlab.embedded.web.Address;
 import org.myrobotlab.embedded.web.Token;
+import org.myrobotlab.service.sear.files.ExampleBundles;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
@@ -61,7 +62,8 @@ public final class ClassCommand implements Callable<Integer> {
     @Option(names = "--script", paramLabel = "FILE.py", description = "A script to begin with, copied to each pupil who has no file of that name "
         + "yet.")
     private Path script;
-    @Option(names = "--project", paramLabel = "FILE.sear", description = "A project to begin with, for each pupil who has none yet.")
+    @Option(names = "--project", paramLabel = "FILE.sear", description = "A project to begin with, for each pupil who has none yet; examples "
+        + "are found anywhere.")
     private Path project;
     @Option(names = "--at-once", paramLabel = "N", description = "How many start at the same time. Default: as many as there are processors.")
     private Integer atOnce;
@@ -97,7 +99,7 @@ public final class ClassCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    private void check(int count) {
+    private void check(int count) throws IOException {
         int last = port + count - 1;
         if (port < 1 || last > HIGHEST_PORT) {
             throw new IllegalArgumentException("--port is " + port + ", the last of " + count + " pupils would have " + last + ", legal: 1 to "
@@ -116,7 +118,7 @@ public final class ClassCommand implements Callable<Integer> {
             throw new IllegalArgumentException("--url is " + url + ", the same for " + count + " pupils, legal: with {port} or {name} in it");
         }
         for (Path file : new Path[] {script, project}) {
-            if (file != null && !Files.isRegularFile(file)) {
+            if (file != null && !Files.isRegularFile(file) && !(file == project && ExampleBundles.isMeant(file))) {
                 throw new IllegalArgumentException(file + " can't be read: there is no such file");
             }
         }
@@ -153,7 +155,7 @@ public final class ClassCommand implements Callable<Integer> {
     }
 
     /** This program's own Java with its options, but for what it may hold. */
-    private List<String> command(int own, Path token, String name, boolean hasProject) {
+    private List<String> command(int own, Path token, String name, boolean hasProject) throws IOException {
         List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
         command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
             .filter(option -> !option.matches("-Xm[xs].*|-XX:Max.*|-agentlib.*|-javaagent.*|-Dsear.parent.*")).collect(Collectors.toList()));
@@ -168,7 +170,7 @@ public final class ClassCommand implements Callable<Integer> {
             command.addAll(List.of("--url", url.replace("{name}", name)));
         }
         if (project != null && !hasProject) {
-            command.add(project.toAbsolutePath().toString());
+            command.add((ExampleBundles.isMeant(project) ? project : project.toAbsolutePath()).toString());
         }
         return command;
     }

@@ -41,8 +41,8 @@ public final class ContestCommand implements Callable<Integer> {
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Where the random numbers of the sensors begin. Default: "
         + "${DEFAULT-VALUE}.")
     private long seed;
-    @Option(names = "--limit", paramLabel = "SECONDS", defaultValue = "10", description = "How long a script may go on without a simSleep, by the "
-        + "computer's clock. Default: ${DEFAULT-VALUE}.")
+    @Option(names = "--limit", paramLabel = "SECONDS", defaultValue = "10", description = "How long a script may go on without a simSleep, and a "
+        + "function of the referee, by the computer's clock. Default: ${DEFAULT-VALUE}.")
     private double limit;
     @Option(names = "--out", paramLabel = "FOLDER", defaultValue = "result", description = "Where scores.csv, the record contest.searlog and what "
         + "each script has printed go. Default: ${DEFAULT-VALUE}.")
@@ -93,7 +93,7 @@ public final class ContestCommand implements Callable<Integer> {
 
     private void run(Map<String, Path> entered) throws IOException, ProjectException, InterruptedException {
         Path unpacked = Files.createTempDirectory("sear-contest");
-        Referee referee = new Referee(folder.resolve(REFEREE));
+        Referee referee = new Referee(folder.resolve(REFEREE), limit);
         try {
             Project project = Bundle.load(folder.resolve(WORLD), unpacked.resolve("SEARproject"),
                 new PercentProgress("opening", folder, line -> { }));

@@ -4,24 +4,49 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import org.myrobotlab.embedded.python.PythonEngine;
 import org.myrobotlab.embedded.python.ScriptResult;
 
-/** The referee.py of a contest, in an interpreter that no entrant's script sees. The contest's thread. */
+/**
+ * The referee.py of a contest, in an interpreter that no entrant's script sees. It works on a thread of its own, for which the contest's thread
+ * waits: so it can be left alone when it hangs.
+ */
 final class Referee {
     private static final double MOST_SECONDS = 3600;
     private static final String STEPPED = "stepped";
+    private static final long GRACE_MILLIS = 2000;
+    private static final long KNOCK_MILLIS = 20;
 
     private final Path file;
     private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
     private final PythonEngine engine;
+    private final double patience;
     private final double seconds;
+    private final ExecutorService thread = Executors.newSingleThreadExecutor(work -> {
+        Thread one = new Thread(work, "referee");
+        one.setDaemon(true);
+        return one;
+    });
 
-    /** @throws IOException that says what is wrong with it */
-    Referee(Path file) throws IOException {
+    /**
+     * Runs the file, which has the functions.
+     *
+     * @param patience how long that, and each of its functions, may take, seconds of the computer's clock
+     * @throws IOException that says what is wrong with it
+     */
+    Referee(Path file, double patience) throws IOException, InterruptedException {
         this.file = file;
+        this.patience = patience;
         engine = new PythonEngine("referee of " + file, printed, printed);
-        checked(engine.runFile(file.toString()));
+        await("it", () -> engine.runFile(file.toString()));
         Object limit = engine.get("SECONDS");
         if (!engine.has(STEPPED) || !(limit instanceof Number)) {
             throw new IOException(file + " lacks " + (engine.has(STEPPED) ? "SECONDS, how much simulated time there is"
@@ -30,6 +55,28 @@ final class Referee {
         seconds = ((Number) limit).doubleValue();
         if (!(seconds > 0 && seconds <= MOST_SECONDS)) {
             throw new IOException(file + ": SECONDS is " + seconds + ", legal: above 0 to " + MOST_SECONDS);
+        }
+    }
+
+    private void await(String what, Callable<ScriptResult> work) throws IOException, InterruptedException {
+        Future<ScriptResult> result = thread.submit(work);
+        try {
+            checked(result.get((long) (patience * TimeUnit.SECONDS.toNanos(1)), TimeUnit.NANOSECONDS));
+        } catch (TimeoutException e) {
+            breakOff();
+            throw new IOException(String.format(Locale.ROOT, "%s hung: %s went on for %.3g s, legal: at most --limit, by the computer's clock", file,
+                what, patience), e);
+        } catch (ExecutionException e) {
+            throw e.getCause() instanceof IOException ? (IOException) e.getCause() : new IOException(file + " can't be run: " + e.getCause(), e);
+        }
+    }
+
+    /** It may not like it, and is left alone then. */
+    private void breakOff() throws InterruptedException {
+        thread.shutdown();
+        long until = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(GRACE_MILLIS);
+        while (!thread.awaitTermination(KNOCK_MILLIS, TimeUnit.MILLISECONDS) && System.nanoTime() < until) {
+            engine.interrupt();
         }
     }
 
@@ -50,11 +97,11 @@ final class Referee {
     /**
      * Calls a function of it, if it has it.
      *
-     * @throws IOException with the error that it raises
+     * @throws IOException with the error that it raises, or if it hangs
      */
-    void call(String function, Contest contest) throws IOException {
+    void call(String function, Contest contest) throws IOException, InterruptedException {
         if (engine.has(function)) {
-            checked(engine.call(function, contest));
+            await(function + "(contest)", () -> engine.call(function, contest));
         }
     }
 
@@ -66,6 +113,7 @@ final class Referee {
     }
 
     void close() {
+        thread.shutdown();
         engine.close();
     }
 }

@@ -80,7 +80,7 @@ public final class Solids implements ObjectTypes {
      * The geometry of an object; null for an object without (a sensor).
      *
      * @param warnings takes, once each, what of a model can't be shown
-     * @throws ProjectException with all models of the project that can't be loaded, if this is one; if the terrain's map can't be loaded
+     * @throws ProjectException with all models and maps of the project that can't be loaded, if this is or needs one
      */
     public static Solid of(SearObject object, Project project, List<String> warnings) throws ProjectException {
         if (!(object instanceof Shape)) {
@@ -89,8 +89,11 @@ public final class Solids implements ObjectTypes {
         try {
             return of((Shape) object, sourcesOf(project, warnings));
         } catch (IOException e) {
-            project.checkModels();
+            project.checkFiles();
             throw new ProjectException(Collections.singletonList(project.problem((Model) object, e)));
+        } catch (ProjectException e) {
+            project.checkFiles();
+            throw e;
         }
     }
 

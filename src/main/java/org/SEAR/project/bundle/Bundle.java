@@ -113,7 +113,7 @@ public final class Bundle {
         try (ProjectSwap swap = ProjectSwap.lock(project)) {
             Path staging = swap.staging();
             unpack(file.toAbsolutePath().normalize(), staging, progress);
-            Project.read(staging).checkModels();
+            Project.read(staging).checkFiles();
             swap.putInPlace(progress::said);
             if (example) {
                 swap.keepAsExample();
@@ -185,7 +185,7 @@ public final class Bundle {
                 present = Project.read(staging);
             }
             Project source = Project.read(unpacked);
-            source.checkModels();
+            source.checkFiles();
             Map<String, String> renamed = choice.of(source, new Import(source, present, staging));
             Project.read(staging);
             swap.putInPlace(progress::said);

@@ -226,7 +226,7 @@ final class GltfCheck {
         }
         JsonArray textures = list(root, "textures");
         for (int i = 0; i < textures.size(); i++) {
-            reference("textures[" + i + "].source", textures.get(i).getAsJsonObject().get("source"), images.size());
+            optional(textures.get(i).getAsJsonObject(), "textures[" + i + "]", "source", images.size());
         }
     }
 

@@ -1,9 +1,11 @@
 package org.SEAR.project.models;
 
+import com.google.gson.JsonObject;
 import com.jme3.asset.AssetInfo;
 import com.jme3.asset.AssetKey;
 import com.jme3.asset.AssetLoader;
 import com.jme3.asset.AssetManager;
+import com.jme3.asset.TextureKey;
 import com.jme3.export.binary.BinaryLoader;
 import com.jme3.material.plugins.J3MLoader;
 import com.jme3.scene.plugins.MTLLoader;
@@ -19,6 +21,7 @@ import com.jme3.scene.plugins.ogre.MaterialLoader;
 import com.jme3.scene.plugins.ogre.MeshLoader;
 import com.jme3.scene.plugins.ogre.SceneLoader;
 import com.jme3.scene.plugins.ogre.SkeletonLoader;
+import com.jme3.texture.Texture2D;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -125,8 +128,24 @@ final class GuardedLoaders {
         public Object load(AssetInfo info) throws IOException {
             byte[] json = bytes(info);
             new GltfCheck(info.getKey().getName(), json, 0, uri -> size(info, uri)).check();
-            return new GltfLoader().load(new Checked(info, json));
+            return new GltfLoader() {
+                @Override
+                public Texture2D readTexture(JsonObject texture, boolean flip) throws IOException {
+                    return lacksPicture(this, texture) ? missing(info, texture) : super.readTexture(texture, flip);
+                }
+            }.load(new Checked(info, json));
         }
+    }
+
+    /** A texture may have its picture by an extension that jMonkeyEngine's reader doesn't know, and none for others. */
+    private static boolean lacksPicture(GltfLoader loader, JsonObject texture) {
+        return texture != null && !loader.getDocRoot().getAsJsonArray("textures").get(texture.get("index").getAsInt()).getAsJsonObject()
+            .has("source");
+    }
+
+    /** As where a picture is not in its file's place. */
+    private static Texture2D missing(AssetInfo model, JsonObject texture) {
+        return (Texture2D) model.getManager().loadTexture(new TextureKey("textures[" + texture.get("index") + "] without a source"));
     }
 
     /** Binary glTF: a head of 12 bytes, a chunk of JSON, a chunk of data, each with its length and kind before it. */
@@ -152,7 +171,12 @@ final class GuardedLoaders {
                 chunk += 8 + (int) length;
             }
             new GltfCheck(name, Arrays.copyOfRange(bytes, GLB_DATA, GLB_DATA + json), data, uri -> size(info, uri)).check();
-            return new GlbLoader().load(new Checked(info, bytes));
+            return new GlbLoader() {
+                @Override
+                public Texture2D readTexture(JsonObject texture, boolean flip) throws IOException {
+                    return lacksPicture(this, texture) ? missing(info, texture) : super.readTexture(texture, flip);
+                }
+            }.load(new Checked(info, bytes));
         }
     }
 

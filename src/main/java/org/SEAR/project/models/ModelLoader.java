@@ -28,6 +28,7 @@ public final class ModelLoader {
 
     private final Assets assets;
     private final ModelAssets manager;
+    private final boolean pixels;
     private final Consumer<String> warnings;
 
     /** For the models of a project, with their pictures. */
@@ -37,6 +38,7 @@ public final class ModelLoader {
 
     private ModelLoader(Assets assets, boolean pixels, Consumer<String> warnings) {
         this.assets = assets;
+        this.pixels = pixels;
         this.warnings = warnings;
         this.manager = new ModelAssets(ModelLoader.class.getResource("models.cfg"));
         prepare(manager, assets, pixels);
@@ -89,16 +91,33 @@ public final class ModelLoader {
 
     /**
      * The triangles of a model in its own frame, with the transforms of its nodes applied: metres, before the object's scale and pose. A terrain is
-     * moved so that its centre is the origin.
+     * moved so that its centre is the origin. Those of a loader without pictures are kept while memory lasts.
      *
      * @throws IOException that names the object, the file and what is wrong with it
      */
     public Triangles triangles(Model model) throws IOException {
+        if (pixels) {
+            return read(model).triangles;
+        }
+        requireFile(model);
+        String key = KnownModels.key(model, assets);
+        KnownModels models = KnownModels.of(assets);
+        KnownModels.Known known = models.get(key);
+        if (known == null) {
+            known = read(model);
+            models.put(key, known);
+        }
+        known.leftOut.forEach(text -> warnings.accept("model " + model.getPath() + ": " + text));
+        return known.triangles;
+    }
+
+    private KnownModels.Known read(Model model) throws IOException {
+        manager.takeLeftOut();
         Triangles triangles = collect(spatial(model), model);
         if (triangles.size() == 0) {
             throw new IOException(model + ": " + model.getPath() + " has no triangles");
         }
-        return triangles;
+        return new KnownModels.Known(triangles, manager.takeLeftOut());
     }
 
     /**
@@ -112,6 +131,11 @@ public final class ModelLoader {
     }
 
     private Spatial load(Model model) throws IOException {
+        String path = requireFile(model);
+        return onEngineThread(model, () -> manager.loadModel(new ModelKey(path)).clone());
+    }
+
+    private String requireFile(Model model) throws IOException {
         String path = Assets.normal(model.getPath());
         if (!isModel(path) || !assets.has(path)) {
             throw new IOException(model + ": path is \"" + model.getPath() + "\", legal: a file below assets that ends with one of "
@@ -121,9 +145,7 @@ public final class ModelLoader {
         if (size > ModelLimits.MAX_FILE) {
             throw new IOException(model + ": " + model.getPath() + " has " + size + " bytes, legal: at most " + ModelLimits.MAX_FILE);
         }
-        Spatial loaded = onEngineThread(model, () -> manager.loadModel(new ModelKey(path)).clone());
-        manager.takeLeftOut().forEach(text -> warnings.accept("model " + model.getPath() + ": " + text));
-        return loaded;
+        return path;
     }
 
     private static IOException failure(Model model, Throwable e) {

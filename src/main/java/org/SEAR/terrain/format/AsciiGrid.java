@@ -35,16 +35,9 @@ final class AsciiGrid extends ElevationMap {
      */
     static AsciiGrid open(MapBytes file, String system) throws IOException {
         MapWords words = new MapWords(file);
-        Map<String, Double> head = new HashMap<>();
-        while (words.next() && NAMES.contains(words.text().toLowerCase(Locale.ROOT))) {
-            String key = words.text().toLowerCase(Locale.ROOT);
-            words.next();
-            head.put(key, MapWords.number(file.getName(), key, words.text()));
-        }
+        Map<String, Double> head = head(file, words);
         int columns = side(file.getName(), head, "ncols");
         int rows = side(file.getName(), head, "nrows");
-        FileLimits.range(file.getName(), "the number of posts", (long) rows * columns, 4, MapLimits.MAX_POSTS);
-        requireSize(file, (long) rows * columns);
         Georeference place = place(file.getName(), head, rows);
         double noData = head.getOrDefault("nodata_value", -9999.0);
         float[] heights = new float[rows * columns];
@@ -57,6 +50,29 @@ final class AsciiGrid extends ElevationMap {
         }
         file.close();
         return new AsciiGrid(file.getName(), rows, columns, system != null ? place.in(system) : guessed(place, rows, columns), heights);
+    }
+
+    /**
+     * Looks at a grid's head, and whether its heights have room behind it.
+     *
+     * @throws IOException that says what is wrong there
+     */
+    static void check(MapBytes file) throws IOException {
+        Map<String, Double> head = head(file, new MapWords(file));
+        place(file.getName(), head, side(file.getName(), head, "nrows"));
+    }
+
+    private static Map<String, Double> head(MapBytes file, MapWords words) throws IOException {
+        Map<String, Double> head = new HashMap<>();
+        while (words.next() && NAMES.contains(words.text().toLowerCase(Locale.ROOT))) {
+            String key = words.text().toLowerCase(Locale.ROOT);
+            words.next();
+            head.put(key, MapWords.number(file.getName(), key, words.text()));
+        }
+        long posts = (long) side(file.getName(), head, "ncols") * side(file.getName(), head, "nrows");
+        FileLimits.range(file.getName(), "the number of posts", posts, 4, MapLimits.MAX_POSTS);
+        requireSize(file, posts);
+        return head;
     }
 
     private static void requireSize(MapBytes file, long posts) throws IOException {

@@ -40,9 +40,34 @@ public final class ElevationMaps {
         }
     }
 
+    /**
+     * Looks at a map's head, and at a picture, which is small, as a whole. What stands behind a head is looked at when it is read.
+     *
+     * @param path below the assets
+     * @throws IOException that names the file, what it is and what can be read
+     */
+    public static void check(Assets assets, String path) throws IOException {
+        try (MapBytes bytes = MapBytes.open(assets, path)) {
+            if (isGrid(bytes)) {
+                AsciiGrid.check(bytes);
+                return;
+            }
+        }
+        open(assets, path).close();
+    }
+
+    private static boolean isGrid(MapBytes bytes) throws IOException {
+        String kind = kind(bytes);
+        return kind.equals(FileKind.GRID) || kind.equals(FileKind.UNKNOWN) && bytes.getName().toLowerCase(Locale.ROOT).endsWith(".asc");
+    }
+
+    private static String kind(MapBytes bytes) throws IOException {
+        return FileKind.of(new String(bytes.read("the head", 0, (int) Math.min(HEAD, bytes.size())), StandardCharsets.ISO_8859_1));
+    }
+
     private static ElevationMap open(Assets assets, MapBytes bytes) throws IOException {
         String lower = bytes.getName().toLowerCase(Locale.ROOT);
-        String kind = FileKind.of(new String(bytes.read("the head", 0, (int) Math.min(HEAD, bytes.size())), StandardCharsets.ISO_8859_1));
+        String kind = kind(bytes);
         if (lower.endsWith(".hgt") && (SrtmTile.isTile(bytes.size()) || kind.equals(FileKind.UNKNOWN))
             || lower.endsWith(".zip") && kind.equals(FileKind.ZIP)) {
             return SrtmTile.open(bytes);
@@ -54,7 +79,7 @@ public final class ElevationMaps {
             bytes.close();
             return GreyPicture.open(bytes.getName(), assets.readPicture(bytes.getName()));
         }
-        if (kind.equals(FileKind.GRID) || kind.equals(FileKind.UNKNOWN) && lower.endsWith(".asc")) {
+        if (isGrid(bytes)) {
             return AsciiGrid.open(bytes, systemBeside(assets, bytes.getName()));
         }
         throw FileLimits.wrong(bytes.getName(), "the file", kind, LEGAL);

@@ -226,6 +226,20 @@ public class ContestTest {
     }
 
     @Test
+    public void aRefereeThatHangsEndsTheContest() throws Exception {
+        Path contest = rovers(REFEREE);
+        List<String> arguments = entered(contest, "one", START + "sear.simSleep(60)\n");
+        arguments.set(arguments.indexOf("8"), "2");
+        for (String[] one : new String[][] {{"def stepped(contest):\n    while True: pass\n", "stepped(contest)"},
+            {"def stepped(contest): pass\nwhile True: pass\n", "it"}}) {
+            Files.writeString(contest.resolve("referee.py"), "SECONDS = 4\n" + one[0]);
+            String told = run(arguments);
+            assertEquals("2\nsear contest: " + contest.resolve("referee.py") + " hung: " + one[1]
+                + " went on for 2.00 s, legal: at most --limit, by the computer's clock\n", told);
+        }
+    }
+
+    @Test
     public void bumpsAreCountedAndPlacesKept() throws Exception {
         Path contest = rovers("SECONDS = 8\ndef positions(contest):\n    for entry, z, heading in zip(contest.entries, (0, 2), (90, -90)):\n"
             + "        entry.place(-3, z, heading)\n"

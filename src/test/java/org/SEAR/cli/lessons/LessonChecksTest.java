@@ -142,6 +142,10 @@ public class LessonChecksTest {
             "You came within 1.00 m of the second corner"), with("sear.simSleep(5)", "sear.simSleep(4)", "m of the first corner"),
             with("range(4)", "range(3)", "of the start again"), with("print(\"Once", "sear.spin(20)\nsear.simSleep(1)\nsear.driveStraight(0.1)\n"
                 + "sear.simSleep(0.5)\nprint(\"Once", "your robot was still moving"));
+        for (String still : new String[] {"", "sear.driveStraight(0.2)\n", "sear.simSleep(2)\n"}) {
+            String said = String.join("\n", run("square", "sear = Runtime.start('sear', 'SEAR')\nsear.startSimulation()\n" + still).getMissing());
+            assertTrue(said, said.contains("Your robot never moved: ") && !said.contains("still moving"));
+        }
     }
 
     @Test

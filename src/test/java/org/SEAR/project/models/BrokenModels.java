@@ -157,7 +157,6 @@ public final class BrokenModels {
                 + ", legal: one of KHR_lights_punctual, KHR_materials_pbrSpecularGlossiness, KHR_materials_unlit, KHR_texture_transform: export it"
                 + " without compression");
         }
-        put("no-source.gltf", gltf(material, "\"textures\":[{}],\"asset\""), "textures[0].source is missing, legal: nothing");
         put("no-such-image.gltf", gltf(material, "\"images\":[{\"uri\":\"a.png\"}],\"textures\":[{\"source\":1}],\"asset\""),
             "textures[0].source is 1, legal: 0 to 0");
         put("image-in-no-view.gltf", gltf(material, "\"images\":[{\"bufferView\":7}],\"asset\""), "images[0].bufferView is 7, legal: 0 to 1");

@@ -7,6 +7,8 @@ import static org.junit.Assert.fail;
 
 import java.io.IOException;
 import java.io.RandomAccessFile;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,6 +17,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.function.UnaryOperator;
 import org.SEAR.POJOs.Model;
 import org.SEAR.Slow;
 import org.SEAR.files.PictureSize;
@@ -29,6 +32,8 @@ import org.junit.experimental.categories.Category;
 /** Each broken model and picture is a problem with the object's file, its field and what is wrong, before anything is made of it. */
 @Category(Slow.class)
 public class BrokenModelsTest {
+    private static final String INDICES = "\"indices\":1";
+
     @Rule
     public final ProjectRule project = new ProjectRule();
 
@@ -116,8 +121,8 @@ public class BrokenModelsTest {
         asset("noise.png", new byte[100]);
         asset("cut.png", Arrays.copyOf(BrokenModels.png(2, 2), 20));
         asset("other.tiff", new byte[100]);
-        String gltf = new String(new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, 2, 0}, new int[] {0, 1, 2}, 0, 0, 0).bytes(".gltf"),
-            StandardCharsets.UTF_8).replace("\"indices\":1", "\"material\":0,\"indices\":1");
+        ModelFiles solid = new ModelFiles(new float[] {0, 0, 0, 1, 0, 0, 0, 2, 0}, new int[] {0, 1, 2}, 0, 0, 0);
+        String gltf = new String(solid.bytes(".gltf"), StandardCharsets.UTF_8).replace(INDICES, "\"material\":0," + INDICES);
         for (String name : new String[] {"missing.png", "noise.png", "cut.png", "other.tiff", "../../elsewhere.png", "C:\\\\pictures\\\\a.png"}) {
             asset("m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".getBytes(StandardCharsets.UTF_8));
             asset("m.mtl", ("newmtl a\nmap_Kd " + name.replace("\\\\", "\\") + "\n").getBytes(StandardCharsets.UTF_8));
@@ -127,10 +132,29 @@ public class BrokenModelsTest {
                 assertOneWarning(file, "model " + file + ": its picture ", name.replace("\\\\", "\\").replace("../", ""), " can't be shown: ");
             }
         }
+        for (String texture : new String[] {"{}", "{\"extensions\":{\"EXT_texture_webp\":{\"source\":0}}}"}) {
+            String rest = "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],\"textures\":[" + texture
+                + "],\"images\":[{\"uri\":\"a.webp\"}],\"asset\"";
+            asset("m.gltf", gltf.replace("\"asset\"", rest).getBytes(StandardCharsets.UTF_8));
+            asset("m.glb", glb(solid.bytes(".glb"), json -> json.replace(INDICES, "\"material\":0," + INDICES).replace("\"asset\"", rest)));
+            for (String file : new String[] {"m.gltf", "m.glb"}) {
+                assertOneWarning(file, "model " + file + ": its picture textures[0] without a source can't be shown: ");
+            }
+        }
         asset("m.mtl", "newmtl a\nKd red\n".getBytes(StandardCharsets.UTF_8));
         assertOneWarning("m.obj", "its materials m.mtl are left out: a line lacks a number");
         Files.delete(project.folder().resolve("assets/m.mtl"));
         assertOneWarning("m.obj", "its materials m.mtl are left out: there is no such file in assets");
+    }
+
+    /** A .glb with other JSON. */
+    private static byte[] glb(byte[] whole, UnaryOperator<String> change) {
+        ByteBuffer in = ByteBuffer.wrap(whole).order(ByteOrder.LITTLE_ENDIAN);
+        int data = 20 + in.getInt(12);
+        byte[] json = change.apply(new String(whole, 20, data - 20, StandardCharsets.UTF_8)).getBytes(StandardCharsets.UTF_8);
+        int size = 20 + json.length + whole.length - data;
+        return ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN).put(whole, 0, 8).putInt(size).putInt(json.length).put(whole, 16, 4)
+            .put(json).put(whole, data, whole.length - data).array();
     }
 
     /** Two objects of one model are one warning, and the window shows it, too. */

@@ -55,14 +55,22 @@ public final class ExampleBundles {
         }
     }
 
+    /** Whether a path means an example: there is no file of that name, and an example of it. */
+    public static boolean isMeant(Path path) throws IOException {
+        return !Files.exists(path) && paths().contains(name(path));
+    }
+
+    private static String name(Path path) {
+        return path.toString().replace('\\', '/');
+    }
+
     /** Gives somebody a bundle as a file: the one of that path; where there is none, the example of that path. */
     public static <T> T with(Path path, Work<T> work) throws IOException, ProjectException {
-        String name = path.toString().replace('\\', '/');
-        if (Files.exists(path) || !paths().contains(name)) {
+        if (!isMeant(path)) {
             return work.on(path);
         }
         Path file = Files.createTempFile("sear", ".sear");
-        try (InputStream in = ExampleBundles.class.getResourceAsStream(IN_JAR + name.substring(FOLDER.length()))) {
+        try (InputStream in = ExampleBundles.class.getResourceAsStream(IN_JAR + name(path).substring(FOLDER.length()))) {
             Files.write(file, in.readAllBytes());
             return work.on(file);
         } finally {

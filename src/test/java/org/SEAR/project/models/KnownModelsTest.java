@@ -1,0 +1,74 @@
+package org.SEAR.project.models;
+
+import static org.junit.Assert.assertEquals;
+import static org.junit.Assert.assertNotSame;
+import static org.junit.Assert.assertSame;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.SEAR.POJOs.Model;
+import org.SEAR.files.Assets;
+import org.SEAR.geometry.Triangles;
+import org.SEAR.project.Project;
+import org.SEAR.project.ProjectRule;
+import org.junit.Rule;
+import org.junit.Test;
+
+/** What was loaded of a model is used again while its files are the same, and not longer. */
+public class KnownModelsTest {
+    private static final String CORNERS = "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n";
+
+    @Rule
+    public final ProjectRule project = new ProjectRule();
+
+    private final List<String> warnings = new ArrayList<>();
+
+    private Triangles load(Path folder, Model model) throws Exception {
+        return ModelLoader.withoutPictures(new Assets(folder.resolve("assets")), warnings::add).triangles(model);
+    }
+
+    /** As loadProject does: the start finds what the check has loaded, though the folder is renamed between them. */
+    @Test
+    public void whatIsCheckedIsNotLoadedAgain() throws Exception {
+        project.put("assets/m.obj", CORNERS);
+        Model model = new Model("m", "m.obj");
+        Project.read(project.folder()).checkFiles();
+        Triangles checked = load(project.folder(), model);
+        Path renamed = project.getRoot().toPath().resolve("renamed");
+        Files.move(project.folder(), renamed);
+        assertSame(checked, load(renamed, model));
+    }
+
+    @Test
+    public void changedFilesAreLoadedAnew() throws Exception {
+        project.put("assets/m.obj", CORNERS);
+        Model model = new Model("m", "m.obj");
+        load(project.folder(), model);
+        project.put("assets/m.obj", CORNERS.replace('2', '3').replace("f 1 3 3", "f 1 2 3"));       // as long, and within the clock's grain
+        assertEquals(3, load(project.folder(), model).vertices[7], 0);
+        Triangles before = load(project.folder(), model);
+        project.put("assets/beside.bin", "it may be a part of the model");
+        assertNotSame(before, load(project.folder(), model));
+    }
+
+    @Test
+    public void terrainsAndOthersOfOneFileStandWhereTheyShould() throws Exception {
+        project.put("assets/m.obj", CORNERS);
+        assertEquals(0, load(project.folder(), new Model("m", "m.obj")).vertices[0], 0);
+        Model terrain = new Model("ground", "m.obj");
+        terrain.setTerrain(true);
+        assertEquals(-0.5, load(project.folder(), terrain).vertices[0], 0);
+    }
+
+    @Test
+    public void whatCanNotBeShownIsToldEachTime() throws Exception {
+        project.put("assets/m.obj", "mtllib m.mtl\n" + CORNERS);
+        Model model = new Model("m", "m.obj");
+        load(project.folder(), model);
+        load(project.folder(), model);
+        assertEquals(2, warnings.size());
+        assertEquals(warnings.get(0), warnings.get(1));
+    }
+}

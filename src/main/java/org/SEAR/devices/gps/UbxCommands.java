@@ -1,7 +1,6 @@
 package org.SEAR.devices.gps;
 
 import java.nio.ByteBuffer;
-import java.util.Arrays;
 import org.SEAR.protocol.ubx.UbxFrame;
 import org.SEAR.protocol.ubx.UbxMessage;
 
@@ -65,10 +64,8 @@ final class UbxCommands {
                 return rates == null ? null : UbxFrame.room(2 + UbxSettings.PORTS).put(frame.getPayload()).put(rates).array();
             case CFG_RATE:
                 return frame.getLength() == 0 ? settings.rate : null;
-            case CFG_NMEA:
-                return frame.getLength() == 0 ? settings.nmea : null;
             default:
-                return null;
+                return frame.getLength() == 0 ? settings.kept.get(frame.getMessage()) : null;
         }
     }
 
@@ -88,14 +85,10 @@ final class UbxCommands {
                 return setRates(frame);
             case CFG_RATE:
                 return frame.getLength() == UbxSettings.RATE_SIZE && setPeriod(frame, time);
-            case CFG_NMEA:
-                boolean whole = Arrays.asList(4, 12, UbxSettings.NMEA_SIZE).contains(frame.getLength());
-                System.arraycopy(frame.getPayload(), 0, device.getSettings().nmea, 0, whole ? frame.getLength() : 0);
-                return whole;
             case CFG_CFG:
                 return configure(frame, time);
             default:
-                return false;
+                return device.getSettings().kept.set(frame.getMessage(), frame.getPayload());
         }
     }
 

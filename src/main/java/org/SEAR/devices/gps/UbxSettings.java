@@ -24,8 +24,6 @@ final class UbxSettings {
     static final int NMEA = 2;
     static final int RTCM = 4;
     static final int RATE_SIZE = 6;
-    static final int NMEA_SIZE = 20;
-    private static final int NMEA_VERSION = 0x40;
 
     /** Payloads of CFG-PRT. */
     final byte[][] ports = new byte[PORTS][];
@@ -33,8 +31,7 @@ final class UbxSettings {
     final Map<UbxMessage, byte[]> rates = new EnumMap<>(UbxMessage.class);
     /** Payload of CFG-RATE. */
     final byte[] rate;
-    /** Payload of CFG-NMEA. */
-    final byte[] nmea;
+    final KeptSettings kept = new KeptSettings();
 
     /** As delivered. */
     UbxSettings(int baud, int period) {
@@ -53,7 +50,6 @@ final class UbxSettings {
             java.util.Arrays.fill(rates.get(each), 0, PORTS - 1, (byte) 1);
         }
         rate = UbxFrame.room(RATE_SIZE).putShort((short) period).putShort((short) 1).putShort((short) 1).array();
-        nmea = UbxFrame.room(NMEA_SIZE).put(1, (byte) NMEA_VERSION).put(3, (byte) 2).put(15, (byte) 1).array();
     }
 
     /** Takes over some of another's settings; each is a bit of a mask, as CFG-CFG has it. */
@@ -68,7 +64,7 @@ final class UbxSettings {
         }
         if ((mask & Group.NAVIGATION.bit) != 0) {
             System.arraycopy(other.rate, 0, rate, 0, RATE_SIZE);
-            System.arraycopy(other.nmea, 0, nmea, 0, NMEA_SIZE);
+            kept.copy(other.kept);
         }
     }
 

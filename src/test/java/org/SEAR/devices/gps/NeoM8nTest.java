@@ -154,6 +154,40 @@ public class NeoM8nTest {
     }
 
     @Test
+    public void whatDriversSetAtTheirStartIsKeptAndAnswered() {
+        String air = UBX.get("navigation for up to 1 g in the air, the rest as a NEO-M8N is delivered, from u-center");
+        String done = " B5 62 05 01 02 00 06 24 32 5B";
+        assertEquals(changed(air, 8, 0) + done, ask(frame(UbxMessage.CFG_NAV5)));
+        assertEquals(done.trim(), ask(changed(changed(air, 7, 0), 6, 1)));
+        assertEquals("its bit of the mask was set", air + done, ask(frame(UbxMessage.CFG_NAV5)));
+        assertEquals(done.trim(), ask(changed(changed(changed(air, 7, 0), 6, 4), 9, 2)));
+        assertEquals("three dimensions only, the model as it was", changed(air, 9, 2) + done, ask(frame(UbxMessage.CFG_NAV5)));
+        assertEquals("no such model", "B5 62 05 00 02 00 06 24 31 56", ask(changed(air, 8, 1)));
+        assertEquals("no such mode", "B5 62 05 00 02 00 06 24 31 56", ask(changed(air, 9, 4)));
+        assertEquals("refused, so kept", changed(air, 9, 2) + done, ask(frame(UbxMessage.CFG_NAV5)));
+        String satellites = UBX.get("GPS and SBAS alone, as pilots of small aircraft set a NEO-M8N");
+        assertEquals("B5 62 05 01 02 00 06 3E 4C 75", ask(satellites));
+        assertEquals(changed(satellites, 7, 32) + " B5 62 05 01 02 00 06 3E 4C 75", ask(frame(UbxMessage.CFG_GNSS)));
+        ask(frame(UbxMessage.CFG_GNSS, 0, 32, 32, 1, 6, 8, 14, 0, 1, 0, 1, 1));
+        assertEquals("one system", changed(changed(satellites, 7, 32), 62, 1) + " B5 62 05 01 02 00 06 3E 4C 75", ask(frame(UbxMessage.CFG_GNSS)));
+        assertEquals("no such system", "B5 62 05 00 02 00 06 3E 4B 70", ask(frame(UbxMessage.CFG_GNSS, 0, 32, 32, 1, 7, 8, 14, 0, 1, 0, 1, 1)));
+        assertEquals("B5 62 05 01 02 00 06 16 24 4D", ask(frame(UbxMessage.CFG_SBAS, 0, 3, 3, 0, 0, 0, 0, 0)));
+        ask(SAVE);
+        gps.powerOff();
+        gps.powerOn(line.now);
+        assertEquals("saved", changed(air, 9, 2) + done, ask(frame(UbxMessage.CFG_NAV5)));
+        ask(FORGET);
+        assertEquals("as delivered", changed(air, 8, 0) + done, ask(frame(UbxMessage.CFG_NAV5)));
+    }
+
+    /** A frame with another byte, its check sum right again. */
+    private static String changed(String frame, int at, int value) {
+        byte[] bytes = Bytes.bytes(frame);
+        bytes[at] = (byte) value;
+        return Bytes.hex(new UbxFrame(bytes[2], bytes[3], java.util.Arrays.copyOfRange(bytes, 6, bytes.length - 2)).toBytes());
+    }
+
+    @Test
     public void theSolutionInEachOfItsMessages() {
         byte[] pvt = poll(UbxMessage.NAV_PVT);
         assertEquals(471190000 / 1e7 + 0.166233166, NavPvt.LATITUDE.get(pvt) / 1e7, 1e-7);

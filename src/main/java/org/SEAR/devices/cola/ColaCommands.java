@@ -25,6 +25,7 @@ final class ColaCommands {
     private static final Set<String> QUIET_EVENTS = Set.of("LFErec", "LIDoutputstate", "LIDinputstate", "LMDscandatamon");
     private static final int DONE = 1;
     private static final int TENTHS_OF_AN_HOUR = 360;
+    private static final double MICROSECONDS = 1e6;
     private static final int LONGEST_NAME = 16;
     private static final int WRONG_FREQUENCY = 1;
     private static final int WRONG_RESOLUTION = 2;
@@ -151,6 +152,8 @@ final class ColaCommands {
             String clock = String.format(Locale.ROOT, "%02d:%02d:%02d", up / 3600 % 24, up / 60 % 60, up % 60);
             out.u2(device.state().code).u1(0).text(clock).text("01.01.1970").u1(0).u1(0).u1(0);
         });
+        // four inputs, which nothing is wired to, and no time of a change
+        row("sRN LIDinputstate", NOBODY, (in, out) -> out.u2(0).i4((int) (long) (device.upTime(now) * MICROSECONDS)).u1(0).u1(0).u1(0).u1(0).u2(0));
         row("sRN SCdevicestate", NOBODY, (in, out) -> out.u1(device.state() == ColaScanner.State.MEASURING ? 1 : 0));
     }
 

@@ -287,6 +287,15 @@ public class ColaScannerTest {
         assertEquals("every second one", 25, text().split("sSN LMDscandata", -1).length - 1, 1);
     }
 
+    /** Its drivers ask for it; the form is that of SICK's own emulator. */
+    @Test
+    public void nothingIsWiredToTheInputs() {
+        line.pass(1);
+        assertTrue(ask("sRN LIDinputstate").matches("sRA LIDinputstate 0 F4[0-9A-F]{3} 0 0 0 0 0"));
+        assertTrue(payload(askB(binary("sRN LIDinputstate"))).matches("73 52 41 20 4C 49 44 69 6E 70 75 74 73 74 61 74 65 20 "
+            + "00 00 00 0F [0-9A-F]{2} [0-9A-F]{2} 00 00 00 00 00 00"));
+    }
+
     @Test
     public void standbyAndStart() {
         ask(LOGIN);

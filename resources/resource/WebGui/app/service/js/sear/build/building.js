@@ -331,9 +331,11 @@ export function makeBuilding(panel, messages, world, view, edits, palette, point
         panel.element('view').parentNode.addEventListener('mousedown', down, true)
         window.addEventListener('mousemove', moved, true)
         window.addEventListener('mouseup', up, true)
+        window.addEventListener('beforeunload', sendKeyed)
         panel.scope.$on('$destroy', function() {
             window.removeEventListener('mousemove', moved, true)
             window.removeEventListener('mouseup', up, true)
+            window.removeEventListener('beforeunload', sendKeyed)
         })
     }
 
